@@ -1,0 +1,34 @@
+# What every target of the project has in common: language level, floating point, warnings, sanitizers.
+find_program(TACTUS_CCACHE ccache)
+if(TACTUS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${TACTUS_CCACHE}")
+endif()
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(tactus_common INTERFACE)
+target_compile_features(tactus_common INTERFACE cxx_std_20)
+target_include_directories(tactus_common INTERFACE "${CMAKE_SOURCE_DIR}")
+# No contraction and no fast-math: the same entry point gives the same bits on every x86-64 machine.
+target_compile_options(tactus_common INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  target_compile_options(tactus_common INTERFACE -Wno-restrict)  # false alarms on std::string in g++ 12 (GCC bug 105651)
+endif()
+if(TACTUS_WERROR)
+  target_compile_options(tactus_common INTERFACE -Werror)
+endif()
+if(TACTUS_SANITIZE)
+  target_compile_options(tactus_common INTERFACE -fsanitize=${TACTUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(tactus_common INTERFACE -fsanitize=${TACTUS_SANITIZE})
+endif()
+
+# tactus_library(NAME SOURCES ... LINK ...): a static library whose LINK list is its place in the layering.
+function(tactus_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(${name} PUBLIC tactus_common ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+endfunction()

@@ -1,0 +1,234 @@
+#include "core/base/csv.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/base/file.h"
+#include "core/base/text.h"
+
+namespace tactus::base {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 31U;
+// No real row is longer; garbage without line ends is refused before it is split into cells.
+constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
+
+/// Splits a buffer into records. Quoted cells are unescaped in place, which only ever makes them shorter.
+class Splitter {
+ public:
+  explicit Splitter(std::string& text) : text_(text) {
+    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+  }
+
+  /// Reads the next record into `cells`; false at the end of the text.
+  Result<bool> next(std::vector<std::string_view>& cells) {
+    skipCommentsAndEmptyLines();
+    if (at_ >= text_.size()) return false;
+    record_line_ = line_;
+    cells.clear();
+    const std::size_t start = at_;
+    while (true) {
+      auto cell = text_[at_ < text_.size() ? at_ : 0] == '"' && at_ < text_.size()
+                      ? quotedCell()
+                      : Result<std::string_view>(plainCell());
+      if (!cell) return tl::unexpected(cell.error());
+      cells.push_back(*cell);
+      if (at_ - start > kLongestLine) {
+        return fail(ErrorCode::kLimit, linePlace(), "a line of more than 1 MiB", "rows of comma-separated cells");
+      }
+      if (at_ < text_.size() && text_[at_] == ',') {
+        ++at_;
+        continue;
+      }
+      endLine();
+      return true;
+    }
+  }
+
+  std::size_t recordLine() const { return record_line_; }
+
+ private:
+  std::string linePlace() const { return "line " + std::to_string(record_line_); }
+
+  void endLine() {
+    if (at_ < text_.size() && text_[at_] == '\r') ++at_;
+    if (at_ < text_.size() && text_[at_] == '\n') ++at_;
+    ++line_;
+  }
+
+  void skipCommentsAndEmptyLines() {
+    while (at_ < text_.size()) {
+      if (text_[at_] == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else if (text_[at_] != '\n' && text_[at_] != '\r') {
+        return;
+      }
+      endLine();
+    }
+  }
+
+  std::string_view plainCell() {
+    const std::size_t start = at_;
+    const std::size_t limit = std::min(text_.size(), start + kLongestLine + 1);
+    while (at_ < limit && text_[at_] != ',' && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
+    return std::string_view(text_).substr(start, at_ - start);
+  }
+
+  Result<std::string_view> quotedCell() {
+    const std::size_t start = ++at_;
+    std::size_t out = start;
+    const std::size_t limit = std::min(text_.size(), start + kLongestLine);
+    while (at_ < limit) {
+      if (text_[at_] == '"') {
+        ++at_;
+        const bool doubled = at_ < text_.size() && text_[at_] == '"';
+        if (!doubled) {
+          const bool ends = at_ == text_.size() || text_[at_] == ',' || text_[at_] == '\n' || text_[at_] == '\r';
+          if (!ends)
+            return fail(ErrorCode::kSyntax, linePlace(), "text after a closing quote",
+                        "a comma or the end of the line");
+          return std::string_view(text_).substr(start, out - start);
+        }
+      }
+      if (text_[at_] == '\n') ++line_;
+      text_[out++] = text_[at_++];
+    }
+    return fail(ErrorCode::kSyntax, linePlace(), "an opening quote without its end", "a closing quote");
+  }
+
+  std::string& text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+  std::size_t record_line_ = 1;
+};
+
+}  // namespace
+
+Result<CsvTable> CsvTable::parse(std::string text, std::string file) {
+  const auto refused = [&file](Error error) { return inFile(std::move(error), file); };
+  const auto syntax = [&](std::string place, std::string found, std::string wanted) {
+    return tl::unexpected(Error{ErrorCode::kSchema, file, std::move(place), std::move(found), std::move(wanted)});
+  };
+  if (!isUtf8(text)) {
+    return refused({ErrorCode::kSyntax, {}, {}, "bytes that are not UTF-8 text", "a CSV table in UTF-8"});
+  }
+
+  const auto buffer = std::make_shared<std::string>(std::move(text));
+  Splitter splitter(*buffer);
+  std::vector<std::string_view> record;
+  auto more = splitter.next(record);
+  if (!more) return refused(more.error());
+  if (!*more) return syntax({}, "an empty table", "a header line with the names of the columns");
+
+  CsvTable table;
+  for (const std::string_view name : record) {
+    const std::string column(trimmed(name));
+    if (column.empty())
+      return syntax("line " + std::to_string(splitter.recordLine()), "a column without a name",
+                    "a name for every column");
+    if (table.find(column))
+      return syntax("line " + std::to_string(splitter.recordLine()), "column " + quoted(column) + " twice",
+                    "each column once");
+    table.columns_.push_back(column);
+  }
+  while (true) {
+    more = splitter.next(record);
+    if (!more) return refused(more.error());
+    if (!*more) break;
+    if (record.size() != table.columns_.size()) {
+      return syntax("line " + std::to_string(splitter.recordLine()), std::to_string(record.size()) + " cells",
+                    std::to_string(table.columns_.size()) + " as in the header");
+    }
+    table.cells_.insert(table.cells_.end(), record.begin(), record.end());
+    table.lines_.push_back(splitter.recordLine());
+  }
+  table.file_ = std::move(file);
+  table.text_ = buffer;
+  return table;
+}
+
+Result<CsvTable> CsvTable::read(const std::string& path) {
+  auto text = readFile(path, kMostBytes);
+  if (!text) return tl::unexpected(text.error());
+  return parse(std::move(*text), path);
+}
+
+std::optional<std::size_t> CsvTable::find(std::string_view name) const {
+  const auto it = std::find(columns_.begin(), columns_.end(), name);
+  if (it == columns_.end()) return std::nullopt;
+  return static_cast<std::size_t>(it - columns_.begin());
+}
+
+Result<std::size_t> CsvTable::require(std::string_view name) const {
+  if (const auto column = find(name)) return *column;
+  std::string names;
+  for (const auto& column : columns_) {
+    names += (names.empty() ? "" : ", ") + quoted(column);
+    if (names.size() > 200) {
+      names += ", …";
+      break;
+    }
+  }
+  return tl::unexpected(Error{ErrorCode::kSchema, file_, "header", "the columns " + names, "a column " + quoted(name)});
+}
+
+Result<double> CsvTable::number(std::size_t row, std::size_t column) const {
+  const auto value = parseNumber(trimmed(cell(row, column)));
+  if (!value || !std::isfinite(*value)) return refuse(row, column, ErrorCode::kValue, "a finite number");
+  return *value;
+}
+
+Result<long long> CsvTable::integer(std::size_t row, std::size_t column) const {
+  const auto value = parseInteger(trimmed(cell(row, column)));
+  if (!value) return refuse(row, column, ErrorCode::kValue, "an integer");
+  return *value;
+}
+
+std::string CsvTable::place(std::size_t row, std::size_t column) const {
+  return "line " + std::to_string(lines_[row]) + ", column " + quoted(columns_[column]);
+}
+
+tl::unexpected<Error> CsvTable::refuse(std::size_t row, std::size_t column, ErrorCode code, std::string wanted) const {
+  const auto text = cell(row, column);
+  return tl::unexpected(
+      Error{code, file_, place(row, column), text.empty() ? "an empty cell" : quoted(text), std::move(wanted)});
+}
+
+CsvWriter::CsvWriter(std::span<const std::string> columns) : columns_(columns.size()) {
+  for (const auto& column : columns) cell(column);
+  endRow();
+}
+
+CsvWriter::CsvWriter(std::initializer_list<std::string_view> columns) : columns_(columns.size()) {
+  for (const auto column : columns) cell(column);
+  endRow();
+}
+
+CsvWriter& CsvWriter::cell(std::string_view text) {
+  if (filled_++ > 0) text_ += ',';
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos && !text.starts_with('#')) {
+    text_ += text;
+    return *this;
+  }
+  text_ += '"';
+  for (const char c : text) {
+    if (c == '"') text_ += '"';
+    text_ += c;
+  }
+  text_ += '"';
+  return *this;
+}
+
+CsvWriter& CsvWriter::cell(double value) { return cell(std::string_view(formatNumber(value))); }
+
+CsvWriter& CsvWriter::cell(long long value) { return cell(std::string_view(std::to_string(value))); }
+
+void CsvWriter::endRow() {
+  TACTUS_CHECK(filled_ == columns_);
+  text_ += '\n';
+  filled_ = 0;
+}
+
+}  // namespace tactus::base

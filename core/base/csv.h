@@ -1,0 +1,79 @@
+// CSV tables (RFC 4180): a header, commas, UTF-8 with or without a byte order mark.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace tactus::base {
+
+/// A table read from CSV. The cells are views into one buffer that the table keeps alive, so copies are cheap and
+/// millions of rows fit into memory.
+class CsvTable {
+ public:
+  /// Reads `text`, said to be of `file` in errors. Lines that start with `#` are comments, empty lines are skipped.
+  /// Refused: no header, a doubled or empty column name, a row with another number of cells than the header, an open
+  /// quote, text that is not UTF-8, a line longer than 1 MiB.
+  static Result<CsvTable> parse(std::string text, std::string file);
+
+  /// Reads the file `path` of at most 2 GiB.
+  static Result<CsvTable> read(const std::string& path);
+
+  const std::string& file() const { return file_; }
+  const std::vector<std::string>& columns() const { return columns_; }
+  std::size_t rowCount() const { return lines_.size(); }
+
+  /// Index of the column `name`, or nothing.
+  std::optional<std::size_t> find(std::string_view name) const;
+  /// Index of the column `name`; its absence is an error that lists the columns there are.
+  Result<std::size_t> require(std::string_view name) const;
+
+  /// The cell as text, spaces at the ends kept.
+  std::string_view cell(std::size_t row, std::size_t column) const { return cells_[row * columns_.size() + column]; }
+  /// The cell as a finite number, or an error with line, column and text.
+  Result<double> number(std::size_t row, std::size_t column) const;
+  /// The cell as an integer, or an error.
+  Result<long long> integer(std::size_t row, std::size_t column) const;
+
+  /// `line 12, column 'speed_mm_s'`, for errors about a cell.
+  std::string place(std::size_t row, std::size_t column) const;
+  /// An error about a cell: its place, its text, and what was wanted.
+  tl::unexpected<Error> refuse(std::size_t row, std::size_t column, ErrorCode code, std::string wanted) const;
+
+ private:
+  std::string file_;
+  std::shared_ptr<const std::string> text_;
+  std::vector<std::string> columns_;
+  std::vector<std::string_view> cells_;  // row by row
+  std::vector<std::size_t> lines_;       // line number of each row, from 1
+};
+
+/// Builds CSV text: rows in, text out; cells are quoted only where they must be.
+class CsvWriter {
+ public:
+  explicit CsvWriter(std::span<const std::string> columns);
+  CsvWriter(std::initializer_list<std::string_view> columns);
+
+  CsvWriter& cell(std::string_view text);
+  CsvWriter& cell(double value);
+  CsvWriter& cell(long long value);
+  CsvWriter& cell(std::size_t value) { return cell(static_cast<long long>(value)); }
+  CsvWriter& cell(int value) { return cell(static_cast<long long>(value)); }
+  /// Ends the row. The number of cells must be the number of columns (a check of our own code).
+  void endRow();
+
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::size_t columns_ = 0;
+  std::size_t filled_ = 0;
+};
+
+}  // namespace tactus::base

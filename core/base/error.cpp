@@ -1,0 +1,72 @@
+#include "core/base/error.h"
+
+#include <utility>
+
+namespace tactus::base {
+
+std::string_view describe(ErrorCode code) noexcept {
+  switch (code) {
+    case ErrorCode::kIo:
+      return "a file or folder cannot be read or written";
+    case ErrorCode::kSyntax:
+      return "the text is not of its format";
+    case ErrorCode::kSchema:
+      return "something is missing, doubled or of the wrong type";
+    case ErrorCode::kValue:
+      return "a value is outside what its place allows";
+    case ErrorCode::kReference:
+      return "a name refers to nothing";
+    case ErrorCode::kLimit:
+      return "a limit is exceeded";
+    case ErrorCode::kVersion:
+      return "the file is newer than this program";
+    case ErrorCode::kMismatch:
+      return "a verification failed";
+    case ErrorCode::kData:
+      return "the data do not determine an answer";
+  }
+  return "unknown error";
+}
+
+std::string Error::message() const {
+  std::string text;
+  for (const std::string* part : {&file, &place}) {
+    if (!part->empty()) text += *part + ": ";
+  }
+  text += "found " + found + ", wanted " + wanted;
+  return text;
+}
+
+tl::unexpected<Error> fail(ErrorCode code, std::string place, std::string found, std::string wanted) {
+  return tl::unexpected(Error{code, {}, std::move(place), std::move(found), std::move(wanted)});
+}
+
+tl::unexpected<Error> inFile(Error error, std::string_view file) {
+  if (error.file.empty()) error.file = file;
+  return tl::unexpected(std::move(error));
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kMostBytes = 60;
+  const bool cut = text.size() > kMostBytes;
+  if (cut) {
+    std::size_t end = kMostBytes;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    text = text.substr(0, end);
+  }
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::string out = "'";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      out += "\\x";
+      out += kHex[byte >> 4U];
+      out += kHex[byte & 15U];
+    } else {
+      out += c;
+    }
+  }
+  return out + (cut ? "…'" : "'");
+}
+
+}  // namespace tactus::base

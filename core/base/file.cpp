@@ -1,0 +1,132 @@
+#include "core/base/file.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace tactus::base {
+namespace {
+
+std::string reason(int error_number) { return std::strerror(error_number); }  // NOLINT(concurrency-mt-unsafe)
+
+tl::unexpected<Error> ioError(const std::string& path, std::string found, std::string wanted) {
+  return tl::unexpected(Error{ErrorCode::kIo, path, {}, std::move(found), std::move(wanted)});
+}
+
+/// Closes a file descriptor on every way out.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+  bool close() {
+    const int open_number = std::exchange(number_, -1);
+    return open_number < 0 || ::close(open_number) == 0;
+  }
+
+ private:
+  int number_;
+};
+
+bool writeAll(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// A new file opened through mkstemp gets mode 0600; the result has what the old file had, or the usual mode.
+mode_t wantedMode(const std::string& target) {
+  struct stat old {};
+  if (::stat(target.c_str(), &old) == 0) return old.st_mode & 07777U;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666U & ~mask;
+}
+
+}  // namespace
+
+Result<std::string> readFile(const std::string& path, std::size_t most_bytes) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0) return ioError(path, reason(errno), "a readable file");
+  struct stat info {};
+  if (::fstat(file.number(), &info) != 0) return ioError(path, reason(errno), "a readable file");
+  if (S_ISDIR(info.st_mode)) return ioError(path, "a folder", "a file");
+
+  const auto too_large = [&](std::size_t size) {
+    return tl::unexpected(Error{ErrorCode::kLimit,
+                                path,
+                                {},
+                                std::to_string(size) + " bytes or more",
+                                "at most " + std::to_string(most_bytes) + " bytes"});
+  };
+  if (std::cmp_greater(info.st_size, most_bytes)) return too_large(static_cast<std::size_t>(info.st_size));
+
+  // A pipe says size 0, so read until the end rather than by the size.
+  std::string bytes;
+  constexpr std::size_t kChunk = std::size_t{1} << 20U;
+  std::size_t length = 0;
+  while (true) {
+    if (bytes.size() < length + kChunk)
+      bytes.resize(std::max(length + kChunk, static_cast<std::size_t>(info.st_size) + 1));
+    const ssize_t got = ::read(file.number(), bytes.data() + length, bytes.size() - length);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return ioError(path, reason(errno), "a readable file");
+    if (got == 0) break;
+    length += static_cast<std::size_t>(got);
+    if (length > most_bytes) return too_large(length);
+  }
+  bytes.resize(length);
+  return bytes;
+}
+
+Result<void> writeFileAtomically(const std::string& path, std::string_view bytes) {
+  std::error_code ignored;
+  std::string target = path;
+  if (std::filesystem::is_symlink(path, ignored)) {
+    const auto resolved = std::filesystem::canonical(path, ignored);
+    if (!ignored) target = resolved.string();
+  }
+  if (std::filesystem::is_directory(target, ignored)) return ioError(path, "a folder", "a file name");
+
+  std::string temporary = target + ".XXXXXX";
+  const mode_t mode = wantedMode(target);
+  Descriptor file(::mkstemp(temporary.data()));
+  if (file.number() < 0) return ioError(path, reason(errno), "a folder that can be written to");
+
+  const bool written =
+      writeAll(file.number(), bytes) && ::fchmod(file.number(), mode) == 0 && ::fsync(file.number()) == 0;
+  const int write_error = errno;
+  if (!written || !file.close() || std::rename(temporary.c_str(), target.c_str()) != 0) {
+    const std::string why = reason(written ? errno : write_error);
+    ::unlink(temporary.c_str());
+    return ioError(path, why, "a file that can be written");
+  }
+  // The rename itself must survive a power cut too.
+  const auto folder = std::filesystem::path(target).parent_path();
+  const Descriptor parent(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (parent.number() >= 0) ::fsync(parent.number());
+  return {};
+}
+
+Result<void> makeFolder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path)) {
+    return ioError(path, error ? error.message() : "a file", "a folder that can be made");
+  }
+  return {};
+}
+
+}  // namespace tactus::base
