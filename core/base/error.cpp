@@ -34,7 +34,7 @@ std::string Error::message() const {
     if (!part->empty()) text += *part + ": ";
   }
   text += "found " + found + ", wanted " + wanted;
-  return text;
+  return oneLine(text);
 }
 
 tl::unexpected<Error> fail(ErrorCode code, std::string place, std::string found, std::string wanted) {
@@ -46,16 +46,9 @@ tl::unexpected<Error> inFile(Error error, std::string_view file) {
   return tl::unexpected(std::move(error));
 }
 
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kMostBytes = 60;
-  const bool cut = text.size() > kMostBytes;
-  if (cut) {
-    std::size_t end = kMostBytes;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-    text = text.substr(0, end);
-  }
+std::string oneLine(std::string_view text) {
   constexpr std::string_view kHex = "0123456789abcdef";
-  std::string out = "'";
+  std::string out;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20 || byte == 0x7F) {
@@ -66,7 +59,18 @@ std::string quoted(std::string_view text) {
       out += c;
     }
   }
-  return out + (cut ? "…'" : "'");
+  return out;
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kMostBytes = 60;
+  const bool cut = text.size() > kMostBytes;
+  if (cut) {
+    std::size_t end = kMostBytes;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    text = text.substr(0, end);
+  }
+  return "'" + oneLine(text) + (cut ? "…'" : "'");
 }
 
 }  // namespace tactus::base

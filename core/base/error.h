@@ -44,6 +44,9 @@ tl::unexpected<Error> fail(ErrorCode code, std::string place, std::string found,
 /// The same error, said of `file`. A file that is named already stays.
 tl::unexpected<Error> inFile(Error error, std::string_view file);
 
+/// `text` with its control characters escaped, so that it stays on one line.
+std::string oneLine(std::string_view text);
+
 /// Outside text in quotes for a message: control characters escaped, at most 60 bytes, cut at a whole UTF-8 character.
 std::string quoted(std::string_view text);
 

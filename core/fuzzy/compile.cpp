@@ -64,9 +64,9 @@ base::Result<CompiledModel> compile(const ForceModel& model) {
     const auto& output_terms = termsFor(expert, model.output);
     for (const auto& rule : expert.rules) {
       if (!rule.enabled || rule.weight == 0) continue;
-      compiled.rules.push_back(
-          {static_cast<std::uint32_t>(compiled.conditions.size()), static_cast<std::uint16_t>(rule.conditions.size()),
-           static_cast<std::uint16_t>(indexOf(output_terms, rule.then)), rule.weight * CompiledModel::kStrengthScale});
+      compiled.rules.push_back({static_cast<std::uint32_t>(compiled.conditions.size()),
+                                static_cast<std::uint16_t>(rule.conditions.size()),
+                                static_cast<std::uint16_t>(indexOf(output_terms, rule.then)), rule.weight});
       for (const auto& condition : rule.conditions) {
         const std::size_t input = indexOf(model.inputs, condition.input);
         const auto& terms = termsFor(expert, model.inputs[input]);

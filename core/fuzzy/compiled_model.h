@@ -27,6 +27,8 @@ class CompiledModel {
   double outputMin() const noexcept { return output_min_; }
   double outputMax() const noexcept { return output_max_; }
   Implication implication() const noexcept { return implication_; }
+  /// Weight of an expert in the mean, relative to the largest.
+  double weight(std::size_t expert) const noexcept { return experts_[expert].weight; }
 
   /// The averaged force (paper, Eq. 2): the weighted mean over the experts that do not abstain.
   /// `inputs`: inputCount() values in the order and units of the model's inputs; outside the universe they are clamped.
@@ -55,7 +57,8 @@ class CompiledModel {
   /// A list of terms of one variable; experts without a list of their own share it.
   using Bank = std::vector<MembershipFunction>;
 
-  /// Strengths are kept times this power of two, so that a small weight times a small membership does not underflow.
+  /// Memberships and strengths are kept times this power of two, so that small ones and their products keep their
+  /// digits.
   static constexpr double kStrengthScale = 0x1p512;
 
   struct CompiledCondition {
@@ -66,7 +69,7 @@ class CompiledModel {
     std::uint32_t first_condition;
     std::uint16_t condition_count;
     std::uint16_t then;
-    double weight;  ///< times kStrengthScale
+    double weight;
   };
   struct CompiledExpert {
     double weight = 1;                      ///< relative to the largest weight

@@ -16,7 +16,7 @@ constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 
 }  // namespace
 
-/// Memberships of the current point, kept while consecutive experts share their terms.
+/// Memberships of the current point times kStrengthScale, kept while consecutive experts share their terms.
 struct CompiledModel::Fuzzified {
   std::array<std::array<double, kMostTerms>, kMostInputs> membership;
   std::array<std::uint32_t, kMostInputs> bank;
@@ -42,14 +42,15 @@ bool CompiledModel::expertStrengths(const CompiledExpert& expert, std::span<cons
   for (std::size_t i = 0; i < clamped.size(); ++i) {
     if (fuzzified.bank[i] == expert.input_bank[i]) continue;
     const Bank& bank = banks_[expert.input_bank[i]];
-    for (std::size_t t = 0; t < bank.size(); ++t) fuzzified.membership[i][t] = bank[t](clamped[i]);
+    for (std::size_t t = 0; t < bank.size(); ++t)
+      fuzzified.membership[i][t] = bank[t].scaled(clamped[i], kStrengthScale);
     fuzzified.bank[i] = expert.input_bank[i];
   }
 
   std::fill(strengths.begin(), strengths.end(), 0.0);
   bool fired = false;
   for (const auto& rule : expert.rules) {
-    double membership = 1;
+    double membership = kStrengthScale;
     for (std::uint32_t c = rule.first_condition; c < rule.first_condition + rule.condition_count; ++c) {
       const auto& condition = expert.conditions[c];
       membership = std::min(membership, fuzzified.membership[condition.input][condition.term]);

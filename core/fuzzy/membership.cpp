@@ -7,7 +7,7 @@
 namespace tactus::fuzzy {
 namespace {
 
-/// numerator / denominator for 0 < numerator < denominator: in (0, 1], never rounded down to 0.
+/// numerator / denominator for positive arguments, never rounded down to 0.
 double share(double numerator, double denominator) noexcept {
   return std::max(numerator / denominator, std::numeric_limits<double>::denorm_min());
 }
@@ -32,14 +32,14 @@ MembershipFunction MembershipFunction::of(const Term& term) noexcept {
   return f;
 }
 
-double MembershipFunction::operator()(double x) const noexcept {
+double MembershipFunction::scaled(double x, double scale) const noexcept {
   if (gaussian) {
     const double u = (x - mean) / sigma;
-    return std::exp(-0.5 * u * u);
+    return scale * std::exp(-0.5 * u * u);
   }
-  if (x < b) return x > a ? share(x - a, b - a) : 0;
-  if (x <= c) return 1;
-  return x < d ? share(d - x, d - c) : 0;
+  if (x < b) return x > a ? share(scale * (x - a), b - a) : 0;
+  if (x <= c) return scale;
+  return x < d ? share(scale * (d - x), d - c) : 0;
 }
 
 }  // namespace tactus::fuzzy

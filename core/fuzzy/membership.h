@@ -18,7 +18,10 @@ struct MembershipFunction {
   /// with membership 1 at the edge. Strictly inside the support it is never rounded down to 0, so that a rule fires
   /// exactly where real arithmetic says so. A Gaussian is exp(-((x - mean) / sigma)^2 / 2).
   /// Thread: any. Real-time safe: yes.
-  double operator()(double x) const noexcept;
+  double operator()(double x) const noexcept { return scaled(x, 1); }
+
+  /// `scale` times the membership, where the membership alone would lose digits below the normal range of double.
+  double scaled(double x, double scale) const noexcept;
 };
 
 }  // namespace tactus::fuzzy
