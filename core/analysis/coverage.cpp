@@ -1,0 +1,183 @@
+// Splits each input at the ends of the supports into points and open intervals; within such a cell the set of live
+// rules is constant. Cells with the same live rules are merged before the next input is looked at, which keeps the
+// search small.
+#include "core/analysis/coverage.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/check.h"
+#include "core/base/text.h"
+#include "core/fuzzy/membership.h"
+
+namespace tactus::analysis {
+namespace {
+
+using fuzzy::ForceModel;
+using fuzzy::MembershipFunction;
+
+// Enough for thousands of boxes; a model that needs more is reported as incomplete instead of keeping people waiting.
+constexpr std::size_t kMostSteps = 200000;
+
+struct LiveCondition {
+  std::size_t input;
+  MembershipFunction function;
+};
+
+using LiveRule = std::vector<LiveCondition>;
+
+/// One point or one open interval of an input.
+struct Cell {
+  double low, high;
+  bool point;
+
+  double representative() const { return point ? low : low + (high - low) / 2; }
+};
+
+std::vector<LiveRule> liveRules(const ForceModel& model, std::span<const std::size_t> experts) {
+  std::vector<LiveRule> rules;
+  for (const std::size_t e : experts) {
+    const auto& expert = model.experts[e];
+    for (const auto& rule : expert.rules) {
+      if (!rule.enabled || rule.weight == 0) continue;
+      LiveRule live;
+      for (const auto& condition : rule.conditions) {
+        std::size_t i = 0;
+        while (model.inputs[i].id != condition.input) ++i;
+        live.push_back({i, MembershipFunction::of(*findTerm(termsFor(expert, model.inputs[i]), condition.term))});
+      }
+      rules.push_back(std::move(live));
+    }
+  }
+  return rules;
+}
+
+std::vector<Cell> cellsOf(const fuzzy::Variable& variable, std::size_t input, const std::vector<LiveRule>& rules) {
+  std::vector<double> ends = {variable.min, variable.max};
+  for (const auto& rule : rules) {
+    for (const auto& condition : rule) {
+      if (condition.input != input || condition.function.gaussian) continue;
+      for (const double end : {condition.function.a, condition.function.d}) {
+        if (end > variable.min && end < variable.max) ends.push_back(end);
+      }
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  std::vector<Cell> cells;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (k > 0) {
+      const Cell between{ends[k - 1], ends[k], false};
+      // Between neighbouring doubles there is no point.
+      if (between.representative() > between.low && between.representative() < between.high) cells.push_back(between);
+    }
+    cells.push_back({ends[k], ends[k], true});
+  }
+  return cells;
+}
+
+class Search {
+ public:
+  Search(const ForceModel& model, std::vector<LiveRule> rules) : model_(model), rules_(std::move(rules)) {
+    // The input that most rules mention first: where it alone kills every rule, the whole slab is one hole.
+    order_.resize(model.inputs.size());
+    std::iota(order_.begin(), order_.end(), 0);
+    std::vector<std::size_t> mentions(order_.size());
+    for (const auto& rule : rules_) {
+      for (const auto& condition : rule) ++mentions[condition.input];
+    }
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::size_t x, std::size_t y) { return mentions[x] > mentions[y]; });
+    for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+      const auto& input = model.inputs[i];
+      cells_.push_back(cellsOf(input, i, rules_));
+      box_.ranges.push_back({input.id, input.min, input.max, true, true, true});
+    }
+  }
+
+  Coverage run() {
+    std::vector<std::size_t> all(rules_.size());
+    std::iota(all.begin(), all.end(), 0);
+    descend(0, all);
+    return std::move(result_);
+  }
+
+ private:
+  const LiveCondition* conditionOn(std::size_t rule, std::size_t input) const {
+    for (const auto& condition : rules_[rule]) {
+      if (condition.input == input) return &condition;
+    }
+    return nullptr;
+  }
+
+  /// A rule without a condition on the inputs from `depth` on fires whatever they are.
+  bool coversTheRest(std::size_t rule, std::size_t depth) const {
+    return std::none_of(order_.begin() + static_cast<std::ptrdiff_t>(depth), order_.end(),
+                        [&](std::size_t input) { return conditionOn(rule, input) != nullptr; });
+  }
+
+  std::vector<std::size_t> survivors(const std::vector<std::size_t>& live, std::size_t input, double x) const {
+    std::vector<std::size_t> out;
+    for (const std::size_t rule : live) {
+      const LiveCondition* const condition = conditionOn(rule, input);
+      if (condition == nullptr || condition->function(x) > 0) out.push_back(rule);
+    }
+    return out;
+  }
+
+  void descend(std::size_t depth, const std::vector<std::size_t>& live) {
+    if (++steps_ > kMostSteps) {
+      result_.complete = false;
+      return;
+    }
+    if (live.empty()) {
+      result_.holes.push_back(box_);
+      return;
+    }
+    if (std::any_of(live.begin(), live.end(), [&](std::size_t rule) { return coversTheRest(rule, depth); })) return;
+    TACTUS_CHECK(depth < order_.size());
+
+    const std::size_t input = order_[depth];
+    const auto& cells = cells_[input];
+    const InputRange whole = box_.ranges[input];
+    for (std::size_t first = 0; first < cells.size();) {
+      const auto alive = survivors(live, input, cells[first].representative());
+      std::size_t last = first;
+      while (last + 1 < cells.size() && survivors(live, input, cells[last + 1].representative()) == alive) ++last;
+      box_.ranges[input] = {whole.input,        cells[first].low,  cells[last].high,
+                            cells[first].point, cells[last].point, first == 0 && last + 1 == cells.size()};
+      descend(depth + 1, alive);
+      first = last + 1;
+    }
+    box_.ranges[input] = whole;
+  }
+
+  const ForceModel& model_;
+  std::vector<LiveRule> rules_;
+  std::vector<std::size_t> order_;
+  std::vector<std::vector<Cell>> cells_;
+  Hole box_;
+  Coverage result_;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace
+
+Coverage coverage(const ForceModel& model, std::span<const std::size_t> experts) {
+  return Search(model, liveRules(model, experts)).run();
+}
+
+std::string describe(const Hole& hole, const ForceModel& model) {
+  std::string text;
+  for (std::size_t i = 0; i < hole.ranges.size(); ++i) {
+    const auto& range = hole.ranges[i];
+    if (range.whole_universe) continue;
+    if (!text.empty()) text += ", ";
+    text += range.input + ' ' + base::formatNumber(range.low);
+    if (range.high != range.low) text += " to " + base::formatNumber(range.high);
+    if (model.inputs[i].unit != "1") text += ' ' + model.inputs[i].unit;
+  }
+  return text.empty() ? "everywhere" : text;
+}
+
+}  // namespace tactus::analysis

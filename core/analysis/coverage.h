@@ -1,0 +1,46 @@
+// Coverage: the regions of the input space where no rule fires, with exact boundaries.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::analysis {
+
+/// A range of one input. An end that is not included is still outside the hole.
+struct InputRange {
+  std::string input;
+  double low = 0;
+  double high = 0;
+  bool low_included = true;
+  bool high_included = true;
+  bool whole_universe = false;
+
+  bool operator==(const InputRange&) const = default;
+};
+
+/// A box of the input space in which no rule of the experts in question fires. One range per input, in the model's
+/// order.
+struct Hole {
+  std::vector<InputRange> ranges;
+
+  bool operator==(const Hole&) const = default;
+};
+
+struct Coverage {
+  std::vector<Hole> holes;  ///< disjoint boxes; together they are all of the uncovered space
+  bool complete = true;     ///< false where the search was cut off because the model is too finely divided
+};
+
+/// Holes of the experts at the given indices taken together: a point is covered where one of them has a rule of
+/// strength > 0. With one index: where that expert abstains; with all of weight > 0: where the averaged force has no
+/// value. The boundaries are ends of supports, nothing is sampled. A Gaussian covers everything. `model` must be valid
+/// (fuzzy::validate).
+Coverage coverage(const fuzzy::ForceModel& model, std::span<const std::size_t> experts);
+
+/// `depth 125 to 138 mm`, the ranges that are not whole universes; `everywhere` where all are.
+std::string describe(const Hole& hole, const fuzzy::ForceModel& model);
+
+}  // namespace tactus::analysis

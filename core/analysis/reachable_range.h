@@ -1,0 +1,12 @@
+// The range of forces that a model gives, as far as looking at many points shows.
+#pragma once
+
+#include "core/analysis/lint.h"
+
+namespace tactus::analysis {
+
+/// Looks at every combination of the vertices of all terms and the middles between them, or, where these are more than
+/// 20,000, at 20,000 points of a Halton sequence over them. Deterministic.
+ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled);
+
+}  // namespace tactus::analysis
