@@ -208,7 +208,9 @@ CsvWriter::CsvWriter(std::initializer_list<std::string_view> columns) : columns_
 
 CsvWriter& CsvWriter::cell(std::string_view text) {
   if (filled_++ > 0) text_ += ',';
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos && !text.starts_with('#')) {
+  // A line that is empty or starts with # would be skipped on reading.
+  const bool skipped = (text.empty() && columns_ == 1) || text.starts_with('#');
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos && !skipped) {
     text_ += text;
     return *this;
   }

@@ -3,6 +3,17 @@
 #include <utility>
 
 namespace tactus::base {
+namespace {
+
+/// The first `most_bytes` of `text`, cut at a whole UTF-8 character.
+std::string shortened(std::string_view text, std::size_t most_bytes) {
+  if (text.size() <= most_bytes) return std::string(text);
+  std::size_t end = most_bytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return std::string(text.substr(0, end)) + "…";
+}
+
+}  // namespace
 
 std::string_view describe(ErrorCode code) noexcept {
   switch (code) {
@@ -29,10 +40,10 @@ std::string_view describe(ErrorCode code) noexcept {
 }
 
 std::string Error::message() const {
+  constexpr std::size_t kLongestPlace = 300;  // a place may carry a key of any length
   std::string text;
-  for (const std::string* part : {&file, &place}) {
-    if (!part->empty()) text += *part + ": ";
-  }
+  if (!file.empty()) text += file + ": ";
+  if (!place.empty()) text += shortened(place, kLongestPlace) + ": ";
   text += "found " + found + ", wanted " + wanted;
   return oneLine(text);
 }
@@ -62,15 +73,6 @@ std::string oneLine(std::string_view text) {
   return out;
 }
 
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kMostBytes = 60;
-  const bool cut = text.size() > kMostBytes;
-  if (cut) {
-    std::size_t end = kMostBytes;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-    text = text.substr(0, end);
-  }
-  return "'" + oneLine(text) + (cut ? "…'" : "'");
-}
+std::string quoted(std::string_view text) { return "'" + oneLine(shortened(text, 60)) + "'"; }
 
 }  // namespace tactus::base

@@ -1,0 +1,104 @@
+// A JSON text as a flat list of values, read strictly: doubled keys, deep nesting and numbers beyond a double are
+// refused. Flat, so that a hostile file costs little memory and no stack.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace tactus::model_io {
+
+enum class JsonKind : std::uint8_t { kNull, kTrue, kFalse, kNumber, kString, kArray, kObject };
+
+class JsonValue;
+
+class JsonDocument {
+ public:
+  static constexpr std::size_t kDeepest = 64;  ///< containers inside each other; a model file itself needs 7
+
+  /// Reads `text` (UTF-8 of less than 4 GiB, a byte order mark is skipped), whose outermost value must be an object.
+  /// Syntax errors carry line and column, the others the pointer (RFC 6901) of the value.
+  static base::Result<JsonDocument> parse(std::string_view text);
+
+  /// The outermost object. Values refer to the document, which must stay where it is while they are used.
+  JsonValue root() const;
+
+ private:
+  friend class JsonValue;
+  friend class JsonBuilder;
+
+  struct Node {
+    std::uint32_t next = 0;  ///< index after the last node of this value
+    std::uint32_t key_begin = 0;
+    std::uint32_t key_size = 0;
+    std::uint32_t text_begin = 0;
+    std::uint32_t text_size = 0;
+    JsonKind kind = JsonKind::kNull;
+  };
+
+  std::string_view poolText(std::uint32_t begin, std::uint32_t size) const {
+    return std::string_view(pool_).substr(begin, size);
+  }
+
+  std::deque<Node> nodes_;  ///< each container is followed by its children
+  std::string pool_;        ///< keys, strings and digits of numbers
+};
+
+/// One value of a document. Arrays and objects are ranges: `for (const JsonValue child : value)`.
+class JsonValue {
+ public:
+  class Iterator {
+   public:
+    Iterator(const JsonDocument* document, std::uint32_t index) : document_(document), index_(index) {}
+    JsonValue operator*() const { return {document_, index_}; }
+    Iterator& operator++() {
+      index_ = document_->nodes_[index_].next;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return index_ != other.index_; }
+
+   private:
+    const JsonDocument* document_;
+    std::uint32_t index_;
+  };
+
+  JsonKind kind() const { return node().kind; }
+  /// The key under which the value stands; empty in an array.
+  std::string_view key() const { return document_->poolText(node().key_begin, node().key_size); }
+  /// The characters of a string, the digits of a number as the file has them; empty for the other kinds.
+  std::string_view text() const { return document_->poolText(node().text_begin, node().text_size); }
+  /// The value of a number.
+  double number() const;
+  /// The value under `key` of an object, or nothing.
+  std::optional<JsonValue> find(std::string_view key) const;
+
+  Iterator begin() const { return {document_, index_ + 1}; }
+  Iterator end() const { return {document_, node().next}; }
+
+  /// The pointer (RFC 6901) of this value, e.g. `/inputs/0/terms/2`; empty for the outermost.
+  std::string pointer() const;
+  /// What stands here, for an error: `the string 'x'`, `the number 3`, `an array`.
+  std::string description() const;
+  /// The value as JSON text on one line; numbers keep their digits.
+  std::string json() const;
+
+ private:
+  friend class JsonDocument;
+
+  JsonValue(const JsonDocument* document, std::uint32_t index) : document_(document), index_(index) {}
+  const JsonDocument::Node& node() const { return document_->nodes_[index_]; }
+
+  const JsonDocument* document_;
+  std::uint32_t index_;
+};
+
+/// `place` followed by a key or index, escaped as RFC 6901 says.
+std::string childPointer(const std::string& place, std::string_view key);
+std::string childPointer(const std::string& place, std::size_t index);
+
+}  // namespace tactus::model_io

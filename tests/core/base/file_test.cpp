@@ -1,0 +1,84 @@
+#include "core/base/file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+#include <sys/stat.h>
+
+#include "tests/support/temp_folder.h"
+
+namespace tactus::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(File, WhatIsWrittenReadsBack) {
+  const support::TempFolder folder;
+  const std::string path = folder.file("Größe 1.bin");
+  const std::string bytes("a\0b\r\n\xFF", 6);
+  ASSERT_TRUE(writeFileAtomically(path, bytes).has_value());
+  EXPECT_EQ(readFile(path, 6), bytes);
+  ASSERT_TRUE(writeFileAtomically(path, "").has_value());
+  EXPECT_EQ(readFile(path, 0), "");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("")), fs::directory_iterator()), 1);
+}
+
+TEST(File, TheSizeLimitHoldsForSparseFilesAndPipes) {
+  const support::TempFolder folder;
+  const std::string path = folder.file("huge");
+  std::ofstream(path).put('x');
+  fs::resize_file(path, 200'000'000);
+  EXPECT_EQ(readFile(path, 1000).error().code, ErrorCode::kLimit);
+  EXPECT_EQ(readFile("/dev/zero", 5'000'000).error().code, ErrorCode::kLimit);
+}
+
+TEST(File, WhatCannotBeReadIsSaid) {
+  const support::TempFolder folder;
+  EXPECT_EQ(readFile(folder.file("none"), 10).error().message(),
+            folder.file("none") + ": found No such file or directory, wanted a readable file");
+  EXPECT_EQ(readFile(folder.file(""), 10).error().message(), folder.file("") + ": found a folder, wanted a file");
+}
+
+TEST(File, AFailedWriteLeavesNothingBehind) {
+  const support::TempFolder folder;
+  EXPECT_EQ(writeFileAtomically(folder.file("none/x"), "text").error().code, ErrorCode::kIo);
+  ASSERT_TRUE(makeFolder(folder.file("taken")).has_value());
+  EXPECT_EQ(writeFileAtomically(folder.file("taken"), "text").error().code, ErrorCode::kIo);
+  EXPECT_TRUE(fs::is_empty(folder.file("taken")));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("")), fs::directory_iterator()), 1);
+}
+
+TEST(File, ALinkStaysALinkAndTheModeStays) {
+  const support::TempFolder folder;
+  const std::string real = folder.file("real");
+  ASSERT_TRUE(writeFileAtomically(real, "old").has_value());
+  fs::permissions(real, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  fs::create_symlink("real", folder.file("link"));
+  ASSERT_TRUE(writeFileAtomically(folder.file("link"), "new").has_value());
+  EXPECT_TRUE(fs::is_symlink(folder.file("link")));
+  EXPECT_EQ(readFile(real, 10), "new");
+  EXPECT_EQ(fs::status(real).permissions(), fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+}
+
+TEST(File, ANewFileHasTheUsualMode) {
+  const support::TempFolder folder;
+  const mode_t before = ::umask(027);
+  const auto written = writeFileAtomically(folder.file("x"), "");
+  ::umask(before);
+  ASSERT_TRUE(written.has_value());
+  EXPECT_EQ(static_cast<unsigned>(fs::status(folder.file("x")).permissions()), 0640U);
+}
+
+TEST(File, FoldersAreMadeWithTheirParents) {
+  const support::TempFolder folder;
+  EXPECT_TRUE(makeFolder(folder.file("a/b/c")).has_value());
+  EXPECT_TRUE(makeFolder(folder.file("a/b/c")).has_value());
+  EXPECT_TRUE(fs::is_directory(folder.file("a/b/c")));
+  std::ofstream(folder.file("f")).put('x');
+  EXPECT_EQ(makeFolder(folder.file("f")).error().code, ErrorCode::kIo);
+  EXPECT_EQ(makeFolder(folder.file("f/g")).error().code, ErrorCode::kIo);
+}
+
+}  // namespace
+}  // namespace tactus::base
