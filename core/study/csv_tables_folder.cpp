@@ -1,0 +1,142 @@
+// A folder of tables becomes one study: which tables are there, and whether they speak of the same participants.
+#include <algorithm>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+#include "core/study/csv_columns.h"
+#include "core/study/csv_tables.h"
+
+namespace tactus::study {
+namespace {
+
+namespace fs = std::filesystem;
+using base::CsvTable;
+using base::ErrorCode;
+using base::Result;
+
+/// Reads the tables of one folder and collects the notes.
+class FolderReader {
+ public:
+  explicit FolderReader(fs::path folder) : folder_(std::move(folder)) {}
+
+  /// Reads the table `name` with `read`. `known` are the columns that have a meaning, empty when all have.
+  template <class Read>
+  auto table(const std::string& name, std::span<const std::string_view> known, Read read)
+      -> decltype(read(std::declval<const CsvTable&>())) {
+    const fs::path path = folder_ / name;
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) {
+      notes_.push_back(name + " is absent.");
+      return {};
+    }
+    const auto csv = CsvTable::read(path.string());
+    if (!csv) return tl::unexpected(csv.error());
+    noteIgnoredColumns(name, *csv, known);
+    auto records = read(*csv);
+    if (!records) return records;
+    return checked(*csv, std::move(*records));
+  }
+
+  void setParticipants(const std::vector<Participant>& participants) {
+    for (const auto& participant : participants) codes_.insert(participant.code);
+  }
+
+  std::vector<std::string> takeNotes() { return std::move(notes_); }
+
+ private:
+  void noteIgnoredColumns(const std::string& name, const CsvTable& csv, std::span<const std::string_view> known) {
+    if (known.empty()) return;
+    for (const auto& column : csv.columns()) {
+      if (std::find(known.begin(), known.end(), column) == known.end()) {
+        notes_.push_back(name + ": the column " + base::quoted(column) + " is ignored.");
+      }
+    }
+  }
+
+  Result<std::vector<Participant>> checked(const CsvTable&, std::vector<Participant> participants) const {
+    return participants;
+  }
+
+  /// Every record's participant must be known. Records stand in the order of the rows, one each.
+  template <class Record>
+  Result<std::vector<Record>> checked(const CsvTable& csv, std::vector<Record> records) const {
+    const std::string* last = nullptr;
+    for (std::size_t row = 0; row < records.size(); ++row) {
+      const std::string& code = records[row].participant;
+      // Rows of one participant stand together, so most need no look-up.
+      if (last != nullptr && *last == code) continue;
+      if (!codes_.contains(code)) {
+        return csv.refuse(row, *csv.find("participant"), ErrorCode::kReference, "a participant of participants.csv");
+      }
+      last = &code;
+    }
+    return records;
+  }
+
+  fs::path folder_;
+  std::unordered_set<std::string> codes_;
+  std::vector<std::string> notes_;
+};
+
+Result<void> checkFolder(const std::string& folder) {
+  const auto refused = [&folder](std::string found) {
+    return tl::unexpected(base::Error{ErrorCode::kIo, folder, {}, std::move(found), "a folder with participants.csv"});
+  };
+  std::error_code ignored;
+  const auto status = fs::status(folder, ignored);
+  if (!fs::exists(status)) return refused("nothing of this name");
+  if (!fs::is_directory(status)) return refused("a file");
+  if (!fs::exists(fs::path(folder) / "participants.csv", ignored)) return refused("no participants.csv in it");
+  return {};
+}
+
+std::string nameOf(const fs::path& folder) {
+  const fs::path plain = folder.lexically_normal();
+  return (plain.has_filename() ? plain : plain.parent_path()).filename().string();
+}
+
+/// The columns of rules.csv that have a meaning; empty: all.
+std::vector<std::string_view> knownRuleColumns(const std::vector<std::string>& input_ids) {
+  if (input_ids.empty()) return {};
+  std::vector<std::string_view> columns(kRuleColumns.begin(), kRuleColumns.end());
+  columns.push_back("form");
+  columns.insert(columns.end(), input_ids.begin(), input_ids.end());
+  return columns;
+}
+
+}  // namespace
+
+Result<StudyTables> readStudyFolder(const std::string& folder, const std::vector<std::string>& input_ids) {
+  if (const auto there = checkFolder(folder); !there) return tl::unexpected(there.error());
+
+  FolderReader reader(folder);
+  StudyTables tables;
+  Study& study = tables.study;
+  study.name = nameOf(folder);
+  auto participants = reader.table("participants.csv", kParticipantColumns, readParticipants);
+  if (!participants) return tl::unexpected(participants.error());
+  study.participants = std::move(*participants);
+  reader.setParticipants(study.participants);
+
+  auto speeds = reader.table("speeds.csv", kSpeedColumns, readSpeeds);
+  if (!speeds) return tl::unexpected(speeds.error());
+  study.speeds = std::move(*speeds);
+  auto judgements = reader.table("judgements.csv", kJudgementColumns, readJudgements);
+  if (!judgements) return tl::unexpected(judgements.error());
+  study.judgements = std::move(*judgements);
+  auto answers = reader.table("answers.csv", kAnswerColumns, readAnswers);
+  if (!answers) return tl::unexpected(answers.error());
+  study.answers = std::move(*answers);
+  auto rules = reader.table("rules.csv", knownRuleColumns(input_ids),
+                            [&input_ids](const CsvTable& csv) { return readRules(csv, input_ids); });
+  if (!rules) return tl::unexpected(rules.error());
+  study.rules = std::move(*rules);
+
+  tables.notes = reader.takeNotes();
+  return tables;
+}
+
+}  // namespace tactus::study

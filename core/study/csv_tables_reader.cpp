@@ -1,0 +1,269 @@
+// One table of a study at a time: cells to records.
+#include <array>
+#include <limits>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/study/csv_columns.h"
+#include "core/study/csv_tables.h"
+
+namespace tactus::study {
+namespace {
+
+using base::CsvTable;
+using base::ErrorCode;
+using base::Result;
+
+/// Indices of the columns `names`, in their order, or the error about the first that is missing.
+template <std::size_t Count>
+Result<std::array<std::size_t, Count>> requireColumns(const CsvTable& table,
+                                                      const std::array<std::string_view, Count>& names) {
+  std::array<std::size_t, Count> columns{};
+  for (std::size_t i = 0; i < Count; ++i) {
+    const auto column = table.require(names[i]);
+    if (!column) return tl::unexpected(column.error());
+    columns[i] = *column;
+  }
+  return columns;
+}
+
+/// Reads the cells of one row and keeps the first error, so that a row reads as one list of assignments.
+class RowReader {
+ public:
+  RowReader(const CsvTable& table, std::size_t row) : table_(table), row_(row) {}
+
+  std::string_view text(std::size_t column) const { return base::trimmed(table_.cell(row_, column)); }
+
+  std::string requiredText(std::size_t column, std::string_view wanted) {
+    const auto cell = text(column);
+    if (cell.empty()) refuse(column, ErrorCode::kValue, std::string(wanted));
+    return std::string(cell);
+  }
+
+  double number(std::size_t column) { return keep(table_.number(row_, column), 0.0); }
+
+  int integer(std::size_t column) {
+    const long long value = keep(table_.integer(row_, column), 0LL);
+    if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max()) {
+      refuse(column, ErrorCode::kValue, "an integer of at most 32 bits");
+      return 0;
+    }
+    return static_cast<int>(value);
+  }
+
+  /// Empty, or a number from 0.
+  std::optional<double> optionalAmount(std::size_t column) {
+    if (text(column).empty()) return std::nullopt;
+    const double value = number(column);
+    if (value < 0) refuse(column, ErrorCode::kValue, "a number of at least 0, or an empty cell");
+    return value;
+  }
+
+  void refuse(std::size_t column, ErrorCode code, std::string wanted) {
+    if (!error_) error_ = table_.refuse(row_, column, code, std::move(wanted)).value();
+  }
+  void refuse(std::size_t column, ErrorCode code, std::string found, std::string wanted) {
+    if (!error_)
+      error_ = base::Error{code, table_.file(), table_.place(row_, column), std::move(found), std::move(wanted)};
+  }
+
+  const std::optional<base::Error>& error() const { return error_; }
+
+ private:
+  template <class T>
+  T keep(Result<T> cell, T otherwise) {
+    if (cell) return *cell;
+    if (!error_) error_ = std::move(cell.error());
+    return otherwise;
+  }
+
+  const CsvTable& table_;
+  std::size_t row_;
+  std::optional<base::Error> error_;
+};
+
+/// One record per row, made by `read(RowReader&)`; stops at the first row with an error.
+template <class Record, class Read>
+Result<std::vector<Record>> readRows(const CsvTable& table, Read read) {
+  std::vector<Record> records;
+  records.reserve(table.rowCount());
+  for (std::size_t row = 0; row < table.rowCount(); ++row) {
+    RowReader cells(table, row);
+    records.push_back(read(cells));
+    if (cells.error()) return tl::unexpected(*cells.error());
+  }
+  return records;
+}
+
+bool simulatedFlag(RowReader& cells, std::size_t column) {
+  const std::string text = base::lowered(cells.text(column));
+  if (text == "1" || text == "true") return true;
+  if (!text.empty() && text != "0" && text != "false") {
+    cells.refuse(column, ErrorCode::kValue, "1 or true, 0 or false, or an empty cell");
+  }
+  return false;
+}
+
+std::pair<ForceJudgement::Kind, std::string> judgementOf(std::string_view text) {
+  using Kind = ForceJudgement::Kind;
+  if (text.empty()) return {Kind::kNoAnswer, {}};
+  if (text == "not_felt") return {Kind::kNotFelt, {}};
+  if (text == "beyond_practice") return {Kind::kBeyondPractice, {}};
+  return {Kind::kTerm, std::string(text)};
+}
+
+Answer::Status statusOf(RowReader& cells, std::size_t column) {
+  using Status = Answer::Status;
+  const auto text = cells.text(column);
+  if (text == "answered") return Status::kAnswered;
+  if (text == "skipped") return Status::kSkipped;
+  if (text == "cant_tell") return Status::kCantTell;
+  if (text == "cleared") return Status::kCleared;
+  cells.refuse(column, ErrorCode::kValue, "'answered', 'skipped', 'cant_tell' or 'cleared'");
+  return Status::kSkipped;
+}
+
+/// The columns of rules.csv that are inputs.
+Result<std::vector<std::size_t>> inputColumns(const CsvTable& table, const std::vector<std::string>& input_ids) {
+  std::vector<std::size_t> columns;
+  for (const auto& id : input_ids) {
+    const auto column = table.require(id);
+    if (!column) return tl::unexpected(column.error());
+    columns.push_back(*column);
+  }
+  if (!input_ids.empty()) return columns;
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    const std::string& name = table.columns()[i];
+    if (name != "participant" && name != "form" && name != "then" && name != "weight") columns.push_back(i);
+  }
+  return columns;
+}
+
+}  // namespace
+
+Result<std::vector<Participant>> readParticipants(const CsvTable& table) {
+  const auto columns = requireColumns(table, kParticipantColumns);
+  if (!columns) return tl::unexpected(columns.error());
+  const auto& column = *columns;
+
+  std::set<std::string> seen;
+  return readRows<Participant>(table, [&](RowReader& cells) {
+    Participant participant;
+    participant.code = cells.requiredText(column[0], "the code of a participant");
+    if (!seen.insert(participant.code).second)
+      cells.refuse(column[0], ErrorCode::kValue, base::quoted(participant.code) + " again", "each participant once");
+    participant.years_experience = cells.optionalAmount(column[1]);
+    participant.category = cells.text(column[2]);
+    participant.handedness = cells.text(column[3]);
+    participant.weight = cells.optionalAmount(column[4]);
+    participant.simulated = simulatedFlag(cells, column[5]);
+    return participant;
+  });
+}
+
+Result<std::vector<SpeedSample>> readSpeeds(const CsvTable& table) {
+  const auto columns = requireColumns(table, kSpeedColumns);
+  if (!columns) return tl::unexpected(columns.error());
+  const auto& column = *columns;
+
+  return readRows<SpeedSample>(table, [&column](RowReader& cells) {
+    SpeedSample sample;
+    sample.participant = cells.requiredText(column[0], "the code of a participant");
+    sample.level = cells.requiredText(column[1], "the level that was asked for");
+    sample.stroke = cells.integer(column[2]);
+    sample.time_s = cells.number(column[3]);
+    sample.depth_mm = cells.number(column[4]);
+    sample.speed_mm_s = cells.number(column[5]);
+    return sample;
+  });
+}
+
+Result<std::vector<ForceJudgement>> readJudgements(const CsvTable& table) {
+  const auto columns = requireColumns(table, kJudgementColumns);
+  if (!columns) return tl::unexpected(columns.error());
+  const auto& column = *columns;
+
+  std::set<std::tuple<std::string, std::string, int>> seen;
+  return readRows<ForceJudgement>(table, [&](RowReader& cells) {
+    ForceJudgement judgement;
+    judgement.participant = cells.requiredText(column[0], "the code of a participant");
+    judgement.series = cells.text(column[1]);
+    judgement.step = cells.integer(column[2]);
+    judgement.force_n = cells.number(column[3]);
+    std::tie(judgement.kind, judgement.term) = judgementOf(cells.text(column[4]));
+    if (!seen.emplace(judgement.participant, judgement.series, judgement.step).second) {
+      cells.refuse(column[2], ErrorCode::kValue, "step " + std::to_string(judgement.step) + " of this series again",
+                   "each step of a series once for a participant");
+    }
+    return judgement;
+  });
+}
+
+Result<std::vector<Answer>> readAnswers(const CsvTable& table) {
+  const auto columns = requireColumns(table, kAnswerColumns);
+  if (!columns) return tl::unexpected(columns.error());
+  const auto& column = *columns;
+
+  std::set<std::tuple<std::string, std::string, int>> seen;
+  return readRows<Answer>(table, [&](RowReader& cells) {
+    Answer answer;
+    answer.participant = cells.requiredText(column[0], "the code of a participant");
+    answer.form = cells.requiredText(column[1], "the id of a form");
+    answer.item = cells.integer(column[2]);
+    answer.term = cells.text(column[3]);
+    answer.status = statusOf(cells, column[4]);
+    const bool answered = answer.status == Answer::Status::kAnswered;
+    if (answered && answer.term.empty()) {
+      cells.refuse(column[3], ErrorCode::kValue, "a term, as the status is 'answered'");
+    } else if (!answered && !answer.term.empty()) {
+      cells.refuse(column[3], ErrorCode::kValue,
+                   "an empty cell, as the status is " + base::quoted(cells.text(column[4])));
+    }
+    if (!seen.emplace(answer.participant, answer.form, answer.item).second) {
+      cells.refuse(column[2], ErrorCode::kValue, "item " + std::to_string(answer.item) + " of this form again",
+                   "each item of a form once for a participant");
+    }
+    return answer;
+  });
+}
+
+Result<std::vector<GivenRule>> readRules(const CsvTable& table, const std::vector<std::string>& input_ids) {
+  const auto columns = requireColumns(table, kRuleColumns);
+  if (!columns) return tl::unexpected(columns.error());
+  const auto& column = *columns;
+  const auto inputs = inputColumns(table, input_ids);
+  if (!inputs) return tl::unexpected(inputs.error());
+  const auto form = table.find("form");
+
+  using Terms = std::vector<std::string>;
+  std::set<std::tuple<std::string, std::string, Terms>> seen;
+  return readRows<GivenRule>(table, [&](RowReader& cells) {
+    GivenRule rule;
+    rule.participant = cells.requiredText(column[0], "the code of a participant");
+    if (form) rule.form = cells.text(*form);
+    Terms terms;
+    for (const std::size_t input : *inputs) {
+      terms.emplace_back(cells.text(input));
+      if (!terms.back().empty()) rule.conditions.push_back({table.columns()[input], terms.back()});
+    }
+    if (rule.conditions.empty()) {
+      cells.refuse(inputs->empty() ? column[1] : inputs->front(), ErrorCode::kValue, "a rule without a condition",
+                   "a term for one input or more");
+    }
+    rule.then = cells.requiredText(column[1], "the term that follows");
+    terms.push_back(rule.then);
+    if (!cells.text(column[2]).empty()) rule.weight = cells.number(column[2]);
+    if (!(rule.weight >= 0 && rule.weight <= 1)) {
+      cells.refuse(column[2], ErrorCode::kValue, "a weight from 0 to 1, or an empty cell for 1");
+    }
+    if (!seen.emplace(rule.participant, rule.form, std::move(terms)).second) {
+      cells.refuse(column[1], ErrorCode::kValue, "the same rule twice", "each rule once for a participant");
+    }
+    return rule;
+  });
+}
+
+}  // namespace tactus::study

@@ -1,0 +1,13 @@
+// The data files of this folder as the programs carry them (cmake/TactusEmbed.cmake).
+#pragma once
+
+#include <string_view>
+
+namespace tactus::questionnaires {
+
+std::string_view aliasesJson();          ///< forms/aliases.json
+std::string_view ngtForceFormJson();     ///< forms/ngt_force_v1.json
+std::string_view tableA2Csv();           ///< published/table_a2.csv
+std::string_view tableA2ReadingsJson();  ///< published/table_a2_readings.json
+
+}  // namespace tactus::questionnaires
