@@ -1,0 +1,24 @@
+// Where the descents of a clustering begin (part of fcm.h).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/random.h"
+#include "elicitation/fcm_samples.h"
+
+namespace tactus::elicitation {
+
+// All take ascending values with weights, more of them than clusters, and give ascending, distinct centres.
+
+/// The quantiles (k + 1/2) / clusters, moved apart where they fall on one value.
+std::vector<double> quantileStart(const WeightedValues& data, std::size_t clusters);
+
+/// The middles of equal parts of the range.
+std::vector<double> equalWidthStart(const WeightedValues& data, std::size_t clusters);
+
+/// Values drawn with a probability that grows with the squared distance to those drawn before (Arthur and Vassilvitskii
+/// 2007), so that outliers get their chance. Fewer than asked for where the rest is too close to tell apart.
+std::vector<double> spreadStart(const WeightedValues& data, std::size_t clusters, base::Random& random);
+
+}  // namespace tactus::elicitation

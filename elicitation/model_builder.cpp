@@ -1,0 +1,241 @@
+#include "elicitation/model_builder.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/base/json_writer.h"
+#include "core/base/text.h"
+#include "core/fuzzy/validate.h"
+#include "elicitation/model_checks.h"
+#include "elicitation/ngt_variables.h"
+
+namespace tactus::elicitation {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+
+fuzzy::Variable& variable(std::vector<fuzzy::Variable>& variables, std::string_view id) {
+  return *std::find_if(variables.begin(), variables.end(), [id](const fuzzy::Variable& v) { return v.id == id; });
+}
+
+void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
+template <class Rows>
+Result<void> checkKnown(const Rows& rows, const std::set<std::string_view>& known, std::string_view table) {
+  for (const auto& row : rows) {
+    if (known.count(row.participant) > 0) continue;
+    return fail(ErrorCode::kReference, std::string(table), "participant " + base::quoted(row.participant),
+                "a participant of the study");
+  }
+  return {};
+}
+
+/// Every row must belong to a participant, or it would be lost silently.
+Result<void> checkParticipants(const study::Study& study) {
+  std::set<std::string_view> known;
+  for (const auto& participant : study.participants) {
+    if (!known.insert(participant.code).second) {
+      return fail(ErrorCode::kData, "participants", base::quoted(participant.code) + " twice", "each participant once");
+    }
+  }
+  if (auto ok = checkKnown(study.speeds, known, "speeds"); !ok) return ok;
+  if (auto ok = checkKnown(study.judgements, known, "judgements"); !ok) return ok;
+  if (auto ok = checkKnown(study.answers, known, "answers"); !ok) return ok;
+  return checkKnown(study.rules, known, "rules");
+}
+
+Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
+  auto& speed = variable(out.model.inputs, "speed");
+  auto participants = clusterSpeeds(study, speed, settings.speed);
+  if (!participants) return tl::unexpected(participants.error());
+  out.speeds = std::move(*participants);
+  if (out.speeds.empty()) {
+    out.notes.push_back("There are no insertion speeds: the speed has its default terms.");
+    return {};
+  }
+
+  std::vector<double> weights;
+  if (settings.averaging == Averaging::kWeightedMean) {
+    std::vector<study::Participant> people;
+    for (const auto& one : out.speeds) {
+      people.push_back(*std::find_if(study.participants.begin(), study.participants.end(),
+                                     [&one](const study::Participant& p) { return p.code == one.participant; }));
+    }
+    auto found = expertWeights(people, settings.weights);
+    if (!found) return tl::unexpected(found.error());
+    weights = std::move(*found);
+  }
+  std::vector<std::vector<Ramp>> ramps;
+  for (const auto& one : out.speeds) {
+    ramps.push_back(one.ramps);
+    for (const auto& warning : one.clusters.warnings) {
+      out.notes.push_back("Speeds of participant " + one.participant + ": " + warning);
+    }
+    append(out.notes, one.confusion.warnings);
+  }
+  out.averaged_ramps = averageRamps(ramps, weights, settings.averaging);
+  speed = averagedSpeed(speed, out.speeds, out.averaged_ramps);
+  return {};
+}
+
+Result<void> buildForce(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
+  if (study.judgements.empty()) {
+    out.notes.push_back("There are no force judgements: the force has its default terms.");
+    return {};
+  }
+  std::vector<std::string> ids;
+  for (const auto& term : out.model.output.terms) ids.push_back(term.id);
+  const auto counts = countVotes(study.judgements, settings.series, ids);
+  if (!counts) return tl::unexpected(counts.error());
+  out.votes = vote(*counts, static_cast<int>(study.participants.size()));
+  auto terms = forceTerms(out.model.output, out.votes);
+  if (!terms) return tl::unexpected(terms.error());
+  out.force_terms = std::move(*terms);
+  out.model.output = out.force_terms->output;
+  append(out.notes, out.force_terms->notes);
+  for (const auto& step : out.votes) {
+    const std::string at = "Vote at " + base::formatNumber(step.force_n) + " N: ";
+    if (step.monotone_raised)
+      out.notes.push_back(at + "raised to the level of an earlier step, because the levels must not fall.");
+    if (step.below_quorum) out.notes.push_back(at + "less than half of the participants voted.");
+  }
+  return {};
+}
+
+/// The set of depth terms that most experts use; on a tie the one whose first expert comes first.
+std::string sharedDepthTerms(const std::vector<ExpertRules>& experts) {
+  std::map<std::string, int> users;
+  for (const auto& expert : experts) ++users[expert.depth_terms];
+  std::string best = experts.front().depth_terms;
+  for (const auto& expert : experts) {
+    if (users[expert.depth_terms] > users[best]) best = expert.depth_terms;
+  }
+  return best;
+}
+
+/// A set that `studyRules` has looked up already.
+std::vector<fuzzy::Term> depthTerms(const std::string& id) { return findDepthTerms(id).value().terms; }
+
+Result<void> buildExperts(const BuildSettings& settings, BuiltModel& out) {
+  std::vector<study::Participant> people;
+  for (const auto& expert : out.experts) people.push_back(expert.participant);
+  const auto weights = expertWeights(people, settings.weights);
+  if (!weights) return tl::unexpected(weights.error());
+
+  const std::string shared = sharedDepthTerms(out.experts);
+  variable(out.model.inputs, "depth").terms = depthTerms(shared);
+  const std::vector<std::string> none;
+  for (std::size_t i = 0; i < out.experts.size(); ++i) {
+    const ExpertRules& rules = out.experts[i];
+    const std::string& code = rules.participant.code;
+    // Rules that were given directly stand in a table of their own: what is simulated of that participant is not the
+    // rules.
+    const bool simulated_rules = rules.participant.simulated && rules.source == ExpertRules::Source::kAnswers;
+    fuzzy::Expert expert{code, code + (simulated_rules ? " (simulated)" : ""), (*weights)[i], {}, rules.rules};
+    if (rules.depth_terms != shared) expert.overrides.push_back({"depth", depthTerms(rules.depth_terms)});
+    if (settings.terms == SpeedTermsOf::kOwn) {
+      const auto own = std::find_if(out.speeds.begin(), out.speeds.end(),
+                                    [&code](const ParticipantSpeeds& one) { return one.participant == code; });
+      if (own != out.speeds.end()) {
+        expert.overrides.push_back({"speed", speedTerms(variable(out.model.inputs, "speed"), own->ramps)});
+      } else {
+        out.notes.push_back("Participant " + code + " has no speeds of their own; the shared speed terms are used.");
+      }
+    }
+    const auto& absent = out.force_terms ? out.force_terms->absent : none;
+    if (auto ok = checkRules(expert, out.model.inputs, out.model.output, absent); !ok) return ok;
+    out.model.experts.push_back(std::move(expert));
+  }
+  return {};
+}
+
+fuzzy::Provenance provenance(const study::Study& study, const BuildSettings& settings) {
+  fuzzy::Provenance out;
+  out.study = study.name;
+  out.settings = {{"alpha", base::jsonNumber(settings.speed.alpha)},
+                  {"m", base::jsonNumber(settings.speed.fcm.m)},
+                  {"clusters", std::to_string(settings.speed.fcm.clusters)},
+                  {"trim", base::jsonNumber(settings.speed.trim)},
+                  {"averaging", base::jsonString(name(settings.averaging))},
+                  {"terms", base::jsonString(name(settings.terms))},
+                  {"weights", base::jsonString(name(settings.weights.policy))},
+                  {"series", base::jsonString(settings.series)}};
+  std::vector<std::string> simulated;
+  std::string simulated_json;
+  for (const auto& participant : study.participants) {
+    if (!participant.simulated) continue;
+    simulated.push_back(participant.code);
+    simulated_json += (simulated_json.empty() ? "" : ", ") + base::jsonString(participant.code);
+  }
+  out.sources = {{"participants", std::to_string(study.participants.size())},
+                 {"speeds", std::to_string(study.speeds.size())},
+                 {"judgements", std::to_string(study.judgements.size())},
+                 {"answers", std::to_string(study.answers.size())},
+                 {"rules", std::to_string(study.rules.size())},
+                 {"simulated", "[" + simulated_json + "]"}};
+  if (!simulated.empty()) {
+    out.notes = "Simulated, not measured: data of " + base::joined(simulated, ", ") + " were generated by a program.";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string_view name(SpeedTermsOf terms) noexcept { return terms == SpeedTermsOf::kOwn ? "own" : "averaged"; }
+
+Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
+                              const BuildSettings& settings) {
+  if (auto ok = checkParticipants(study); !ok) return tl::unexpected(ok.error());
+  BuiltModel out;
+  out.model.inputs = ngtInputs();
+  out.model.output = ngtOutput();
+  std::vector<std::string> answer_terms;
+  for (const auto& term : out.model.output.terms) answer_terms.push_back(term.id);
+
+  if (auto ok = buildSpeed(study, settings, out); !ok) return tl::unexpected(ok.error());
+  if (auto ok = buildForce(study, settings, out); !ok) return tl::unexpected(ok.error());
+  auto rules = studyRules(study, forms, answer_terms);
+  if (!rules) return tl::unexpected(rules.error());
+  out.experts = std::move(rules->experts);
+  append(out.notes, rules->notes);
+  if (auto ok = buildExperts(settings, out); !ok) return tl::unexpected(ok.error());
+
+  out.model.name = settings.name.empty() ? study.name : settings.name;
+  out.model.created_utc = settings.created_utc;
+  out.model.generator = settings.generator;
+  out.model.provenance = provenance(study, settings);
+  out.model.renderer = fuzzy::RendererParameters{};
+  if (!out.model.provenance->notes.empty()) out.notes.push_back(out.model.provenance->notes);
+  if (auto ok = setChecks(out.model); !ok) return tl::unexpected(ok.error());
+  if (auto ok = fuzzy::validate(out.model); !ok) return tl::unexpected(ok.error());
+  return out;
+}
+
+Result<fuzzy::ForceModel> expertModel(const fuzzy::ForceModel& averaged, std::string_view expert_id) {
+  const auto expert = std::find_if(averaged.experts.begin(), averaged.experts.end(),
+                                   [expert_id](const fuzzy::Expert& e) { return e.id == expert_id; });
+  if (expert == averaged.experts.end()) {
+    std::vector<std::string> ids;
+    for (const auto& one : averaged.experts) ids.push_back(one.id);
+    return fail(ErrorCode::kReference, "experts", base::quoted(expert_id), "one of " + base::joined(ids, ", "));
+  }
+  fuzzy::ForceModel out = averaged;
+  out.name = averaged.name + ", " + expert->label;
+  out.experts = {*expert};
+  out.accepted_holes.clear();
+  auto& alone = out.experts.front();
+  alone.weight = 1;
+  for (auto& input : out.inputs) input.terms = fuzzy::termsFor(*expert, input);
+  out.output.terms = fuzzy::termsFor(*expert, out.output);
+  alone.overrides.clear();
+  if (auto ok = setChecks(out); !ok) return tl::unexpected(ok.error());
+  return out;
+}
+
+}  // namespace tactus::elicitation

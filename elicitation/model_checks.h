@@ -1,0 +1,13 @@
+// Reference evaluations that travel with a model.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::elicitation {
+
+/// Replaces the checks of `model` by 36 points spread evenly over the universes of its inputs (Halton 1960), rounded to
+/// three decimals, with their forces. The error is that of `fuzzy::compile`.
+base::Result<void> setChecks(fuzzy::ForceModel& model);
+
+}  // namespace tactus::elicitation

@@ -1,0 +1,50 @@
+// From the clusters of insertion speeds to trapezoids (paper, Section 3.2, Fig. 8).
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
+#include "core/study/records.h"
+
+namespace tactus::elicitation {
+
+/// Where one term hands over to the next: membership of the lower term 1 up to `p`, 0 from `q` on; p < q.
+struct Ramp {
+  double p = 0;
+  double q = 0;
+
+  bool operator==(const Ramp&) const = default;
+};
+
+/// One ramp for each gap of `centres` (ascending, distinct, any unit): p is the point of the gap where the membership
+/// in the lower cluster has fallen to `alpha`, q the point where that in the upper one has risen to it, so
+/// v_k <= p_k < q_k <= v_k+1. The paper says "centre points with membership 1, end points with membership 0" and no
+/// more; alpha = 1 reads that literally (terms between two others become triangles), 0.95 is the ramp that fits the
+/// membership best. Refused: alpha outside (1/2, 1].
+base::Result<std::vector<Ramp>> alphaCutRamps(std::span<const double> centres, double m, double alpha);
+
+enum class Averaging { kMean, kWeightedMean, kMedian };
+
+/// `mean`, `weighted_mean`, `median`.
+std::string_view name(Averaging averaging) noexcept;
+
+/// The ramps averaged over participants, vertex by vertex; the order of the vertices is kept. `ramps`: one list of
+/// equal length each, at least one. `weights` (>= 0, one > 0, as many as lists) are used by kWeightedMean alone.
+std::vector<Ramp> averageRamps(std::span<const std::vector<Ramp>> ramps, std::span<const double> weights,
+                               Averaging averaging);
+
+/// Upper end of the speed universe: `default_max_mm_s`, or the next multiple of 100 that holds every ramp and
+/// `largest_centre_mm_s`.
+double speedUniverseMax(double default_max_mm_s, double largest_centre_mm_s, std::span<const Ramp> ramps);
+
+/// The terms of `variable` (ascending; one more than ramps) with trapezoids from the ramps, shouldered at its universe.
+std::vector<fuzzy::Term> speedTerms(const fuzzy::Variable& variable, std::span<const Ramp> ramps);
+
+/// The samples without those below `share` (0 to 1) of the peak speed of their own stroke (participant, level, stroke):
+/// removes the start and stop of each stroke. Order kept; 0 keeps all.
+std::vector<study::SpeedSample> trimStrokes(std::span<const study::SpeedSample> samples, double share);
+
+}  // namespace tactus::elicitation
