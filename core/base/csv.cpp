@@ -30,9 +30,7 @@ class Splitter {
     cells.clear();
     const std::size_t start = at_;
     while (true) {
-      auto cell = text_[at_ < text_.size() ? at_ : 0] == '"' && at_ < text_.size()
-                      ? quotedCell()
-                      : Result<std::string_view>(plainCell());
+      auto cell = at_ < text_.size() && text_[at_] == '"' ? quotedCell() : plainCell();
       if (!cell) return tl::unexpected(cell.error());
       cells.push_back(*cell);
       if (at_ - start > kLongestLine) {
@@ -69,7 +67,7 @@ class Splitter {
     }
   }
 
-  std::string_view plainCell() {
+  Result<std::string_view> plainCell() {
     const std::size_t start = at_;
     const std::size_t limit = std::min(text_.size(), start + kLongestLine + 1);
     while (at_ < limit && text_[at_] != ',' && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
@@ -106,53 +104,65 @@ class Splitter {
 
 }  // namespace
 
-Result<CsvTable> CsvTable::parse(std::string text, std::string file) {
-  const auto refused = [&file](Error error) { return inFile(std::move(error), file); };
-  const auto syntax = [&](std::string place, std::string found, std::string wanted) {
-    return tl::unexpected(Error{ErrorCode::kSchema, file, std::move(place), std::move(found), std::move(wanted)});
-  };
-  if (!isUtf8(text)) {
-    return refused({ErrorCode::kSyntax, {}, {}, "bytes that are not UTF-8 text", "a CSV table in UTF-8"});
-  }
-
-  const auto buffer = std::make_shared<std::string>(std::move(text));
-  Splitter splitter(*buffer);
-  std::vector<std::string_view> record;
-  auto more = splitter.next(record);
-  if (!more) return refused(more.error());
-  if (!*more) return syntax({}, "an empty table", "a header line with the names of the columns");
-
-  CsvTable table;
-  for (const std::string_view name : record) {
+Result<void> CsvTable::takeHeader(const std::vector<std::string_view>& names, std::size_t line) {
+  const std::string place = "line " + std::to_string(line);
+  for (const std::string_view name : names) {
     const std::string column(trimmed(name));
-    if (column.empty())
-      return syntax("line " + std::to_string(splitter.recordLine()), "a column without a name",
-                    "a name for every column");
-    if (table.find(column))
-      return syntax("line " + std::to_string(splitter.recordLine()), "column " + quoted(column) + " twice",
-                    "each column once");
-    table.columns_.push_back(column);
-  }
-  while (true) {
-    more = splitter.next(record);
-    if (!more) return refused(more.error());
-    if (!*more) break;
-    if (record.size() != table.columns_.size()) {
-      return syntax("line " + std::to_string(splitter.recordLine()), std::to_string(record.size()) + " cells",
-                    std::to_string(table.columns_.size()) + " as in the header");
+    if (column.empty()) return fail(ErrorCode::kSchema, place, "a column without a name", "a name for every column");
+    if (find(column)) {
+      return fail(ErrorCode::kSchema, place, "column " + quoted(column) + " twice", "each column once");
     }
-    table.cells_.insert(table.cells_.end(), record.begin(), record.end());
-    table.lines_.push_back(splitter.recordLine());
+    columns_.push_back(column);
   }
+  return {};
+}
+
+Result<void> CsvTable::takeRow(const std::vector<std::string_view>& cells, std::size_t line) {
+  if (cells.size() != columns_.size()) {
+    return fail(ErrorCode::kSchema, "line " + std::to_string(line), std::to_string(cells.size()) + " cells",
+                std::to_string(columns_.size()) + " as in the first line");
+  }
+  cells_.insert(cells_.end(), cells.begin(), cells.end());
+  lines_.push_back(line);
+  return {};
+}
+
+Result<void> CsvTable::fill(std::string& text, Header header) {
+  if (!isUtf8(text)) return fail(ErrorCode::kSyntax, {}, "bytes that are not UTF-8 text", "a CSV table in UTF-8");
+  Splitter splitter(text);
+  std::vector<std::string_view> record;
+  bool first = true;
+  while (true) {
+    const auto more = splitter.next(record);
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) break;
+    if (first) {
+      const auto is_number = [](std::string_view cell) { return parseNumber(trimmed(cell)).has_value(); };
+      has_header_ = header == Header::kRequired || !std::all_of(record.begin(), record.end(), is_number);
+      for (std::size_t i = 0; !has_header_ && i < record.size(); ++i) columns_.push_back(std::to_string(i + 1));
+    }
+    const bool is_header = first && has_header_;
+    auto taken = is_header ? takeHeader(record, splitter.recordLine()) : takeRow(record, splitter.recordLine());
+    if (!taken) return taken;
+    first = false;
+  }
+  if (first) return fail(ErrorCode::kSchema, {}, "an empty table", "a header line with the names of the columns");
+  return {};
+}
+
+Result<CsvTable> CsvTable::parse(std::string text, std::string file, Header header) {
+  const auto buffer = std::make_shared<std::string>(std::move(text));
+  CsvTable table;
+  if (auto filled = table.fill(*buffer, header); !filled) return inFile(filled.error(), file);
   table.file_ = std::move(file);
   table.text_ = buffer;
   return table;
 }
 
-Result<CsvTable> CsvTable::read(const std::string& path) {
+Result<CsvTable> CsvTable::read(const std::string& path, Header header) {
   auto text = readFile(path, kMostBytes);
   if (!text) return tl::unexpected(text.error());
-  return parse(std::move(*text), path);
+  return parse(std::move(*text), path, header);
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view name) const {

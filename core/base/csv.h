@@ -17,16 +17,22 @@ namespace tactus::base {
 /// millions of rows fit into memory.
 class CsvTable {
  public:
+  enum class Header {
+    kRequired,  ///< the first line holds the names of the columns
+    kOptional,  ///< a first line of nothing but numbers is data, and the columns are called 1, 2, …
+  };
+
   /// Reads `text`, said to be of `file` in errors. Lines that start with `#` are comments, empty lines are skipped.
   /// Refused: no header, a doubled or empty column name, a row with another number of cells than the header, an open
   /// quote, text that is not UTF-8, a line longer than 1 MiB.
-  static Result<CsvTable> parse(std::string text, std::string file);
+  static Result<CsvTable> parse(std::string text, std::string file, Header header = Header::kRequired);
 
   /// Reads the file `path` of at most 2 GiB.
-  static Result<CsvTable> read(const std::string& path);
+  static Result<CsvTable> read(const std::string& path, Header header = Header::kRequired);
 
   const std::string& file() const { return file_; }
   const std::vector<std::string>& columns() const { return columns_; }
+  bool hasHeader() const { return has_header_; }
   std::size_t rowCount() const { return lines_.size(); }
 
   /// Index of the column `name`, or nothing.
@@ -47,9 +53,14 @@ class CsvTable {
   tl::unexpected<Error> refuse(std::size_t row, std::size_t column, ErrorCode code, std::string wanted) const;
 
  private:
+  Result<void> fill(std::string& text, Header header);
+  Result<void> takeHeader(const std::vector<std::string_view>& names, std::size_t line);
+  Result<void> takeRow(const std::vector<std::string_view>& cells, std::size_t line);
+
   std::string file_;
   std::shared_ptr<const std::string> text_;
   std::vector<std::string> columns_;
+  bool has_header_ = true;
   std::vector<std::string_view> cells_;  // row by row
   std::vector<std::size_t> lines_;       // line number of each row, from 1
 };

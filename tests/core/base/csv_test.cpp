@@ -41,7 +41,7 @@ TEST(Csv, CopiesShareTheirText) {
 TEST(Csv, NumbersOfACell) {
   const auto table = CsvTable::parse("n\n 0.5 \n1e-3\n-7\n\nnan\n1e999\n0,5\n", "t.csv");
   ASSERT_FALSE(table.has_value());
-  EXPECT_EQ(table.error().message(), "t.csv: line 8: found 2 cells, wanted 1 as in the header");
+  EXPECT_EQ(table.error().message(), "t.csv: line 8: found 2 cells, wanted 1 as in the first line");
   const auto good = CsvTable::parse("n,m\n 0.5 ,7\n1e-3,7.5\nnan,\n1e999,x\n", "t.csv");
   ASSERT_TRUE(good.has_value());
   EXPECT_EQ(good->number(0, 0), 0.5);
@@ -60,7 +60,7 @@ TEST(Csv, RefusesWhatIsNotATable) {
             "t.csv: found an empty table, wanted a header line with the names of the columns");
   EXPECT_EQ(errorOf("a,b,a\n"), "t.csv: line 1: found column 'a' twice, wanted each column once");
   EXPECT_EQ(errorOf("\n\na,,b\n"), "t.csv: line 3: found a column without a name, wanted a name for every column");
-  EXPECT_EQ(errorOf("a,b\n1\n"), "t.csv: line 2: found 1 cells, wanted 2 as in the header");
+  EXPECT_EQ(errorOf("a,b\n1\n"), "t.csv: line 2: found 1 cells, wanted 2 as in the first line");
   EXPECT_EQ(errorOf("a\n\"open\n\n"), "t.csv: line 2: found an opening quote without its end, wanted a closing quote");
   EXPECT_EQ(errorOf("a\n\"x\"y\n"),
             "t.csv: line 2: found text after a closing quote, wanted a comma or the end of the line");
@@ -94,6 +94,18 @@ TEST(Csv, WhatIsWrittenReadsBack) {
   ASSERT_TRUE(table.has_value()) << table.error().message();
   ASSERT_EQ(table->rowCount(), cells.size());
   for (std::size_t row = 0; row < cells.size(); ++row) EXPECT_EQ(table->cell(row, 0), cells[row]);
+}
+
+TEST(Csv, AHeaderCanBeOptional) {
+  const auto bare = CsvTable::parse("1,1\n2,3\n", "t.csv", CsvTable::Header::kOptional);
+  ASSERT_TRUE(bare) << bare.error().message();
+  EXPECT_FALSE(bare->hasHeader());
+  EXPECT_EQ(bare->rowCount(), 2U);
+  EXPECT_EQ(bare->number(1, *bare->find("2")).value(), 3);
+  const auto named = CsvTable::parse("a,1\n2,3\n", "t.csv", CsvTable::Header::kOptional);
+  ASSERT_TRUE(named);
+  EXPECT_TRUE(named->hasHeader());
+  EXPECT_EQ(named->rowCount(), 1U);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "speeds.csv: line 2, column 'level': found an empty cell, wanted the level that was asked for"},
         BrokenTable{"DecimalComma", "speeds.csv",
                     "participant,level,stroke,time_s,depth_mm,speed_mm_s\nP1,slow,1,0,0,1,5\n",
-                    "speeds.csv: line 2: found 7 cells, wanted 6 as in the header"},
+                    "speeds.csv: line 2: found 7 cells, wanted 6 as in the first line"},
         BrokenTable{"EmptyFile", "speeds.csv", "",
                     "speeds.csv: found an empty table, wanted a header line with the names of the columns"},
         BrokenTable{"StepNotInteger", "judgements.csv", "participant,series,step,force_n,term\nP1,ascending,1.5,.1,\n",

@@ -1,0 +1,72 @@
+#include "app/cli/commands.h"
+#include "core/analysis/lint.h"
+#include "core/base/json_writer.h"
+#include "core/base/text.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/model_io/model_file.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::formatFixed;
+using base::formatNumber;
+
+std::size_t ruleCount(const fuzzy::ForceModel& model) {
+  std::size_t rules = 0;
+  for (const auto& expert : model.experts) rules += expert.rules.size();
+  return rules;
+}
+
+std::string asText(const std::string& file, const fuzzy::ForceModel& model, const analysis::Lint& lint) {
+  const auto& range = lint.reachable;
+  std::string text = file + ": valid; inputs " + std::to_string(model.inputs.size()) + ", experts " +
+                     std::to_string(model.experts.size()) + ", rules " + std::to_string(ruleCount(model)) +
+                     ", findings " + std::to_string(lint.findings.size()) + '\n';
+  for (const auto& finding : lint.findings) {
+    text += "  " + std::string(name(finding.kind)) + ": " + (finding.expert.empty() ? "mean" : finding.expert) + ": " +
+            finding.text + '\n';
+  }
+  if (!lint.coverage_complete) text += "  the search for holes was cut off: the model is too finely divided\n";
+  if (range.fired == 0) return text + "reachable force: none, no rule fires anywhere\n";
+  return text + "reachable force: " + formatFixed(range.min_n, 4) + " to " + formatFixed(range.max_n, 4) + ' ' +
+         model.output.unit + ", seen at " + std::to_string(range.points) + " points; the universe is " +
+         formatNumber(model.output.min) + " to " + formatNumber(model.output.max) + ' ' + model.output.unit + '\n';
+}
+
+std::string asJson(const std::string& file, const fuzzy::ForceModel& model, const analysis::Lint& lint,
+                   const std::vector<std::string>& warnings) {
+  using Layout = base::JsonWriter::Layout;
+  base::JsonWriter json;
+  json.beginObject().key("file").value(file).key("name").value(model.name).key("valid").value(true);
+  json.key("experts").value(model.experts.size()).key("rules").value(ruleCount(model));
+  json.key("warnings").values(warnings);
+  json.key("findings").beginArray();
+  for (const auto& finding : lint.findings) {
+    json.beginObject(Layout::kInline).key("kind").value(std::string(name(finding.kind))).key("expert");
+    finding.expert.empty() ? json.null() : json.value(finding.expert);
+    json.key("place").value(finding.place).key("text").value(finding.text).endObject();
+  }
+  json.endArray().key("coverage_complete").value(lint.coverage_complete);
+  json.key("reachable").beginObject(Layout::kInline);
+  const bool any = lint.reachable.fired > 0;
+  json.key("min_n");
+  any ? json.value(lint.reachable.min_n) : json.null();
+  json.key("max_n");
+  any ? json.value(lint.reachable.max_n) : json.null();
+  json.key("points").value(lint.reachable.points).endObject().endObject();
+  return json.text();
+}
+
+}  // namespace
+
+base::Result<Output> check(const CheckOptions& options) {
+  const auto read = model_io::readModel(options.model);
+  if (!read) return tl::unexpected(read.error());
+  const auto compiled = fuzzy::compile(read->model);
+  if (!compiled) return inFile(compiled.error(), options.model);
+  const auto lint = analysis::lint(read->model, *compiled);
+  if (options.json) return Output{asJson(options.model, read->model, lint, read->warnings), {}};
+  return Output{asText(options.model, read->model, lint), read->warnings};
+}
+
+}  // namespace tactus::cli

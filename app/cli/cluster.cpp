@@ -1,0 +1,99 @@
+#include "app/cli/commands.h"
+#include "core/base/csv.h"
+#include "core/base/json_writer.h"
+#include "core/base/text.h"
+#include "elicitation/fcm.h"
+#include "elicitation/fcm_validity.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::JsonWriter;
+using base::Result;
+
+struct Column {
+  std::vector<double> values;
+  std::vector<std::string> warnings;
+};
+
+/// The samples of the column, missing values refused with their place.
+Result<Column> readColumn(const ClusterOptions& options) {
+  const auto table = base::CsvTable::read(options.speeds, base::CsvTable::Header::kOptional);
+  if (!table) return tl::unexpected(table.error());
+  Column column;
+  std::size_t index = 0;
+  if (table->hasHeader()) {
+    const auto found = table->require(options.column);
+    if (!found) return tl::unexpected(found.error());
+    index = *found;
+  } else {
+    column.warnings.push_back(options.speeds + ": no header, the first column is taken");
+  }
+  column.values.reserve(table->rowCount());
+  for (std::size_t row = 0; row < table->rowCount(); ++row) {
+    const auto value = table->number(row, index);
+    if (!value) return tl::unexpected(value.error());
+    column.values.push_back(*value);
+  }
+  return column;
+}
+
+void addOptional(JsonWriter& json, const char* key, const std::optional<double>& value) {
+  json.key(key);
+  value ? json.value(*value) : json.null();
+}
+
+std::string asJson(const elicitation::FcmResult& result, const elicitation::FcmValidity& validity,
+                   const std::vector<std::string>& warnings) {
+  JsonWriter json;
+  json.beginObject().key("centres").values(result.centres);
+  addOptional(json, "objective", result.objective);
+  if (!result.objective) addOptional(json, "objective_log10", result.objective_log10);
+  json.key("iterations").value(result.iterations).key("stop_reason").value(std::string(name(result.stop)));
+  json.key("validity").beginObject().key("partition_coefficient").value(validity.partition_coefficient);
+  addOptional(json, "modified_partition_coefficient", validity.modified_coefficient);
+  json.key("partition_entropy").value(validity.partition_entropy);
+  addOptional(json, "xie_beni", validity.xie_beni);
+  addOptional(json, "fuzzy_silhouette", validity.fuzzy_silhouette);
+  addOptional(json, "crisp_silhouette", validity.crisp_silhouette);
+  json.key("sizes").beginArray(JsonWriter::Layout::kInline);
+  for (const std::size_t size : validity.sizes) json.value(size);
+  json.endArray().endObject().key("other_minima").beginArray();
+  for (const auto& minimum : result.other_minima) {
+    json.beginObject(JsonWriter::Layout::kInline).key("centres").values(minimum.centres);
+    json.key("objective_ratio").value(minimum.objective_ratio).endObject();
+  }
+  json.endArray().key("warnings").values(warnings).endObject();
+  return json.text();
+}
+
+std::string asText(const elicitation::FcmResult& result, const elicitation::FcmValidity& validity) {
+  std::string text = "cluster  centre           nearest samples\n";
+  for (std::size_t k = 0; k < result.centres.size(); ++k) {
+    std::string centre = base::formatFixed(result.centres[k], 6);
+    centre.resize(std::max<std::size_t>(17, centre.size() + 1), ' ');
+    text += std::to_string(k + 1) + "        " + centre + std::to_string(validity.sizes[k]) + '\n';
+  }
+  return text + "stopped: " + std::string(name(result.stop)) + " after " + std::to_string(result.iterations) +
+         " iterations; partition coefficient " + base::formatFixed(validity.partition_coefficient, 4) + '\n';
+}
+
+}  // namespace
+
+Result<Output> cluster(const ClusterOptions& options) {
+  auto column = readColumn(options);
+  if (!column) return tl::unexpected(column.error());
+  elicitation::FcmSettings settings;
+  // A negative number is no number of clusters; 0 is refused with the rest.
+  settings.clusters = static_cast<std::size_t>(std::max(options.clusters, 0));
+  settings.m = options.m;
+  const auto result = elicitation::fuzzyCMeans(column->values, settings);
+  if (!result) return inFile(result.error(), options.speeds);
+  const auto validity = elicitation::fcmValidity(column->values, result->centres, options.m);
+  auto& warnings = column->warnings;
+  warnings.insert(warnings.end(), result->warnings.begin(), result->warnings.end());
+  if (options.json) return Output{asJson(*result, validity, warnings), {}};
+  return Output{asText(*result, validity), warnings};
+}
+
+}  // namespace tactus::cli

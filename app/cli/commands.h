@@ -1,0 +1,76 @@
+// The commands of `tactus`: plain functions from options to what is printed. The command line itself: program.cpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/analysis/sampled_centroid.h"
+#include "core/base/error.h"
+
+namespace tactus::cli {
+
+/// What a command prints once it has succeeded.
+struct Output {
+  std::string text;                   ///< to standard output
+  std::vector<std::string> warnings;  ///< one line each, to standard error
+};
+
+struct EvalOptions {
+  std::string model;
+  std::string points;                          ///< CSV with a column per input id
+  std::string out;                             ///< empty: standard output
+  std::string expert;                          ///< empty: the mean
+  std::optional<analysis::Sampling> sampling;  ///< absent: exact
+};
+/// The rows of the points with the columns `force` and `fired` added.
+base::Result<Output> eval(const EvalOptions& options);
+
+struct CheckOptions {
+  std::string model;
+  bool json = false;
+};
+/// Validation and lint of a model file. Findings are results, not failures.
+base::Result<Output> check(const CheckOptions& options);
+
+struct ClusterOptions {
+  std::string speeds;
+  std::string column = "speed_mm_s";
+  int clusters = 3;
+  double m = 2;
+  bool json = false;
+};
+/// Fuzzy C-Means of one column.
+base::Result<Output> cluster(const ClusterOptions& options);
+
+struct VoteOptions {
+  std::string judgements;  ///< judgements.csv or a table of counts as in Table 2
+  std::string series = "ascending";
+  bool json = false;
+};
+/// The vote on each force and the terms that follow from it.
+base::Result<Output> vote(const VoteOptions& options);
+
+struct BuildOptions {
+  std::string study;  ///< folder with the CSV tables
+  std::string out;
+  std::string weights = "equal";  ///< equal, years, category, column, or a file
+  double alpha = 0.95;
+  double trim = 0;
+  bool own_terms = false;
+  bool json = false;
+};
+/// Elicitation: from a study to the averaged model file.
+base::Result<Output> build(const BuildOptions& options);
+
+struct DemoOptions {
+  std::string folder;
+  std::optional<std::uint64_t> seed;
+  std::string reading;  ///< of Table A2; empty: the default
+  bool json = false;
+};
+/// The whole main job on the published data.
+base::Result<Output> demo(const DemoOptions& options);
+
+}  // namespace tactus::cli

@@ -1,0 +1,170 @@
+// The main job, end to end: simulated and published data in; study tables, models, export and report out.
+#include <chrono>
+
+#include "app/cli/commands.h"
+#include "app/report/demo_report.h"
+#include "app/session/known_forms.h"
+#include "app/session/simulated_study.h"
+#include "app/version.h"
+#include "core/base/clock.h"
+#include "core/base/csv.h"
+#include "core/base/file.h"
+#include "core/base/json_writer.h"
+#include "core/model_io/model_file.h"
+#include "core/study/csv_tables.h"
+#include "elicitation/ngt_variables.h"
+#include "questionnaires/published_rules.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::Result;
+using elicitation::BuiltModel;
+
+struct File {
+  std::string path;  ///< below the demo's folder
+  std::string holds;
+};
+
+elicitation::BuildSettings settingsNow() {
+  elicitation::BuildSettings settings;
+  settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
+  settings.generator = kGenerator;
+  return settings;
+}
+
+/// S4 alone in one reading of Table A2, with the terms that the whole study gave.
+Result<report::S4Reading> s4In(const questionnaires::TableReading& reading, std::uint64_t seed) {
+  const auto study = session::simulatedNgtStudy(seed, reading.id);
+  if (!study) return tl::unexpected(study.error());
+  const auto built = elicitation::buildModel(*study, session::knownForms(), settingsNow());
+  if (!built) return tl::unexpected(built.error());
+  auto model = elicitation::expertModel(built->model, "S4");
+  if (!model) return tl::unexpected(model.error());
+  return report::S4Reading{reading.title, reading.assumes, std::move(*model)};
+}
+
+Result<std::string> demoReport(const study::Study& study, const BuiltModel& built, const std::string& reading,
+                               std::uint64_t seed) {
+  std::vector<report::S4Reading> readings;
+  for (const auto& one : questionnaires::s4Readings()) {
+    auto s4 = s4In(one, seed);
+    if (!s4) return tl::unexpected(s4.error());
+    readings.push_back(std::move(*s4));
+  }
+  const report::DemoReportInputs inputs{.study = study,
+                                        .built = built,
+                                        .readings = std::move(readings),
+                                        .settings = {{"Program", std::string(kGenerator)},
+                                                     {"Created (UTC)", built.model.created_utc},
+                                                     {"Seed of the simulated data", std::to_string(seed)},
+                                                     {"Reading of Table A2", reading}}};
+  return report::demoReport(inputs);
+}
+
+std::string checksAsCsv(const fuzzy::ForceModel& model) {
+  auto columns = elicitation::ngtInputIds();
+  columns.insert(columns.end(), {"expected_force", "expected_fired"});
+  base::CsvWriter csv(columns);
+  for (const auto& check : model.checks) {
+    for (const double value : check.in) csv.cell(value);
+    csv.cell(check.force).cell(check.fired ? 1 : 0).endRow();
+  }
+  return csv.text();
+}
+
+constexpr std::string_view kExportReadme =
+    "Export of the averaged force model of the simulated nasogastric tube study.\n"
+    "\n"
+    "model.tactus.json   the model; its checks are evaluated again by every Tactus program that opens it\n"
+    "checks.csv          the same checks as a table, for a program of your own\n"
+    "\n"
+    "  tactus check model.tactus.json\n"
+    "  tactus eval model.tactus.json --in checks.csv     force beside expected_force\n"
+    "\n"
+    "S4's rules are published; everything else in this model was simulated.\n";
+
+/// Writes models and export; each file whole or not at all.
+Result<std::vector<File>> writeModels(const BuiltModel& built, const std::string& folder) {
+  std::vector<File> files;
+  for (const char* below : {"/models", "/export"}) {
+    if (auto made = base::makeFolder(folder + below); !made) return tl::unexpected(made.error());
+  }
+  const auto write = [&](const fuzzy::ForceModel& model, const std::string& path, std::string holds) -> Result<void> {
+    files.push_back({path, std::move(holds)});
+    return model_io::writeModel(model, folder + '/' + path);
+  };
+  for (const auto& expert : built.model.experts) {
+    const auto alone = elicitation::expertModel(built.model, expert.id);
+    if (!alone) return tl::unexpected(alone.error());
+    if (auto ok = write(*alone, "models/" + expert.id + ".tactus.json", "the model of " + expert.id + " alone"); !ok) {
+      return tl::unexpected(ok.error());
+    }
+  }
+  if (auto ok = write(built.model, "models/averaged.tactus.json", "the averaged model"); !ok)
+    return tl::unexpected(ok.error());
+  if (auto ok = write(built.model, "export/model.tactus.json", "the averaged model for the simulator"); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  files.push_back({"export/checks.csv", "points with the forces that the simulator must get"});
+  if (auto ok = base::writeFileAtomically(folder + "/export/checks.csv", checksAsCsv(built.model)); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  files.push_back({"export/README.txt", "how to check the export"});
+  if (auto ok = base::writeFileAtomically(folder + "/export/README.txt", kExportReadme); !ok)
+    return tl::unexpected(ok.error());
+  return files;
+}
+
+std::string asText(const std::string& folder, const std::vector<File>& files) {
+  std::string text = "Wrote the demo study (simulated, except for S4's published rules) to " + folder + ":\n";
+  for (const auto& file : files) {
+    std::string path = file.path;
+    path.resize(std::max<std::size_t>(28, path.size() + 2), ' ');
+    text += "  " + path + file.holds + '\n';
+  }
+  return text;
+}
+
+std::string asJson(const std::string& folder, const std::vector<File>& files, const std::vector<std::string>& notes) {
+  base::JsonWriter json;
+  json.beginObject().key("folder").value(folder).key("simulated").value(true).key("files").beginArray();
+  for (const auto& file : files) {
+    json.beginObject(base::JsonWriter::Layout::kInline)
+        .key("path")
+        .value(file.path)
+        .key("holds")
+        .value(file.holds)
+        .endObject();
+  }
+  json.endArray().key("notes").values(notes).endObject();
+  return json.text();
+}
+
+}  // namespace
+
+Result<Output> demo(const DemoOptions& options) {
+  const std::string reading = options.reading.empty() ? std::string(questionnaires::kDefaultReading) : options.reading;
+  const std::uint64_t seed = options.seed.value_or(session::kDefaultSeed);
+  const auto study = session::simulatedNgtStudy(seed, reading);
+  if (!study) return tl::unexpected(study.error());
+  const auto built = elicitation::buildModel(*study, session::knownForms(), settingsNow());
+  if (!built) return tl::unexpected(built.error());
+  // Everything is computed before the first file is written.
+  const auto page = demoReport(*study, *built, reading, seed);
+  if (!page) return tl::unexpected(page.error());
+
+  if (auto ok = study::writeStudyFolder(*study, elicitation::ngtInputIds(), options.folder + "/study"); !ok)
+    return tl::unexpected(ok.error());
+  auto models = writeModels(*built, options.folder);
+  if (!models) return tl::unexpected(models.error());
+  if (auto ok = base::writeFileAtomically(options.folder + "/report.html", *page); !ok)
+    return tl::unexpected(ok.error());
+
+  std::vector<File> files = {{"report.html", "tables, figures and claims of the paper, recomputed"},
+                             {"study/", "the tables of the study (CSV)"}};
+  files.insert(files.end(), models->begin(), models->end());
+  return Output{options.json ? asJson(options.folder, files, built->notes) : asText(options.folder, files), {}};
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,82 @@
+#include <algorithm>
+
+#include "app/cli/commands.h"
+#include "core/base/csv.h"
+#include "core/base/file.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/model_io/model_file.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::CsvTable;
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+
+/// Index of the expert to evaluate; nothing for the mean.
+Result<std::optional<std::size_t>> findExpert(const fuzzy::ForceModel& model, const EvalOptions& options) {
+  if (options.expert.empty()) return std::nullopt;
+  std::string known;
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    if (model.experts[e].id == options.expert) return e;
+    if (known.size() < 200) known += (known.empty() ? "" : ", ") + model.experts[e].id;
+  }
+  return tl::unexpected(
+      Error{ErrorCode::kReference, options.model, "--expert", base::quoted(options.expert), "one of " + known});
+}
+
+/// The column of each input, in the order of the inputs.
+Result<std::vector<std::size_t>> inputColumns(const fuzzy::ForceModel& model, const CsvTable& points) {
+  std::vector<std::size_t> columns;
+  for (const auto& input : model.inputs) {
+    const auto column = points.require(input.id);
+    if (!column) return tl::unexpected(column.error());
+    columns.push_back(*column);
+  }
+  for (const char* name : {"force", "fired"}) {
+    if (!points.find(name)) continue;
+    return tl::unexpected(Error{ErrorCode::kSchema, points.file(), "header", "a column " + base::quoted(name),
+                                "points without it, because the result gets it"});
+  }
+  return columns;
+}
+
+}  // namespace
+
+Result<Output> eval(const EvalOptions& options) {
+  const auto read = model_io::readModel(options.model);
+  if (!read) return tl::unexpected(read.error());
+  const auto compiled = fuzzy::compile(read->model);
+  if (!compiled) return inFile(compiled.error(), options.model);
+  const auto expert = findExpert(read->model, options);
+  if (!expert) return tl::unexpected(expert.error());
+  const auto points = CsvTable::read(options.points);
+  if (!points) return tl::unexpected(points.error());
+  const auto columns = inputColumns(read->model, *points);
+  if (!columns) return tl::unexpected(columns.error());
+
+  auto header = points->columns();
+  header.insert(header.end(), {"force", "fired"});
+  base::CsvWriter csv(header);
+  std::vector<double> point(columns->size());
+  for (std::size_t row = 0; row < points->rowCount(); ++row) {
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      const auto value = points->number(row, (*columns)[i]);
+      if (!value) return tl::unexpected(value.error());
+      point[i] = *value;
+    }
+    const fuzzy::Evaluation force = options.sampling
+                                        ? analysis::evaluateSampled(*compiled, point, *options.sampling, *expert)
+                                    : *expert ? compiled->evaluateExpert(**expert, point)
+                                              : compiled->evaluate(point);
+    for (std::size_t column = 0; column < points->columns().size(); ++column) csv.cell(points->cell(row, column));
+    csv.cell(force.force_n).cell(force.fired ? 1 : 0).endRow();
+  }
+  if (options.out.empty()) return Output{csv.text(), read->warnings};
+  if (auto written = base::writeFileAtomically(options.out, csv.text()); !written)
+    return tl::unexpected(written.error());
+  return Output{"", read->warnings};
+}
+
+}  // namespace tactus::cli

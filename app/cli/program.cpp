@@ -1,0 +1,141 @@
+// The command line: options to option structs, results to streams, errors to exit statuses.
+#include "app/cli/program.h"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <functional>
+#include <ostream>
+
+#include "app/cli/commands.h"
+#include "app/version.h"
+#include "core/base/text.h"
+
+namespace tactus::cli {
+namespace {
+
+constexpr int kFine = 0;
+constexpr int kWrongInput = 1;
+constexpr int kWrongUsage = 2;
+
+/// The command that the command line chose, with its options bound.
+using Chosen = std::function<base::Result<Output>()>;
+
+/// Adds the subcommand `name`; `define` declares its options, `function` is called with them.
+template <class Options, class Define>
+void addCommand(CLI::App& app, Chosen& chosen, const std::string& name, const std::string& description,
+                base::Result<Output> (*function)(const Options&), Define define) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* const command = app.add_subcommand(name, description);
+  define(*command, *options);
+  command->callback([&chosen, options, function] { chosen = [options, function] { return function(*options); }; });
+}
+
+void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
+
+/// `exact`, `midpoint:N` or `linspace:N`; throws what CLI11 takes for wrong usage.
+std::optional<analysis::Sampling> parseMethod(const std::string& text) {
+  if (text == "exact") return std::nullopt;
+  const auto colon = text.find(':');
+  const std::string rule = text.substr(0, colon);
+  const auto count =
+      colon == std::string::npos ? std::nullopt : base::parseInteger(std::string_view(text).substr(colon + 1));
+  const bool known = rule == "midpoint" || rule == "linspace";
+  if (!known || !count || *count < 2 || *count > 10'000'000) {
+    throw CLI::ValidationError(
+        "--method", "found '" + text + "', wanted exact, midpoint:N or linspace:N with N from 2 to 10000000");
+  }
+  return analysis::Sampling{
+      rule == "midpoint" ? analysis::Sampling::Rule::kMidpoint : analysis::Sampling::Rule::kLinspace,
+      static_cast<std::size_t>(*count)};
+}
+
+void addCommands(CLI::App& app, Chosen& chosen) {
+  addCommand(app, chosen, "demo", "The whole main job on the published data: study, models, export and report", demo,
+             [](CLI::App& command, DemoOptions& o) {
+               command.add_option("DIR", o.folder, "Folder to write into")->required();
+               command.add_option("--seed", o.seed, "Seed of what is simulated");
+               command.add_option("--reading", o.reading,
+                                  "Reading of Table A2: ngt-a2-five-regions (default), ngt-a2-printed, ngt-a2-shifted");
+               addJson(command, o.json);
+             });
+  addCommand(
+      app, chosen, "build", "Elicitation: from a study to its averaged force model", build,
+      [](CLI::App& command, BuildOptions& o) {
+        command.add_option("STUDY", o.study, "Folder with the CSV tables")->required();
+        command.add_option("--out", o.out, "Model file to write")->required();
+        command.add_option("--weights", o.weights, "equal, years, category, column, or a CSV file participant,weight");
+        command.add_option("--alpha", o.alpha, "Membership at which a cluster's core ends, in (0.5, 1]");
+        command.add_option("--trim", o.trim, "Drop samples below this share of their stroke's peak speed, in [0, 1)");
+        command
+            .add_option_function<std::string>(
+                "--terms", [&o](const std::string& terms) { o.own_terms = terms == "own"; },
+                "Speed terms of the experts: averaged or own")
+            ->check(CLI::IsMember({"averaged", "own"}));
+        addJson(command, o.json);
+      });
+  addCommand(app, chosen, "cluster", "Fuzzy C-Means of one column of speeds", cluster,
+             [](CLI::App& command, ClusterOptions& o) {
+               command.add_option("SPEEDS", o.speeds, "CSV file")->required();
+               command.add_option("-c", o.clusters, "Number of clusters");
+               command.add_option("-m", o.m, "Fuzziness, above 1");
+               command.add_option("--column", o.column, "Column to cluster");
+               addJson(command, o.json);
+             });
+  addCommand(app, chosen, "vote", "The vote on force judgements and the terms that follow", vote,
+             [](CLI::App& command, VoteOptions& o) {
+               command.add_option("JUDGEMENTS", o.judgements, "Table of judgements, or of vote counts as in Table 2")
+                   ->required();
+               command.add_option("--series", o.series, "Series of stimuli to count");
+               addJson(command, o.json);
+             });
+  addCommand(app, chosen, "eval", "The force of a model at the points of a CSV file", eval,
+             [](CLI::App& command, EvalOptions& o) {
+               command.add_option("MODEL", o.model, "Model file")->required();
+               command.add_option("--in", o.points, "CSV file with one column per input of the model")->required();
+               command.add_option("--out", o.out, "CSV file to write; without it, to standard output");
+               command.add_option("--expert", o.expert, "One expert instead of the mean");
+               command.add_option_function<std::string>(
+                   "--method", [&o](const std::string& text) { o.sampling = parseMethod(text); },
+                   "exact (default), or sampled like other tools: midpoint:N, linspace:N");
+             });
+  addCommand(app, chosen, "check", "Validation and lint of a model", check, [](CLI::App& command, CheckOptions& o) {
+    command.add_option("MODEL", o.model, "Model file")->required();
+    addJson(command, o.json);
+  });
+}
+
+int report(const base::Result<Output>& result, std::ostream& out, std::ostream& err) {
+  if (!result) {
+    err << "tactus: " << result.error().message() << '\n';
+    return kWrongInput;
+  }
+  for (const auto& warning : result->warnings) err << "tactus: warning: " << warning << '\n';
+  out << result->text << std::flush;
+  if (out.good()) return kFine;
+  err << "tactus: found a closed standard output, wanted one that can be written to\n";
+  return kWrongInput;
+}
+
+}  // namespace
+
+int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err) {
+  CLI::App app("Tactus turns what experts know by feel into a force model.", "tactus");
+  app.set_version_flag("--version", std::string(kGenerator));
+  app.require_subcommand(1);
+  Chosen chosen;
+  addCommands(app, chosen);
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+  try {
+    app.parse(std::move(arguments));
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, out, err) == 0 ? kFine : kWrongUsage;
+  }
+  try {
+    return report(chosen(), out, err);
+  } catch (const std::exception& error) {
+    err << "tactus: stopped: " << error.what() << '\n';
+    return kWrongInput;
+  }
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,116 @@
+#include "app/cli/commands.h"
+#include "core/base/csv.h"
+#include "core/base/json_writer.h"
+#include "core/base/text.h"
+#include "core/study/csv_tables.h"
+#include "elicitation/force_terms.h"
+#include "elicitation/force_voting.h"
+#include "elicitation/ngt_variables.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::JsonWriter;
+using base::Result;
+using elicitation::VoteStep;
+
+struct Count {
+  std::vector<elicitation::VoteCounts> steps;
+  std::optional<int> enrolled;  ///< known from judgements, not from a table of counts
+  std::vector<std::string> warnings;
+};
+
+Result<Count> countFile(const VoteOptions& options, const std::vector<std::string>& terms) {
+  const auto table = base::CsvTable::read(options.judgements);
+  if (!table) return tl::unexpected(table.error());
+  Count count;
+  if (elicitation::isVoteTable(*table, terms)) {
+    auto votes = elicitation::readVoteTable(*table, terms);
+    if (!votes) return tl::unexpected(votes.error());
+    count.steps = std::move(votes->steps);
+    for (const auto& column : votes->ignored) {
+      count.warnings.push_back(options.judgements + ": column " + base::quoted(column) + " is ignored");
+    }
+    return count;
+  }
+  const auto judgements = study::readJudgements(*table);
+  if (!judgements) return tl::unexpected(judgements.error());
+  auto steps = elicitation::countVotes(*judgements, options.series, terms);
+  if (!steps) return inFile(steps.error(), options.judgements);
+  count.steps = std::move(*steps);
+  count.enrolled = elicitation::countParticipants(*judgements);
+  return count;
+}
+
+std::string flags(const VoteStep& step) {
+  std::string text;
+  if (step.monotone_raised) text += ", monotone_raised";
+  if (step.below_quorum) text += ", below_quorum";
+  return text;
+}
+
+std::string asText(const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
+                   const std::vector<std::string>& ids) {
+  std::string text = "force_n  term          reason\n";
+  const auto padded = [](std::string cell, std::size_t width) {
+    cell.resize(std::max(width, cell.size() + 1), ' ');
+    return cell;
+  };
+  for (const auto& step : steps) {
+    text += padded(base::formatNumber(step.force_n), 9) + padded(step.term ? ids[*step.term] : "-", 14) +
+            std::string(name(step.reason)) + flags(step) + '\n';
+  }
+  text += "\nterm          points\n";
+  for (const auto& term : terms.output.terms) {
+    text += padded(term.id, 13);
+    for (const double point : term.points) text += ' ' + base::formatNumber(point);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string asJson(const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
+                   const std::vector<std::string>& ids, const std::vector<std::string>& warnings) {
+  JsonWriter json;
+  json.beginObject().key("steps").beginArray();
+  for (const auto& step : steps) {
+    json.beginObject(JsonWriter::Layout::kInline).key("force_n").value(step.force_n).key("term");
+    step.term ? json.value(ids[*step.term]) : json.null();
+    json.key("reason").value(std::string(name(step.reason)));
+    json.key("monotone_raised").value(step.monotone_raised).key("below_quorum").value(step.below_quorum);
+    json.key("votes").beginArray();
+    for (const int votes : step.votes) json.value(votes);
+    json.endArray().endObject();
+  }
+  json.endArray().key("terms").beginArray();
+  for (const auto& term : terms.output.terms) {
+    json.beginObject(JsonWriter::Layout::kInline)
+        .key("id")
+        .value(term.id)
+        .key("points")
+        .values(term.points)
+        .endObject();
+  }
+  json.endArray().key("interpolated").values(terms.interpolated).key("absent").values(terms.absent);
+  json.key("warnings").values(warnings).endObject();
+  return json.text();
+}
+
+}  // namespace
+
+Result<Output> vote(const VoteOptions& options) {
+  const auto output = elicitation::ngtOutput();
+  std::vector<std::string> ids;
+  for (const auto& term : output.terms) ids.push_back(term.id);
+  auto count = countFile(options, ids);
+  if (!count) return tl::unexpected(count.error());
+  const auto steps = elicitation::vote(count->steps, count->enrolled);
+  const auto terms = elicitation::forceTerms(output, steps);
+  if (!terms) return inFile(terms.error(), options.judgements);
+  auto& warnings = count->warnings;
+  warnings.insert(warnings.end(), terms->notes.begin(), terms->notes.end());
+  if (options.json) return Output{asJson(steps, *terms, ids, warnings), {}};
+  return Output{asText(steps, *terms, ids), warnings};
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,137 @@
+#include "app/report/html.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/report/html_style.h"
+#include "core/base/check.h"
+
+namespace tactus::report {
+
+namespace {
+
+void appendRow(std::string& out, const std::vector<Cell>& row, bool head) {
+  out += "<tr>";
+  for (const Cell& cell : row) {
+    const bool th = head || cell.heading;
+    out += th ? "<th" : "<td";
+    if (th) out += head ? " scope=\"col\"" : " scope=\"row\"";
+    if (cell.columns > 1) out += " colspan=\"" + std::to_string(cell.columns) + '"';
+    std::string classes;
+    if (cell.number) classes += "number ";
+    if (cell.group_start) classes += "group ";
+    if (cell.columns > 1) classes += "span ";
+    if (head && cell.text.empty()) classes += "blank ";
+    if (!classes.empty()) {
+      classes.pop_back();
+      out += " class=\"" + classes + '"';
+    }
+    out += '>' + cell.text.html() + (th ? "</th>" : "</td>");
+  }
+  out += "</tr>\n";
+}
+
+}  // namespace
+
+Cell numberCell(Markup text, bool group_start) {
+  return {.text = std::move(text), .number = true, .group_start = group_start};
+}
+
+Cell headingCell(Markup text) { return {.text = std::move(text), .heading = true}; }
+
+HtmlPage::HtmlPage(std::string title, Markup subtitle) : title_(std::move(title)), subtitle_(std::move(subtitle)) {}
+
+std::string HtmlPage::anchorFor(std::string_view title) {
+  std::string base;
+  for (const char c : title) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 0x80) {
+      base += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!base.empty() && base.back() != '-') {
+      base += '-';
+    }
+  }
+  while (!base.empty() && base.back() == '-') base.pop_back();
+  if (base.empty()) base = "section";
+  std::string anchor = base;
+  for (int number = 2; std::find(anchors_.begin(), anchors_.end(), anchor) != anchors_.end(); ++number) {
+    anchor = base + '-' + std::to_string(number);
+  }
+  anchors_.push_back(anchor);
+  return anchor;
+}
+
+void HtmlPage::section(std::string_view title) {
+  const std::string anchor = anchorFor(title);
+  contents_ += "<li><a href=\"#" + anchor + "\">" + escaped(title) + "</a></li>\n";
+  body_ += "<h2 id=\"" + anchor + "\">" + escaped(title) + "</h2>\n";
+}
+
+void HtmlPage::subsection(std::string_view title) {
+  body_ += "<h3 id=\"" + anchorFor(title) + "\">" + escaped(title) + "</h3>\n";
+}
+
+void HtmlPage::paragraph(const Markup& text) { body_ += "<p>" + text.html() + "</p>\n"; }
+
+void HtmlPage::list(const std::vector<Markup>& items) {
+  body_ += "<ul>\n";
+  for (const Markup& item : items) body_ += "<li>" + item.html() + "</li>\n";
+  body_ += "</ul>\n";
+}
+
+void HtmlPage::notice(const Markup& text) { body_ += "<div class=\"notice\">" + text.html() + "</div>\n"; }
+
+void HtmlPage::keyNumbers(const std::vector<std::pair<Markup, Markup>>& numbers) {
+  body_ += "<div class=\"key-numbers\">\n";
+  for (const auto& [value, explanation] : numbers) {
+    body_ += "<div><div class=\"value\">" + value.html() + "</div><div class=\"what\">" + explanation.html() +
+             "</div></div>\n";
+  }
+  body_ += "</div>\n";
+}
+
+void HtmlPage::table(const Table& table) {
+  const auto width = [](const std::vector<Cell>& row) {
+    int columns = 0;
+    for (const Cell& cell : row) columns += cell.columns;
+    return columns;
+  };
+  body_ += table.wide ? "<div class=\"table wide\"><table>\n" : "<div class=\"table\"><table>\n";
+  body_ += "<caption>" + table.caption.html() + "</caption>\n<thead>\n";
+  for (const auto& row : table.head) {
+    TACTUS_CHECK(width(row) == width(table.head.front()));
+    appendRow(body_, row, true);
+  }
+  body_ += "</thead>\n<tbody>\n";
+  for (const auto& row : table.body) {
+    TACTUS_CHECK(width(row) == width(table.head.front()));
+    appendRow(body_, row, false);
+  }
+  body_ += "</tbody>\n</table>\n";
+  if (!table.note.empty()) body_ += "<p class=\"note\">" + table.note.html() + "</p>\n";
+  body_ += "</div>\n";
+}
+
+void HtmlPage::figure(const Figure& figure) {
+  TACTUS_CHECK(figure.columns >= 1 && figure.columns <= 3);
+  body_ += "<figure>\n<div class=\"panels columns-" + std::to_string(figure.columns) + "\">\n";
+  for (const Panel& panel : figure.panels) {
+    body_ += "<div class=\"panel\">";
+    if (!panel.heading.empty()) body_ += "<div class=\"panel-heading\">" + panel.heading.html() + "</div>";
+    body_ += panel.svg + "</div>\n";
+  }
+  body_ += "</div>\n<figcaption>" + figure.caption.html() + "</figcaption>\n</figure>\n";
+}
+
+std::string HtmlPage::html() const {
+  std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n";
+  out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n";
+  out += "<title>" + escaped(title_) + "</title>\n<style>\n";
+  out += kStyleSheet;
+  out += "</style>\n</head>\n<body>\n<header>\n<h1>" + escaped(title_) + "</h1>\n<p class=\"subtitle\">" +
+         subtitle_.html() + "</p>\n</header>\n";
+  out += "<div class=\"page\">\n<nav aria-label=\"Contents\">\n<div class=\"nav-title\">Contents</div>\n<ol>\n" +
+         contents_ + "</ol>\n</nav>\n<main>\n" + body_ + "</main>\n</div>\n</body>\n</html>\n";
+  return out;
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,81 @@
+// A self-contained HTML page: sections with anchors and a table of contents, tables and figures with captions. No
+// scripts, nothing loaded from elsewhere; made for a screen 1280 pixels wide and for paper. Written as XML, so that
+// every tool can check it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/report/markup.h"
+
+namespace tactus::report {
+
+/// A cell of a table.
+struct Cell {
+  Markup text;
+  int columns = 1;           ///< how many columns it spans
+  bool number = false;       ///< set flush right, figures of equal width
+  bool heading = false;      ///< of its row
+  bool group_start = false;  ///< a rule on its left sets a group of columns off
+};
+
+/// A cell that holds a number or a short value.
+Cell numberCell(Markup text, bool group_start = false);
+/// A cell that names its row.
+Cell headingCell(Markup text);
+
+/// A table. All rows span the same number of columns.
+struct Table {
+  Markup caption;
+  std::vector<std::vector<Cell>> head;
+  std::vector<std::vector<Cell>> body;
+  Markup note = {};   ///< below the table; may be empty
+  bool wide = false;  ///< takes the whole width of the page
+};
+
+/// One drawing of a figure.
+struct Panel {
+  Markup heading = {};  ///< above the drawing, e.g. `(a) Lubrication`; may be empty
+  std::string svg;      ///< one `<svg>` element
+};
+
+struct Figure {
+  Markup caption;
+  std::vector<Panel> panels;
+  int columns = 1;  ///< panels side by side, 1 to 3
+};
+
+/// Collects the page from top to bottom.
+class HtmlPage {
+ public:
+  HtmlPage(std::string title, Markup subtitle);
+
+  /// A section (level 2) or a part of one (level 3). Both get an anchor made from the title; sections are listed in the
+  /// table of contents.
+  void section(std::string_view title);
+  void subsection(std::string_view title);
+
+  void paragraph(const Markup& text);
+  void list(const std::vector<Markup>& items);
+  /// A box that must not be overlooked.
+  void notice(const Markup& text);
+  /// A row of boxes, each a large value over a short explanation.
+  void keyNumbers(const std::vector<std::pair<Markup, Markup>>& numbers);
+  void table(const Table& table);
+  void figure(const Figure& figure);
+
+  /// The whole page.
+  std::string html() const;
+
+ private:
+  std::string anchorFor(std::string_view title);
+
+  std::string title_;
+  Markup subtitle_;
+  std::string contents_;
+  std::string body_;
+  std::vector<std::string> anchors_;
+};
+
+}  // namespace tactus::report

@@ -1,0 +1,52 @@
+// The sections of the demo report, one function each. Internal to the report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/report/demo_report.h"
+#include "app/report/force_curves.h"
+#include "app/report/html.h"
+#include "app/report/regions.h"
+
+namespace tactus::report {
+
+/// Everything the sections draw from.
+struct ReportContext {
+  const DemoReportInputs& in;
+  const ForceCurves& curves;  ///< of the averaged model
+  std::vector<Region> regions;
+  std::vector<Claim> claims;
+};
+
+// sections_overview.cpp
+void addOverview(HtmlPage& page, const ReportContext& context);
+void addOrigin(HtmlPage& page, const ReportContext& context);
+// sections_speed.cpp
+void addSpeeds(HtmlPage& page, const ReportContext& context);
+void addClusters(HtmlPage& page, const ReportContext& context);
+// sections_votes.cpp
+void addVotes(HtmlPage& page, const ReportContext& context);
+// sections_model.cpp
+void addMembershipFunctions(HtmlPage& page, const ReportContext& context);
+void addReachableRange(HtmlPage& page, const ReportContext& context);
+// sections_force.cpp
+void addSurface(HtmlPage& page, const ReportContext& context);
+void addInfluences(HtmlPage& page, const ReportContext& context);
+void addExperts(HtmlPage& page, const ReportContext& context);
+void addReadings(HtmlPage& page, const ReportContext& context);
+// sections_claims.cpp
+void addClaims(HtmlPage& page, const ReportContext& context);
+// sections_notes.cpp
+void addContradictions(HtmlPage& page, const ReportContext& context);
+void addBuildNotes(HtmlPage& page, const ReportContext& context);
+
+/// Axes of every force-depth plot of the report, so that figures can be compared by eye.
+PlotAxis depthAxis(const ReportContext& context);
+PlotAxis forceAxis(const ReportContext& context);
+/// Shades every other region and names them along the top.
+void markRegions(SvgPlot& plot, const std::vector<Region>& regions);
+/// Line of expert `index`, told apart by colour and dash.
+LineLook expertLook(std::size_t index);
+
+}  // namespace tactus::report

@@ -1,0 +1,64 @@
+#include "app/report/report_sections.h"
+
+namespace tactus::report {
+
+namespace {
+
+Markup basisBadges(const Verdict& verdict) {
+  switch (verdict.basis) {
+    case ClaimBasis::kPublishedRules:
+      return badge(Badge::kPublished);
+    case ClaimBasis::kSimulated:
+      return badge(Badge::kSimulated);
+    case ClaimBasis::kByConstruction:
+      return badge(Badge::kByConstruction);
+  }
+  return {};
+}
+
+Markup verdictBadge(const Verdict& verdict) {
+  if (!verdict.holds) return badge(Badge::kNotApplicable);
+  return badge(*verdict.holds ? Badge::kYes : Badge::kNo);
+}
+
+/// The subject's name, kept on one line.
+Markup subjectName(const std::string& subject) {
+  std::string text;
+  for (const char c : subject) text += c == ' ' ? std::string("\xC2\xA0") : std::string(1, c);
+  return strong(text);
+}
+
+}  // namespace
+
+void addClaims(HtmlPage& page, const ReportContext& context) {
+  page.section("What the paper says, checked");
+  page.paragraph(
+      "Each statement of the paper about its Fig. 10 and Fig. 11, computed from the models of this report. " +
+      badge(Badge::kPublished) + " marks the expert whose rules are printed: a real test of the statement. " +
+      badge(Badge::kSimulated) + " and " + badge(Badge::kByConstruction) +
+      " mark results in which nurses take part who were simulated to follow the very same text: a yes there shows that "
+      "the chain works, not that the statement is true.");
+  Table table{.caption = strong("Claims checklist.") + " " + badge(Badge::kComputed),
+              .head = {{{.text = "Data"}, {.text = "For"}, {.text = "Holds"}, {.text = "Numbers"}}},
+              .body = {},
+              .wide = true};
+  for (const Claim& claim : context.claims) {
+    table.body.push_back({{.text = strong(claim.id + ". " + claim.statement) + " " + muted(claim.rule), .columns = 4}});
+    std::string last_reason;
+    for (const Verdict& verdict : claim.verdicts) {
+      Markup numbers = verdict.numbers;
+      if (!verdict.reason.empty()) {
+        numbers += Markup(verdict.numbers.empty() ? "" : " ") + strong("Why:") + " " +
+                   (verdict.reason == last_reason ? "the same reason." : verdict.reason);
+        last_reason = verdict.reason;
+      }
+      table.body.push_back({{.text = basisBadges(verdict)},
+                            {.text = subjectName(verdict.subject)},
+                            {.text = verdictBadge(verdict)},
+                            {.text = numbers}});
+    }
+  }
+  page.table(table);
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <array>
+
+#include "app/report/palette.h"
+#include "app/report/report_sections.h"
+#include "app/report/surface_plot.h"
+#include "core/base/text.h"
+
+namespace tactus::report {
+
+namespace {
+
+constexpr std::array<Dash, 4> kDashes = {Dash::kSolid, Dash::kDashed, Dash::kDashDot, Dash::kDotted};
+
+std::string regionCodes(const std::vector<Region>& regions) {
+  std::vector<std::string> parts;
+  for (const Region& region : regions) parts.push_back(region.code + " " + base::lowered(region.label));
+  return base::joined(parts, ", ");
+}
+
+/// One of the families of curves: the averaged force at several values of one input.
+struct Family {
+  std::string heading;
+  std::string setting;
+  std::vector<std::pair<std::string, CurveSetting>> curves;
+};
+
+std::vector<Family> families() {
+  return {
+      {"(a) Lubrication",
+       "neck flexion 90 deg, 30 mm/s",
+       {{"0", {0, 90, 30}}, {"0.25", {0.25, 90, 30}}, {"0.5", {0.5, 90, 30}}, {"1", {1, 90, 30}}}},
+      {"(b) Neck flexion angle",
+       "lubrication 1, 30 mm/s",
+       {{"0 deg", {1, 0, 30}}, {"30 deg", {1, 30, 30}}, {"60 deg", {1, 60, 30}}, {"90 deg", {1, 90, 30}}}},
+      {"(c) Insertion speed",
+       "lubrication 1, neck flexion 90 deg",
+       {{"30 mm/s", {1, 90, 30}}, {"80 mm/s", {1, 90, 80}}, {"110 mm/s", {1, 90, 110}}, {"200 mm/s", {1, 90, 200}}}}};
+}
+
+std::string familyPlot(const ReportContext& context, const Family& family) {
+  SvgPlot plot({.title = family.heading + ": force over depth",
+                .description = "Averaged model at " + family.setting + ".",
+                .width = 940,
+                .height = 300,
+                .x = depthAxis(context),
+                .y = forceAxis(context)});
+  markRegions(plot, context.regions);
+  for (std::size_t i = 0; i < family.curves.size(); ++i) {
+    plot.line(toSeries(context.curves.curve(family.curves[i].second, std::nullopt)),
+              {.color = seriesColor(i), .width = 2.2, .dash = kDashes[i % kDashes.size()]}, family.curves[i].first);
+  }
+  return plot.svg();
+}
+
+/// Stretches of depth without a force.
+std::vector<std::pair<double, double>> holesOf(const ForceCurve& curve) {
+  std::vector<std::pair<double, double>> holes;
+  bool open = false;
+  for (const CurvePoint& point : curve) {
+    if (point.force_n) {
+      open = false;
+    } else if (open) {
+      holes.back().second = point.depth_mm;
+    } else {
+      holes.emplace_back(point.depth_mm, point.depth_mm);
+      open = true;
+    }
+  }
+  return holes;
+}
+
+std::string millimetres(double depth_mm) { return base::formatFixed(depth_mm, 0); }
+
+}  // namespace
+
+PlotAxis depthAxis(const ReportContext& context) {
+  return {.label = "Insertion depth (mm)", .min = context.curves.depthMin(), .max = context.curves.depthMax()};
+}
+
+PlotAxis forceAxis(const ReportContext& context) {
+  const fuzzy::Variable& force = context.in.built.model.output;
+  return {.label = "Insertion force (N)", .min = force.min, .max = force.max};
+}
+
+void markRegions(SvgPlot& plot, const std::vector<Region>& regions) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    plot.band(regions[i].from_mm, regions[i].to_mm, "#EEF2F6", i % 2 == 0 ? 1 : 0, regions[i].label, regions[i].code);
+  }
+}
+
+LineLook expertLook(std::size_t index) {
+  return {.color = seriesColor(index), .width = 2, .dash = kDashes[index % kDashes.size()]};
+}
+
+void addSurface(HtmlPage& page, const ReportContext& context) {
+  page.section("Force over depth and speed");
+  constexpr double kDepthSteps = 120;
+  constexpr int kSpeedSteps = 32;
+  const auto& inputs = context.in.built.model.inputs;
+  const auto speed = std::find_if(inputs.begin(), inputs.end(), [](const auto& input) { return input.id == "speed"; });
+  SurfaceGrid grid;
+  const double step_mm = (context.curves.depthMax() - context.curves.depthMin()) / kDepthSteps;
+  for (int i = 0; i <= static_cast<int>(kDepthSteps); ++i) grid.x.push_back(context.curves.depthMin() + i * step_mm);
+  for (int j = 0; j <= kSpeedSteps; ++j) grid.y.push_back(speed->min + (speed->max - speed->min) * j / kSpeedSteps);
+  for (const double depth_mm : grid.x) {
+    for (const double speed_mm_s : grid.y) {
+      grid.z.push_back(context.curves.force({1, 45, speed_mm_s}, depth_mm, std::nullopt));
+    }
+  }
+  page.figure({.caption = strong("Fig. 9, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                          " Averaged force over depth and speed at lubrication 1 and neck flexion 45 deg. Three of the "
+                          "four experts are simulated. The numbers behind the paper's figure are not published.",
+               .panels = {{.svg = surfacePlot({.title = "Averaged force over depth and speed",
+                                               .description = "Lubrication 1, neck flexion 45 deg.",
+                                               .width = 940,
+                                               .height = 560,
+                                               .x = depthAxis(context),
+                                               .y = {.label = "Speed (mm/s)", .min = speed->min, .max = speed->max},
+                                               .z = {.label = "Force (N)",
+                                                     .min = context.in.built.model.output.min,
+                                                     .max = context.in.built.model.output.max}},
+                                              grid)}}});
+}
+
+void addInfluences(HtmlPage& page, const ReportContext& context) {
+  page.section("Influence of lubrication, neck flexion and speed");
+  page.paragraph("Averaged force over depth, one input varied at a time. Regions: " + regionCodes(context.regions) +
+                 ".");
+  Figure figure{.caption = strong("Fig. 10, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                           " The settings are the paper's; which values of the varied input its curves show is not "
+                           "said in the text, nor are their numbers published. Three of the four experts are "
+                           "simulated to follow the text.",
+                .panels = {}};
+  for (const Family& family : families()) {
+    figure.panels.push_back(
+        {.heading = family.heading + Markup::raw(" ") + muted(family.setting), .svg = familyPlot(context, family)});
+  }
+  page.figure(figure);
+}
+
+void addExperts(HtmlPage& page, const ReportContext& context) {
+  page.section("Four experts and their mean");
+  constexpr CurveSetting kSetting{1, 60, 50};
+  SvgPlot plot({.title = "Force over depth of each expert and of the averaged model",
+                .description = "Lubrication 1, neck flexion 60 deg, speed 50 mm/s.",
+                .width = 940,
+                .height = 380,
+                .x = depthAxis(context),
+                .y = forceAxis(context)});
+  markRegions(plot, context.regions);
+  const auto& experts = context.in.built.model.experts;
+  for (std::size_t i = 0; i < experts.size(); ++i) {
+    const bool published = experts[i].id == context.in.published_expert;
+    plot.line(toSeries(context.curves.curve(kSetting, i)), expertLook(i),
+              experts[i].id + (published ? " (published rules)" : " (simulated)"));
+  }
+  plot.line(toSeries(context.curves.curve(kSetting, std::nullopt)), {.color = kInk, .width = 3.2}, "Mean");
+  page.figure({.caption = strong("Fig. 11, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                          " Force over depth of each expert and of the averaged model at 50 mm/s, lubrication 1, neck "
+                          "flexion 60 deg. Only the rules of " +
+                          context.in.published_expert +
+                          " are published; the other experts are simulated. The numbers behind the paper's figure are "
+                          "not published.",
+               .panels = {{.svg = plot.svg()}}});
+}
+
+void addReadings(HtmlPage& page, const ReportContext& context) {
+  page.section("The published rules in three readings");
+  page.paragraph(
+      "The questionnaire (Table A1) asks about nasal cavity, nasopharynx, oropharynx, laryngopharynx and esophagus. "
+      "The "
+      "printed rules (Table A2) name no oropharynx, but a stomach. The table can be read in three ways, none is "
+      "proved. "
+      "Where no rule fires the model has a hole: no force is invented for it.");
+  constexpr CurveSetting kSetting{1, 60, 50};
+  Figure figure{
+      .caption = strong("Table A2 at the setting of Fig. 11.") + " " +
+                 badges({Badge::kPublished, Badge::kComputed, Badge::kSimulated}) + " Rules of " +
+                 context.in.published_expert +
+                 " alone at 50 mm/s, lubrication 1, neck flexion 60 deg. The rules are published, the terms of "
+                 "the speed come from simulated strokes. Red: no rule fires.",
+      .panels = {}};
+  for (const S4Reading& reading : context.in.readings) {
+    const auto curves = ForceCurves::of(reading.model);
+    if (!curves || reading.model.experts.empty()) continue;
+    const ForceCurve curve = curves->curve(kSetting, 0);
+    SvgPlot plot({.title = reading.title + ": force over depth",
+                  .description = reading.assumes,
+                  .width = 940,
+                  .height = 250,
+                  .x = depthAxis(context),
+                  .y = forceAxis(context)});
+    markRegions(plot, context.regions);
+    std::vector<std::string> texts;
+    for (const auto& [from_mm, to_mm] : holesOf(curve)) {
+      plot.band(from_mm, to_mm, kVermilion, 0.3, {});
+      plot.label((from_mm + to_mm) / 2, context.in.built.model.output.max * 0.5, "hole", kVermilion);
+      texts.push_back(millimetres(from_mm) + " to " + millimetres(to_mm) + " mm");
+    }
+    plot.line(toSeries(curve), {.color = kBlue, .width = 2.4});
+    figure.panels.push_back(
+        {.heading =
+             reading.title + Markup::raw(" ") +
+             muted(reading.assumes + (texts.empty() ? std::string(" No hole at this setting.")
+                                                    : " No rule fires at " + base::joined(texts, " and ") + ".")),
+         .svg = plot.svg()});
+  }
+  page.figure(figure);
+}
+
+}  // namespace tactus::report

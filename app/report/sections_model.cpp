@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/report/palette.h"
+#include "app/report/report_sections.h"
+#include "core/base/text.h"
+#include "core/fuzzy/membership.h"
+
+namespace tactus::report {
+
+namespace {
+
+/// Points at which a membership function is drawn: its corners, or enough for a smooth bell.
+Series shapeOf(const fuzzy::Term& term, const fuzzy::Variable& variable) {
+  const fuzzy::MembershipFunction membership = fuzzy::MembershipFunction::of(term);
+  std::vector<double> xs;
+  if (membership.gaussian) {
+    constexpr int kPoints = 120;
+    for (int i = 0; i <= kPoints; ++i) xs.push_back(variable.min + (variable.max - variable.min) * i / kPoints);
+  } else {
+    Series corners;
+    // Both ends of a vertical edge are drawn.
+    if (membership.a > variable.min) corners.push_back({variable.min, 0.0});
+    corners.push_back({membership.a, 0.0});
+    corners.push_back({membership.b, 1.0});
+    corners.push_back({membership.c, 1.0});
+    corners.push_back({membership.d, 0.0});
+    return corners;
+  }
+  Series out;
+  for (const double x : xs) out.push_back({x, membership(x)});
+  return out;
+}
+
+/// Angles read best in steps of a right angle's parts; empty leaves the choice to the plot.
+std::vector<double> ticksFor(const fuzzy::Variable& variable) {
+  constexpr double kStepDeg = 15;
+  constexpr double kMostSteps = 8;
+  std::vector<double> ticks;
+  if (variable.unit != "deg" || (variable.max - variable.min) / kStepDeg > kMostSteps) return ticks;
+  for (double tick = std::ceil(variable.min / kStepDeg) * kStepDeg; tick <= variable.max; tick += kStepDeg) {
+    ticks.push_back(tick);
+  }
+  return ticks;
+}
+
+std::string unitText(const fuzzy::Variable& variable) {
+  return variable.unit == "1" || variable.unit.empty() ? variable.label : variable.label + " (" + variable.unit + ")";
+}
+
+/// Shorter text for a label that would run into its neighbours.
+std::string regionCode(const std::vector<Region>& regions, const std::string& id) {
+  const auto found =
+      std::find_if(regions.begin(), regions.end(), [&](const Region& region) { return region.id == id; });
+  return found == regions.end() ? id : found->code;
+}
+
+std::string termPlot(const ReportContext& context, const fuzzy::Variable& variable,
+                     const std::vector<fuzzy::Term>& terms) {
+  SvgPlot plot(
+      {.title = "Membership functions of " + base::lowered(variable.label),
+       .description = "One shape per term.",
+       .width = 460,
+       .height = 220,
+       .x = {.label = unitText(variable), .min = variable.min, .max = variable.max, .ticks = ticksFor(variable)},
+       .y = {.label = "Membership", .min = 0, .max = 1.18, .ticks = {0, 0.5, 1}}});
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    Series shape = shapeOf(terms[i], variable);
+    plot.area(shape, seriesColor(i), 0.12);
+    plot.line(shape, {.color = seriesColor(i), .width = 2});
+  }
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const fuzzy::MembershipFunction m = fuzzy::MembershipFunction::of(terms[i]);
+    const double middle = m.gaussian ? m.mean : (std::max(m.b, variable.min) + std::min(m.c, variable.max)) / 2;
+    const std::string text = variable.id == "depth" ? regionCode(context.regions, terms[i].id) : terms[i].label;
+    plot.label(middle, 1.07, text, seriesColor(i));
+  }
+  return plot.svg();
+}
+
+/// Lists of depth terms that experts have for themselves, with who has them.
+std::vector<std::pair<std::string, std::vector<fuzzy::Term>>> ownLists(const ReportContext& context,
+                                                                       const std::string& variable) {
+  std::vector<std::pair<std::string, std::vector<fuzzy::Term>>> lists;
+  for (const fuzzy::Expert& expert : context.in.built.model.experts) {
+    for (const fuzzy::TermOverride& own : expert.overrides) {
+      if (own.variable != variable) continue;
+      const auto found =
+          std::find_if(lists.begin(), lists.end(), [&](const auto& list) { return list.second == own.terms; });
+      if (found == lists.end()) {
+        lists.emplace_back(expert.id, own.terms);
+      } else {
+        found->first += ", " + expert.id;
+      }
+    }
+  }
+  return lists;
+}
+
+}  // namespace
+
+void addMembershipFunctions(HtmlPage& page, const ReportContext& context) {
+  page.section("Membership functions");
+  Figure figure{
+      .caption =
+          strong("Fig. 3, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+          " Terms of the four inputs and of the force. Lubrication, neck flexion and depth are defaults of this "
+          "project, because the paper’s vertices are not printed; the speed comes from the simulated strokes, the "
+          "force from the published votes. NC nasal cavity, NP nasopharynx, OP oropharynx, LP laryngopharynx, ES "
+          "esophagus, ST stomach.",
+      .panels = {},
+      .columns = 2};
+  char letter = 'a';
+  std::vector<const fuzzy::Variable*> variables;
+  for (const fuzzy::Variable& input : context.in.built.model.inputs) variables.push_back(&input);
+  variables.push_back(&context.in.built.model.output);
+  for (const fuzzy::Variable* variable : variables) {
+    figure.panels.push_back({.heading = std::string("(") + letter++ + ") " + variable->label,
+                             .svg = termPlot(context, *variable, variable->terms)});
+  }
+  for (const fuzzy::Variable* variable : variables) {
+    for (const auto& [who, terms] : ownLists(context, variable->id)) {
+      figure.panels.push_back({.heading = variable->label + Markup::raw(" ") + muted("as " + who + " was asked"),
+                               .svg = termPlot(context, *variable, terms)});
+    }
+  }
+  page.figure(figure);
+}
+
+void addReachableRange(HtmlPage& page, const ReportContext& context) {
+  page.section("Reachable range");
+  const fuzzy::Variable& force = context.in.built.model.output;
+  const auto range = reachableRange(context.in.built.model, context.curves);
+  if (!range) {
+    page.paragraph("No rule fires anywhere on the grid that was tried.");
+    return;
+  }
+  page.paragraph(
+      "The universe of the force runs from " + base::formatNumber(force.min) + " to " + base::formatNumber(force.max) +
+      " N, but on a grid over all inputs the averaged model gives " +
+      strong(base::formatFixed(range->low_n, 3) + " to " + base::formatFixed(range->high_n, 3) + " N") +
+      " only. The centroid of a set lies inside the set, so it never reaches the ends of the universe: the " +
+      base::formatNumber(force.max) +
+      " N that the nurses named as their upper bound cannot come out. Widening the outer terms past the universe "
+      "would change that and the model with it, so it is left to the researcher.");
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/report/report_sections.h"
+#include "core/base/text.h"
+
+namespace tactus::report {
+
+namespace {
+
+/// What a reason code means, for the note below the table.
+std::string_view explain(elicitation::VoteReason reason) {
+  switch (reason) {
+    case elicitation::VoteReason::kMajority:
+      return "one term has half of the votes or more";
+    case elicitation::VoteReason::kTieHigher:
+      return "two terms have half each, the higher wins";
+    case elicitation::VoteReason::kNextLevel:
+      return "no term has half, so the level above the last winner";
+    case elicitation::VoteReason::kClamped:
+      return "the same, kept within the levels that were voted for";
+    case elicitation::VoteReason::kFirstMedian:
+      return "no term has half and there is no winner before, so the median";
+    case elicitation::VoteReason::kNoVotes:
+      return "nobody voted";
+  }
+  return "";
+}
+
+std::string shortPoints(const fuzzy::Term& term) {
+  std::vector<std::string> parts;
+  for (const double point : term.points) parts.push_back(base::formatNumber(std::round(point * 1e6) / 1e6));
+  return base::joined(parts, ", ");
+}
+
+}  // namespace
+
+void addVotes(HtmlPage& page, const ReportContext& context) {
+  page.section("Insertion force");
+  const auto& terms = context.in.built.model.output.terms;
+  std::vector<Cell> head = {numberCell("Force (N)")};
+  for (std::size_t i = 0; i < terms.size(); ++i) head.push_back(numberCell(terms[i].label, i == 0));
+  head.push_back({.text = "Winner", .group_start = true});
+  head.push_back({.text = "Reason"});
+  Table table{.caption = strong("Table 2 with its winners.") + " " + badges({Badge::kPublished, Badge::kComputed}) +
+                         " Votes of the four nurses on each force, and the term that wins by the paper’s rule. The "
+                         "winning term’s votes are bold.",
+              .head = {std::move(head)},
+              .body = {}};
+  std::set<elicitation::VoteReason> reasons;
+  std::size_t without_votes = 0;
+  std::size_t matched = 0;
+  bool same_votes = true;
+  for (const elicitation::VoteStep& step : context.in.built.votes) {
+    if (!step.term) {
+      ++without_votes;
+      continue;
+    }
+    const auto published = std::find_if(context.in.published_votes.begin(), context.in.published_votes.end(),
+                                        [&](const auto& row) { return std::abs(row.force_n - step.force_n) < 1e-9; });
+    const bool same = published != context.in.published_votes.end() && published->votes == step.votes;
+    matched += same ? 1 : 0;
+    same_votes = same_votes && same;
+    std::vector<Cell> row = {numberCell(base::formatFixed(step.force_n, 1))};
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const std::string count = i < step.votes.size() ? std::to_string(step.votes[i]) : "0";
+      row.push_back(numberCell(i == *step.term ? strong(count) : count == "0" ? muted(count) : Markup(count), i == 0));
+    }
+    row.push_back({.text = strong(*step.term < terms.size() ? terms[*step.term].label : ""), .group_start = true});
+    row.push_back({.text = code(name(step.reason)) + (step.monotone_raised ? Markup(" raised") : Markup()) +
+                           (step.below_quorum ? Markup(" below quorum") : Markup())});
+    reasons.insert(step.reason);
+    table.body.push_back(std::move(row));
+  }
+  for (const elicitation::VoteReason reason : reasons) {
+    if (!table.note.empty()) table.note += "; ";
+    table.note += code(name(reason)) + " " + Markup(explain(reason));
+  }
+  table.note += ".";
+  page.table(table);
+  same_votes = same_votes && matched == context.in.published_votes.size();
+  Markup origin =
+      badge(Badge::kSimulated) + " The votes are counted from simulated judgements, one series for each participant. ";
+  origin +=
+      same_votes ? "They are exactly those that the paper prints." : "They differ from those that the paper prints!";
+  if (without_votes > 0) {
+    origin += " At " + std::to_string(without_votes) +
+              " larger forces everybody said “beyond practice”; they get no term and the universe ends below them.";
+  }
+  page.paragraph(origin);
+
+  Table points{.caption = strong("Terms of the force.") + " " + badge(Badge::kComputed) +
+                          " From the published votes: the core of a term runs from the first to the last force it won, "
+                          "ramps join neighbouring cores. In newtons.",
+               .head = {{{.text = "Term"}, {.text = "Shape"}, {.text = "Points"}}},
+               .body = {}};
+  for (const fuzzy::Term& term : terms) {
+    points.body.push_back(
+        {headingCell(term.label), {.text = std::string(fuzzy::name(term.shape))}, {.text = shortPoints(term)}});
+  }
+  page.table(points);
+}
+
+}  // namespace tactus::report

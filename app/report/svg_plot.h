@@ -1,0 +1,98 @@
+// Plots as SVG drawings: axes, lines with gaps, areas, scatter, bars, bands, legend.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/report/svg.h"
+
+namespace tactus::report {
+
+/// A point of a series; without a value the line has a gap there.
+struct SeriesPoint {
+  double x = 0;
+  std::optional<double> y;
+};
+using Series = std::vector<SeriesPoint>;
+
+/// One axis, from `min` to `max` (min < max).
+struct PlotAxis {
+  std::string label;  ///< with the unit, e.g. `Depth (mm)`
+  double min = 0;
+  double max = 1;
+  std::vector<double> ticks = {};  ///< empty = round numbers chosen for the length
+};
+
+/// What every plot has. Sizes in pixels at natural size; the drawing scales.
+struct PlotFrame {
+  std::string title;             ///< for those who cannot see the drawing; not drawn
+  std::string description = {};  ///< the same
+  double width = 440;
+  double height = 280;  ///< without the legend, which adds its rows on top
+  PlotAxis x;
+  PlotAxis y;
+};
+
+enum class Dash { kSolid, kDashed, kDotted, kDashDot };
+
+/// The look of a line.
+struct LineLook {
+  std::string_view color;
+  double width = 2;
+  Dash dash = Dash::kSolid;
+};
+
+/// Collects what is drawn and returns the drawing. Things are drawn in the order they were added, bands first, all cut
+/// off at the axes. A thing with a name appears in the legend above the plot, in the same order.
+class SvgPlot {
+ public:
+  explicit SvgPlot(PlotFrame frame);
+
+  /// A line through `points`; each stretch between gaps is a subpath of its own, a single point a dot.
+  SvgPlot& line(const Series& points, const LineLook& look, std::string_view name = {});
+  /// The area between `points` and y = 0.
+  SvgPlot& area(const Series& points, std::string_view color, double opacity, std::string_view name = {});
+  SvgPlot& scatter(const Series& points, std::string_view color, double radius, std::string_view name = {});
+  /// Bars from 0: bar i from edges[i] to edges[i + 1], edges.size() = heights.size() + 1.
+  SvgPlot& bars(const std::vector<double>& edges, const std::vector<double>& heights, std::string_view color,
+                std::string_view name = {});
+  /// A vertical line across the plot, with a text at its upper end.
+  SvgPlot& verticalRule(double x, const LineLook& look, std::string_view text = {});
+  /// A shaded stretch of the x axis, `text` at its upper end if it fits, else `short_text`.
+  SvgPlot& band(double x0, double x1, std::string_view color, double opacity, std::string_view text,
+                std::string_view short_text = {});
+  /// A text at a point of the plot.
+  SvgPlot& label(double x, double y, std::string_view text, std::string_view color,
+                 TextAnchor anchor = TextAnchor::kMiddle);
+
+  /// The drawing, one `<svg>` element.
+  std::string svg() const;
+
+ private:
+  struct LegendEntry {
+    std::string name;
+    std::string swatch;  ///< its left end at (0, 0)
+  };
+
+  SvgPoint place(double x, double y) const;
+  void addLegend(std::string_view name, std::string swatch);
+  std::string axes() const;
+  std::string legend() const;
+  /// Where each entry of the legend starts, in rows as wide as the plot; y counts rows.
+  std::vector<SvgPoint> legendPlaces() const;
+  double legendHeight() const;
+
+  PlotFrame frame_;
+  std::vector<double> x_ticks_, y_ticks_;
+  double left_ = 0;         ///< margin for the texts of the y axis
+  double inner_width_ = 0;  ///< of the plot area; content is drawn with its upper left corner at (0, 0)
+  double inner_height_ = 0;
+  std::string bands_;
+  std::string content_;
+  std::string texts_;
+  std::vector<LegendEntry> legend_;
+};
+
+}  // namespace tactus::report

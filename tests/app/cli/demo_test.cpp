@@ -1,0 +1,104 @@
+// The main job, end to end.
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/csv.h"
+#include "core/model_io/model_file.h"
+
+#include "tests/app/cli/run_program.h"
+#include "tests/support/temp_folder.h"
+
+namespace tactus::cli {
+namespace {
+
+class Demo : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new support::TempFolder;
+    run_ = new ProgramRun({"demo", folder_->file("demo"), "--json"});
+  }
+  static void TearDownTestSuite() {
+    delete run_;
+    delete folder_;
+  }
+
+  static std::string path(const std::string& name) { return folder_->file("demo") + '/' + name; }
+
+  static support::TempFolder* folder_;
+  static ProgramRun* run_;
+};
+
+support::TempFolder* Demo::folder_ = nullptr;
+ProgramRun* Demo::run_ = nullptr;
+
+TEST_F(Demo, WritesTheFilesItNames) {
+  ASSERT_EQ(run_->status, 0) << run_->err;
+  const auto result = nlohmann::json::parse(run_->out);
+  EXPECT_EQ(result.at("simulated"), true);
+  for (const auto& file : result.at("files")) EXPECT_TRUE(std::filesystem::exists(path(file.at("path")))) << file;
+  for (const char* table : {"participants", "speeds", "judgements", "answers", "rules"}) {
+    EXPECT_TRUE(std::filesystem::exists(path("study/") + table + ".csv")) << table;
+  }
+}
+
+TEST_F(Demo, TheAveragedModelHasFourExpertsAndNoHole) {
+  const auto read = model_io::readModel(path("models/averaged.tactus.json"));
+  ASSERT_TRUE(read.has_value()) << read.error().message();
+  ASSERT_EQ(read->model.experts.size(), 4);
+  EXPECT_GE(read->model.checks.size(), 24);
+  for (const auto& expert : read->model.experts) EXPECT_EQ(expert.rules.size(), 45) << expert.id;
+  const ProgramRun check({"check", path("models/averaged.tactus.json")});
+  EXPECT_EQ(check.out.find("hole"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("disagreement: S4"), std::string::npos) << "S4 contradicts the others on neck flexion";
+}
+
+TEST_F(Demo, WhatIsSimulatedSaysSo) {
+  const auto people = base::CsvTable::read(path("study/participants.csv"));
+  ASSERT_TRUE(people.has_value());
+  for (std::size_t row = 0; row < people->rowCount(); ++row)
+    EXPECT_EQ(people->cell(row, *people->find("simulated")), "1");
+  EXPECT_NE(readText(path("models/averaged.tactus.json")).find("imulated"), std::string::npos);
+  EXPECT_NE(readText(path("report.html")).find("simulated"), std::string::npos);
+  EXPECT_NE(readText(path("export/README.txt")).find("simulated"), std::string::npos);
+}
+
+TEST_F(Demo, BuildFromItsTablesGivesTheSameForces) {
+  const std::string rebuilt = path("rebuilt.tactus.json");
+  const ProgramRun build({"build", path("study"), "--out", rebuilt});
+  ASSERT_EQ(build.status, 0) << build.err;
+  const std::string points = path("export/checks.csv");
+  EXPECT_EQ(ProgramRun({"eval", rebuilt, "--in", points}).out,
+            ProgramRun({"eval", path("models/averaged.tactus.json"), "--in", points}).out);
+}
+
+TEST_F(Demo, TheExportedChecksAreWhatEvalGives) {
+  const ProgramRun eval({"eval", path("export/model.tactus.json"), "--in", path("export/checks.csv")});
+  const auto table = base::CsvTable::parse(eval.out, "out");
+  ASSERT_TRUE(table.has_value()) << eval.err;
+  for (std::size_t row = 0; row < table->rowCount(); ++row) {
+    EXPECT_EQ(table->cell(row, *table->find("force")), table->cell(row, *table->find("expected_force")));
+    EXPECT_EQ(table->cell(row, *table->find("fired")), table->cell(row, *table->find("expected_fired")));
+  }
+}
+
+TEST_F(Demo, TheSameSeedGivesTheSameStudy) {
+  const ProgramRun again({"demo", folder_->file("again")});
+  ASSERT_EQ(again.status, 0);
+  for (const char* table : {"speeds.csv", "judgements.csv", "answers.csv", "rules.csv"}) {
+    EXPECT_EQ(readText(folder_->file("again") + "/study/" + table), readText(path("study/") + table)) << table;
+  }
+}
+
+TEST_F(Demo, TheReadingOfTableA2IsAChoice) {
+  const ProgramRun printed({"demo", folder_->file("printed"), "--reading", "ngt-a2-printed"});
+  ASSERT_EQ(printed.status, 0) << printed.err;
+  const ProgramRun check({"check", folder_->file("printed") + "/models/averaged.tactus.json"});
+  EXPECT_NE(check.out.find("hole: S4: no rule fires: depth 125 to 138 mm"), std::string::npos) << check.out;
+  const ProgramRun unknown({"demo", folder_->file("unknown"), "--reading", "guess"});
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_->file("unknown")));
+}
+
+}  // namespace
+}  // namespace tactus::cli

@@ -1,0 +1,37 @@
+// Runs `tactus` inside the test and keeps what it says.
+#pragma once
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/cli/program.h"
+
+namespace tactus::cli {
+
+struct ProgramRun {
+  int status;
+  std::string out, err;
+
+  explicit ProgramRun(const std::vector<std::string>& arguments) {
+    std::ostringstream out_stream;
+    std::ostringstream err_stream;
+    status = run(arguments, out_stream, err_stream);
+    out = out_stream.str();
+    err = err_stream.str();
+  }
+};
+
+inline std::string readText(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline void writeText(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,115 @@
+#include "app/report/demo_report.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "app/session/known_forms.h"
+#include "app/session/simulated_study.h"
+#include "questionnaires/published_rules.h"
+
+#include "tests/support/well_formed.h"
+
+namespace tactus::report {
+namespace {
+
+elicitation::BuildSettings settings() {
+  elicitation::BuildSettings out;
+  out.created_utc = "2026-11-21T08:00:00Z";
+  out.generator = "tactus test";
+  return out;
+}
+
+/// The report of the demo study, made once for all tests.
+const std::string& page() {
+  static const std::string kPage = [] {
+    std::vector<S4Reading> readings;
+    for (const auto& reading : questionnaires::s4Readings()) {
+      const auto study = session::simulatedNgtStudy(1, reading.id);
+      const auto built = elicitation::buildModel(study.value(), session::knownForms(), settings());
+      readings.push_back({reading.title, reading.assumes, elicitation::expertModel(built->model, "S4").value()});
+    }
+    const auto study = session::simulatedNgtStudy(1).value();
+    const auto built = elicitation::buildModel(study, session::knownForms(), settings()).value();
+    const DemoReportInputs inputs{
+        .study = study, .built = built, .readings = readings, .settings = {{"Seed <1>", "1 & only"}}};
+    return demoReport(inputs).value();
+  }();
+  return kPage;
+}
+
+bool has(const std::string& text) { return page().find(text) != std::string::npos; }
+
+TEST(DemoReport, IsWellFormedSelfContainedAndSmall) {
+  EXPECT_EQ(support::markupFault(page()), "");
+  EXPECT_FALSE(has("<script"));
+  EXPECT_FALSE(has("src="));
+  EXPECT_FALSE(has("url("));
+  // The only address in it is the name of the SVG name space.
+  EXPECT_EQ(support::countOf(page(), "http"), support::countOf(page(), "xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_LT(page().size(), 3'000'000U);
+  EXPECT_TRUE(has("Seed &lt;1&gt;"));
+}
+
+TEST(DemoReport, HasEverySection) {
+  for (const char* title :
+       {"At a glance", "What is published and what is simulated", "Insertion speed", "Speed clusters and terms",
+        "Insertion force", "Membership functions", "Force over depth and speed",
+        "Influence of lubrication, neck flexion and speed", "Four experts and their mean",
+        "What the paper says, checked", "The published rules in three readings", "Reachable range",
+        "Where the paper disagrees with itself", "Notes and settings of this build"}) {
+    EXPECT_TRUE(has(std::string(">") + title + "</h2>")) << title;
+  }
+}
+
+TEST(DemoReport, HasEveryTableAndFigureOfThePaper) {
+  for (const char* caption : {"Table 1, ", "Table 2 ", "Fig. 3, ", "Fig. 6, ", "Fig. 7, ", "Fig. 8 ", "Fig. 9, ",
+                              "Fig. 10, ", "Fig. 11, ", "Table A2 at the setting of Fig. 11", "Claims checklist"}) {
+    EXPECT_TRUE(has(std::string("<strong>") + caption)) << caption;
+  }
+}
+
+/// From `begin` to the next `end`.
+std::vector<std::string> pieces(const std::string& begin, const std::string& end) {
+  std::vector<std::string> out;
+  for (std::size_t at = page().find(begin); at != std::string::npos; at = page().find(begin, at + 1)) {
+    out.push_back(page().substr(at, page().find(end, at) - at));
+  }
+  return out;
+}
+
+TEST(DemoReport, EveryFigureSaysThatItIsSimulated) {
+  const auto captions = pieces("<figcaption>", "</figcaption>");
+  EXPECT_GE(captions.size(), 8U);
+  for (const std::string& caption : captions) {
+    EXPECT_NE(caption.find("<span class=\"badge simulated\">"), std::string::npos) << caption;
+  }
+}
+
+TEST(DemoReport, ShowsThePublishedNumbersBesideTheSimulatedOnes) {
+  const auto rows = pieces("<tr>", "</tr>");
+  const auto row = [&](const std::string& a, const std::string& b) {
+    return std::any_of(rows.begin(), rows.end(), [&](const std::string& each) {
+      return each.find(a) != std::string::npos && each.find(b) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(row(">256.7<", ">256.70<"));                   // Table 1, S1 fast
+  EXPECT_TRUE(row(">0.3<", "<strong>Small</strong>"));       // Table 2: the tie at 0.3 N
+  EXPECT_TRUE(row(">0.9<", "<strong>Very large</strong>"));  // and the double majority at 0.9 N
+  EXPECT_TRUE(has("They are exactly those that the paper prints."));
+}
+
+TEST(DemoReport, MarksTheHoleOfThePrintedReading) {
+  EXPECT_TRUE(has(">hole</text>"));
+  EXPECT_TRUE(has("No rule fires at 125 to 138 mm."));
+}
+
+TEST(DemoReport, AModelWithoutThePublishedExpertIsRefused) {
+  const auto study = session::simulatedNgtStudy(1).value();
+  auto built = elicitation::buildModel(study, session::knownForms(), settings()).value();
+  std::erase_if(built.model.experts, [](const fuzzy::Expert& expert) { return expert.id == "S4"; });
+  const DemoReportInputs inputs{.study = study, .built = built, .readings = {}, .settings = {}};
+  EXPECT_FALSE(demoReport(inputs));
+}
+
+}  // namespace
+}  // namespace tactus::report

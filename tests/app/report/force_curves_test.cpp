@@ -1,0 +1,57 @@
+#include "app/report/force_curves.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/ngt_model.h"
+
+namespace tactus::report {
+namespace {
+
+TEST(ForceCurves, S4AsPrintedHasTheKnownForcesAndItsHole) {
+  const auto curves = ForceCurves::of(support::s4AsPrinted());
+  ASSERT_TRUE(curves);
+  const ForceCurve curve = curves->curve({1, 60, 50}, 0);
+  ASSERT_EQ(curve.size(), 601U);
+  // Five printed digits of an independent exact integration of the same model.
+  const std::vector<std::pair<std::size_t, double>> known = {
+      {30, .12667}, {70, .33765}, {100, .45}, {139, .5}, {150, .47875}, {200, .58944}, {300, .54365}, {440, .46445}};
+  for (const auto& [depth_mm, force_n] : known) {
+    ASSERT_TRUE(curve[depth_mm].force_n) << depth_mm;
+    EXPECT_NEAR(*curve[depth_mm].force_n, force_n, 5.1e-6) << depth_mm;
+  }
+  for (std::size_t depth_mm = 125; depth_mm <= 138; ++depth_mm) EXPECT_FALSE(curve[depth_mm].force_n) << depth_mm;
+  EXPECT_TRUE(curve[124].force_n);
+  EXPECT_FALSE(toSeries(curve)[130].y);
+}
+
+TEST(ForceCurves, TheOrderOfTheInputsDoesNotMatter) {
+  fuzzy::ForceModel model = support::s4FiveRegions();
+  const auto straight = ForceCurves::of(model);
+  std::swap(model.inputs[0], model.inputs[3]);
+  const auto swapped = ForceCurves::of(model);
+  ASSERT_TRUE(straight && swapped);
+  EXPECT_EQ(*straight->force({0.3, 45, 80}, 170, 0), *swapped->force({0.3, 45, 80}, 170, 0));
+}
+
+TEST(ForceCurves, OtherInputsAreRefused) {
+  fuzzy::ForceModel model = support::ngtVariables();
+  model.inputs[1].id = "angle";
+  model.experts.push_back({.id = "E", .label = "E", .overrides = {}, .rules = {{{{"depth", "stomach"}}, "small"}}});
+  const auto curves = ForceCurves::of(model);
+  ASSERT_FALSE(curves);
+  EXPECT_NE(curves.error().message().find("neck_flexion"), std::string::npos);
+}
+
+TEST(ForceCurves, ReachableRangeOfS4StaysInsideTheUniverse) {
+  const fuzzy::ForceModel model = support::s4AsPrinted();
+  const auto curves = ForceCurves::of(model);
+  ASSERT_TRUE(curves);
+  const auto range = reachableRange(model, *curves);
+  ASSERT_TRUE(range);
+  // Centroids of the outer terms alone: 0 0 .2 .3 gives .12667, .7 .8 1.1 1.1 gives .92381.
+  EXPECT_NEAR(range->low_n, 0.12667, 5e-6);
+  EXPECT_LE(range->high_n, 0.92381 + 5e-6);
+}
+
+}  // namespace
+}  // namespace tactus::report
