@@ -120,7 +120,7 @@ std::string asText(const std::string& folder, const std::vector<File>& files) {
   std::string text = "Wrote the demo study (simulated, except for S4's published rules) to " + folder + ":\n";
   for (const auto& file : files) {
     std::string path = file.path;
-    path.resize(std::max<std::size_t>(28, path.size() + 2), ' ');
+    path.resize(std::max<std::size_t>(30, path.size() + 2), ' ');
     text += "  " + path + file.holds + '\n';
   }
   return text;

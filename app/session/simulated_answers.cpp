@@ -19,7 +19,7 @@ struct Region {
 };
 // The force rises in the nasal cavity, drops, peaks in the oropharynx, and settles in the esophagus near S4's answers.
 constexpr std::array<Region, 5> kRegions = {
-    {{"nasal_cavity", 2.4}, {"nasopharynx", 1.5}, {"oropharynx", 3.5}, {"laryngopharynx", 2.5}, {"esophagus", 2.62}}};
+    {{"nasal_cavity", 2.4}, {"nasopharynx", 1.5}, {"oropharynx", 3.5}, {"laryngopharynx", 2.5}, {"esophagus", 2.7}}};
 
 struct Effect {
   std::string_view input;
@@ -30,7 +30,7 @@ constexpr std::array<Effect, 9> kEffects = {{{"lubrication", "poor", 0.9},
                                              {"lubrication", "medium", 0},
                                              {"lubrication", "well", -0.9},
                                              {"neck_flexion", "small", 0.4},
-                                             {"neck_flexion", "medium", -0.3},
+                                             {"neck_flexion", "medium", -0.4},
                                              {"neck_flexion", "large", -1.2},
                                              {"speed", "slow", -0.8},
                                              {"speed", "medium", 0},
