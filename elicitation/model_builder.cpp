@@ -99,11 +99,19 @@ Result<void> buildForce(const study::Study& study, const BuildSettings& settings
   out.force_terms = std::move(*terms);
   out.model.output = out.force_terms->output;
   append(out.notes, out.force_terms->notes);
+  std::vector<std::string> raised;
+  std::vector<std::string> below_quorum;
   for (const auto& step : out.votes) {
-    const std::string at = "Vote at " + base::formatNumber(step.force_n) + " N: ";
-    if (step.monotone_raised)
-      out.notes.push_back(at + "raised to the level of an earlier step, because the levels must not fall.");
-    if (step.below_quorum) out.notes.push_back(at + "less than half of the participants voted.");
+    if (step.monotone_raised) raised.push_back(base::formatNumber(step.force_n));
+    if (step.below_quorum) below_quorum.push_back(base::formatNumber(step.force_n));
+  }
+  if (!raised.empty()) {
+    out.notes.push_back("Vote at " + base::joined(raised, ", ") +
+                        " N: raised to the level of an earlier step, because the levels must not fall.");
+  }
+  if (!below_quorum.empty()) {
+    out.notes.push_back("Vote at " + base::joined(below_quorum, ", ") +
+                        " N: less than half of the participants voted.");
   }
   return {};
 }

@@ -2,8 +2,11 @@
 
 #include <utility>
 
+#include "core/base/json_pointer.h"
+
 namespace tactus::questionnaires {
 
+using base::childPointer;
 using base::ErrorCode;
 using base::fail;
 using base::Result;
@@ -23,12 +26,10 @@ Result<JsonPlace> JsonPlace::member(std::string_view key) const {
     return fail(ErrorCode::kSchema, pointer.empty() ? "/" : pointer, "no key " + base::quoted(key),
                 "the key " + base::quoted(key));
   }
-  return JsonPlace{&*it, pointer + "/" + std::string(key)};
+  return JsonPlace{&*it, childPointer(pointer, key)};
 }
 
-JsonPlace JsonPlace::element(std::size_t index) const {
-  return {&json->at(index), pointer + "/" + std::to_string(index)};
-}
+JsonPlace JsonPlace::element(std::size_t index) const { return {&json->at(index), childPointer(pointer, index)}; }
 
 Result<std::string> JsonPlace::string() const {
   if (!json->is_string()) return wrongType(*this, "a text");
@@ -57,7 +58,7 @@ Result<std::vector<std::pair<std::string, JsonPlace>>> JsonPlace::object() const
   if (!json->is_object()) return wrongType(*this, "an object");
   std::vector<std::pair<std::string, JsonPlace>> members;
   for (const auto& entry : json->items()) {
-    members.emplace_back(entry.key(), JsonPlace{&entry.value(), pointer + "/" + entry.key()});
+    members.emplace_back(entry.key(), JsonPlace{&entry.value(), childPointer(pointer, entry.key())});
   }
   return members;
 }

@@ -80,22 +80,27 @@ SvgPoint SvgPlot::place(double x, double y) const {
           (frame_.y.max - y) / (frame_.y.max - frame_.y.min) * inner_height_};
 }
 
+std::vector<std::vector<SvgPoint>> SvgPlot::stretches(const Series& points) const {
+  std::vector<std::vector<SvgPoint>> out;
+  bool in_gap = true;
+  for (const SeriesPoint& point : points) {
+    const bool has_value = point.y && std::isfinite(*point.y);
+    if (has_value && in_gap) out.emplace_back();
+    if (has_value) out.back().push_back(place(point.x, *point.y));
+    in_gap = !has_value;
+  }
+  return out;
+}
+
 SvgPlot& SvgPlot::line(const Series& points, const LineLook& look, std::string_view name) {
   std::string data;
-  std::vector<SvgPoint> stretch;
-  const auto finish_stretch = [&] {
-    if (stretch.size() == 1) content_ += circle(stretch.front(), look.width, look.color);
-    if (stretch.size() > 1) data += pathData(stretch);
-    stretch.clear();
-  };
-  for (const SeriesPoint& point : points) {
-    if (point.y && std::isfinite(*point.y)) {
-      stretch.push_back(place(point.x, *point.y));
+  for (const auto& stretch : stretches(points)) {
+    if (stretch.size() == 1) {
+      content_ += circle(stretch.front(), look.width, look.color);
     } else {
-      finish_stretch();
+      data += pathData(stretch);
     }
   }
-  finish_stretch();
   if (!data.empty()) content_ += "<path" + attribute("d", data) + strokeAttributes(look) + "/>";
   addLegend(name, "<path" + attribute("d", pathData({{0, 0}, {kSwatchWidth, 0}})) + strokeAttributes(look) + "/>");
   return *this;
@@ -103,24 +108,13 @@ SvgPlot& SvgPlot::line(const Series& points, const LineLook& look, std::string_v
 
 SvgPlot& SvgPlot::area(const Series& points, std::string_view color, double opacity, std::string_view name) {
   std::string data;
-  std::vector<SvgPoint> stretch;
   const double base_y = place(0, std::clamp(0.0, frame_.y.min, frame_.y.max)).y;
-  const auto finish_stretch = [&] {
-    if (stretch.size() > 1) {
-      stretch.push_back({stretch.back().x, base_y});
-      stretch.push_back({stretch.front().x, base_y});
-      data += pathData(stretch, true);
-    }
-    stretch.clear();
-  };
-  for (const SeriesPoint& point : points) {
-    if (point.y && std::isfinite(*point.y)) {
-      stretch.push_back(place(point.x, *point.y));
-    } else {
-      finish_stretch();
-    }
+  for (auto& stretch : stretches(points)) {
+    if (stretch.size() < 2) continue;
+    stretch.push_back({stretch.back().x, base_y});
+    stretch.push_back({stretch.front().x, base_y});
+    data += pathData(stretch, true);
   }
-  finish_stretch();
   content_ += "<path" + attribute("d", data) + attribute("fill", color) + attribute("fill-opacity", opacity) + "/>";
   addLegend(name, rectangle({4, -6}, kSwatchWidth - 8, 12, color, opacity));
   return *this;

@@ -77,6 +77,8 @@ class SvgPlot {
   };
 
   SvgPoint place(double x, double y) const;
+  /// The points on the page, split where a value is absent.
+  std::vector<std::vector<SvgPoint>> stretches(const Series& points) const;
   void addLegend(std::string_view name, std::string swatch);
   std::string axes() const;
   std::string legend() const;

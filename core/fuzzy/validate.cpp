@@ -7,12 +7,14 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "core/base/json_pointer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::fuzzy {
 namespace {
 
+using base::childPointer;
 using base::ErrorCode;
 using base::fail;
 using base::formatNumber;
@@ -25,22 +27,6 @@ constexpr double kNarrowest = 1e-150;
 // A Gaussian output term weaker than this in the whole universe has no area that a double can hold.
 constexpr double kFaintest = 1e-250;
 constexpr std::size_t kLongestId = 64;
-
-std::string child(const std::string& place, std::string_view key) {
-  std::string out = place + '/';
-  for (const char c : key) {
-    if (c == '~') {
-      out += "~0";
-    } else if (c == '/') {
-      out += "~1";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
-std::string child(const std::string& place, std::size_t index) { return place + '/' + std::to_string(index); }
 
 Result<void> checkNumber(double value, double min, double max, const std::string& place) {
   if (std::isfinite(value) && value >= min && value <= max) return {};
@@ -75,15 +61,15 @@ Result<void> checkPoints(const Term& term, const std::string& place) {
                 std::to_string(pointCount(term.shape)) + " for a " + shape);
   }
   for (std::size_t i = 0; i < term.points.size(); ++i) {
-    if (auto ok = checkNumber(term.points[i], -kLargest, kLargest, child(place, i)); !ok) return ok;
+    if (auto ok = checkNumber(term.points[i], -kLargest, kLargest, childPointer(place, i)); !ok) return ok;
   }
   if (term.shape == Shape::kGaussian) {
     if (term.points[1] >= kNarrowest) return {};
-    return fail(ErrorCode::kValue, child(place, 1), "sigma " + formatNumber(term.points[1]), "sigma > 0");
+    return fail(ErrorCode::kValue, childPointer(place, 1), "sigma " + formatNumber(term.points[1]), "sigma > 0");
   }
   for (std::size_t i = 1; i < term.points.size(); ++i) {
     if (term.points[i] < term.points[i - 1]) {
-      return fail(ErrorCode::kValue, child(place, i),
+      return fail(ErrorCode::kValue, childPointer(place, i),
                   formatNumber(term.points[i]) + " after " + formatNumber(term.points[i - 1]),
                   "the points of a " + shape + " in ascending order");
     }
@@ -106,20 +92,20 @@ Result<void> checkTerms(const std::vector<Term>& terms, const Variable* output, 
   if (auto ok = checkCount(terms.size(), kMostTerms, "terms", place); !ok) return ok;
   std::set<std::string_view> ids;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    const std::string at = child(place, i);
-    if (auto ok = checkUnique(ids, terms[i].id, child(at, "id")); !ok) return ok;
-    if (auto ok = checkPoints(terms[i], child(at, "points")); !ok) return ok;
+    const std::string at = childPointer(place, i);
+    if (auto ok = checkUnique(ids, terms[i].id, childPointer(at, "id")); !ok) return ok;
+    if (auto ok = checkPoints(terms[i], childPointer(at, "points")); !ok) return ok;
     if (output == nullptr) continue;
-    if (auto ok = checkMeetsUniverse(terms[i], *output, child(at, "points")); !ok) return ok;
+    if (auto ok = checkMeetsUniverse(terms[i], *output, childPointer(at, "points")); !ok) return ok;
   }
   return {};
 }
 
 Result<void> checkUniverse(const Variable& variable, const std::string& place) {
-  if (auto ok = checkNumber(variable.min, -kLargest, kLargest, child(place, "min")); !ok) return ok;
-  if (auto ok = checkNumber(variable.max, -kLargest, kLargest, child(place, "max")); !ok) return ok;
+  if (auto ok = checkNumber(variable.min, -kLargest, kLargest, childPointer(place, "min")); !ok) return ok;
+  if (auto ok = checkNumber(variable.max, -kLargest, kLargest, childPointer(place, "max")); !ok) return ok;
   if (variable.max - variable.min >= kNarrowest) return {};
-  return fail(ErrorCode::kValue, child(place, "max"), formatNumber(variable.max),
+  return fail(ErrorCode::kValue, childPointer(place, "max"), formatNumber(variable.max),
               "more than min, which is " + formatNumber(variable.min));
 }
 
@@ -135,10 +121,10 @@ Result<void> checkVariables(const ForceModel& model) {
   if (auto ok = checkCount(model.inputs.size(), kMostInputs, "inputs", "/inputs"); !ok) return ok;
   std::set<std::string_view> ids;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    const std::string place = child("/inputs", i);
-    if (auto ok = checkUnique(ids, model.inputs[i].id, child(place, "id")); !ok) return ok;
+    const std::string place = childPointer("/inputs", i);
+    if (auto ok = checkUnique(ids, model.inputs[i].id, childPointer(place, "id")); !ok) return ok;
     if (auto ok = checkUniverse(model.inputs[i], place); !ok) return ok;
-    if (auto ok = checkTerms(model.inputs[i].terms, nullptr, child(place, "terms")); !ok) return ok;
+    if (auto ok = checkTerms(model.inputs[i].terms, nullptr, childPointer(place, "terms")); !ok) return ok;
   }
   if (auto ok = checkUnique(ids, model.output.id, "/output/id"); !ok) return ok;
   if (auto ok = checkUniverse(model.output, "/output"); !ok) return ok;
@@ -163,11 +149,11 @@ std::string ruleKey(const Rule& rule) {
 
 Result<void> checkRule(const ForceModel& model, const Expert& expert, const Rule& rule, const std::string& place) {
   if (rule.conditions.empty()) {
-    return fail(ErrorCode::kSchema, child(place, "if"), "a rule without a condition", "one condition or more");
+    return fail(ErrorCode::kSchema, childPointer(place, "if"), "a rule without a condition", "one condition or more");
   }
   std::set<std::string_view> inputs;
   for (const auto& condition : rule.conditions) {
-    const std::string at = child(child(place, "if"), condition.input);
+    const std::string at = childPointer(childPointer(place, "if"), condition.input);
     const Variable* const variable = findVariable(model, condition.input);
     if (variable == nullptr || variable == &model.output) {
       return fail(ErrorCode::kReference, at, quoted(condition.input), "the id of an input of the model");
@@ -177,15 +163,16 @@ Result<void> checkRule(const ForceModel& model, const Expert& expert, const Rule
     }
     if (auto ok = checkReference(termsFor(expert, *variable), condition.term, *variable, at); !ok) return ok;
   }
-  if (auto ok = checkReference(termsFor(expert, model.output), rule.then, model.output, child(place, "then")); !ok)
+  if (auto ok = checkReference(termsFor(expert, model.output), rule.then, model.output, childPointer(place, "then"));
+      !ok)
     return ok;
-  return checkNumber(rule.weight, 0, 1, child(place, "weight"));
+  return checkNumber(rule.weight, 0, 1, childPointer(place, "weight"));
 }
 
 Result<void> checkOverrides(const ForceModel& model, const Expert& expert, const std::string& place) {
   std::set<std::string_view> variables;
   for (const auto& own : expert.overrides) {
-    const std::string at = child(place, own.variable);
+    const std::string at = childPointer(place, own.variable);
     const Variable* const variable = findVariable(model, own.variable);
     if (variable == nullptr)
       return fail(ErrorCode::kReference, at, quoted(own.variable), "the id of a variable of the model");
@@ -198,15 +185,15 @@ Result<void> checkOverrides(const ForceModel& model, const Expert& expert, const
 }
 
 Result<void> checkExpert(const ForceModel& model, const Expert& expert, const std::string& place) {
-  if (auto ok = checkNumber(expert.weight, 0, kLargest, child(place, "weight")); !ok) return ok;
-  if (auto ok = checkOverrides(model, expert, child(place, "terms")); !ok) return ok;
+  if (auto ok = checkNumber(expert.weight, 0, kLargest, childPointer(place, "weight")); !ok) return ok;
+  if (auto ok = checkOverrides(model, expert, childPointer(place, "terms")); !ok) return ok;
   if (expert.rules.size() > kMostRules) {
-    return fail(ErrorCode::kLimit, child(place, "rules"), std::to_string(expert.rules.size()) + " rules",
+    return fail(ErrorCode::kLimit, childPointer(place, "rules"), std::to_string(expert.rules.size()) + " rules",
                 "at most " + std::to_string(kMostRules));
   }
   std::unordered_set<std::string> seen;
   for (std::size_t i = 0; i < expert.rules.size(); ++i) {
-    const std::string at = child(child(place, "rules"), i);
+    const std::string at = childPointer(childPointer(place, "rules"), i);
     if (auto ok = checkRule(model, expert, expert.rules[i], at); !ok) return ok;
     if (!seen.insert(ruleKey(expert.rules[i])).second) {
       return fail(ErrorCode::kSchema, at, "a rule with the conditions and the consequent of an earlier one",
@@ -221,8 +208,8 @@ Result<void> checkExperts(const ForceModel& model) {
   std::set<std::string_view> ids;
   bool weighty = false;
   for (std::size_t i = 0; i < model.experts.size(); ++i) {
-    const std::string place = child("/experts", i);
-    if (auto ok = checkUnique(ids, model.experts[i].id, child(place, "id")); !ok) return ok;
+    const std::string place = childPointer("/experts", i);
+    if (auto ok = checkUnique(ids, model.experts[i].id, childPointer(place, "id")); !ok) return ok;
     if (auto ok = checkExpert(model, model.experts[i], place); !ok) return ok;
     weighty = weighty || model.experts[i].weight > 0;
   }
@@ -239,7 +226,7 @@ Result<void> checkRenderer(const RendererParameters& renderer) {
     const double value = renderer.*field.member;
     if (std::isfinite(value) && value <= field.max && (field.min_excluded ? value > field.min : value >= field.min))
       continue;
-    return fail(ErrorCode::kValue, child("/renderer", field.key), formatNumber(value),
+    return fail(ErrorCode::kValue, childPointer("/renderer", field.key), formatNumber(value),
                 "a number in " + std::string(field.min_excluded ? "(" : "[") + formatNumber(field.min) + ", " +
                     formatNumber(field.max) + "]");
   }
@@ -248,19 +235,20 @@ Result<void> checkRenderer(const RendererParameters& renderer) {
 
 Result<void> checkChecks(const ForceModel& model) {
   for (std::size_t i = 0; i < model.checks.size(); ++i) {
-    const std::string place = child("/checks", i);
+    const std::string place = childPointer("/checks", i);
     const Check& check = model.checks[i];
     if (check.in.size() != model.inputs.size()) {
-      return fail(ErrorCode::kSchema, child(place, "in"), std::to_string(check.in.size()) + " numbers",
+      return fail(ErrorCode::kSchema, childPointer(place, "in"), std::to_string(check.in.size()) + " numbers",
                   std::to_string(model.inputs.size()) + ", one per input");
     }
     for (std::size_t k = 0; k < check.in.size(); ++k) {
       if (!std::isfinite(check.in[k])) {
-        return fail(ErrorCode::kValue, child(child(place, "in"), k), formatNumber(check.in[k]), "a finite number");
+        return fail(ErrorCode::kValue, childPointer(childPointer(place, "in"), k), formatNumber(check.in[k]),
+                    "a finite number");
       }
     }
     if (!std::isfinite(check.force)) {
-      return fail(ErrorCode::kValue, child(place, "force"), formatNumber(check.force), "a finite number");
+      return fail(ErrorCode::kValue, childPointer(place, "force"), formatNumber(check.force), "a finite number");
     }
   }
   return {};

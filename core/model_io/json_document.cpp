@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/json_pointer.h"
 #include "core/base/json_writer.h"
 #include "core/base/text.h"
 #include "core/model_io/json_syntax_error.h"
 
 namespace tactus::model_io {
 
+using base::childPointer;
 using base::Error;
 using base::ErrorCode;
 using base::Result;
@@ -245,21 +247,5 @@ std::string JsonValue::json() const {
   text.pop_back();  // the final newline
   return text;
 }
-
-std::string childPointer(const std::string& place, std::string_view key) {
-  std::string out = place + '/';
-  for (const char c : key) {
-    if (c == '~') {
-      out += "~0";
-    } else if (c == '/') {
-      out += "~1";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
-std::string childPointer(const std::string& place, std::size_t index) { return place + '/' + std::to_string(index); }
 
 }  // namespace tactus::model_io

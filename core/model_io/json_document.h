@@ -97,8 +97,4 @@ class JsonValue {
   std::uint32_t index_;
 };
 
-/// `place` followed by a key or index, escaped as RFC 6901 says.
-std::string childPointer(const std::string& place, std::string_view key);
-std::string childPointer(const std::string& place, std::size_t index);
-
 }  // namespace tactus::model_io
