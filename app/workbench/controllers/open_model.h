@@ -1,0 +1,28 @@
+// A model that is open in the workbench: what its file says, and its compiled form.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include "core/base/error.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::workbench {
+
+struct OpenModel {
+  QString path;
+  fuzzy::ForceModel model;
+  fuzzy::CompiledModel compiled;
+  QStringList warnings;    ///< of reading the file, one sentence each
+  bool simulated = false;  ///< the model says that some of its data are simulated
+};
+
+/// Reads and compiles the model file `path`.
+base::Result<OpenModel> readOpenModel(const QString& path);
+
+/// Whether the provenance or the label of an expert says that data are simulated: the word in a text, or a key with the
+/// word and a value other than false, 0, null and empty.
+bool saysSimulated(const fuzzy::ForceModel& model);
+
+}  // namespace tactus::workbench

@@ -1,0 +1,33 @@
+// The model files that were opened last, newest first, kept in the settings.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+class QSettings;
+
+namespace tactus::workbench {
+
+class RecentFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr int kMost = 8;  ///< what a menu shows without scrolling
+
+  explicit RecentFiles(QSettings& settings, QObject* parent = nullptr);
+
+  QStringList paths() const;
+
+  void add(const QString& path);
+  void remove(const QString& path);
+
+ signals:
+  void changed();
+
+ private:
+  void store(const QStringList& paths);
+
+  QSettings& settings_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,80 @@
+// The setting in which the open model is looked at: a value for each input, the input on the x axis, the place that is
+// read, and whose terms are shown. Curves are computed when asked for, and only after something they depend on changed.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/controllers/figure_presets.h"
+#include "app/workbench/controllers/force_curves.h"
+#include "app/workbench/controllers/model_controller.h"
+
+namespace tactus::workbench {
+
+/// The forces at the place that is read.
+struct Reading {
+  double x = 0;  ///< value of the input on the x axis, in its unit
+  fuzzy::Evaluation mean;
+  std::vector<fuzzy::Evaluation> experts;
+};
+
+class SceneController : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SceneController(const ModelController& models, QObject* parent = nullptr);
+
+  /// The model that is looked at, or null. Everything below may be called with a model only.
+  const OpenModel* model() const { return model_.get(); }
+
+  std::size_t xInput() const { return x_input_; }
+  const fuzzy::Variable& xVariable() const { return model_->model.inputs[x_input_]; }
+  double value(std::size_t input) const { return values_[input]; }
+
+  /// The expert whose own terms are shown; nothing: the shared terms.
+  std::optional<std::size_t> termsOf() const { return terms_of_; }
+  /// The terms of a variable of the model as they are shown.
+  const std::vector<fuzzy::Term>& terms(const fuzzy::Variable& variable) const;
+
+  /// The curves along the x axis in the present setting.
+  const ForceCurves& curves() const;
+
+  /// The forces at the place under the mouse, or at the value of the input on the x axis.
+  Reading reading() const;
+  double readingX() const { return hover_.value_or(values_[x_input_]); }
+
+ public slots:
+  void setXInput(std::size_t input);
+  /// Sets input `input` to `value`, clamped to its universe.
+  void setValue(std::size_t input, double value);
+  void applyPreset(const tactus::workbench::FigurePreset& preset);
+  /// Reads at `x` on the x axis until `clearHover`.
+  void setHover(double x);
+  void clearHover();
+  void setTermsOf(std::optional<std::size_t> expert);
+
+ signals:
+  void modelChanged();
+  void xInputChanged();
+  void valueChanged(std::size_t input);
+  void curvesChanged();
+  void readingChanged();
+  void termsChanged();
+
+ private:
+  void adoptModel();
+  bool storeValue(std::size_t input, double value);
+  void announceCurves();
+
+  const ModelController& models_;
+  std::shared_ptr<const OpenModel> model_;
+  std::size_t x_input_ = 0;
+  std::vector<double> values_;
+  std::optional<double> hover_;
+  std::optional<std::size_t> terms_of_;
+  mutable std::optional<ForceCurves> curves_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,34 @@
+// tactus-workbench [MODEL]: the program with a window.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QIcon>
+#include <QSettings>
+
+#include "app/version.h"
+#include "app/workbench/theme.h"
+#include "app/workbench/workbench.h"
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("Tactus"));
+  QApplication::setApplicationName(QStringLiteral("tactus-workbench"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Tactus Workbench"));
+  QApplication::setApplicationVersion(
+      QString::fromUtf8(tactus::kVersion.data(), static_cast<qsizetype>(tactus::kVersion.size())));
+  QApplication::setWindowIcon(QIcon(QStringLiteral(":/tactus/icon.svg")));
+
+  QCommandLineParser arguments;
+  arguments.setApplicationDescription(QCoreApplication::translate("main", "Explore force models of expert nurses."));
+  arguments.addHelpOption();
+  arguments.addVersionOption();
+  arguments.addPositionalArgument(QStringLiteral("model"), QCoreApplication::translate("main", "A *.tactus.json file."),
+                                  QStringLiteral("[model]"));
+  arguments.process(application);
+
+  tactus::workbench::theme::apply(application);
+  QSettings settings;
+  tactus::workbench::Workbench workbench(settings);
+  workbench.window.show();
+  if (!arguments.positionalArguments().isEmpty()) workbench.models.open(arguments.positionalArguments().first());
+  return QApplication::exec();
+}

@@ -1,0 +1,161 @@
+#include "app/workbench/plots/curve_plot.h"
+
+#include <QVBoxLayout>
+#include <limits>
+#include <span>
+
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/plots/picture_export.h"
+#include "app/workbench/plots/plot_style.h"
+#include "app/workbench/plots/reading_cursor.h"
+#include "app/workbench/plots/silence_marks.h"
+#include "app/workbench/plots/term_bands.h"
+#include "app/workbench/plots/term_labels.h"
+#include "app/workbench/theme.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kLabelRows = 2;
+constexpr int kMeanGraph = 0;  // graph of the mean; that of expert i is i + 1
+
+// QCustomPlot leaves a gap where a value is NaN.
+QVector<double> withGaps(std::span<const fuzzy::Evaluation> curve) {
+  QVector<double> forces;
+  forces.reserve(static_cast<qsizetype>(curve.size()));
+  for (const fuzzy::Evaluation& point : curve) {
+    forces << (point.fired ? point.force_n : std::numeric_limits<double>::quiet_NaN());
+  }
+  return forces;
+}
+
+Qt::PenStyle lineStyle(std::size_t expert) {
+  // The colors repeat after six experts; the dashes then tell them apart.
+  constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
+  return kStyles[expert / 6 % 4];
+}
+
+void addLine(QCustomPlot& plot, const QString& name, const QPen& pen) {
+  QCPGraph* graph = plot.addGraph();
+  graph->setName(name);
+  graph->setPen(pen);
+  graph->setAdaptiveSampling(false);
+}
+
+}  // namespace
+
+CurvePlot::CurvePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setMinimumSize(360, 200);
+
+  bands_ = new TermBands(*plot_);
+  silence_ = new SilenceMarks(*plot_);
+  labels_ = new TermLabels(*plot_, kLabelRows);
+  cursor_ = new ReadingCursor(*plot_);
+  plot_->axisRect()->setAutoMargins(QCP::msLeft | QCP::msBottom);
+  plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
+
+  connect(plot_, &QCustomPlot::mouseMove, this, &CurvePlot::onMouse);
+  connect(plot_, &QCustomPlot::mousePress, this, &CurvePlot::onMouse);
+}
+
+void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
+                        const std::vector<fuzzy::Expert>& experts) {
+  x_ = x;
+  output_ = output;
+  styleAxis(*plot_->xAxis, x);
+  styleAxis(*plot_->yAxis, output);
+  plot_->xAxis->setLabel(axisText(x));
+  plot_->yAxis->setLabel(axisText(output));
+  plot_->xAxis->grid()->setVisible(false);
+
+  plot_->clearGraphs();
+  addLine(*plot_, tr("Mean"), QPen(theme::mean(), 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  for (std::size_t i = 0; i < experts.size(); ++i) {
+    addLine(*plot_, labelOf(experts[i]), QPen(theme::expert(i), 1.6, lineStyle(i), Qt::RoundCap, Qt::RoundJoin));
+  }
+  everyone_silent_.clear();
+  silent_.clear();
+}
+
+void CurvePlot::setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms) {
+  bands_->setTerms(x, terms);
+  labels_->setTerms(x, terms);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurvePlot::setCurves(const ForceCurves& curves) {
+  const QVector<double> x(curves.x.begin(), curves.x.end());
+  plot_->graph(kMeanGraph)->setData(x, withGaps(curves.mean), true);
+  everyone_silent_ = silentIntervals(curves.x, curves.mean);
+  silent_.clear();
+  for (std::size_t i = 0; i < curves.experts.size(); ++i) {
+    plot_->graph(static_cast<int>(i) + 1)->setData(x, withGaps(curves.experts[i]), true);
+    silent_.push_back(silentIntervals(curves.x, curves.experts[i]));
+  }
+  updateSilence();
+}
+
+void CurvePlot::setExpertShown(std::size_t expert, bool shown) {
+  plot_->graph(static_cast<int>(expert) + 1)->setVisible(shown);
+  updateSilence();
+}
+
+void CurvePlot::setMeanShown(bool shown) {
+  plot_->graph(kMeanGraph)->setVisible(shown);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurvePlot::setReading(const Reading& reading) {
+  std::vector<ReadingCursor::Dot> dots;
+  for (std::size_t i = 0; i < reading.experts.size(); ++i) {
+    if (reading.experts[i].fired && shown(i + 1)) dots.push_back({reading.experts[i].force_n, theme::expert(i)});
+  }
+  if (reading.mean.fired && shown(kMeanGraph)) dots.push_back({reading.mean.force_n, theme::mean()});
+  const QString mean_text =
+      reading.mean.fired ? tr("mean %1").arg(forceText(reading.mean.force_n, output_.unit)) : tr("no rule fires");
+  cursor_->set(reading.x, placeText(x_, reading.x) + QStringLiteral("   ") + mean_text, std::move(dots));
+  cursor_->layer()->replot();
+}
+
+base::Result<void> CurvePlot::savePicture(const QString& path, const QString& title, const QString& note) {
+  cursor_->setVisible(false);
+  auto saved = workbench::savePicture(*plot_, path, title, note);
+  cursor_->setVisible(true);
+  plot_->replot();
+  return saved;
+}
+
+void CurvePlot::leaveEvent(QEvent* event) {
+  emit hoverLeft();
+  QWidget::leaveEvent(event);
+}
+
+void CurvePlot::onMouse(QMouseEvent* event) {
+  const QPoint place = event->position().toPoint();
+  if (!plot_->axisRect()->rect().contains(place)) {
+    emit hoverLeft();
+    return;
+  }
+  const double x = placeOf(x_, plot_->xAxis->pixelToCoord(event->position().x()));
+  if (event->buttons().testFlag(Qt::LeftButton)) emit picked(x);
+  emit hovered(x);
+}
+
+void CurvePlot::updateSilence() {
+  std::vector<SilenceMarks::Lane> lanes;
+  // With one expert the lane would repeat what the full height says.
+  for (std::size_t i = 0; silent_.size() > 1 && i < silent_.size(); ++i) {
+    if (silent_[i].empty() || !shown(i + 1)) continue;
+    lanes.push_back({plot_->graph(static_cast<int>(i) + 1)->name(), theme::expert(i), silent_[i]});
+  }
+  silence_->set(everyone_silent_, std::move(lanes));
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+bool CurvePlot::shown(std::size_t graph) const { return plot_->graph(static_cast<int>(graph))->visible(); }
+
+}  // namespace tactus::workbench

@@ -1,0 +1,147 @@
+#include "app/workbench/plots/membership_plot.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/display_text.h"
+#include "app/workbench/plots/plot_style.h"
+#include "app/workbench/plots/term_labels.h"
+#include "app/workbench/plots/value_marker.h"
+#include "app/workbench/theme.h"
+#include "core/base/text.h"
+#include "core/fuzzy/membership.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kLabelRows = 2;
+
+struct Outline {
+  QVector<double> x;
+  QVector<double> membership;
+};
+
+void addPoint(Outline& outline, const fuzzy::MembershipFunction& function, double x) {
+  outline.x << x;
+  outline.membership << function(x);
+}
+
+// The corners of the shape inside the universe; a vertical edge has two points at one place.
+Outline outlineOf(const fuzzy::Variable& variable, const fuzzy::Term& term) {
+  const fuzzy::MembershipFunction function = fuzzy::MembershipFunction::of(term);
+  Outline outline;
+  if (function.gaussian) {
+    constexpr int kSteps = 96;
+    for (int i = 0; i <= kSteps; ++i) {
+      addPoint(outline, function, variable.min + (variable.max - variable.min) * i / kSteps);
+    }
+    return outline;
+  }
+  const double low = std::max(variable.min, function.a);
+  const double high = std::min(variable.max, function.d);
+  if (function.a >= variable.min) {
+    outline.x << function.a;
+    outline.membership << 0;
+  }
+  addPoint(outline, function, low);
+  for (const double corner : {function.b, function.c}) {
+    if (corner > low && corner < high) addPoint(outline, function, corner);
+  }
+  addPoint(outline, function, high);
+  if (function.d <= variable.max) {
+    outline.x << function.d;
+    outline.membership << 0;
+  }
+  return outline;
+}
+
+std::vector<std::string> numbers(const std::vector<double>& points) {
+  std::vector<std::string> texts;
+  texts.reserve(points.size());
+  for (const double point : points) texts.push_back(base::formatNumber(point));
+  return texts;
+}
+
+// One line per term with its exact points.
+QString pointsText(const std::vector<fuzzy::Term>& terms) {
+  QStringList lines;
+  for (const fuzzy::Term& term : terms) {
+    lines << labelOf(term) + QStringLiteral(": ") + text(base::joined(numbers(term.points), ", "));
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
+    : QWidget(parent), variable_(variable), plot_(makePlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setMinimumHeight(112);
+
+  labels_ = new TermLabels(*plot_, kLabelRows);
+  styleAxis(*plot_->xAxis, variable);
+  styleAxis(*plot_->yAxis, variable);
+  plot_->yAxis->setRange(0, 1.06);
+  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
+  ticker->setTickStep(1);
+  plot_->yAxis->setTicker(ticker);
+  plot_->xAxis->grid()->setVisible(false);
+  plot_->xAxis->ticker()->setTickCount(4);
+  plot_->xAxis->setTickLabelPadding(2);
+  plot_->xAxis->setLabelPadding(0);
+  // A ratio has no unit to write, but its axis stands as high as the others.
+  const QString unit = unitText(variable.unit);
+  plot_->xAxis->setLabel(unit.isEmpty() ? QStringLiteral(" ") : unit);
+  plot_->axisRect()->setAutoMargins(QCP::msBottom);
+  plot_->axisRect()->setMargins(QMargins(kLeftMargin, labels_->height(), kRightMargin, 0));
+
+  marker_ = new ValueMarker(*plot_);
+
+  connect(plot_, &QCustomPlot::mousePress, this, &MembershipPlot::onMouse);
+  connect(plot_, &QCustomPlot::mouseMove, this, &MembershipPlot::onMouse);
+}
+
+void MembershipPlot::setTerms(const std::vector<fuzzy::Term>& terms) {
+  terms_ = terms;
+  plot_->clearGraphs();
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const Outline outline = outlineOf(variable_, terms[i]);
+    QColor color = theme::term(i, terms.size());
+    QCPGraph* graph = plot_->addGraph();
+    graph->setAdaptiveSampling(false);
+    graph->setData(outline.x, outline.membership, true);
+    graph->setPen(QPen(color, 1.5));
+    color.setAlphaF(0.2F);
+    graph->setBrush(color);
+  }
+  labels_->setTerms(variable_, terms);
+  setToolTip(pointsText(terms));
+  updateMarker();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void MembershipPlot::setValue(std::optional<double> value) {
+  if (value == value_) return;
+  value_ = value;
+  updateMarker();
+  marker_->layer()->replot();
+}
+
+void MembershipPlot::onMouse(QMouseEvent* event) {
+  if (!event->buttons().testFlag(Qt::LeftButton)) return;
+  emit picked(placeOf(variable_, plot_->xAxis->pixelToCoord(event->position().x())));
+}
+
+void MembershipPlot::updateMarker() {
+  std::vector<double> memberships;
+  for (const fuzzy::Term& term : terms_) {
+    const double membership = value_ ? fuzzy::MembershipFunction::of(term)(*value_) : 0;
+    if (membership > 0) memberships.push_back(membership);
+  }
+  marker_->set(value_, std::move(memberships));
+}
+
+}  // namespace tactus::workbench

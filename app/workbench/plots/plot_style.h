@@ -1,0 +1,25 @@
+// What all plots have in common: colors, axes, fonts. Includes QCustomPlot, so only files of plots/ include it.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::workbench {
+
+/// A plot without interactions, decorations or legend, in the colors of the theme.
+QCustomPlot* makePlot(QWidget* parent);
+
+/// Lines and fonts of an axis over the universe of `variable`.
+void styleAxis(QCPAxis& axis, const fuzzy::Variable& variable);
+
+/// Ticks at round numbers and at both ends of the universe.
+class UniverseTicker : public QCPAxisTicker {
+ protected:
+  QVector<double> createTickVector(double step, const QCPRange& range) override;
+};
+
+/// The middle of the part of `variable`'s universe that belongs fully to `term`.
+double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term);
+
+}  // namespace tactus::workbench

@@ -1,0 +1,29 @@
+// The terms of the x axis as faint bands behind the curves, as strong as the membership. Only files of plots/ include
+// this.
+#pragma once
+
+#include <vector>
+
+#include "app/workbench/plots/plot_style.h"
+
+namespace tactus::workbench {
+
+class TermBands : public QCPLayerable {
+  Q_OBJECT
+
+ public:
+  explicit TermBands(QCustomPlot& plot);
+
+  void setTerms(const fuzzy::Variable& variable, std::vector<fuzzy::Term> terms);
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+  void draw(QCPPainter* painter) override;
+
+ private:
+  double min_ = 0;
+  double max_ = 1;
+  std::vector<fuzzy::Term> terms_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,47 @@
+// Colors, spacing and fonts of the workbench in one place.
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <cstddef>
+
+class QApplication;
+
+namespace tactus::workbench::theme {
+
+inline constexpr int kGrid = 8;          ///< px; every distance is a multiple of it or half of it
+inline constexpr int kCornerRadius = 8;  ///< px, of cards and banners
+
+QColor window();    ///< behind the cards
+QColor card();      ///< cards and plots
+QColor border();    ///< edges of cards
+QColor grid();      ///< grid lines of plots
+QColor ink();       ///< text
+QColor mutedInk();  ///< secondary text, 4.5:1 on cards and window
+QColor accent();    ///< focus, selection, markers
+QColor warningInk();
+QColor warningFill();
+QColor errorInk();
+QColor errorFill();
+
+/// The line of the mean.
+QColor mean();
+
+/// Line of expert `index`: Okabe and Ito's colors (2008), told apart with any kind of color vision; they repeat after
+/// six.
+QColor expert(std::size_t index);
+
+/// Color of term `index` of `count`: a ramp from dark blue to amber that rises in lightness, so that the order of the
+/// terms survives any kind of color vision and a print in gray.
+QColor term(std::size_t index, std::size_t count);
+/// The same color, dark enough for small text on a card.
+QColor termText(std::size_t index, std::size_t count);
+
+QFont titleFont();    ///< name of the model
+QFont headingFont();  ///< heads of cards and panels
+QFont smallFont();    ///< notes, readouts, labels in plots
+
+/// The calm light look on the Fusion style, the same on every desktop.
+void apply(QApplication& application);
+
+}  // namespace tactus::workbench::theme

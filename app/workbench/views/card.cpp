@@ -1,0 +1,25 @@
+#include "app/workbench/views/card.h"
+
+#include <QPainter>
+
+#include "app/workbench/theme.h"
+
+namespace tactus::workbench {
+
+Card::Card(QWidget* parent) : QFrame(parent), fill_(theme::card()), edge_(theme::border()) {}
+
+void Card::setColors(const QColor& fill, const QColor& edge) {
+  fill_ = fill;
+  edge_ = edge;
+  update();
+}
+
+void Card::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(edge_, 1));
+  painter.setBrush(fill_);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), theme::kCornerRadius, theme::kCornerRadius);
+}
+
+}  // namespace tactus::workbench

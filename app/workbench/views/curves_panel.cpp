@@ -1,0 +1,142 @@
+#include "app/workbench/views/curves_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/models/reading_model.h"
+#include "app/workbench/plots/curve_plot.h"
+#include "app/workbench/theme.h"
+
+namespace tactus::workbench {
+namespace {
+
+// `Fig. 11: experts and mean (lubrication 1, speed 50 mm/s)` with the labels of the model.
+QString presetText(const fuzzy::ForceModel& model, const FigurePreset& preset) {
+  QStringList values;
+  for (const fuzzy::Variable& input : model.inputs) {
+    for (const FigurePreset::Setting& setting : preset.settings) {
+      if (setting.input != input.id) continue;
+      values << labelOf(input) + QLatin1Char(' ') + quantityText(setting.value, input.unit);
+    }
+  }
+  return QStringLiteral("%1: %2 (%3)").arg(preset.figure, preset.shows, values.join(QStringLiteral(", ")));
+}
+
+}  // namespace
+
+CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget* parent)
+    : Card(parent),
+      scene_(scene),
+      title_(new QLabel(this)),
+      x_input_(new QComboBox(this)),
+      presets_(new QPushButton(tr("Figures of the paper"), this)),
+      save_(new QPushButton(tr("Save picture…"), this)),
+      plot_(new CurvePlot(this)) {
+  title_->setFont(theme::headingFont());
+  title_->setTextFormat(Qt::PlainText);
+  title_->setBuddy(x_input_);
+  x_input_->setAccessibleName(tr("Input on the x axis"));
+  x_input_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  presets_->setMenu(new QMenu(presets_));
+  // The style leaves no air around the text.
+  for (QPushButton* button : {presets_, save_}) button->setMinimumWidth(button->sizeHint().width() + 2 * theme::kGrid);
+  presets_->setToolTip(tr("Set the inputs as in a figure of the paper"));
+
+  auto* head = new QHBoxLayout;
+  head->setSpacing(theme::kGrid);
+  head->addWidget(title_);
+  head->addWidget(x_input_);
+  head->addStretch(1);
+  head->addWidget(presets_);
+  head->addWidget(save_);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setSpacing(theme::kGrid);
+  layout->addLayout(head);
+  layout->addWidget(plot_, 1);
+
+  connect(x_input_, &QComboBox::activated, this, &CurvesPanel::onXInputChosen);
+  connect(save_, &QPushButton::clicked, this, &CurvesPanel::savePictureRequested);
+  connect(plot_, &CurvePlot::hovered, &scene_, &SceneController::setHover);
+  connect(plot_, &CurvePlot::hoverLeft, &scene_, &SceneController::clearHover);
+  connect(plot_, &CurvePlot::picked, &scene_, [this](double x) { scene_.setValue(scene_.xInput(), x); });
+  connect(&readings, &ReadingModel::rowShownChanged, this, &CurvesPanel::onRowShown);
+  connect(&scene_, &SceneController::modelChanged, this, &CurvesPanel::adoptModel);
+  connect(&scene_, &SceneController::xInputChanged, this, &CurvesPanel::showAxes);
+  connect(&scene_, &SceneController::termsChanged, this, &CurvesPanel::showTerms);
+  connect(&scene_, &SceneController::curvesChanged, this, &CurvesPanel::showCurves);
+  connect(&scene_, &SceneController::readingChanged, this, &CurvesPanel::showReading);
+}
+
+base::Result<void> CurvesPanel::savePicture(const QString& path) {
+  const OpenModel& open = *scene_.model();
+  QString note = settingText();
+  if (open.simulated) note += QStringLiteral(" – ") + tr("contains simulated data");
+  return plot_->savePicture(path, text(open.model.name), note);
+}
+
+void CurvesPanel::adoptModel() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  title_->setText(tr("%1 along").arg(labelOf(model.output)));
+
+  const QSignalBlocker no_signal(x_input_);
+  x_input_->clear();
+  for (const fuzzy::Variable& input : model.inputs) x_input_->addItem(labelOf(input));
+
+  const std::vector<FigurePreset> presets = figurePresets(model);
+  presets_->menu()->clear();
+  for (const FigurePreset& preset : presets) {
+    QAction* action = presets_->menu()->addAction(presetText(model, preset));
+    connect(action, &QAction::triggered, &scene_, [this, preset] { scene_.applyPreset(preset); });
+  }
+  presets_->setVisible(!presets.empty());
+
+  showAxes();
+  showCurves();
+  showReading();
+}
+
+void CurvesPanel::showAxes() {
+  const QSignalBlocker no_signal(x_input_);
+  x_input_->setCurrentIndex(static_cast<int>(scene_.xInput()));
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  plot_->setAxes(scene_.xVariable(), model.output, model.experts);
+  showTerms();
+}
+
+void CurvesPanel::showTerms() { plot_->setTerms(scene_.xVariable(), scene_.terms(scene_.xVariable())); }
+
+void CurvesPanel::showCurves() { plot_->setCurves(scene_.curves()); }
+
+void CurvesPanel::showReading() { plot_->setReading(scene_.reading()); }
+
+void CurvesPanel::onXInputChosen(int index) { scene_.setXInput(static_cast<std::size_t>(index)); }
+
+void CurvesPanel::onRowShown(int row, bool shown) {
+  if (row == ReadingModel::kMeanRow) {
+    plot_->setMeanShown(shown);
+  } else {
+    plot_->setExpertShown(static_cast<std::size_t>(row) - 1, shown);
+  }
+  showReading();
+}
+
+QString CurvesPanel::settingText() const {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  QStringList parts;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    if (i == scene_.xInput()) continue;
+    parts << labelOf(model.inputs[i]) + QLatin1Char(' ') + quantityText(scene_.value(i), model.inputs[i].unit);
+  }
+  return parts.join(QStringLiteral(" · "));
+}
+
+}  // namespace tactus::workbench

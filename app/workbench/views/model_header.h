@@ -1,0 +1,36 @@
+// The line above everything: name of the model, a plain label where it holds simulated data, and whose terms are shown.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+
+namespace tactus::workbench {
+
+class Card;
+class ElidedLabel;
+class SceneController;
+
+class ModelHeader : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ModelHeader(SceneController& scene, QWidget* parent = nullptr);
+
+ private:
+  void adoptModel();
+  void onTermsChosen(int index);
+
+  SceneController& scene_;
+  ElidedLabel* name_;
+  QLabel* summary_;
+  Card* simulated_;
+  QLabel* terms_label_;
+  QComboBox* terms_of_;
+  std::vector<std::optional<std::size_t>> choices_;  ///< expert of each entry of terms_of_
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,70 @@
+#include "app/workbench/views/output_card.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/plots/membership_plot.h"
+#include "app/workbench/theme.h"
+#include "app/workbench/views/elided_label.h"
+
+namespace tactus::workbench {
+
+OutputCard::OutputCard(SceneController& scene, QWidget* parent)
+    : Card(parent),
+      scene_(scene),
+      variable_(scene.model()->model.output),
+      title_(new ElidedLabel(this)),
+      number_(new QLabel(this)),
+      plot_(new MembershipPlot(variable_, this)),
+      terms_(new ElidedLabel(this)) {
+  number_->setTextFormat(Qt::PlainText);
+  title_->setFont(theme::headingFont());
+  title_->setFullText(labelOf(variable_));
+  terms_->setFont(theme::smallFont());
+  terms_->setIndent(MembershipPlot::kLeftMargin - theme::kGrid);
+
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(theme::kGrid, 0, theme::kGrid, 0);
+  head->addWidget(title_, 1);
+  head->addWidget(number_);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, theme::kGrid, 4, theme::kGrid);
+  layout->setSpacing(4);
+  layout->addLayout(head);
+  layout->addWidget(plot_, 1);
+  // The plot stands in line with those of the inputs, which have a slider below.
+  number_->setMinimumHeight(QDoubleSpinBox().sizeHint().height());
+  layout->addSpacing(QSlider(Qt::Horizontal).sizeHint().height() + layout->spacing());
+  layout->addWidget(terms_);
+
+  showTerms();
+  connect(&scene_, &SceneController::readingChanged, this, &OutputCard::showReading);
+  connect(&scene_, &SceneController::termsChanged, this, &OutputCard::showTerms);
+}
+
+void OutputCard::showTerms() {
+  plot_->setTerms(scene_.terms(variable_));
+  showReading();
+}
+
+void OutputCard::showReading() {
+  const Reading reading = scene_.reading();
+  if (!reading.mean.fired) {
+    number_->setText(tr("no rule fires"));
+    terms_->setFullText({});
+    plot_->setValue(std::nullopt);
+    return;
+  }
+  const double mean_n = reading.mean.force_n;
+  number_->setText(tr("mean %1").arg(forceText(mean_n, variable_.unit)));
+  terms_->setFullText(membershipText(scene_.terms(variable_), mean_n));
+  plot_->setValue(mean_n);
+}
+
+}  // namespace tactus::workbench

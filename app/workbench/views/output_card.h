@@ -1,0 +1,33 @@
+// The output: its membership functions and the mean at the place that is read.
+#pragma once
+
+#include "app/workbench/views/card.h"
+#include "core/fuzzy/force_model.h"
+
+class QLabel;
+
+namespace tactus::workbench {
+
+class ElidedLabel;
+class MembershipPlot;
+class SceneController;
+
+class OutputCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit OutputCard(SceneController& scene, QWidget* parent = nullptr);
+
+ private:
+  void showTerms();
+  void showReading();
+
+  SceneController& scene_;
+  fuzzy::Variable variable_;
+  ElidedLabel* title_;
+  QLabel* number_;
+  MembershipPlot* plot_;
+  ElidedLabel* terms_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,58 @@
+#include "app/workbench/views/reading_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/models/reading_model.h"
+#include "app/workbench/theme.h"
+
+namespace tactus::workbench {
+
+ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings, QWidget* parent)
+    : Card(parent),
+      scene_(scene),
+      place_(new QLabel(this)),
+      table_(new QTableView(this)),
+      hint_(new QLabel(tr("Move over the curves to read them, click to keep the place."), this)) {
+  place_->setFont(theme::headingFont());
+  place_->setTextFormat(Qt::PlainText);
+  place_->setWordWrap(true);
+  hint_->setFont(theme::smallFont());
+  hint_->setWordWrap(true);
+  QPalette muted = hint_->palette();
+  muted.setColor(QPalette::WindowText, theme::mutedInk());
+  hint_->setPalette(muted);
+
+  table_->setModel(&readings);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setShowGrid(false);
+  table_->setSelectionMode(QAbstractItemView::NoSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
+  table_->horizontalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(ReadingModel::kWho, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(ReadingModel::kForce, QHeaderView::ResizeToContents);
+  table_->setAccessibleName(tr("Forces at the place that is read"));
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid + 4, theme::kGrid + 4, theme::kGrid + 4);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(place_);
+  layout->addWidget(table_, 1);
+  layout->addWidget(hint_);
+
+  connect(&scene_, &SceneController::modelChanged, this, &ReadingPanel::showPlace);
+  connect(&scene_, &SceneController::readingChanged, this, &ReadingPanel::showPlace);
+}
+
+void ReadingPanel::showPlace() {
+  const fuzzy::Variable& x = scene_.xVariable();
+  place_->setText(tr("%1 %2").arg(labelOf(x), placeText(x, scene_.readingX())));
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,29 @@
+#include "app/workbench/display_text.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/gui/sample_models.h"
+
+namespace tactus::workbench {
+namespace {
+
+TEST(DisplayText, NumbersHaveAPointAndNoZerosAtTheEnd) {
+  EXPECT_EQ(numberText(1.25), QStringLiteral("1.25"));
+  EXPECT_EQ(numberText(30), QStringLiteral("30"));
+  EXPECT_EQ(numberText(0.5, 4), QStringLiteral("0.5"));
+  EXPECT_EQ(numberText(-0.001), QStringLiteral("0"));
+}
+
+TEST(DisplayText, ARatioHasNoUnit) {
+  EXPECT_EQ(quantityText(0.5, "1"), QStringLiteral("0.5"));
+  EXPECT_EQ(quantityText(30, "mm/s"), QStringLiteral("30 mm/s"));
+}
+
+TEST(DisplayText, MembershipsOfAValue) {
+  const fuzzy::ForceModel model = tests::twoExperts();
+  EXPECT_EQ(membershipText(model.inputs[0].terms, 45), QStringLiteral("Slow 0.75 · Fast 0.25"));
+  EXPECT_EQ(membershipText(model.inputs[1].terms, 5.5), QString());
+}
+
+}  // namespace
+}  // namespace tactus::workbench
