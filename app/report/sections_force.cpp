@@ -179,7 +179,7 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
                  badges({Badge::kPublished, Badge::kComputed, Badge::kSimulated}) + " Rules of " +
                  context.in.published_expert +
                  " alone at 50 mm/s, lubrication 1, neck flexion 60 deg. The rules are published, the terms of "
-                 "the speed come from simulated strokes. Red: no rule fires.",
+                 "the speed come from simulated strokes. Orange: no rule fires.",
       .panels = {}};
   for (const S4Reading& reading : context.in.readings) {
     const auto curves = ForceCurves::of(reading.model);
