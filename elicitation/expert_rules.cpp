@@ -37,16 +37,28 @@ Result<std::string> depthTermsOf(const study::Form& form) {
               "one of " + base::joined(known, ", "));
 }
 
-/// Sets the expert's depth terms to those of `form`; another set than before is refused.
-Result<void> joinForm(ExpertRules& expert, const study::Form& form) {
+/// What people read of a set that `depthTermsOf` has looked up already.
+std::string labelOf(const std::string& set) { return findDepthTerms(set).value().label; }
+
+/// Sets the expert's depth terms to those of `form`, which `cell` names; another set than before is refused.
+Result<void> joinForm(ExpertRules& expert, const study::Form& form, const study::TableCell& cell) {
   auto set = depthTermsOf(form);
   if (!set) return tl::unexpected(set.error());
   if (!expert.depth_terms.empty() && expert.depth_terms != *set) {
-    return fail(ErrorCode::kData, "participant " + expert.participant.code,
-                "forms with different depth terms (" + expert.depth_terms + ", " + *set + ")",
-                "forms with the same depth terms");
+    return study::atCell(
+        {ErrorCode::kData,
+         {},
+         "participant " + expert.participant.code,
+         "forms with different depth terms (" + expert.forms.front() + ": " + labelOf(expert.depth_terms) + "; " +
+             form.id + ": " + labelOf(*set) + ")",
+         "forms with the same depth terms"},
+        cell,
+        quoted(form.id) + " after " + quoted(expert.forms.front()) + " for participant " + expert.participant.code);
   }
   expert.depth_terms = std::move(*set);
+  if (std::find(expert.forms.begin(), expert.forms.end(), form.id) == expert.forms.end()) {
+    expert.forms.push_back(form.id);
+  }
   return {};
 }
 
@@ -71,18 +83,26 @@ Result<void> addGiven(ExpertRules& expert, const study::Study& study, std::span<
     if (given.participant != expert.participant.code) continue;
     expert.source = ExpertRules::Source::kGiven;
     expert.rules.push_back(ruleFrom(given));
+    expert.lines.push_back(given.line);
     if (given.form.empty()) continue;
     const study::Form* const form = findForm(forms, given.form);
+    const study::TableCell cell{study::kRulesTable, given.line, "form"};
     if (form == nullptr) {
-      return fail(ErrorCode::kReference, "rules of participant " + expert.participant.code,
-                  "form " + quoted(given.form), "one of " + formIds(forms));
+      return study::atCell({ErrorCode::kReference,
+                            {},
+                            "rules of participant " + expert.participant.code,
+                            "form " + quoted(given.form),
+                            "one of " + formIds(forms)},
+                           cell, quoted(given.form));
     }
-    if (auto ok = joinForm(expert, *form); !ok) return ok;
+    if (auto ok = joinForm(expert, *form, cell); !ok) return ok;
   }
   if (!expert.rules.empty() && expert.depth_terms.empty()) {
     expert.depth_terms = inferDepthTerms(expert.rules);
-    notes.push_back("The given rules of participant " + expert.participant.code +
-                    " name no form; by the regions they use they get the depth terms " + expert.depth_terms + ".");
+    expert.depth_terms_inferred = true;
+    notes.push_back(
+        "The given rules of participant " + expert.participant.code +
+        " name no form; by the regions they use they get these depth terms: " + labelOf(expert.depth_terms) + ".");
   }
   return {};
 }
@@ -95,11 +115,12 @@ Result<void> addAnswered(ExpertRules& expert, const std::vector<study::Answer>& 
       if (answer.form == form.id) own.push_back(answer);
     }
     if (own.empty()) continue;
-    auto rules = rulesFromAnswers(own, form, output_terms);
-    if (!rules) return tl::unexpected(rules.error());
-    if (rules->empty()) continue;
-    if (auto ok = joinForm(expert, form); !ok) return ok;
-    expert.rules.insert(expert.rules.end(), rules->begin(), rules->end());
+    const auto answered = rulesFromAnswers(own, form, output_terms);
+    if (!answered) return tl::unexpected(answered.error());
+    if (answered->rules.empty()) continue;
+    if (auto ok = joinForm(expert, form, {study::kAnswersTable, answered->lines.front(), "form"}); !ok) return ok;
+    expert.rules.insert(expert.rules.end(), answered->rules.begin(), answered->rules.end());
+    expert.lines.insert(expert.lines.end(), answered->lines.begin(), answered->lines.end());
   }
   return {};
 }
@@ -113,26 +134,6 @@ void noteUnknownForms(const study::Study& study, std::span<const study::Form> fo
     notes.push_back("Answers to the form " + quoted(form) + " were passed over: it is not one that gives rules (" +
                     formIds(forms) + ").");
   }
-}
-
-std::string termIds(const std::vector<fuzzy::Term>& terms) {
-  std::vector<std::string> ids;
-  for (const auto& term : terms) ids.push_back(term.id);
-  return base::joined(ids, ", ");
-}
-
-Result<void> checkCondition(const fuzzy::Condition& condition, const fuzzy::Expert& expert,
-                            std::span<const fuzzy::Variable> inputs, const std::string& place) {
-  const auto input = std::find_if(inputs.begin(), inputs.end(),
-                                  [&condition](const fuzzy::Variable& v) { return v.id == condition.input; });
-  if (input == inputs.end()) {
-    std::vector<std::string> ids;
-    for (const auto& variable : inputs) ids.push_back(variable.id);
-    return fail(ErrorCode::kReference, place, "input " + quoted(condition.input), "one of " + base::joined(ids, ", "));
-  }
-  const auto& terms = fuzzy::termsFor(expert, *input);
-  if (fuzzy::findTerm(terms, condition.term) != nullptr) return {};
-  return fail(ErrorCode::kReference, place, input->id + " " + quoted(condition.term), "one of " + termIds(terms));
 }
 
 }  // namespace
@@ -167,37 +168,6 @@ Result<StudyRules> studyRules(const study::Study& study, std::span<const study::
                 "answers to one of the forms (" + formIds(forms) + ") or given rules");
   }
   return out;
-}
-
-Result<void> checkRules(const fuzzy::Expert& expert, std::span<const fuzzy::Variable> inputs,
-                        const fuzzy::Variable& output, std::span<const std::string> absent_output_terms) {
-  std::set<std::vector<std::pair<std::string, std::string>>> seen;
-  for (std::size_t i = 0; i < expert.rules.size(); ++i) {
-    const fuzzy::Rule& rule = expert.rules[i];
-    const std::string place = "rule " + std::to_string(i + 1) + " of participant " + expert.id;
-    std::vector<std::pair<std::string, std::string>> key;
-    for (const auto& condition : rule.conditions) {
-      if (auto ok = checkCondition(condition, expert, inputs, place); !ok) return ok;
-      key.emplace_back(condition.input, condition.term);
-    }
-    if (std::find(absent_output_terms.begin(), absent_output_terms.end(), rule.then) != absent_output_terms.end()) {
-      return fail(ErrorCode::kReference, place, output.id + " " + quoted(rule.then),
-                  "a term that the judged forces give: no force was voted " + quoted(rule.then) +
-                      " and there is no room for it");
-    }
-    if (fuzzy::findTerm(output.terms, rule.then) == nullptr) {
-      return fail(ErrorCode::kReference, place, output.id + " " + quoted(rule.then), "one of " + termIds(output.terms));
-    }
-    if (!(rule.weight >= 0 && rule.weight <= 1)) {
-      return fail(ErrorCode::kValue, place, "weight " + base::formatNumber(rule.weight), "a number in [0, 1]");
-    }
-    std::sort(key.begin(), key.end());
-    key.emplace_back(output.id, rule.then);
-    if (!seen.insert(std::move(key)).second) {
-      return fail(ErrorCode::kSchema, place, "the same rule as before", "each rule once");
-    }
-  }
-  return {};
 }
 
 }  // namespace tactus::elicitation

@@ -16,8 +16,11 @@ struct ExpertRules {
 
   study::Participant participant;
   Source source = Source::kAnswers;
-  std::string depth_terms;  ///< name of the set (ngt_variables.h)
+  std::vector<std::string> forms;     ///< ids of the forms or readings that the rules come from, in order of first use
+  std::string depth_terms;            ///< name of the set (ngt_variables.h)
+  bool depth_terms_inferred = false;  ///< from the regions that the rules use, because they name no form
   std::vector<fuzzy::Rule> rules;
+  std::vector<study::TableLine> lines;  ///< one for each rule: of rules.csv where they are given, else of answers.csv
 };
 
 struct StudyRules {
@@ -32,11 +35,5 @@ struct StudyRules {
 /// sets of depth terms, an unknown set, no rule at all.
 base::Result<StudyRules> studyRules(const study::Study& study, std::span<const study::Form> forms,
                                     std::span<const std::string> output_terms);
-
-/// Checks the rules of one expert against the terms that they are to use. Refused, with the number of the rule: an
-/// unknown input or term, a weight outside [0, 1], the same rule twice. `absent_output_terms` have an error of their
-/// own.
-base::Result<void> checkRules(const fuzzy::Expert& expert, std::span<const fuzzy::Variable> inputs,
-                              const fuzzy::Variable& output, std::span<const std::string> absent_output_terms);
 
 }  // namespace tactus::elicitation

@@ -31,19 +31,26 @@ Result<double> weightOf(const study::Participant& expert, const WeightSettings& 
       return 1.0;
     case WeightPolicy::kYears:
       if (expert.years_experience) return *expert.years_experience;
-      return fail(ErrorCode::kData, place, "no years of experience", "a number, because the weights are the years");
+      return study::atCell(
+          {ErrorCode::kData, {}, place, "no years of experience", "a number, because the weights are the years"},
+          {study::kParticipantsTable, expert.line, "years_experience"}, "an empty cell");
     case WeightPolicy::kCategory:
       if (const auto weight = find(settings.categories, base::lowered(expert.category))) return *weight;
-      return fail(ErrorCode::kData, place,
-                  expert.category.empty() ? "no category" : "category " + base::quoted(expert.category),
-                  "one of " + keys(settings.categories) + ", because the weights follow the category");
+      return study::atCell({ErrorCode::kData,
+                            {},
+                            place,
+                            expert.category.empty() ? "no category" : "category " + base::quoted(expert.category),
+                            "one of " + keys(settings.categories) + ", because the weights follow the category"},
+                           {study::kParticipantsTable, expert.line, "category"},
+                           expert.category.empty() ? "an empty cell" : base::quoted(expert.category));
     case WeightPolicy::kColumn:
       if (expert.weight) return *expert.weight;
-      return fail(ErrorCode::kData, place, "no weight", "a number in the column 'weight'");
+      return study::atCell({ErrorCode::kData, {}, place, "no weight", "a number in the column 'weight'"},
+                           {study::kParticipantsTable, expert.line, "weight"}, "an empty cell");
     case WeightPolicy::kTable:
       if (const auto weight = find(settings.table, expert.code)) return *weight;
-      return fail(ErrorCode::kData, place, "no row in the table of weights",
-                  "one row per expert (there are: " + keys(settings.table) + ")");
+      return tl::unexpected(base::Error{ErrorCode::kData, settings.table_file, place, "no row in the table of weights",
+                                        "one row per expert (there are: " + keys(settings.table) + ")"});
   }
   return 1.0;
 }
@@ -78,9 +85,24 @@ Result<std::vector<double>> expertWeights(std::span<const study::Participant> ex
     weights.push_back(*weight);
   }
   if (!weights.empty() && *std::max_element(weights.begin(), weights.end()) <= 0) {
-    return fail(ErrorCode::kData, "weights", "0 for every expert", "at least one weight above 0");
+    const std::string file = settings.policy == WeightPolicy::kTable ? settings.table_file : "";
+    return tl::unexpected(
+        base::Error{ErrorCode::kData, file, "weights", "0 for every expert", "at least one weight above 0"});
   }
   return weights;
+}
+
+std::vector<std::string> unusedWeightNotes(std::span<const study::Participant> participants,
+                                           const WeightSettings& settings) {
+  std::vector<std::string> notes;
+  if (settings.policy != WeightPolicy::kTable) return notes;
+  const std::string table = settings.table_file.empty() ? "The table of weights" : settings.table_file;
+  for (const auto& [code, weight] : settings.table) {
+    const bool known = std::any_of(participants.begin(), participants.end(),
+                                   [&key = code](const study::Participant& one) { return one.code == key; });
+    if (!known) notes.push_back(table + " has a weight for " + base::quoted(code) + ", who is not in the study.");
+  }
+  return notes;
 }
 
 Result<std::map<std::string, double>> readWeightTable(const base::CsvTable& table) {

@@ -29,12 +29,18 @@ struct WeightSettings {
   /// Weight of each category, in lower case. The default ranks them in equal steps, a choice of this project.
   std::map<std::string, double> categories{{"beginner", 1}, {"intermediate", 2}, {"expert", 3}};
   std::map<std::string, double> table;  ///< weight by participant
+  std::string table_file;               ///< where the table comes from, for errors and notes; may be empty
 };
 
 /// One weight per expert, in their order. Refused: a participant without the value that the policy needs, a weight that
-/// is not finite or below 0, no weight above 0.
+/// is not finite or below 0, no weight above 0. The error names the table and line that the value should come from.
 base::Result<std::vector<double>> expertWeights(std::span<const study::Participant> experts,
                                                 const WeightSettings& settings);
+
+/// One sentence for each participant of WeightSettings::table who is not one of `participants`, where the policy uses
+/// the table.
+std::vector<std::string> unusedWeightNotes(std::span<const study::Participant> participants,
+                                           const WeightSettings& settings);
 
 /// Reads a table `participant,weight`. Refused: a missing column, a participant twice, a weight below 0.
 base::Result<std::map<std::string, double>> readWeightTable(const base::CsvTable& table);

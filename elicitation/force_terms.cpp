@@ -3,7 +3,8 @@
 #include <optional>
 
 #include "core/base/check.h"
-#include "core/base/text.h"
+#include "core/base/error.h"
+#include "elicitation/rounded_number.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -94,8 +95,7 @@ base::Result<ForceTerms> forceTerms(const fuzzy::Variable& output, std::span<con
     if (core.peak) {
       out.interpolated.push_back(term.id);
       out.notes.push_back("No force was voted " + base::quoted(term.id) +
-                          ": its term is placed between its neighbours, around " + base::formatNumber(core.begin) +
-                          " N.");
+                          ": its term is placed between its neighbours, around " + roundedNumber(core.begin) + " N.");
       if (below != nullptr && above != nullptr) {
         term.shape = fuzzy::Shape::kTriangle;
         term.points = {below->end, core.begin, above->begin};

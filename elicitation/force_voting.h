@@ -27,6 +27,9 @@ enum class VoteReason {
 /// `majority`, `tie_higher`, `next_level`, `clamped`, `first_median`, `no_votes`.
 std::string_view name(VoteReason reason) noexcept;
 
+/// Forces closer than this are one step; commanded forces are 0.1 N apart.
+inline constexpr double kSameForceN = 1e-9;
+
 /// The votes at one force: how many for each term, lowest term first.
 struct VoteCounts {
   double force_n = 0;
@@ -48,9 +51,10 @@ struct VoteStep {
 /// participants make the quorum; without it, the largest number of votes at a step.
 std::vector<VoteStep> vote(std::span<const VoteCounts> steps, std::optional<int> enrolled = std::nullopt);
 
-/// Counts the judgements of one `series` at each commanded force; forces closer than 1e-9 N are one step. `not_felt`,
-/// `beyond_practice` and missing answers are no votes, their step stays. Refused: a series without judgements, a term
-/// that is not in `terms` (ids, lowest first), a participant who judged a step twice.
+/// Counts the judgements of one `series` at each commanded force; forces closer than kSameForceN are one step.
+/// `not_felt`, `beyond_practice` and missing answers are no votes, their step stays. Refused: a series without
+/// judgements, a term that is not in `terms` (ids, lowest first), a participant who judged a force twice, a force below
+/// 0 N; a judgement from a table is named by its line.
 base::Result<std::vector<VoteCounts>> countVotes(std::span<const study::ForceJudgement> judgements,
                                                  std::string_view series, std::span<const std::string> terms);
 

@@ -1,15 +1,19 @@
 #include "elicitation/model_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 
-#include "core/base/json_writer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
 #include "elicitation/model_checks.h"
+#include "elicitation/model_provenance.h"
 #include "elicitation/ngt_variables.h"
+#include "elicitation/rounded_number.h"
+#include "elicitation/rule_checks.h"
+#include "elicitation/step_forces.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -27,11 +31,13 @@ void append(std::vector<std::string>& notes, const std::vector<std::string>& mor
 }
 
 template <class Rows>
-Result<void> checkKnown(const Rows& rows, const std::set<std::string_view>& known, std::string_view table) {
+Result<void> checkKnown(const Rows& rows, const std::set<std::string_view>& known, std::string_view table,
+                        const std::string& what) {
   for (const auto& row : rows) {
     if (known.count(row.participant) > 0) continue;
-    return fail(ErrorCode::kReference, std::string(table), "participant " + base::quoted(row.participant),
-                "a participant of the study");
+    return study::atCell(
+        {ErrorCode::kReference, {}, what, "participant " + base::quoted(row.participant), "a participant of the study"},
+        {table, row.line, "participant"}, base::quoted(row.participant));
   }
   return {};
 }
@@ -44,10 +50,19 @@ Result<void> checkParticipants(const study::Study& study) {
       return fail(ErrorCode::kData, "participants", base::quoted(participant.code) + " twice", "each participant once");
     }
   }
-  if (auto ok = checkKnown(study.speeds, known, "speeds"); !ok) return ok;
-  if (auto ok = checkKnown(study.judgements, known, "judgements"); !ok) return ok;
-  if (auto ok = checkKnown(study.answers, known, "answers"); !ok) return ok;
-  return checkKnown(study.rules, known, "rules");
+  if (auto ok = checkKnown(study.speeds, known, study::kSpeedsTable, "speeds"); !ok) return ok;
+  if (auto ok = checkKnown(study.judgements, known, study::kJudgementsTable, "judgements"); !ok) return ok;
+  if (auto ok = checkKnown(study.answers, known, study::kAnswersTable, "answers"); !ok) return ok;
+  return checkKnown(study.rules, known, study::kRulesTable, "rules");
+}
+
+/// Speeds that are computed from positions can fall below 0, which is worth knowing and no reason to refuse them.
+void noteNegativeSpeeds(const study::Study& study, std::vector<std::string>& notes) {
+  const auto below = std::count_if(study.speeds.begin(), study.speeds.end(),
+                                   [](const study::SpeedSample& sample) { return sample.speed_mm_s < 0; });
+  if (below == 0) return;
+  notes.push_back(std::to_string(below) + " of " + std::to_string(study.speeds.size()) +
+                  " speed samples lie below 0 mm/s; they are clustered as they are.");
 }
 
 Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
@@ -59,6 +74,8 @@ Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings
     out.notes.push_back("There are no insertion speeds: the speed has its default terms.");
     return {};
   }
+
+  noteNegativeSpeeds(study, out.notes);
 
   std::vector<double> weights;
   if (settings.averaging == Averaging::kWeightedMean) {
@@ -80,7 +97,12 @@ Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings
     append(out.notes, one.confusion.warnings);
   }
   out.averaged_ramps = averageRamps(ramps, weights, settings.averaging);
+  const double default_max_mm_s = speed.max;
   speed = averagedSpeed(speed, out.speeds, out.averaged_ramps);
+  if (speed.max > default_max_mm_s) {
+    out.notes.push_back("The universe of the speed ends at " + roundedNumber(speed.max) + " mm/s instead of " +
+                        roundedNumber(default_max_mm_s) + " mm/s: the speeds of a participant lie beyond it.");
+  }
   return {};
 }
 
@@ -95,15 +117,21 @@ Result<void> buildForce(const study::Study& study, const BuildSettings& settings
   if (!counts) return tl::unexpected(counts.error());
   out.votes = vote(*counts, static_cast<int>(study.participants.size()));
   auto terms = forceTerms(out.model.output, out.votes);
-  if (!terms) return tl::unexpected(terms.error());
+  if (!terms) return study::inTable(terms.error(), study::kJudgementsTable, study.judgements.front().line);
+  const double default_max_n = out.model.output.max;
   out.force_terms = std::move(*terms);
   out.model.output = out.force_terms->output;
   append(out.notes, out.force_terms->notes);
+  append(out.notes, stepForceNotes(study.judgements, settings.series));
+  if (std::abs(out.model.output.max - default_max_n) > kSameForceN) {
+    out.notes.push_back("The universe of the force ends at " + roundedNumber(out.model.output.max) + " N instead of " +
+                        roundedNumber(default_max_n) + " N: the largest force that got a term.");
+  }
   std::vector<std::string> raised;
   std::vector<std::string> below_quorum;
   for (const auto& step : out.votes) {
-    if (step.monotone_raised) raised.push_back(base::formatNumber(step.force_n));
-    if (step.below_quorum) below_quorum.push_back(base::formatNumber(step.force_n));
+    if (step.monotone_raised) raised.push_back(roundedNumber(step.force_n));
+    if (step.below_quorum) below_quorum.push_back(roundedNumber(step.force_n));
   }
   if (!raised.empty()) {
     out.notes.push_back("Vote at " + base::joined(raised, ", ") +
@@ -130,11 +158,12 @@ std::string sharedDepthTerms(const std::vector<ExpertRules>& experts) {
 /// A set that `studyRules` has looked up already.
 std::vector<fuzzy::Term> depthTerms(const std::string& id) { return findDepthTerms(id).value().terms; }
 
-Result<void> buildExperts(const BuildSettings& settings, BuiltModel& out) {
+Result<void> buildExperts(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
   std::vector<study::Participant> people;
   for (const auto& expert : out.experts) people.push_back(expert.participant);
   const auto weights = expertWeights(people, settings.weights);
   if (!weights) return tl::unexpected(weights.error());
+  append(out.notes, unusedWeightNotes(study.participants, settings.weights));
 
   const std::string shared = sharedDepthTerms(out.experts);
   variable(out.model.inputs, "depth").terms = depthTerms(shared);
@@ -157,40 +186,11 @@ Result<void> buildExperts(const BuildSettings& settings, BuiltModel& out) {
       }
     }
     const auto& absent = out.force_terms ? out.force_terms->absent : none;
-    if (auto ok = checkRules(expert, out.model.inputs, out.model.output, absent); !ok) return ok;
+    if (auto ok = checkRules(expert, rules, out.model.inputs, out.model.output, absent); !ok) return ok;
+    if (auto note = contradictionNote(rules)) out.notes.push_back(std::move(*note));
     out.model.experts.push_back(std::move(expert));
   }
   return {};
-}
-
-fuzzy::Provenance provenance(const study::Study& study, const BuildSettings& settings) {
-  fuzzy::Provenance out;
-  out.study = study.name;
-  out.settings = {{"alpha", base::jsonNumber(settings.speed.alpha)},
-                  {"m", base::jsonNumber(settings.speed.fcm.m)},
-                  {"clusters", std::to_string(settings.speed.fcm.clusters)},
-                  {"trim", base::jsonNumber(settings.speed.trim)},
-                  {"averaging", base::jsonString(name(settings.averaging))},
-                  {"terms", base::jsonString(name(settings.terms))},
-                  {"weights", base::jsonString(name(settings.weights.policy))},
-                  {"series", base::jsonString(settings.series)}};
-  std::vector<std::string> simulated;
-  std::string simulated_json;
-  for (const auto& participant : study.participants) {
-    if (!participant.simulated) continue;
-    simulated.push_back(participant.code);
-    simulated_json += (simulated_json.empty() ? "" : ", ") + base::jsonString(participant.code);
-  }
-  out.sources = {{"participants", std::to_string(study.participants.size())},
-                 {"speeds", std::to_string(study.speeds.size())},
-                 {"judgements", std::to_string(study.judgements.size())},
-                 {"answers", std::to_string(study.answers.size())},
-                 {"rules", std::to_string(study.rules.size())},
-                 {"simulated", "[" + simulated_json + "]"}};
-  if (!simulated.empty()) {
-    out.notes = "Simulated, not measured: data of " + base::joined(simulated, ", ") + " were generated by a program.";
-  }
-  return out;
 }
 
 }  // namespace
@@ -212,12 +212,12 @@ Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::
   if (!rules) return tl::unexpected(rules.error());
   out.experts = std::move(rules->experts);
   append(out.notes, rules->notes);
-  if (auto ok = buildExperts(settings, out); !ok) return tl::unexpected(ok.error());
+  if (auto ok = buildExperts(study, settings, out); !ok) return tl::unexpected(ok.error());
 
   out.model.name = settings.name.empty() ? study.name : settings.name;
   out.model.created_utc = settings.created_utc;
   out.model.generator = settings.generator;
-  out.model.provenance = provenance(study, settings);
+  out.model.provenance = modelProvenance(study, out.experts, settings);
   out.model.renderer = fuzzy::RendererParameters{};
   if (!out.model.provenance->notes.empty()) out.notes.push_back(out.model.provenance->notes);
   if (auto ok = setChecks(out.model); !ok) return tl::unexpected(ok.error());

@@ -35,7 +35,8 @@ struct BuildSettings {
   Averaging averaging = Averaging::kMean;  ///< of the ramps over the participants; kWeightedMean uses `weights`
   SpeedTermsOf terms = SpeedTermsOf::kAveraged;
   WeightSettings weights;
-  std::string series = "ascending";  ///< of the judgements that vote
+  std::string series = "ascending";     ///< of the judgements that vote
+  std::vector<fuzzy::NamedJson> extra;  ///< further members of the provenance's settings
 };
 
 /// A model and how it came about.

@@ -27,10 +27,23 @@ Result<void> checkSettings(const fuzzy::Variable& speed, const SpeedSettings& se
   return {};
 }
 
-/// The same error, said of one participant.
-tl::unexpected<base::Error> ofParticipant(base::Error error, const std::string& participant) {
+/// The same error, said of one participant, whose samples have the line `line`.
+tl::unexpected<base::Error> ofParticipant(base::Error error, const std::string& participant, study::TableLine line) {
   error.place = "speeds of participant " + participant + ", " + error.place;
-  return tl::unexpected(std::move(error));
+  return study::inTable(std::move(error), study::kSpeedsTable, line);
+}
+
+Result<void> checkLevels(std::span<const study::SpeedSample> samples, std::span<const std::string> levels) {
+  for (const auto& sample : samples) {
+    if (std::find(levels.begin(), levels.end(), sample.level) != levels.end()) continue;
+    return study::atCell({ErrorCode::kReference,
+                          {},
+                          "speeds of participant " + sample.participant,
+                          "level " + base::quoted(sample.level),
+                          "one of " + base::joined(levels, ", ")},
+                         {study::kSpeedsTable, sample.line, "level"}, base::quoted(sample.level));
+  }
+  return {};
 }
 
 Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std::span<const study::SpeedSample> samples,
@@ -39,6 +52,9 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
   out.participant = participant.code;
   out.simulated = participant.simulated;
   out.samples = samples.size();
+  std::vector<std::string> levels;
+  for (const auto& term : speed.terms) levels.push_back(term.id);
+  if (auto ok = checkLevels(samples, levels); !ok) return tl::unexpected(ok.error());
   const auto kept = trimStrokes(samples, settings.trim);
   out.kept = kept.size();
   std::vector<double> speeds_mm_s;
@@ -46,7 +62,7 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
   for (const auto& sample : kept) speeds_mm_s.push_back(sample.speed_mm_s);
 
   auto clusters = fuzzyCMeans(speeds_mm_s, settings.fcm);
-  if (!clusters) return ofParticipant(clusters.error(), participant.code);
+  if (!clusters) return ofParticipant(clusters.error(), participant.code, samples.front().line);
   out.clusters = std::move(*clusters);
   const auto& centres = out.clusters.centres;
   if (centres.front() < speed.min) {
@@ -55,14 +71,12 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
                           "lowest cluster",
                           base::formatNumber(centres.front()) + " mm/s",
                           "at least " + base::formatNumber(speed.min) + " mm/s: speeds of forward strokes"},
-                         participant.code);
+                         participant.code, samples.front().line);
   }
   auto ramps = alphaCutRamps(centres, out.clusters.m, settings.alpha);
   if (!ramps) return tl::unexpected(ramps.error());
   out.ramps = std::move(*ramps);
   out.validity = fcmValidity(speeds_mm_s, centres, out.clusters.m);
-  std::vector<std::string> levels;
-  for (const auto& term : speed.terms) levels.push_back(term.id);
   out.confusion = levelConfusion(kept, levels, centres, participant.code);
   return out;
 }

@@ -17,9 +17,9 @@
 namespace tactus::elicitation {
 
 struct SpeedSettings {
-  double alpha = 0.95;  ///< (1/2, 1], where a ramp begins and ends (alphaCutRamps)
-  FcmSettings fcm;      ///< as many clusters as the speed variable has terms
-  double trim = 0;      ///< [0, 1): share of a stroke's peak speed below which its samples are dropped
+  double alpha = kDefaultAlpha;  ///< (1/2, 1], where a ramp begins and ends (alphaCutRamps)
+  FcmSettings fcm;               ///< as many clusters as the speed variable has terms
+  double trim = 0;               ///< [0, 1): share of a stroke's peak speed below which its samples are dropped
 };
 
 /// What the speeds of one participant gave.
@@ -35,8 +35,8 @@ struct ParticipantSpeeds {
 };
 
 /// One entry per participant with speeds, in the participants' order. The clusters become the terms of `speed` in
-/// ascending order. Refused: settings out of range, speeds that cannot be clustered, a centre below the universe of
-/// `speed`; the error names the participant.
+/// ascending order. Refused: settings out of range, a level that is no term of `speed`, speeds that cannot be
+/// clustered, a centre below the universe of `speed`; the error names the participant.
 base::Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
                                                            const SpeedSettings& settings);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/base/text.h"
 
@@ -17,35 +18,43 @@ std::vector<fuzzy::Condition> conditionsFrom(const std::vector<study::ItemCondit
 
 }  // namespace
 
-base::Result<std::vector<fuzzy::Rule>> rulesFromAnswers(std::span<const study::Answer> answers, const study::Form& form,
-                                                        std::span<const std::string> output_terms) {
+base::Result<SourcedRules> rulesFromAnswers(std::span<const study::Answer> answers, const study::Form& form,
+                                            std::span<const std::string> output_terms) {
   std::map<int, const study::Answer*> by_item;
   for (const auto& answer : answers) {
     const std::string place = "answer of participant " + answer.participant + " to item " +
                               std::to_string(answer.item) + " of form " + form.id;
+    const auto refused = [&answer, &place](base::ErrorCode code, std::string_view column, std::string found,
+                                           std::string found_in_cell, std::string wanted) {
+      return study::atCell({code, {}, place, std::move(found), std::move(wanted)},
+                           {study::kAnswersTable, answer.line, column}, std::move(found_in_cell));
+    };
+    const std::string number = "item " + std::to_string(answer.item);
     const bool known = std::any_of(form.items.begin(), form.items.end(),
                                    [&answer](const study::FormItem& item) { return item.number == answer.item; });
     if (!known) {
-      return base::fail(base::ErrorCode::kReference, place, "an item that the form does not have",
-                        "one of its " + std::to_string(form.items.size()) + " items");
+      return refused(base::ErrorCode::kReference, "item", "an item that the form does not have",
+                     number + ", which form " + form.id + " does not have",
+                     "one of its " + std::to_string(form.items.size()) + " items");
     }
     if (!by_item.emplace(answer.item, &answer).second) {
-      return base::fail(base::ErrorCode::kData, place, "a second answer", "one answer per item");
+      return refused(base::ErrorCode::kData, "item", "a second answer", number + " again", "one answer per item");
     }
     if (answer.status != study::Answer::Status::kAnswered) continue;
     if (std::find(output_terms.begin(), output_terms.end(), answer.term) == output_terms.end()) {
-      return base::fail(base::ErrorCode::kReference, place, "term " + base::quoted(answer.term),
-                        "one of " + base::joined(output_terms, ", "));
+      return refused(base::ErrorCode::kReference, "term", "term " + base::quoted(answer.term),
+                     base::quoted(answer.term), "one of " + base::joined(output_terms, ", "));
     }
   }
 
-  std::vector<fuzzy::Rule> rules;
+  SourcedRules out;
   for (const auto& item : form.items) {
     const auto answer = by_item.find(item.number);
     if (answer == by_item.end() || answer->second->status != study::Answer::Status::kAnswered) continue;
-    rules.push_back({conditionsFrom(item.conditions), answer->second->term, 1, true});
+    out.rules.push_back({conditionsFrom(item.conditions), answer->second->term, 1, true});
+    out.lines.push_back(answer->second->line);
   }
-  return rules;
+  return out;
 }
 
 fuzzy::Rule ruleFrom(const study::GivenRule& given) {

@@ -11,6 +11,10 @@
 
 namespace tactus::elicitation {
 
+/// Where the ramps of the speed terms begin and end, unless somebody asks for another (alphaCutRamps): the ramp that
+/// fits the membership between two centres best.
+inline constexpr double kDefaultAlpha = 0.95;
+
 /// Where one term hands over to the next: membership of the lower term 1 up to `p`, 0 from `q` on; p < q.
 struct Ramp {
   double p = 0;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "core/base/text.h"
 #include "elicitation/force_voting.h"
@@ -11,15 +12,19 @@ namespace tactus::elicitation {
 namespace {
 
 using base::ErrorCode;
-using base::fail;
 using base::formatNumber;
 using base::quoted;
 using base::Result;
 
-constexpr double kSameForceN = 1e-9;  // forces closer than this are one step; commanded forces are 0.1 N apart
 constexpr long long kMostVotes = 1'000'000;
 
 std::string listed(const std::set<std::string>& names) { return names.empty() ? "none" : base::joined(names, ", "); }
+
+/// `error` about a judgement, said of its cell where it comes from a table.
+tl::unexpected<base::Error> refused(base::Error error, const study::ForceJudgement& judgement, std::string_view column,
+                                    std::string found) {
+  return study::atCell(std::move(error), {study::kJudgementsTable, judgement.line, column}, std::move(found));
+}
 
 std::string placeOf(const study::ForceJudgement& judgement) {
   return "judgement of participant " + judgement.participant + " at " + formatNumber(judgement.force_n) + " N";
@@ -35,14 +40,20 @@ Result<std::vector<VoteCounts>> countVotes(std::span<const study::ForceJudgement
     all_series.insert(judgement.series);
     if (judgement.series != series) continue;
     if (!std::isfinite(judgement.force_n) || judgement.force_n < 0) {
-      return fail(ErrorCode::kValue, "judgement of participant " + judgement.participant,
-                  formatNumber(judgement.force_n) + " N", "a force of 0 N or more");
+      const std::string found = formatNumber(judgement.force_n) + " N";
+      return refused(
+          {ErrorCode::kValue, {}, "judgement of participant " + judgement.participant, found, "a force of 0 N or more"},
+          judgement, "force_n", found);
     }
     chosen.push_back(&judgement);
   }
   if (chosen.empty()) {
-    return fail(ErrorCode::kData, "judgements", "no row of series " + quoted(series),
-                "a series that was judged (there are: " + listed(all_series) + ")");
+    return study::inTable({ErrorCode::kData,
+                           {},
+                           "judgements",
+                           "no row of series " + quoted(series),
+                           "a series that was judged (there are: " + listed(all_series) + ")"},
+                          study::kJudgementsTable, judgements.empty() ? study::TableLine{} : judgements.front().line);
   }
   std::stable_sort(chosen.begin(), chosen.end(), [](const auto* a, const auto* b) { return a->force_n < b->force_n; });
 
@@ -54,14 +65,19 @@ Result<std::vector<VoteCounts>> countVotes(std::span<const study::ForceJudgement
       voters.clear();
     }
     if (!voters.insert(judgement->participant).second) {
-      return fail(ErrorCode::kData, placeOf(*judgement), "a second judgement in series " + quoted(series),
-                  "one judgement per participant and force");
+      const std::string found = "a second judgement in series " + quoted(series);
+      return refused({ErrorCode::kData, {}, placeOf(*judgement), found, "one judgement per participant and force"},
+                     *judgement, "force_n", found + " at " + formatNumber(judgement->force_n) + " N");
     }
     if (judgement->kind != study::ForceJudgement::Kind::kTerm) continue;
     const auto term = std::find(terms.begin(), terms.end(), judgement->term);
     if (term == terms.end()) {
-      return fail(ErrorCode::kReference, placeOf(*judgement), "term " + quoted(judgement->term),
-                  "one of " + base::joined(terms, ", "));
+      return refused({ErrorCode::kReference,
+                      {},
+                      placeOf(*judgement),
+                      "term " + quoted(judgement->term),
+                      "one of " + base::joined(terms, ", ")},
+                     *judgement, "term", quoted(judgement->term));
     }
     ++steps.back().votes[static_cast<std::size_t>(term - terms.begin())];
   }

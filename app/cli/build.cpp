@@ -37,6 +37,7 @@ Result<elicitation::WeightSettings> weightSettings(const std::string& word) {
   if (!weights) return tl::unexpected(weights.error());
   settings.policy = WeightPolicy::kTable;
   settings.table = std::move(*weights);
+  settings.table_file = word;
   return settings;
 }
 
@@ -81,10 +82,14 @@ Result<Output> build(const BuildOptions& options) {
   settings.generator = kGenerator;
   settings.speed.alpha = options.alpha;
   settings.speed.trim = options.trim;
+  const std::string weights_file = weights->table_file;
   settings.weights = std::move(*weights);
   settings.terms = options.own_terms ? elicitation::SpeedTermsOf::kOwn : elicitation::SpeedTermsOf::kAveraged;
   const auto built = elicitation::buildModel(tables->study, session::knownForms(), settings);
-  if (!built) return inFile(built.error(), options.study);
+  if (!built) {
+    const bool about_weights = !built.error().file.empty() && built.error().file == weights_file;
+    return about_weights ? tl::unexpected(built.error()) : study::inStudyFolder(built.error(), options.study);
+  }
   if (auto written = model_io::writeModel(built->model, options.out); !written) return tl::unexpected(written.error());
   return Output{options.json ? asJson(options, *built) : summary(options, *built), tables->notes};
 }

@@ -24,13 +24,22 @@ std::string asText(const std::string& file, const fuzzy::ForceModel& model, cons
                      ", findings " + std::to_string(lint.findings.size()) + '\n';
   for (const auto& finding : lint.findings) {
     text += "  " + std::string(name(finding.kind)) + ": " + (finding.expert.empty() ? "mean" : finding.expert) + ": " +
-            finding.text + '\n';
+            finding.text;
+    if (finding.newtons) text += " (" + formatFixed(*finding.newtons, 4) + ' ' + model.output.unit + ')';
+    text += '\n';
   }
+  if (!lint.newtons_complete) text += "  not every force at stake was looked for: the model is very large\n";
   if (!lint.coverage_complete) text += "  the search for holes was cut off: the model is too finely divided\n";
-  if (range.fired == 0) return text + "reachable force: none, no rule fires anywhere\n";
-  return text + "reachable force: " + formatFixed(range.min_n, 4) + " to " + formatFixed(range.max_n, 4) + ' ' +
-         model.output.unit + ", seen at " + std::to_string(range.points) + " points; the universe is " +
-         formatNumber(model.output.min) + " to " + formatNumber(model.output.max) + ' ' + model.output.unit + '\n';
+  if (!lint.bounds) return text + "reachable force: none, no rule fires anywhere\n";
+  const auto interval = [&](double min, double max) {
+    return formatFixed(min, 4) + " to " + formatFixed(max, 4) + ' ' + model.output.unit;
+  };
+  text += "reachable force: ";
+  text += range.fired > 0 ? interval(range.min_n, range.max_n) : "none";
+  text += ", seen at " + std::to_string(range.points) + " points; proved bounds " +
+          interval(lint.bounds->min_n, lint.bounds->max_n);
+  return text + "; the universe is " + formatNumber(model.output.min) + " to " + formatNumber(model.output.max) + ' ' +
+         model.output.unit + '\n';
 }
 
 std::string asJson(const std::string& file, const fuzzy::ForceModel& model, const analysis::Lint& lint,
@@ -44,16 +53,25 @@ std::string asJson(const std::string& file, const fuzzy::ForceModel& model, cons
   for (const auto& finding : lint.findings) {
     json.beginObject(Layout::kInline).key("kind").value(std::string(name(finding.kind))).key("expert");
     finding.expert.empty() ? json.null() : json.value(finding.expert);
-    json.key("place").value(finding.place).key("text").value(finding.text).endObject();
+    json.key("place").value(finding.place).key("text").value(finding.text).key("newtons");
+    finding.newtons ? json.value(*finding.newtons) : json.null();
+    if (!finding.from.empty()) json.key("from").values(finding.from).key("to").values(finding.to);
+    json.endObject();
   }
   json.endArray().key("coverage_complete").value(lint.coverage_complete);
+  json.key("newtons_complete").value(lint.newtons_complete);
   json.key("reachable").beginObject(Layout::kInline);
   const bool any = lint.reachable.fired > 0;
   json.key("min_n");
   any ? json.value(lint.reachable.min_n) : json.null();
   json.key("max_n");
   any ? json.value(lint.reachable.max_n) : json.null();
-  json.key("points").value(lint.reachable.points).endObject().endObject();
+  json.key("points").value(lint.reachable.points).endObject();
+  json.key("bounds").beginObject(Layout::kInline).key("min_n");
+  lint.bounds ? json.value(lint.bounds->min_n) : json.null();
+  json.key("max_n");
+  lint.bounds ? json.value(lint.bounds->max_n) : json.null();
+  json.endObject().endObject();
   return json.text();
 }
 

@@ -83,9 +83,12 @@ std::string asText(const elicitation::FcmResult& result, const elicitation::FcmV
 Result<Output> cluster(const ClusterOptions& options) {
   auto column = readColumn(options);
   if (!column) return tl::unexpected(column.error());
+  if (options.clusters < 1) {
+    return base::fail(base::ErrorCode::kValue, "-c", std::to_string(options.clusters),
+                      "1 to " + std::to_string(elicitation::kMostClusters) + " clusters");
+  }
   elicitation::FcmSettings settings;
-  // A negative number is no number of clusters; 0 is refused with the rest.
-  settings.clusters = static_cast<std::size_t>(std::max(options.clusters, 0));
+  settings.clusters = static_cast<std::size_t>(options.clusters);
   settings.m = options.m;
   const auto result = elicitation::fuzzyCMeans(column->values, settings);
   if (!result) return inFile(result.error(), options.speeds);

@@ -8,6 +8,7 @@
 
 #include "core/analysis/sampled_centroid.h"
 #include "core/base/error.h"
+#include "elicitation/speed_terms.h"
 
 namespace tactus::cli {
 
@@ -56,7 +57,7 @@ struct BuildOptions {
   std::string study;  ///< folder with the CSV tables
   std::string out;
   std::string weights = "equal";  ///< equal, years, category, column, or a file
-  double alpha = 0.95;
+  double alpha = elicitation::kDefaultAlpha;
   double trim = 0;
   bool own_terms = false;
   bool json = false;

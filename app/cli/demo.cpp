@@ -1,5 +1,6 @@
 // The main job, end to end: simulated and published data in; study tables, models, export and report out.
 #include <chrono>
+#include <filesystem>
 
 #include "app/cli/commands.h"
 #include "app/report/demo_report.h"
@@ -26,10 +27,11 @@ struct File {
   std::string holds;
 };
 
-elicitation::BuildSettings settingsNow() {
+elicitation::BuildSettings settingsNow(std::uint64_t seed) {
   elicitation::BuildSettings settings;
   settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
   settings.generator = kGenerator;
+  settings.extra = {{"simulation_seed", std::to_string(seed)}};
   return settings;
 }
 
@@ -37,7 +39,7 @@ elicitation::BuildSettings settingsNow() {
 Result<report::S4Reading> s4In(const questionnaires::TableReading& reading, std::uint64_t seed) {
   const auto study = session::simulatedNgtStudy(seed, reading.id);
   if (!study) return tl::unexpected(study.error());
-  const auto built = elicitation::buildModel(*study, session::knownForms(), settingsNow());
+  const auto built = elicitation::buildModel(*study, session::knownForms(), settingsNow(seed));
   if (!built) return tl::unexpected(built.error());
   auto model = elicitation::expertModel(built->model, "S4");
   if (!model) return tl::unexpected(model.error());
@@ -71,6 +73,28 @@ std::string checksAsCsv(const fuzzy::ForceModel& model) {
     csv.cell(check.force).cell(check.fired ? 1 : 0).endRow();
   }
   return csv.text();
+}
+
+// Says that a folder is a demo's, so that a demo never writes over anybody's work.
+constexpr std::string_view kMarkerFile = "written-by-tactus-demo.txt";
+constexpr std::string_view kMarker =
+    "tactus demo wrote this folder, and running it again on this folder replaces its files.\n"
+    "Its data are simulated, except for S4's published rules.\n";
+
+/// Makes the folder and marks it. Refused: a folder that holds something and no mark.
+Result<void> takeFolder(const std::string& folder) {
+  std::error_code ignored;
+  const std::string marker = folder + '/' + std::string(kMarkerFile);
+  const bool empty = !std::filesystem::exists(folder, ignored) || std::filesystem::is_empty(folder, ignored);
+  if (!empty && std::filesystem::is_directory(folder, ignored) && !std::filesystem::exists(marker, ignored)) {
+    return tl::unexpected(base::Error{base::ErrorCode::kIo,
+                                      folder,
+                                      {},
+                                      "a folder that holds other files",
+                                      "a new or empty folder, or one that tactus demo wrote"});
+  }
+  if (auto made = base::makeFolder(folder); !made) return made;
+  return base::writeFileAtomically(marker, kMarker);
 }
 
 constexpr std::string_view kExportReadme =
@@ -148,12 +172,13 @@ Result<Output> demo(const DemoOptions& options) {
   const std::uint64_t seed = options.seed.value_or(session::kDefaultSeed);
   const auto study = session::simulatedNgtStudy(seed, reading);
   if (!study) return tl::unexpected(study.error());
-  const auto built = elicitation::buildModel(*study, session::knownForms(), settingsNow());
+  const auto built = elicitation::buildModel(*study, session::knownForms(), settingsNow(seed));
   if (!built) return tl::unexpected(built.error());
   // Everything is computed before the first file is written.
   const auto page = demoReport(*study, *built, reading, seed);
   if (!page) return tl::unexpected(page.error());
 
+  if (auto ok = takeFolder(options.folder); !ok) return tl::unexpected(ok.error());
   if (auto ok = study::writeStudyFolder(*study, elicitation::ngtInputIds(), options.folder + "/study"); !ok)
     return tl::unexpected(ok.error());
   auto models = writeModels(*built, options.folder);

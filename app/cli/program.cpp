@@ -30,6 +30,13 @@ void addCommand(CLI::App& app, Chosen& chosen, const std::string& name, const st
   command->callback([&chosen, options, function] { chosen = [options, function] { return function(*options); }; });
 }
 
+/// An empty text is most often a shell variable that is not set.
+const CLI::Validator& notEmpty() {
+  static const CLI::Validator validator(
+      [](const std::string& text) { return text.empty() ? std::string("found an empty text") : std::string(); }, "");
+  return validator;
+}
+
 void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
 
 /// `exact`, `midpoint:N` or `linspace:N`; throws what CLI11 takes for wrong usage.
@@ -52,18 +59,22 @@ std::optional<analysis::Sampling> parseMethod(const std::string& text) {
 void addCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "demo", "The whole main job on the published data: study, models, export and report", demo,
              [](CLI::App& command, DemoOptions& o) {
-               command.add_option("DIR", o.folder, "Folder to write into")->required();
-               command.add_option("--seed", o.seed, "Seed of what is simulated");
-               command.add_option("--reading", o.reading,
-                                  "Reading of Table A2: ngt-a2-five-regions (default), ngt-a2-printed, ngt-a2-shifted");
+               command.add_option("DIR", o.folder, "Folder to write into")->required()->check(notEmpty());
+               command.add_option("--seed", o.seed, "Seed of what is simulated, a whole number from 0")
+                   ->check(CLI::NonNegativeNumber);
+               command
+                   .add_option("--reading", o.reading,
+                               "Reading of Table A2: ngt-a2-five-regions (default), ngt-a2-printed, ngt-a2-shifted")
+                   ->check(notEmpty());
                addJson(command, o.json);
              });
   addCommand(
       app, chosen, "build", "Elicitation: from a study to its averaged force model", build,
       [](CLI::App& command, BuildOptions& o) {
-        command.add_option("STUDY", o.study, "Folder with the CSV tables")->required();
-        command.add_option("--out", o.out, "Model file to write")->required();
-        command.add_option("--weights", o.weights, "equal, years, category, column, or a CSV file participant,weight");
+        command.add_option("STUDY", o.study, "Folder with the CSV tables")->required()->check(notEmpty());
+        command.add_option("--out", o.out, "Model file to write")->required()->check(notEmpty());
+        command.add_option("--weights", o.weights, "equal, years, category, column, or a CSV file participant,weight")
+            ->check(notEmpty());
         command.add_option("--alpha", o.alpha, "Membership at which a cluster's core ends, in (0.5, 1]");
         command.add_option("--trim", o.trim, "Drop samples below this share of their stroke's peak speed, in [0, 1)");
         command
@@ -75,31 +86,34 @@ void addCommands(CLI::App& app, Chosen& chosen) {
       });
   addCommand(app, chosen, "cluster", "Fuzzy C-Means of one column of speeds", cluster,
              [](CLI::App& command, ClusterOptions& o) {
-               command.add_option("SPEEDS", o.speeds, "CSV file")->required();
+               command.add_option("SPEEDS", o.speeds, "CSV file")->required()->check(notEmpty());
                command.add_option("-c", o.clusters, "Number of clusters");
                command.add_option("-m", o.m, "Fuzziness, above 1");
-               command.add_option("--column", o.column, "Column to cluster");
+               command.add_option("--column", o.column, "Column to cluster")->check(notEmpty());
                addJson(command, o.json);
              });
   addCommand(app, chosen, "vote", "The vote on force judgements and the terms that follow", vote,
              [](CLI::App& command, VoteOptions& o) {
                command.add_option("JUDGEMENTS", o.judgements, "Table of judgements, or of vote counts as in Table 2")
-                   ->required();
-               command.add_option("--series", o.series, "Series of stimuli to count");
+                   ->required()
+                   ->check(notEmpty());
+               command.add_option("--series", o.series, "Series of stimuli to count")->check(notEmpty());
                addJson(command, o.json);
              });
   addCommand(app, chosen, "eval", "The force of a model at the points of a CSV file", eval,
              [](CLI::App& command, EvalOptions& o) {
-               command.add_option("MODEL", o.model, "Model file")->required();
-               command.add_option("--in", o.points, "CSV file with one column per input of the model")->required();
+               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               command.add_option("--in", o.points, "CSV file with one column per input of the model")
+                   ->required()
+                   ->check(notEmpty());
                command.add_option("--out", o.out, "CSV file to write; without it, to standard output");
-               command.add_option("--expert", o.expert, "One expert instead of the mean");
+               command.add_option("--expert", o.expert, "One expert instead of the mean")->check(notEmpty());
                command.add_option_function<std::string>(
                    "--method", [&o](const std::string& text) { o.sampling = parseMethod(text); },
                    "exact (default), or sampled like other tools: midpoint:N, linspace:N");
              });
   addCommand(app, chosen, "check", "Validation and lint of a model", check, [](CLI::App& command, CheckOptions& o) {
-    command.add_option("MODEL", o.model, "Model file")->required();
+    command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
     addJson(command, o.json);
   });
 }

@@ -36,7 +36,11 @@ Result<Count> countFile(const VoteOptions& options, const std::vector<std::strin
   const auto judgements = study::readJudgements(*table);
   if (!judgements) return tl::unexpected(judgements.error());
   auto steps = elicitation::countVotes(*judgements, options.series, terms);
-  if (!steps) return inFile(steps.error(), options.judgements);
+  if (!steps) {
+    auto error = steps.error();
+    error.file = options.judgements;
+    return tl::unexpected(std::move(error));
+  }
   count.steps = std::move(*steps);
   count.enrolled = elicitation::countParticipants(*judgements);
   return count;

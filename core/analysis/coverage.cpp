@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
+#include <tuple>
 
+#include "core/analysis/rule_table.h"
 #include "core/base/check.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
@@ -15,9 +18,6 @@ namespace {
 
 using fuzzy::ForceModel;
 using fuzzy::MembershipFunction;
-
-// Enough for thousands of boxes; a model that needs more is reported as incomplete instead of keeping people waiting.
-constexpr std::size_t kMostSteps = 200000;
 
 struct LiveCondition {
   std::size_t input;
@@ -34,19 +34,24 @@ struct Cell {
   double representative() const { return point ? low : low + (high - low) / 2; }
 };
 
+/// Rules with equal conditions count once: experts that share their terms ask mostly the same questions.
 std::vector<LiveRule> liveRules(const ForceModel& model, std::span<const std::size_t> experts) {
+  using Key = std::vector<std::tuple<std::size_t, bool, double, double, double, double, double, double>>;
   std::vector<LiveRule> rules;
+  std::set<Key> seen;
   for (const std::size_t e : experts) {
     const auto& expert = model.experts[e];
-    for (const auto& rule : expert.rules) {
-      if (!rule.enabled || rule.weight == 0) continue;
+    for (const auto& rule : resolveRules(model, expert)) {
       LiveRule live;
-      for (const auto& condition : rule.conditions) {
-        std::size_t i = 0;
-        while (model.inputs[i].id != condition.input) ++i;
-        live.push_back({i, MembershipFunction::of(*findTerm(termsFor(expert, model.inputs[i]), condition.term))});
+      Key key;
+      for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+        if (rule.termOf(i) < 0) continue;
+        const auto& term = termsFor(expert, model.inputs[i])[static_cast<std::size_t>(rule.termOf(i))];
+        const auto f = MembershipFunction::of(term);
+        live.push_back({i, f});
+        key.emplace_back(i, f.gaussian, f.a, f.b, f.c, f.d, f.mean, f.sigma);
       }
-      rules.push_back(std::move(live));
+      if (seen.insert(std::move(key)).second) rules.push_back(std::move(live));
     }
   }
   return rules;
@@ -78,7 +83,8 @@ std::vector<Cell> cellsOf(const fuzzy::Variable& variable, std::size_t input, co
 
 class Search {
  public:
-  Search(const ForceModel& model, std::vector<LiveRule> rules) : model_(model), rules_(std::move(rules)) {
+  Search(const ForceModel& model, std::vector<LiveRule> rules, std::size_t allowance)
+      : rules_(std::move(rules)), allowance_(allowance) {
     // The input that most rules mention first: where it alone kills every rule, the whole slab is one hole.
     order_.resize(model.inputs.size());
     std::iota(order_.begin(), order_.end(), 0);
@@ -126,10 +132,7 @@ class Search {
   }
 
   void descend(std::size_t depth, const std::vector<std::size_t>& live) {
-    if (++steps_ > kMostSteps) {
-      result_.complete = false;
-      return;
-    }
+    if (!result_.complete) return;
     if (live.empty()) {
       result_.holes.push_back(box_);
       return;
@@ -139,6 +142,12 @@ class Search {
 
     const std::size_t input = order_[depth];
     const auto& cells = cells_[input];
+    const std::size_t work = live.size() * cells.size();
+    if (work > allowance_) {
+      result_.complete = false;
+      return;
+    }
+    allowance_ -= work;
     const InputRange whole = box_.ranges[input];
     for (std::size_t first = 0; first < cells.size();) {
       const auto alive = survivors(live, input, cells[first].representative());
@@ -152,19 +161,18 @@ class Search {
     box_.ranges[input] = whole;
   }
 
-  const ForceModel& model_;
   std::vector<LiveRule> rules_;
+  std::size_t allowance_;
   std::vector<std::size_t> order_;
   std::vector<std::vector<Cell>> cells_;
   Hole box_;
   Coverage result_;
-  std::size_t steps_ = 0;
 };
 
 }  // namespace
 
-Coverage coverage(const ForceModel& model, std::span<const std::size_t> experts) {
-  return Search(model, liveRules(model, experts)).run();
+Coverage coverage(const ForceModel& model, std::span<const std::size_t> experts, std::size_t allowance) {
+  return Search(model, liveRules(model, experts), allowance).run();
 }
 
 std::string describe(const Hole& hole, const ForceModel& model) {

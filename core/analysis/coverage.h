@@ -34,11 +34,16 @@ struct Coverage {
   bool complete = true;     ///< false where the search was cut off because the model is too finely divided
 };
 
+/// Memberships that a search may look at: enough for thousands of boxes. A model that needs more is reported as
+/// incomplete instead of keeping people waiting; a larger number makes them wait longer.
+inline constexpr std::size_t kCoverageAllowance = 20'000'000;
+
 /// Holes of the experts at the given indices taken together: a point is covered where one of them has a rule of
 /// strength > 0. With one index: where that expert abstains; with all of weight > 0: where the averaged force has no
 /// value. The boundaries are ends of supports, nothing is sampled. A Gaussian covers everything. `model` must be valid
 /// (fuzzy::validate).
-Coverage coverage(const fuzzy::ForceModel& model, std::span<const std::size_t> experts);
+Coverage coverage(const fuzzy::ForceModel& model, std::span<const std::size_t> experts,
+                  std::size_t allowance = kCoverageAllowance);
 
 /// `depth 125 to 138 mm`, the ranges that are not whole universes; `everywhere` where all are.
 std::string describe(const Hole& hole, const fuzzy::ForceModel& model);

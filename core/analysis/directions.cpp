@@ -1,9 +1,11 @@
 #include "core/analysis/directions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <optional>
 
+#include "core/analysis/rule_table.h"
+#include "core/analysis/sample_points.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {
@@ -17,8 +19,34 @@ double centre(const Term& term) {
   return f.gaussian ? f.mean : (f.a + f.b + f.c + f.d) / 4;
 }
 
-/// Consequents along one input with the other conditions fixed, by the centre of the input's term.
-using Sequence = std::multimap<double, std::pair<const Term*, const Term*>>;
+/// A rule along one input: its term there and its consequent.
+struct Stop {
+  const fuzzy::Rule* rule;
+  const Term* along;
+  const Term* then;
+};
+
+/// Rules along one input with the other conditions fixed, by the centre of the input's term.
+using Sequence = std::multimap<double, Stop>;
+
+/// Values of each input at which `conditions` are met in full: one where there is a condition, all that are worth a
+/// look where there is none.
+std::vector<std::vector<double>> valuesFor(const ForceProbe& probe, const fuzzy::Expert& expert,
+                                           const std::vector<Condition>& conditions) {
+  const auto& model = probe.model();
+  std::vector<std::vector<double>> values;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const auto& input = model.inputs[i];
+    const auto condition =
+        std::find_if(conditions.begin(), conditions.end(), [&](const Condition& c) { return c.input == input.id; });
+    if (condition == conditions.end()) {
+      values.push_back(probe.values(i));
+    } else {
+      values.push_back({peakPosition(*findTerm(termsFor(expert, input), condition->term), input.min, input.max)});
+    }
+  }
+  return values;
+}
 
 }  // namespace
 
@@ -48,21 +76,22 @@ ExpertDirection direction(const fuzzy::ForceModel& model, const fuzzy::Expert& e
     }
     if (along == nullptr) continue;
     const Term* const then = findTerm(termsFor(expert, model.output), rule.then);
-    sequences[describe(others)].emplace(centre(*along), std::pair{along, then});
+    sequences[describe(others)].emplace(centre(*along), Stop{&rule, along, then});
   }
 
-  std::vector<std::string> up;
-  std::vector<std::string> down;
+  std::vector<RuleStep> up;
+  std::vector<RuleStep> down;
   for (const auto& [others, sequence] : sequences) {
-    const std::pair<const Term*, const Term*>* before = nullptr;
+    const Stop* before = nullptr;
     for (const auto& [position, here] : sequence) {
-      if (before != nullptr) {
-        const double change = centre(*here.second) - centre(*before->second);
-        const std::string step = input.id + " from " + before->first->id + " to " + here.first->id +
-                                 (others.empty() ? "" : " where " + others) + ", force from " + before->second->id +
-                                 " to " + here.second->id;
-        if (change > 0) up.push_back(step);
-        if (change < 0) down.push_back(step);
+      if (before != nullptr && before->along != here.along) {
+        const double change = centre(*here.then) - centre(*before->then);
+        const std::string text = input.id + " from " + before->along->id + " to " + here.along->id +
+                                 (others.empty() ? "" : " where " + others) + ", force from " + before->then->id +
+                                 " to " + here.then->id;
+        if (change != 0) {
+          (change > 0 ? up : down).push_back({text, before->rule->conditions, here.rule->conditions, change > 0});
+        }
       }
       before = &here;
     }
@@ -71,6 +100,62 @@ ExpertDirection direction(const fuzzy::ForceModel& model, const fuzzy::Expert& e
   if (steps > 0 && 4 * up.size() >= 3 * steps) return {Direction::kRises, std::move(down)};
   if (steps > 0 && 4 * down.size() >= 3 * steps) return {Direction::kFalls, std::move(up)};
   return {};
+}
+
+std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, const RuleStep& step,
+                                       std::size_t samples) {
+  if (!probe.affords()) return std::nullopt;
+  const auto& who = probe.model().experts[expert];
+  const SamplePoints from(valuesFor(probe, who, step.before), samples);
+  const SamplePoints to(valuesFor(probe, who, step.after), samples);
+  std::optional<ForceChange> largest;
+  for (std::size_t p = 0; p < from.size() && probe.affords(); ++p) {
+    auto before = from[p];
+    auto after = to[p];
+    const auto start = probe.expert(expert, before);
+    const auto end = probe.expert(expert, after);
+    if (!start.fired || !end.fired) continue;
+    const double newtons = std::max(0.0, step.rises ? end.force_n - start.force_n : start.force_n - end.force_n);
+    if (!largest || newtons > largest->newtons) largest = ForceChange{newtons, std::move(before), std::move(after)};
+  }
+  return largest;
+}
+
+std::vector<std::optional<ForceChange>> differencesAlong(ForceProbe& probe, std::size_t input, std::size_t samples) {
+  const auto& model = probe.model();
+  std::vector<std::vector<double>> values;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const auto& v = model.inputs[i];
+    values.push_back(i == input ? std::vector<double>{v.min} : probe.values(i));
+  }
+  const SamplePoints points(std::move(values), samples);
+  std::vector<std::optional<ForceChange>> largest(model.experts.size());
+  std::vector<std::optional<double>> changes(model.experts.size());
+  for (std::size_t p = 0; p < points.size() && probe.affords(); ++p) {
+    const auto low = points[p];
+    auto high = low;
+    high[input] = model.inputs[input].max;
+    double weights = 0;
+    double sum = 0;
+    for (std::size_t e = 0; e < changes.size(); ++e) {
+      const auto from = probe.expert(e, low);
+      const auto to = probe.expert(e, high);
+      changes[e].reset();
+      if (!from.fired || !to.fired) continue;
+      changes[e] = to.force_n - from.force_n;
+      weights += probe.compiled().weight(e);
+      sum += probe.compiled().weight(e) * *changes[e];
+    }
+    for (std::size_t e = 0; e < changes.size(); ++e) {
+      const double own = probe.compiled().weight(e);
+      // Others that weigh less than this are lost in the rounding of the sums.
+      const bool others = changes[e] && weights - own > 1e-9 * weights;
+      if (!others) continue;
+      const double newtons = std::abs(*changes[e] - (sum - own * *changes[e]) / (weights - own));
+      if (!largest[e] || newtons > largest[e]->newtons) largest[e] = ForceChange{newtons, low, high};
+    }
+  }
+  return largest;
 }
 
 }  // namespace tactus::analysis

@@ -1,85 +1,234 @@
 #include "core/analysis/lint.h"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
+#include <cmath>
 #include <set>
 
+#include "core/analysis/boundary_jumps.h"
 #include "core/analysis/directions.h"
+#include "core/analysis/force_probe.h"
 #include "core/analysis/reachable_range.h"
-#include "core/base/text.h"
+#include "core/analysis/rule_findings.h"
+#include "core/analysis/rule_table.h"
+#include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {
 namespace {
 
 using fuzzy::Expert;
 using fuzzy::ForceModel;
+using fuzzy::Variable;
 using Kind = Finding::Kind;
 
-void addHoles(const ForceModel& model, std::span<const std::size_t> experts, const std::string& who, Lint& out) {
-  const Coverage found = coverage(model, experts);
-  out.coverage_complete = out.coverage_complete && found.complete;
-  for (const auto& hole : found.holes) {
-    const std::string place = describe(hole, model);
-    const std::string subject = who.empty() ? "every expert abstains" : "no rule fires";
-    out.findings.push_back({Kind::kHole, who, place, subject + ": " + place});
-  }
-}
+// Rules looked at for the newtons of all findings together: below a second also where there are many.
+constexpr std::size_t kAllowance = 100'000'000;
+// Each expert's share of the search for holes is at least this, enough for some hundreds of boxes.
+constexpr std::size_t kSmallestSearch = 100'000;
+// Settings of the other inputs at each place: more find larger jumps, rarely by much.
+constexpr std::size_t kMostSettings = 100;
+// Jumps below this share of the output's universe are rounding.
+constexpr double kNoJump = 1e-12;
 
-void addConflicts(const Expert& expert, Lint& out) {
-  std::map<std::string, const fuzzy::Rule*> seen;
-  for (const auto& rule : expert.rules) {
-    if (!rule.enabled) continue;
-    const std::string key = describe(rule.conditions);
-    const auto [it, fresh] = seen.emplace(key, &rule);
-    if (fresh) continue;
-    out.findings.push_back(
-        {Kind::kConflict, expert.id, key, "two rules for " + key + ": " + it->second->then + " and " + rule.then});
-  }
-}
+class Linter {
+ public:
+  Linter(const ForceModel& model, const fuzzy::CompiledModel& compiled)
+      : model_(model), probe_(model, compiled, kAllowance), always_fires_(model.experts.size()) {}
 
-void addUnusedTerms(const ForceModel& model, const Expert& expert, Lint& out) {
-  std::set<std::pair<std::string, std::string>> used;
-  for (const auto& rule : expert.rules) {
-    if (!rule.enabled) continue;
-    for (const auto& condition : rule.conditions) used.emplace(condition.input, condition.term);
-    used.emplace(model.output.id, rule.then);
-  }
-  const auto look_at = [&](const fuzzy::Variable& variable) {
-    for (const auto& term : termsFor(expert, variable)) {
-      if (used.contains({variable.id, term.id})) continue;
-      out.findings.push_back({Kind::kUnusedTerm, expert.id, variable.id + ' ' + term.id,
-                              "no rule mentions " + variable.id + " is " + term.id});
+  Lint run() {
+    findHoles();
+    addHoles();
+    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
+      const auto rules = resolveRules(model_, model_.experts[e]);
+      addConflicts(model_.experts[e], rules);
+      addRedundantRules(model_.experts[e], rules);
+      addUnreachableRules(model_.experts[e], rules);
+      addTerms(model_.experts[e], rules);
     }
-  };
-  for (const auto& input : model.inputs) look_at(input);
-  look_at(model.output);
-}
+    for (std::size_t i = 0; i < model_.inputs.size(); ++i) addDirections(i);
+    out_.newtons_complete = probe_.affords();
+    out_.reachable = reachableRange(model_, probe_.compiled());
+    out_.bounds = forceBounds(model_, always_fires_);
+    return std::move(out_);
+  }
 
-void addDirections(const ForceModel& model, Lint& out) {
-  for (const auto& input : model.inputs) {
+ private:
+  void add(Kind kind, const std::string& who, std::string place, std::string text,
+           std::optional<double> newtons = std::nullopt) {
+    out_.findings.push_back({kind, who, std::move(place), std::move(text), newtons, {}, {}});
+  }
+
+  template <class Change>
+  void addWithPoints(Kind kind, const std::string& who, std::string place, std::string text,
+                     const std::optional<Change>& change) {
+    add(kind, who, std::move(place), std::move(text));
+    if (!change) return;
+    auto& finding = out_.findings.back();
+    finding.newtons = change->newtons;
+    finding.from = pointsOf(*change).first;
+    finding.to = pointsOf(*change).second;
+  }
+  static auto pointsOf(const BoundaryJump& jump) { return std::pair{jump.outside, jump.inside}; }
+  static auto pointsOf(const ForceChange& change) { return std::pair{change.from, change.to}; }
+
+  void findHoles() {
+    std::vector<std::size_t> weighty;
+    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
+      if (model_.experts[e].weight > 0) weighty.push_back(e);
+    }
+    const auto look = [&](std::span<const std::size_t> experts, std::size_t allowance) {
+      Coverage found = coverage(model_, experts, allowance);
+      out_.coverage_complete = out_.coverage_complete && found.complete;
+      hole_count_ += found.holes.size();
+      return found;
+    };
+    common_ = look(weighty, kCoverageAllowance).holes;
+    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
+      Coverage found = look(std::span(&e, 1), std::max(kSmallestSearch, kCoverageAllowance / model_.experts.size()));
+      always_fires_[e] = found.complete && found.holes.empty() && !hasGaussianInputs(model_.experts[e]);
+      own_.push_back(std::move(found.holes));
+    }
+  }
+
+  /// Far from its mean a Gaussian is 0 in double precision, so what it alone covers is not sure to fire.
+  bool hasGaussianInputs(const Expert& expert) const {
+    return std::any_of(model_.inputs.begin(), model_.inputs.end(), [&](const Variable& input) {
+      const auto& terms = termsFor(expert, input);
+      return std::any_of(terms.begin(), terms.end(), [](const auto& t) { return t.shape == fuzzy::Shape::kGaussian; });
+    });
+  }
+
+  /// Settings that each of `places` may look at, each for the cost of a few averaged forces.
+  std::size_t settings(std::size_t places) const {
+    const std::size_t share = kAllowance / (1 + 8 * places * probe_.costOfMean());
+    return std::clamp<std::size_t>(share, 1, kMostSettings);
+  }
+
+  void addHoles() {
+    const std::size_t samples = settings(hole_count_);
+    for (const auto& hole : common_) {
+      const std::string place = describe(hole, model_);
+      addWithPoints(Kind::kHole, "", place, "every expert abstains: " + place,
+                    jumpToDefault(probe_, hole, std::nullopt, samples));
+    }
+    for (std::size_t e = 0; e < own_.size(); ++e) {
+      const auto& who = model_.experts[e];
+      for (const auto& hole : own_[e]) {
+        const std::string place = describe(hole, model_);
+        addWithPoints(Kind::kHole, who.id, place, "no rule fires: " + place, jumpToDefault(probe_, hole, e, samples));
+        if (who.weight == 0) continue;
+        const auto jump = jumpOfMean(probe_, hole, e, samples);
+        if (!jump || jump->newtons <= kNoJump * (model_.output.max - model_.output.min)) continue;
+        addWithPoints(Kind::kAbstentionJump, who.id, place,
+                      "the mean jumps where this expert starts to abstain: " + place, jump);
+      }
+    }
+  }
+
+  const fuzzy::Term& consequent(const Expert& expert, std::size_t rule) const {
+    return *findTerm(termsFor(expert, model_.output), expert.rules[rule].then);
+  }
+
+  void addConflicts(const Expert& expert, const std::vector<ResolvedRule>& rules) {
+    const auto force_alone = [&](std::size_t rule) -> std::optional<double> {
+      const auto it = std::lower_bound(rules.begin(), rules.end(), rule,
+                                       [](const ResolvedRule& r, std::size_t index) { return r.index < index; });
+      const double strength = largestStrength(model_, expert, *it);
+      if (strength == 0) return std::nullopt;
+      return forceOfTerm(model_, consequent(expert, rule), strength);
+    };
+    for (const auto& [rule, other] : conflicts(rules)) {
+      const std::string key = describe(expert.rules[rule].conditions);
+      const auto one = force_alone(other);
+      const auto two = force_alone(rule);
+      add(Kind::kConflict, expert.id, key,
+          "two rules for " + key + ": " + expert.rules[other].then + " and " + expert.rules[rule].then,
+          one && two ? std::optional(std::abs(*one - *two)) : std::nullopt);
+    }
+  }
+
+  void addRedundantRules(const Expert& expert, const std::vector<ResolvedRule>& rules) {
+    for (const auto& [rule, other] : redundantRules(rules, model_.inputs.size())) {
+      const std::string key = describe(expert.rules[rule].conditions);
+      std::string text = "the rule for ";
+      text.append(key).append(" can be removed: ").append(describe(expert.rules[other].conditions));
+      text.append(" already gives ").append(expert.rules[rule].then);
+      add(Kind::kRedundantRule, expert.id, key, std::move(text), 0.0);
+    }
+  }
+
+  void addUnreachableRules(const Expert& expert, const std::vector<ResolvedRule>& rules) {
+    for (const auto& rule : rules) {
+      if (largestStrength(model_, expert, rule) > 0) continue;
+      const std::string key = describe(expert.rules[rule.index].conditions);
+      add(Kind::kUnreachableRule, expert.id, key, "no input inside the universes makes it fire: " + key);
+    }
+  }
+
+  void addTerms(const Expert& expert, const std::vector<ResolvedRule>& rules) {
+    std::set<std::pair<std::string, std::string>> used;
+    for (const auto& rule : expert.rules) {
+      if (!rule.enabled) continue;
+      for (const auto& condition : rule.conditions) used.emplace(condition.input, condition.term);
+    }
+    for (const Variable& input : model_.inputs) {
+      for (const auto& term : termsFor(expert, input)) {
+        const std::string place = input.id + ' ' + term.id;
+        if (!used.contains({input.id, term.id})) {
+          add(Kind::kUnusedTerm, expert.id, place, "no rule mentions " + input.id + " is " + term.id);
+        }
+        if (fuzzy::MembershipFunction::of(term)(peakPosition(term, input.min, input.max)) > 0) continue;
+        add(Kind::kUnreachableTerm, expert.id, place, "the term lies outside the universe: " + place);
+      }
+    }
+    const auto strengths = largestStrengths(model_, expert, rules);
+    const auto& terms = termsFor(expert, model_.output);
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      if (strengths[t] > 0) continue;
+      add(Kind::kUnreachableTerm, expert.id, model_.output.id + ' ' + terms[t].id,
+          "no rule that can fire concludes " + model_.output.id + " is " + terms[t].id);
+    }
+  }
+
+  void addDirections(std::size_t input_index) {
+    const Variable& input = model_.inputs[input_index];
     int votes = 0;
+    std::size_t steps = 0;
     std::vector<ExpertDirection> directions;
-    for (const auto& expert : model.experts) {
-      directions.push_back(direction(model, expert, input));
+    for (const auto& expert : model_.experts) {
+      directions.push_back(direction(model_, expert, input));
       votes += static_cast<int>(directions.back().prevailing);
+      steps += directions.back().steps_against.size();
     }
+    const bool disagree = std::any_of(directions.begin(), directions.end(),
+                                      [&](const auto& d) { return static_cast<int>(d.prevailing) * votes < 0; });
+    std::vector<std::optional<ForceChange>> differences(model_.experts.size());
+    if (disagree) differences = differencesAlong(probe_, input_index, settings(model_.inputs.size()));
     for (std::size_t e = 0; e < directions.size(); ++e) {
       const auto& [prevailing, steps_against] = directions[e];
-      const std::string& who = model.experts[e].id;
+      const std::string& who = model_.experts[e].id;
       for (const auto& step : steps_against) {
-        out.findings.push_back(
-            {Kind::kDirectionChange, who, step, "against the direction of most steps over " + input.id + ": " + step});
+        addWithPoints(Kind::kDirectionChange, who, step.text,
+                      "against the direction of most steps over " + input.id + ": " + step.text,
+                      changeAlong(probe_, e, step, settings(steps)));
       }
       const bool falls = prevailing == Direction::kFalls;
       if (static_cast<int>(prevailing) * votes < 0) {
-        out.findings.push_back({Kind::kDisagreement, who, input.id,
-                                std::string("the force ") + (falls ? "falls" : "rises") + " with " + input.id +
-                                    ", for most experts it " + (falls ? "rises" : "falls")});
+        addWithPoints(Kind::kDisagreement, who, input.id,
+                      std::string("the force ") + (falls ? "falls" : "rises") + " with " + input.id +
+                          ", for most experts it " + (falls ? "rises" : "falls"),
+                      differences[e]);
       }
     }
   }
-}
+
+  const ForceModel& model_;
+  ForceProbe probe_;
+  Lint out_;
+  std::vector<Hole> common_;            ///< where every expert abstains
+  std::vector<std::vector<Hole>> own_;  ///< one list per expert
+  std::vector<bool> always_fires_;
+  std::size_t hole_count_ = 0;
+};
 
 }  // namespace
 
@@ -87,34 +236,26 @@ std::string_view name(Kind kind) noexcept {
   switch (kind) {
     case Kind::kHole:
       return "hole";
+    case Kind::kAbstentionJump:
+      return "abstention_jump";
     case Kind::kConflict:
       return "conflict";
+    case Kind::kRedundantRule:
+      return "redundant_rule";
     case Kind::kDirectionChange:
       return "direction_change";
     case Kind::kDisagreement:
       return "disagreement";
     case Kind::kUnusedTerm:
       return "unused_term";
+    case Kind::kUnreachableTerm:
+      return "unreachable_term";
+    case Kind::kUnreachableRule:
+      return "unreachable_rule";
   }
   return "";
 }
 
-Lint lint(const ForceModel& model, const fuzzy::CompiledModel& compiled) {
-  Lint out;
-  std::vector<std::size_t> weighty;
-  for (std::size_t e = 0; e < model.experts.size(); ++e) {
-    if (model.experts[e].weight > 0) weighty.push_back(e);
-  }
-  addHoles(model, weighty, "", out);
-  for (std::size_t e = 0; e < model.experts.size(); ++e) {
-    const auto& expert = model.experts[e];
-    addHoles(model, std::span(&e, 1), expert.id, out);
-    addConflicts(expert, out);
-    addUnusedTerms(model, expert, out);
-  }
-  addDirections(model, out);
-  out.reachable = reachableRange(model, compiled);
-  return out;
-}
+Lint lint(const ForceModel& model, const fuzzy::CompiledModel& compiled) { return Linter(model, compiled).run(); }
 
 }  // namespace tactus::analysis

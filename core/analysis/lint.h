@@ -1,10 +1,12 @@
 // What a researcher should know about a valid model before it is used: findings, not errors.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/analysis/coverage.h"
+#include "core/analysis/force_bounds.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 
@@ -12,16 +14,27 @@ namespace tactus::analysis {
 
 struct Finding {
   enum class Kind {
-    kHole,             ///< a region where no rule fires
-    kConflict,         ///< the same conditions with another consequent
-    kDirectionChange,  ///< a step against the direction of most steps of the same expert and input
-    kDisagreement,     ///< an expert whose direction for an input is opposite to that of most experts
-    kUnusedTerm,       ///< a term that no enabled rule of the expert mentions
+    kHole,             ///< a region where no rule fires; newtons: the jump to the default force at its boundary
+    kAbstentionJump,   ///< an expert starts to abstain while others go on; newtons: the jump of the mean there
+    kConflict,         ///< the same conditions with another consequent; newtons: between the two rules, each alone
+    kRedundantRule,    ///< another rule says the same with fewer conditions; newtons: 0, it can be removed
+    kDirectionChange,  ///< a step against the direction of most steps of the same expert and input; newtons: the
+                       ///< change of the expert's force along it
+    kDisagreement,     ///< an expert whose direction for an input is opposite to that of most experts; newtons: its
+                       ///< change of force over the input against that of the others
+    kUnusedTerm,       ///< an input term that no enabled rule of the expert mentions
+    kUnreachableTerm,  ///< an input term outside its universe, or an output term that no rule ever concludes
+    kUnreachableRule,  ///< a rule whose conditions are never true together
   };
   Kind kind = Kind::kHole;
   std::string expert;  ///< expert id; empty where the averaged model is meant
   std::string place;   ///< what it is about: a region, a rule, an input
   std::string text;    ///< one sentence
+  /// The force at stake. Where it comes from looking at settings of further inputs, the largest one seen. Nothing where
+  /// a force has no meaning, or where no such setting was found.
+  std::optional<double> newtons;
+  std::vector<double> from;  ///< two points between which the force changes by `newtons`; empty where it is not so
+  std::vector<double> to;
 };
 
 /// `hole`, `conflict`, …
@@ -38,14 +51,16 @@ struct ForceRange {
 struct Lint {
   std::vector<Finding> findings;
   bool coverage_complete = true;
+  bool newtons_complete = true;  ///< false where a huge model used up the time for looking at forces
   ForceRange reachable;
+  std::optional<ForceBounds> bounds;  ///< proved for every point where the mean fires; nothing where it never does
 };
 
 /// All findings about `model`, which must be valid. Holes have exact boundaries. Directions are read off the rules:
 /// along the terms of one input, in the order of their centres, with the other conditions of a rule held fixed, each
 /// change of the consequent is a step up or down; three quarters of an expert's steps in one direction make it the
 /// direction. The reachable range is what was seen at the vertices of the terms and between them, so the true range may
-/// be a little wider.
+/// be a little wider; it lies within the bounds.
 Lint lint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled);
 
 }  // namespace tactus::analysis

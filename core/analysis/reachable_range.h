@@ -6,7 +6,7 @@
 namespace tactus::analysis {
 
 /// Looks at every combination of the vertices of all terms and the middles between them, or, where these are more than
-/// 20,000, at 20,000 points of a Halton sequence over them. Deterministic.
+/// 20,000, at 20,000 points of a Halton sequence over them, fewer where the model has many rules. Deterministic.
 ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled);
 
 }  // namespace tactus::analysis

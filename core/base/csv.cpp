@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <utility>
 
 #include "core/base/check.h"
@@ -15,7 +17,8 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 31U;
 // No real row is longer; garbage without line ends is refused before it is split into cells.
 constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
 
-/// Splits a buffer into records. Quoted cells are unescaped in place, which only ever makes them shorter.
+/// Splits a buffer into records. The cells move together in place, unquoted, with one byte between neighbours: that
+/// never needs more room than the text had, and one offset says where a cell starts and where the one before ends.
 class Splitter {
  public:
   explicit Splitter(std::string& text) : text_(text) {
@@ -24,8 +27,9 @@ class Splitter {
 
   /// Reads the next record into `cells`; false at the end of the text.
   Result<bool> next(std::vector<std::string_view>& cells) {
-    skipCommentsAndEmptyLines();
+    skipToRecord();
     if (at_ >= text_.size()) return false;
+    begun_ = true;
     record_line_ = line_;
     cells.clear();
     const std::size_t start = at_;
@@ -46,6 +50,8 @@ class Splitter {
   }
 
   std::size_t recordLine() const { return record_line_; }
+  /// Where the next cell would start.
+  std::size_t end() const { return out_; }
 
  private:
   std::string linePlace() const { return "line " + std::to_string(record_line_); }
@@ -56,9 +62,10 @@ class Splitter {
     ++line_;
   }
 
-  void skipCommentsAndEmptyLines() {
+  /// Past empty lines and, before the first record, comments. Later a # begins a cell: no row may vanish.
+  void skipToRecord() {
     while (at_ < text_.size()) {
-      if (text_[at_] == '#') {
+      if (text_[at_] == '#' && !begun_) {
         at_ = std::min(text_.find('\n', at_), text_.size());
       } else if (text_[at_] != '\n' && text_[at_] != '\r') {
         return;
@@ -71,12 +78,14 @@ class Splitter {
     const std::size_t start = at_;
     const std::size_t limit = std::min(text_.size(), start + kLongestLine + 1);
     while (at_ < limit && text_[at_] != ',' && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
-    return std::string_view(text_).substr(start, at_ - start);
+    const std::size_t size = at_ - start;
+    if (out_ != start) std::memmove(text_.data() + out_, text_.data() + start, size);
+    return taken(size);
   }
 
   Result<std::string_view> quotedCell() {
     const std::size_t start = ++at_;
-    std::size_t out = start;
+    std::size_t size = 0;
     const std::size_t limit = std::min(text_.size(), start + kLongestLine);
     while (at_ < limit) {
       if (text_[at_] == '"') {
@@ -87,19 +96,28 @@ class Splitter {
           if (!ends)
             return fail(ErrorCode::kSyntax, linePlace(), "text after a closing quote",
                         "a comma or the end of the line");
-          return std::string_view(text_).substr(start, out - start);
+          return taken(size);
         }
       }
       if (text_[at_] == '\n') ++line_;
-      text_[out++] = text_[at_++];
+      text_[out_ + size++] = text_[at_++];
     }
     return fail(ErrorCode::kSyntax, linePlace(), "an opening quote without its end", "a closing quote");
   }
 
+  /// The cell of `size` bytes at out_.
+  std::string_view taken(std::size_t size) {
+    const auto cell = std::string_view(text_).substr(out_, size);
+    out_ += size + 1;
+    return cell;
+  }
+
   std::string& text_;
   std::size_t at_ = 0;
+  std::size_t out_ = 0;  // never beyond at_
   std::size_t line_ = 1;
   std::size_t record_line_ = 1;
+  bool begun_ = false;
 };
 
 }  // namespace
@@ -122,13 +140,19 @@ Result<void> CsvTable::takeRow(const std::vector<std::string_view>& cells, std::
     return fail(ErrorCode::kSchema, "line " + std::to_string(line), std::to_string(cells.size()) + " cells",
                 std::to_string(columns_.size()) + " as in the first line");
   }
-  cells_.insert(cells_.end(), cells.begin(), cells.end());
-  lines_.push_back(line);
+  for (const auto cell : cells) starts_.push_back(static_cast<std::uint32_t>(cell.data() - text_->data()));
+  const bool consecutive = !jumps_.empty() && line - jumps_.back().line == rows_ - jumps_.back().row;
+  if (!consecutive) jumps_.push_back({static_cast<std::uint32_t>(rows_), static_cast<std::uint32_t>(line)});
+  ++rows_;
   return {};
 }
 
 Result<void> CsvTable::fill(std::string& text, Header header) {
+  if (text.size() > kMostBytes) return fail(ErrorCode::kLimit, {}, "more than 2 GiB", "a smaller table");
   if (!isUtf8(text)) return fail(ErrorCode::kSyntax, {}, "bytes that are not UTF-8 text", "a CSV table in UTF-8");
+  const auto ends_cell = [](char c) { return c == ',' || c == '\n'; };
+  // Never too few, so that the vector does not grow by copies; what stays unused is never touched.
+  starts_.reserve(static_cast<std::size_t>(std::count_if(text.begin(), text.end(), ends_cell)) + 2);
   Splitter splitter(text);
   std::vector<std::string_view> record;
   bool first = true;
@@ -147,15 +171,16 @@ Result<void> CsvTable::fill(std::string& text, Header header) {
     first = false;
   }
   if (first) return fail(ErrorCode::kSchema, {}, "an empty table", "a header line with the names of the columns");
+  starts_.push_back(static_cast<std::uint32_t>(splitter.end()));
   return {};
 }
 
 Result<CsvTable> CsvTable::parse(std::string text, std::string file, Header header) {
   const auto buffer = std::make_shared<std::string>(std::move(text));
   CsvTable table;
+  table.text_ = buffer;
   if (auto filled = table.fill(*buffer, header); !filled) return inFile(filled.error(), file);
   table.file_ = std::move(file);
-  table.text_ = buffer;
   return table;
 }
 
@@ -196,8 +221,15 @@ Result<long long> CsvTable::integer(std::size_t row, std::size_t column) const {
   return *value;
 }
 
+std::size_t CsvTable::line(std::size_t row) const {
+  const auto after = std::upper_bound(jumps_.begin(), jumps_.end(), row,
+                                      [](std::size_t wanted, const LineJump& jump) { return wanted < jump.row; });
+  const LineJump& jump = *std::prev(after);
+  return jump.line + (row - jump.row);
+}
+
 std::string CsvTable::place(std::size_t row, std::size_t column) const {
-  return "line " + std::to_string(lines_[row]) + ", column " + quoted(columns_[column]);
+  return "line " + std::to_string(line(row)) + ", column " + quoted(columns_[column]);
 }
 
 tl::unexpected<Error> CsvTable::refuse(std::size_t row, std::size_t column, ErrorCode code, std::string wanted) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,8 +14,8 @@
 
 namespace tactus::base {
 
-/// A table read from CSV. The cells are views into one buffer that the table keeps alive, so copies are cheap and
-/// millions of rows fit into memory.
+/// A table read from CSV. The cells are views into one buffer that the table keeps alive; beside the text each cell
+/// costs four bytes, so millions of rows fit into memory.
 class CsvTable {
  public:
   enum class Header {
@@ -22,9 +23,9 @@ class CsvTable {
     kOptional,  ///< a first line of nothing but numbers is data, and the columns are called 1, 2, …
   };
 
-  /// Reads `text`, said to be of `file` in errors. Lines that start with `#` are comments, empty lines are skipped.
-  /// Refused: no header, a doubled or empty column name, a row with another number of cells than the header, an open
-  /// quote, text that is not UTF-8, a line longer than 1 MiB.
+  /// Reads `text`, said to be of `file` in errors. Lines that start with `#` before the first record are
+  /// comments; empty lines are skipped. Refused: no header, a doubled or empty column name, a row with another number
+  /// of cells than the header, an open quote, text that is not UTF-8, a line longer than 1 MiB, more than 2 GiB.
   static Result<CsvTable> parse(std::string text, std::string file, Header header = Header::kRequired);
 
   /// Reads the file `path` of at most 2 GiB.
@@ -33,7 +34,7 @@ class CsvTable {
   const std::string& file() const { return file_; }
   const std::vector<std::string>& columns() const { return columns_; }
   bool hasHeader() const { return has_header_; }
-  std::size_t rowCount() const { return lines_.size(); }
+  std::size_t rowCount() const { return rows_; }
 
   /// Index of the column `name`, or nothing.
   std::optional<std::size_t> find(std::string_view name) const;
@@ -41,12 +42,17 @@ class CsvTable {
   Result<std::size_t> require(std::string_view name) const;
 
   /// The cell as text, spaces at the ends kept.
-  std::string_view cell(std::size_t row, std::size_t column) const { return cells_[row * columns_.size() + column]; }
+  std::string_view cell(std::size_t row, std::size_t column) const {
+    const std::size_t at = row * columns_.size() + column;
+    return std::string_view(*text_).substr(starts_[at], starts_[at + 1] - 1 - starts_[at]);
+  }
   /// The cell as a finite number, or an error with line, column and text.
   Result<double> number(std::size_t row, std::size_t column) const;
   /// The cell as an integer, or an error.
   Result<long long> integer(std::size_t row, std::size_t column) const;
 
+  /// The line that the row begins on, from 1.
+  std::size_t line(std::size_t row) const;
   /// `line 12, column 'speed_mm_s'`, for errors about a cell.
   std::string place(std::size_t row, std::size_t column) const;
   /// An error about a cell: its place, its text, and what was wanted.
@@ -57,12 +63,20 @@ class CsvTable {
   Result<void> takeHeader(const std::vector<std::string_view>& names, std::size_t line);
   Result<void> takeRow(const std::vector<std::string_view>& cells, std::size_t line);
 
+  /// Where the lines of the rows stop being consecutive.
+  struct LineJump {
+    std::uint32_t row;
+    std::uint32_t line;
+  };
+
   std::string file_;
   std::shared_ptr<const std::string> text_;
   std::vector<std::string> columns_;
   bool has_header_ = true;
-  std::vector<std::string_view> cells_;  // row by row
-  std::vector<std::size_t> lines_;       // line number of each row, from 1
+  // Row by row where each cell starts in *text_, and one more: a cell ends one byte before the next one starts.
+  std::vector<std::uint32_t> starts_;
+  std::vector<LineJump> jumps_;
+  std::size_t rows_ = 0;
 };
 
 /// Builds CSV text: rows in, text out; cells are quoted only where they must be.

@@ -55,11 +55,18 @@ mode_t wantedMode(const std::string& target) {
   return 0666U & ~mask;
 }
 
+/// Writes to something that is there and no regular file.
+Result<void> writeInto(const std::string& path, std::string_view bytes) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.number() >= 0 && writeAll(file.number(), bytes) && file.close()) return {};
+  return ioError(path, reason(errno), "a file that can be written");
+}
+
 }  // namespace
 
 Result<std::string> readFile(const std::string& path, std::size_t most_bytes) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number() < 0) return ioError(path, reason(errno), "a readable file");
+  if (file.number() < 0) return ioError(path, path.empty() ? "an empty file name" : reason(errno), "a readable file");
   struct stat info {};
   if (::fstat(file.number(), &info) != 0) return ioError(path, reason(errno), "a readable file");
   if (S_ISDIR(info.st_mode)) return ioError(path, "a folder", "a file");
@@ -98,7 +105,11 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view bytes
     const auto resolved = std::filesystem::canonical(path, ignored);
     if (!ignored) target = resolved.string();
   }
-  if (std::filesystem::is_directory(target, ignored)) return ioError(path, "a folder", "a file name");
+  struct stat info {};
+  const bool exists = ::stat(path.c_str(), &info) == 0;
+  if (exists && S_ISDIR(info.st_mode)) return ioError(path, "a folder", "a file name");
+  // A device or a pipe is written into: putting a file in its place would destroy it.
+  if (exists && !S_ISREG(info.st_mode)) return writeInto(path, bytes);
 
   std::string temporary = target + ".XXXXXX";
   const mode_t mode = wantedMode(target);

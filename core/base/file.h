@@ -14,7 +14,8 @@ namespace tactus::base {
 Result<std::string> readFile(const std::string& path, std::size_t most_bytes);
 
 /// Writes `bytes` to `path` through a temporary file beside it: synced, then renamed over `path`. On an error the old
-/// file, or its absence, stays as it was. A symbolic link is followed, so the file it names is replaced.
+/// file, or its absence, stays as it was. A symbolic link is followed, so the file it names is replaced. What is no
+/// regular file (a device, a pipe) is written into.
 Result<void> writeFileAtomically(const std::string& path, std::string_view bytes);
 
 /// Makes the folder `path` and its parents where they are missing.

@@ -135,7 +135,8 @@ double centroidOffset(std::span<const ActiveTerm> terms, Implication implication
     }
     addEnvelope({lines.data(), line_count}, x0.minus(origin), x1.minus(x0), sum);
   }
-  return origin.minus({lo}) + sum.moment / sum.area;
+  // Sets so narrow that their area underflows lie closer together than any bound can tell.
+  return origin.minus({lo}) + (sum.area > 0 ? sum.moment / sum.area : 0);
 }
 
 }  // namespace tactus::fuzzy

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/base/check.h"
-#include "core/fuzzy/compiled_model.h"
+#include "core/fuzzy/model_tables.h"
 #include "core/fuzzy/validate.h"
 
 namespace tactus::fuzzy {
@@ -27,56 +27,59 @@ std::size_t indexOf(const std::vector<Variable>& variables, const std::string& i
   return static_cast<std::size_t>(it - variables.begin());
 }
 
+RuleTable compileExpert(const ForceModel& model, const Expert& expert,
+                        std::vector<std::vector<MembershipFunction>>& banks) {
+  // Bank of the variable at `index` (the output comes after the inputs): shared, or the expert's own.
+  const auto bank_of = [&](const Variable& variable, std::size_t index) {
+    const auto& terms = termsFor(expert, variable);
+    if (&terms == &variable.terms) return static_cast<std::uint32_t>(index);
+    banks.push_back(compileTerms(terms));
+    return static_cast<std::uint32_t>(banks.size() - 1);
+  };
+
+  RuleTable table;
+  table.weight = expert.weight;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) table.input_bank.push_back(bank_of(model.inputs[i], i));
+  table.output_bank = bank_of(model.output, model.inputs.size());
+  const auto& output_terms = termsFor(expert, model.output);
+  for (const auto& rule : expert.rules) {
+    if (!rule.enabled || rule.weight == 0) continue;
+    table.rules.push_back({static_cast<std::uint32_t>(table.conditions.size()),
+                           static_cast<std::uint16_t>(rule.conditions.size()),
+                           static_cast<std::uint16_t>(indexOf(output_terms, rule.then)), rule.weight});
+    for (const auto& condition : rule.conditions) {
+      const std::size_t input = indexOf(model.inputs, condition.input);
+      const auto& terms = termsFor(expert, model.inputs[input]);
+      table.conditions.push_back(
+          {static_cast<std::uint8_t>(input), static_cast<std::uint8_t>(indexOf(terms, condition.term))});
+    }
+  }
+  return table;
+}
+
 }  // namespace
 
 base::Result<CompiledModel> compile(const ForceModel& model) {
   if (auto ok = validate(model); !ok) return tl::unexpected(ok.error());
 
-  CompiledModel out;
-  out.output_min_ = model.output.min;
-  out.output_max_ = model.output.max;
-  out.default_force_n_ = model.default_force_n;
-  out.implication_ = model.implication;
+  auto tables = std::make_shared<ModelTables>();
+  tables->output_min = model.output.min;
+  tables->output_max = model.output.max;
+  tables->default_force_n = model.default_force_n;
+  tables->implication = model.implication;
   for (const auto& input : model.inputs) {
-    out.input_min_.push_back(input.min);
-    out.input_max_.push_back(input.max);
-    out.banks_.push_back(compileTerms(input.terms));
+    tables->input_min.push_back(input.min);
+    tables->input_max.push_back(input.max);
+    tables->banks.push_back(compileTerms(input.terms));
   }
-  out.banks_.push_back(compileTerms(model.output.terms));
+  tables->banks.push_back(compileTerms(model.output.terms));
+  for (const auto& expert : model.experts) tables->experts.push_back(compileExpert(model, expert, tables->banks));
+  const std::vector<std::optional<double>> nothing_fixed(model.inputs.size());
+  tables->program = makeProgram(*tables, nothing_fixed);
 
-  // Bank of the variable at `index` (the output comes after the inputs) for one expert: shared, or the expert's own.
-  const auto bank_of = [&](const Expert& expert, const Variable& variable, std::size_t index) {
-    const auto& terms = termsFor(expert, variable);
-    if (&terms == &variable.terms) return static_cast<std::uint32_t>(index);
-    out.banks_.push_back(compileTerms(terms));
-    return static_cast<std::uint32_t>(out.banks_.size() - 1);
-  };
-
-  double largest_weight = 0;
-  for (const auto& expert : model.experts) largest_weight = std::max(largest_weight, expert.weight);
-  for (const auto& expert : model.experts) {
-    CompiledModel::CompiledExpert compiled;
-    compiled.weight = expert.weight / largest_weight;
-    for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-      compiled.input_bank.push_back(bank_of(expert, model.inputs[i], i));
-    }
-    compiled.output_bank = bank_of(expert, model.output, model.inputs.size());
-    const auto& output_terms = termsFor(expert, model.output);
-    for (const auto& rule : expert.rules) {
-      if (!rule.enabled || rule.weight == 0) continue;
-      compiled.rules.push_back({static_cast<std::uint32_t>(compiled.conditions.size()),
-                                static_cast<std::uint16_t>(rule.conditions.size()),
-                                static_cast<std::uint16_t>(indexOf(output_terms, rule.then)), rule.weight});
-      for (const auto& condition : rule.conditions) {
-        const std::size_t input = indexOf(model.inputs, condition.input);
-        const auto& terms = termsFor(expert, model.inputs[input]);
-        compiled.conditions.push_back(
-            {static_cast<std::uint8_t>(input), static_cast<std::uint8_t>(indexOf(terms, condition.term))});
-      }
-    }
-    out.experts_.push_back(std::move(compiled));
-  }
-  return out;
+  CompiledModel compiled;
+  compiled.tables_ = std::move(tables);
+  return compiled;
 }
 
 }  // namespace tactus::fuzzy

@@ -1,133 +1,106 @@
-// Evaluation of a compiled model at one point.
+// Evaluation of a compiled model at one point: the fast form, and the general path where that leaves something open.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/base/check.h"
-#include "core/fuzzy/centroid.h"
-#include "core/fuzzy/compiled_model.h"
+#include "core/fuzzy/general_path.h"
+#include "core/fuzzy/kernels.h"
+#include "core/fuzzy/model_tables.h"
 
 namespace tactus::fuzzy {
 namespace {
 
-constexpr std::uint32_t kNoBank = std::numeric_limits<std::uint32_t>::max();
-constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+constexpr Evaluation kNotANumber{std::numeric_limits<double>::quiet_NaN(), false};
+
+enum class Outcome { kFires, kAbstains, kOpen };
+
+Outcome outcomeOf(const Program& program, const Centroid& centroid, bool ordinary) noexcept {
+  if (centroid.area > program.negligible) return Outcome::kFires;
+  return centroid.area == 0 && program.zero_is_certain && ordinary ? Outcome::kAbstains : Outcome::kOpen;
+}
 
 }  // namespace
 
-/// Memberships of the current point times kStrengthScale, kept while consecutive experts share their terms.
-struct CompiledModel::Fuzzified {
-  std::array<std::array<double, kMostTerms>, kMostInputs> membership;
-  std::array<std::uint32_t, kMostInputs> bank;
+Evaluation evaluateFast(const ModelTables& tables, const Program& program, std::span<const double> clamped) noexcept {
+  if (!program.usable) return evaluateGenerally(tables, clamped);
+  std::array<Centroid, kMostExperts> centroids;
+  activeKernels().point(program, clamped.data(), centroids.data());
 
-  Fuzzified() noexcept { bank.fill(kNoBank); }
-};
+  // Mostly every expert fires.
+  const std::size_t experts = tables.experts.size();
+  bool all_fire = true;
+  double sum = 0;
+  for (std::size_t e = 0; e < experts; ++e) {
+    all_fire = all_fire && centroids[e].area > program.negligible;
+    sum += centroids[e].moment / centroids[e].area * program.experts[e].share;
+  }
+  if (all_fire) return {tables.output_min + sum, true};
+
+  const bool ordinary = areOrdinary(clamped);
+  Mean mean;
+  for (std::size_t e = 0; e < experts; ++e) {
+    const double weight = tables.experts[e].weight;
+    if (weight == 0) continue;
+    const Outcome outcome = outcomeOf(program, centroids[e], ordinary);
+    double offset = 0;
+    if (outcome == Outcome::kFires) {
+      mean.add(centroids[e].moment / centroids[e].area, weight);
+    } else if (outcome == Outcome::kOpen && expertOffsetGenerally(tables, e, clamped, offset)) {
+      mean.add(offset, weight);
+    }
+  }
+  return mean.result(tables);
+}
+
+std::size_t CompiledModel::inputCount() const noexcept { return tables_->input_min.size(); }
+std::size_t CompiledModel::expertCount() const noexcept { return tables_->experts.size(); }
+double CompiledModel::outputMin() const noexcept { return tables_->output_min; }
+double CompiledModel::outputMax() const noexcept { return tables_->output_max; }
+Implication CompiledModel::implication() const noexcept { return tables_->implication; }
+double CompiledModel::weight(std::size_t expert) const noexcept { return tables_->experts[expert].weight; }
 
 double CompiledModel::clampInput(std::size_t input, double value) const noexcept {
-  return std::clamp(value, input_min_[input], input_max_[input]);
-}
-
-bool CompiledModel::clampInputs(std::span<const double> inputs, std::span<double> clamped) const noexcept {
-  TACTUS_CHECK(inputs.size() == inputCount());
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (!std::isfinite(inputs[i])) return false;
-    clamped[i] = clampInput(i, inputs[i]);
-  }
-  return true;
-}
-
-bool CompiledModel::expertStrengths(const CompiledExpert& expert, std::span<const double> clamped, Fuzzified& fuzzified,
-                                    std::span<double> strengths) const noexcept {
-  for (std::size_t i = 0; i < clamped.size(); ++i) {
-    if (fuzzified.bank[i] == expert.input_bank[i]) continue;
-    const Bank& bank = banks_[expert.input_bank[i]];
-    for (std::size_t t = 0; t < bank.size(); ++t)
-      fuzzified.membership[i][t] = bank[t].scaled(clamped[i], kStrengthScale);
-    fuzzified.bank[i] = expert.input_bank[i];
-  }
-
-  std::fill(strengths.begin(), strengths.end(), 0.0);
-  bool fired = false;
-  for (const auto& rule : expert.rules) {
-    double membership = kStrengthScale;
-    for (std::uint32_t c = rule.first_condition; c < rule.first_condition + rule.condition_count; ++c) {
-      const auto& condition = expert.conditions[c];
-      membership = std::min(membership, fuzzified.membership[condition.input][condition.term]);
-    }
-    if (membership == 0) continue;
-    // The product may underflow, the rule fires all the same.
-    const double strength = std::max(rule.weight * membership, kSmallest);
-    strengths[rule.then] = std::max(strengths[rule.then], strength);
-    fired = true;
-  }
-  return fired;
-}
-
-bool CompiledModel::expertOffset(const CompiledExpert& expert, std::span<const double> clamped, Fuzzified& fuzzified,
-                                 double& offset) const noexcept {
-  const Bank& bank = banks_[expert.output_bank];
-  std::array<double, kMostTerms> strengths;
-  if (!expertStrengths(expert, clamped, fuzzified, {strengths.data(), bank.size()})) return false;
-
-  const double largest =
-      *std::max_element(strengths.begin(), strengths.begin() + static_cast<std::ptrdiff_t>(bank.size()));
-  std::array<ActiveTerm, kMostTerms> active;
-  std::size_t count = 0;
-  for (std::size_t t = 0; t < bank.size(); ++t) {
-    if (strengths[t] == 0) continue;
-    active[count++] = {&bank[t], std::max(strengths[t] / kStrengthScale, kSmallest),
-                       std::max(strengths[t] / largest, kSmallest)};
-  }
-  offset = centroidOffset({active.data(), count}, implication_, output_min_, output_max_);
-  return true;
+  return std::clamp(value, tables_->input_min[input], tables_->input_max[input]);
 }
 
 Evaluation CompiledModel::evaluate(std::span<const double> inputs) const noexcept {
   std::array<double, kMostInputs> clamped;
-  if (!clampInputs(inputs, clamped)) return {std::numeric_limits<double>::quiet_NaN(), false};
-
-  Fuzzified fuzzified;
-  const std::span<const double> point(clamped.data(), inputs.size());
-  double weights = 0;
-  double mean_offset = 0;
-  for (const auto& expert : experts_) {
-    double offset = 0;
-    if (expert.weight == 0 || !expertOffset(expert, point, fuzzified, offset)) continue;
-    // Running mean: stays between the smallest and the largest force, and one expert's force comes out unchanged.
-    weights += expert.weight;
-    mean_offset += (offset - mean_offset) * (expert.weight / weights);
-  }
-  if (weights == 0) return {default_force_n_, false};
-  return {output_min_ + mean_offset, true};
+  if (!tables_->clamp(inputs, clamped)) return kNotANumber;
+  return evaluateFast(*tables_, tables_->program, {clamped.data(), inputs.size()});
 }
 
 Evaluation CompiledModel::evaluateExpert(std::size_t expert, std::span<const double> inputs) const noexcept {
-  std::array<double, kMostInputs> clamped;
-  if (!clampInputs(inputs, clamped)) return {std::numeric_limits<double>::quiet_NaN(), false};
-  Fuzzified fuzzified;
+  std::array<double, kMostInputs> values;
+  if (!tables_->clamp(inputs, values)) return kNotANumber;
+  const std::span<const double> clamped(values.data(), inputs.size());
+  const Program& program = tables_->program;
   double offset = 0;
-  if (!expertOffset(experts_[expert], {clamped.data(), inputs.size()}, fuzzified, offset))
-    return {default_force_n_, false};
-  return {output_min_ + offset, true};
+  bool fires = false;
+  Outcome outcome = Outcome::kOpen;
+  if (program.usable) {
+    std::array<Centroid, kMostExperts> centroids;
+    activeKernels().point(program, values.data(), centroids.data());
+    outcome = outcomeOf(program, centroids[expert], areOrdinary(clamped));
+    fires = outcome == Outcome::kFires;
+    if (fires) offset = centroids[expert].moment / centroids[expert].area;
+  }
+  if (outcome == Outcome::kOpen) fires = expertOffsetGenerally(*tables_, expert, clamped, offset);
+  if (!fires) return {tables_->default_force_n, false};
+  return {tables_->output_min + offset, true};
 }
 
 bool CompiledModel::strengths(std::size_t expert, std::span<const double> inputs,
                               std::span<double> strengths) const noexcept {
   std::array<double, kMostInputs> clamped;
-  const auto terms = outputTerms(expert).size();
-  if (!clampInputs(inputs, clamped)) return false;
-  Fuzzified fuzzified;
-  const std::span<double> scaled = strengths.first(terms);
-  const bool fired = expertStrengths(experts_[expert], {clamped.data(), inputs.size()}, fuzzified, scaled);
-  for (double& strength : scaled) {
-    if (strength > 0) strength = std::max(strength / kStrengthScale, kSmallest);
-  }
-  return fired;
+  if (!tables_->clamp(inputs, clamped)) return false;
+  return expertStrengths(*tables_, expert, {clamped.data(), inputs.size()},
+                         strengths.first(outputTerms(expert).size()));
 }
 
 std::span<const MembershipFunction> CompiledModel::outputTerms(std::size_t expert) const noexcept {
-  return banks_[experts_[expert].output_bank];
+  return tables_->banks[tables_->experts[expert].output_bank];
 }
 
 }  // namespace tactus::fuzzy

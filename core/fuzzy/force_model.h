@@ -25,6 +25,9 @@ enum class Shape {
   kGaussian,   ///< points mean, sigma > 0
 };
 
+/// All shapes, for whoever has to find one by its name.
+inline constexpr Shape kShapes[] = {Shape::kTrapezoid, Shape::kTriangle, Shape::kGaussian};
+
 /// A linguistic term: a name for a fuzzy set on the universe of its variable.
 struct Term {
   std::string id;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <string_view>
@@ -185,7 +186,8 @@ Result<void> checkOverrides(const ForceModel& model, const Expert& expert, const
 }
 
 Result<void> checkExpert(const ForceModel& model, const Expert& expert, const std::string& place) {
-  if (auto ok = checkNumber(expert.weight, 0, kLargest, childPointer(place, "weight")); !ok) return ok;
+  if (auto ok = checkNumber(expert.weight, 0, std::numeric_limits<double>::max(), childPointer(place, "weight")); !ok)
+    return ok;
   if (auto ok = checkOverrides(model, expert, childPointer(place, "terms")); !ok) return ok;
   if (expert.rules.size() > kMostRules) {
     return fail(ErrorCode::kLimit, childPointer(place, "rules"), std::to_string(expert.rules.size()) + " rules",

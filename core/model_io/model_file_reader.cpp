@@ -3,6 +3,8 @@
 #include <initializer_list>
 #include <iterator>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "core/base/file.h"
@@ -14,6 +16,8 @@
 
 namespace tactus::model_io {
 namespace {
+
+using namespace std::string_view_literals;
 
 using base::Error;
 using base::ErrorCode;
@@ -49,7 +53,7 @@ class ModelReader {
 
  private:
   void readHeader(JsonValue root) {
-    only(root, "format", {kFormat});
+    only(root, "format", std::array{kFormat});
     if (error_) return;
     checkVersion(number(root, "version"), "/version");
   }
@@ -128,9 +132,10 @@ class ModelReader {
     warnUnknown(object, {"id", "label", "shape", "points"});
     out.id = text(object, "id");
     out.label = text(object, "label");
-    const std::string shape =
-        only(object, "shape", {name(Shape::kTrapezoid), name(Shape::kTriangle), name(Shape::kGaussian)});
-    for (const Shape one : {Shape::kTrapezoid, Shape::kTriangle, Shape::kGaussian}) {
+    std::vector<std::string_view> shapes;
+    for (const Shape one : fuzzy::kShapes) shapes.push_back(name(one));
+    const std::string shape = only(object, "shape", shapes);
+    for (const Shape one : fuzzy::kShapes) {
       if (shape == name(one)) out.shape = one;
     }
     out.points = numbers(object, "points");
@@ -140,10 +145,11 @@ class ModelReader {
   fuzzy::Implication inference(JsonValue object) {
     using fuzzy::Implication;
     warnUnknown(object, {"conjunction", "implication", "aggregation", "defuzzification"});
-    only(object, "conjunction", {"min"});
-    const std::string implication = only(object, "implication", {name(Implication::kClip), name(Implication::kScale)});
-    only(object, "aggregation", {"max"});
-    only(object, "defuzzification", {"centroid"});
+    only(object, "conjunction", std::array{"min"sv});
+    const std::string implication =
+        only(object, "implication", std::array{name(Implication::kClip), name(Implication::kScale)});
+    only(object, "aggregation", std::array{"max"sv});
+    only(object, "defuzzification", std::array{"centroid"sv});
     return implication == name(Implication::kScale) ? Implication::kScale : Implication::kClip;
   }
 
@@ -244,10 +250,10 @@ class ModelReader {
   }
 
   /// The string under `key`, which must be one of `known`.
-  std::string only(JsonValue object, std::string_view key, std::initializer_list<std::string_view> known) {
+  std::string only(JsonValue object, std::string_view key, std::span<const std::string_view> known) {
     std::string wanted;
     for (const auto word : known) {
-      if (!wanted.empty()) wanted += word == *(known.end() - 1) ? " or " : ", ";
+      if (!wanted.empty()) wanted += word == known.back() ? " or " : ", ";
       wanted += base::quoted(word);
     }
     const auto value = member(object, key, wanted);

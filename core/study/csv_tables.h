@@ -13,13 +13,14 @@ namespace tactus::study {
 /// A study read from a folder, and what was passed over.
 struct StudyTables {
   Study study;
-  std::vector<std::string> notes;  ///< one sentence each: columns that were ignored, tables that are absent
+  std::vector<std::string> notes;  ///< one sentence each: tables that are absent, columns that were ignored
 };
 
-/// Reads the tables of `folder`; the study takes the folder's name. `participants.csv` must be there; each other table
-/// may be absent. Refused: a missing column, a value of the wrong kind (with file, line and column), a participant, an
-/// answer, a judgement or a rule twice, a row of an unknown participant. Terms and levels are kept as text: elicitation
-/// knows which there are. Columns, one table each:
+/// Reads the tables of `folder`; the study takes the folder's name, each record keeps its line. `participants.csv` must
+/// be there; each other table may be absent. Refused: a missing column, a value of the wrong kind (with file, line and
+/// column), a step or stroke below 1, a force below 0, a participant, an answer, a judgement or a rule twice, a row of
+/// an unknown participant. Terms and levels are kept as text: elicitation knows which there are. Columns, one table
+/// each:
 ///   participants.csv  participant,years_experience,category,handedness,weight,simulated
 ///   speeds.csv        participant,level,stroke,time_s,depth_mm,speed_mm_s
 ///   judgements.csv    participant,series,step,force_n,term

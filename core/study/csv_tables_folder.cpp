@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/study/csv_columns.h"
 #include "core/study/csv_tables.h"
 
@@ -24,12 +25,12 @@ class FolderReader {
 
   /// Reads the table `name` with `read`. `known` are the columns that have a meaning, empty when all have.
   template <class Read>
-  auto table(const std::string& name, std::span<const std::string_view> known, Read read)
+  auto table(std::string_view name, std::span<const std::string_view> known, Read read)
       -> decltype(read(std::declval<const CsvTable&>())) {
     const fs::path path = folder_ / name;
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
-      notes_.push_back(name + " is absent.");
+      absent_.emplace_back(name);
       return {};
     }
     const auto csv = CsvTable::read(path.string());
@@ -44,14 +45,21 @@ class FolderReader {
     for (const auto& participant : participants) codes_.insert(participant.code);
   }
 
-  std::vector<std::string> takeNotes() { return std::move(notes_); }
+  std::vector<std::string> takeNotes() {
+    if (!absent_.empty()) {
+      const std::string one =
+          absent_.size() == 1 ? "Absent table, which counts as empty: " : "Absent tables, which count as empty: ";
+      notes_.insert(notes_.begin(), one + base::joined(absent_, ", ") + ".");
+    }
+    return std::move(notes_);
+  }
 
  private:
-  void noteIgnoredColumns(const std::string& name, const CsvTable& csv, std::span<const std::string_view> known) {
+  void noteIgnoredColumns(std::string_view name, const CsvTable& csv, std::span<const std::string_view> known) {
     if (known.empty()) return;
     for (const auto& column : csv.columns()) {
       if (std::find(known.begin(), known.end(), column) == known.end()) {
-        notes_.push_back(name + ": the column " + base::quoted(column) + " is ignored.");
+        notes_.push_back(std::string(name) + ": the column " + base::quoted(column) + " is ignored.");
       }
     }
   }
@@ -78,6 +86,7 @@ class FolderReader {
 
   fs::path folder_;
   std::unordered_set<std::string> codes_;
+  std::vector<std::string> absent_;
   std::vector<std::string> notes_;
 };
 
@@ -89,7 +98,7 @@ Result<void> checkFolder(const std::string& folder) {
   const auto status = fs::status(folder, ignored);
   if (!fs::exists(status)) return refused("nothing of this name");
   if (!fs::is_directory(status)) return refused("a file");
-  if (!fs::exists(fs::path(folder) / "participants.csv", ignored)) return refused("no participants.csv in it");
+  if (!fs::exists(fs::path(folder) / kParticipantsTable, ignored)) return refused("no participants.csv in it");
   return {};
 }
 
@@ -116,21 +125,21 @@ Result<StudyTables> readStudyFolder(const std::string& folder, const std::vector
   StudyTables tables;
   Study& study = tables.study;
   study.name = nameOf(folder);
-  auto participants = reader.table("participants.csv", kParticipantColumns, readParticipants);
+  auto participants = reader.table(kParticipantsTable, kParticipantColumns, readParticipants);
   if (!participants) return tl::unexpected(participants.error());
   study.participants = std::move(*participants);
   reader.setParticipants(study.participants);
 
-  auto speeds = reader.table("speeds.csv", kSpeedColumns, readSpeeds);
+  auto speeds = reader.table(kSpeedsTable, kSpeedColumns, readSpeeds);
   if (!speeds) return tl::unexpected(speeds.error());
   study.speeds = std::move(*speeds);
-  auto judgements = reader.table("judgements.csv", kJudgementColumns, readJudgements);
+  auto judgements = reader.table(kJudgementsTable, kJudgementColumns, readJudgements);
   if (!judgements) return tl::unexpected(judgements.error());
   study.judgements = std::move(*judgements);
-  auto answers = reader.table("answers.csv", kAnswerColumns, readAnswers);
+  auto answers = reader.table(kAnswersTable, kAnswerColumns, readAnswers);
   if (!answers) return tl::unexpected(answers.error());
   study.answers = std::move(*answers);
-  auto rules = reader.table("rules.csv", knownRuleColumns(input_ids),
+  auto rules = reader.table(kRulesTable, knownRuleColumns(input_ids),
                             [&input_ids](const CsvTable& csv) { return readRules(csv, input_ids); });
   if (!rules) return tl::unexpected(rules.error());
   study.rules = std::move(*rules);

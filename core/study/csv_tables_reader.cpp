@@ -54,6 +54,13 @@ class RowReader {
     return static_cast<int>(value);
   }
 
+  /// A number of something that is counted from 1.
+  int ordinal(std::size_t column) {
+    const int value = integer(column);
+    if (value < 1) refuse(column, ErrorCode::kValue, "an integer from 1");
+    return value;
+  }
+
   /// Empty, or a number from 0.
   std::optional<double> optionalAmount(std::size_t column) {
     if (text(column).empty()) return std::nullopt;
@@ -69,6 +76,8 @@ class RowReader {
     if (!error_)
       error_ = base::Error{code, table_.file(), table_.place(row_, column), std::move(found), std::move(wanted)};
   }
+
+  TableLine line() const { return {static_cast<std::uint32_t>(table_.line(row_))}; }
 
   const std::optional<base::Error>& error() const { return error_; }
 
@@ -93,6 +102,7 @@ Result<std::vector<Record>> readRows(const CsvTable& table, Read read) {
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     RowReader cells(table, row);
     records.push_back(read(cells));
+    records.back().line = cells.line();
     if (cells.error()) return tl::unexpected(*cells.error());
   }
   return records;
@@ -173,7 +183,7 @@ Result<std::vector<SpeedSample>> readSpeeds(const CsvTable& table) {
     SpeedSample sample;
     sample.participant = cells.requiredText(column[0], "the code of a participant");
     sample.level = cells.requiredText(column[1], "the level that was asked for");
-    sample.stroke = cells.integer(column[2]);
+    sample.stroke = cells.ordinal(column[2]);
     sample.time_s = cells.number(column[3]);
     sample.depth_mm = cells.number(column[4]);
     sample.speed_mm_s = cells.number(column[5]);
@@ -191,8 +201,9 @@ Result<std::vector<ForceJudgement>> readJudgements(const CsvTable& table) {
     ForceJudgement judgement;
     judgement.participant = cells.requiredText(column[0], "the code of a participant");
     judgement.series = cells.text(column[1]);
-    judgement.step = cells.integer(column[2]);
+    judgement.step = cells.ordinal(column[2]);
     judgement.force_n = cells.number(column[3]);
+    if (judgement.force_n < 0) cells.refuse(column[3], ErrorCode::kValue, "a force of 0 N or more");
     std::tie(judgement.kind, judgement.term) = judgementOf(cells.text(column[4]));
     if (!seen.emplace(judgement.participant, judgement.series, judgement.step).second) {
       cells.refuse(column[2], ErrorCode::kValue, "step " + std::to_string(judgement.step) + " of this series again",

@@ -62,6 +62,14 @@ bool mentions(const std::vector<std::string>& notes, const std::string& text) {
                      [&text](const std::string& note) { return note.find(text) != std::string::npos; });
 }
 
+/// JSON text of a setting of the provenance.
+std::string settingOf(const fuzzy::ForceModel& model, const std::string& key) {
+  for (const auto& setting : model.provenance->settings) {
+    if (setting.key == key) return setting.json;
+  }
+  return "absent";
+}
+
 /// Ten samples at each of three speeds, so that the centres are those speeds.
 void addSpeeds(study::Study& study, const char* who, std::vector<double> speeds_mm_s) {
   const char* levels[] = {"slow", "medium", "fast"};
@@ -128,6 +136,7 @@ TEST(ModelBuilder, SpeedTermsAreAveragedOrOwn) {
   // alpha = 1: the vertices are the centres, averaged 30, 120, 320; B's 440 widens the universe to 500.
   const auto& speed = built->model.inputs[3];
   EXPECT_EQ(speed.max, 500);
+  EXPECT_TRUE(mentions(built->notes, "The universe of the speed ends at 500 mm/s instead of 400 mm/s"));
   EXPECT_EQ(speed.terms[0].points, (std::vector<double>{0, 0, 30, 120}));
   EXPECT_EQ(speed.terms[1].points, (std::vector<double>{30, 120, 120, 320}));
   EXPECT_EQ(speed.terms[2].points, (std::vector<double>{120, 320, 500, 500}));
@@ -161,6 +170,7 @@ TEST(ModelBuilder, ForceTermsComeFromTheVote) {
   ASSERT_TRUE(built) << built.error().message();
   EXPECT_EQ(built->votes.size(), 5U);
   EXPECT_EQ(built->model.output.max, 1.25);
+  EXPECT_TRUE(mentions(built->notes, "The universe of the force ends at 1.25 N instead of 1.1 N"));
   EXPECT_EQ(built->model.output.terms[1].points, (std::vector<double>{0.25, 0.5, 0.5, 0.75}));
 
   // Nobody says medium, and nothing lies between small and large but the gap: a triangle, which A's rule may use.
@@ -202,6 +212,10 @@ TEST(ModelBuilder, GivenRulesWithoutAFormGetTheSetTheyUse) {
     for (const char* region : regions) study.rules.push_back({"A", "", {{"depth", region}}, "small", 1});
     const auto built = buildModel(study, forms(), {});
     EXPECT_TRUE(mentions(built.value().notes, "name no form"));
+    EXPECT_TRUE(mentions(built.value().notes, findDepthTerms(built.value().experts.at(0).depth_terms)->label));
+    EXPECT_FALSE(mentions(built.value().notes, built.value().experts.at(0).depth_terms)) << "an id of the program";
+    EXPECT_EQ(settingOf(built.value().model, "forms"), "{\"A\": null}");
+    EXPECT_EQ(settingOf(built.value().model, "depth_terms_inferred"), "[\"A\"]");
     return built.value().experts.at(0).depth_terms;
   };
   EXPECT_EQ(set_of({"nasal_cavity", "stomach"}), "form_a2");
@@ -253,6 +267,40 @@ TEST(ModelBuilder, OtherFormsAndParticipantsWithoutRulesAreNoted) {
   EXPECT_TRUE(mentions(built->notes, "Participant C has no rules"));
 }
 
+TEST(ModelBuilder, ProvenanceSaysWhichFormsAndDepthTermsWereUsed) {
+  auto study = smallStudy();
+  study.rules = {{"B", "reading", {{"depth", "laryngopharynx"}}, "large", 1}};
+  BuildSettings settings;
+  settings.extra = {{"simulation_seed", "7"}};
+  const auto built = buildModel(study, forms(), settings);
+  ASSERT_TRUE(built) << built.error().message();
+  EXPECT_EQ(settingOf(built->model, "forms"), "{\"A\": \"short\", \"B\": \"reading\"}");
+  EXPECT_EQ(settingOf(built->model, "depth_terms"), "{\"A\": \"form_a1\", \"B\": \"form_a2\"}");
+  EXPECT_EQ(settingOf(built->model, "depth_terms_inferred"), "absent");
+  EXPECT_EQ(settingOf(built->model, "simulation_seed"), "7");
+}
+
+TEST(ModelBuilder, OddDataAreNoted) {
+  auto study = smallStudy();
+  addSpeeds(study, "A", {-3, 100, 200});
+  study.rules = {{"B", "", {{"speed", "slow"}, {"depth", "stomach"}}, "small", 1, {2}},
+                 {"B", "", {{"depth", "stomach"}}, "small", 1, {3}},
+                 {"B", "", {{"depth", "stomach"}, {"speed", "slow"}}, "large", 1, {4}}};
+  BuildSettings settings;
+  settings.weights.policy = WeightPolicy::kTable;
+  settings.weights.table = {{"A", 1}, {"B", 1}, {"Z", 1}};
+  settings.weights.table_file = "w.csv";
+  study.speeds.push_back({"A", "slow", 1, 0, 0, 8});  // so that the lowest of three centres is not negative
+  for (int i = 0; i < 100; ++i) study.speeds.push_back({"A", "slow", 2, 0.001 * i, 0, 8});
+  const auto built = buildModel(study, forms(), settings);
+  ASSERT_TRUE(built) << built.error().message();
+  EXPECT_TRUE(mentions(built->notes, "10 of 131 speed samples lie below 0 mm/s"));
+  EXPECT_TRUE(mentions(built->notes,
+                       "Participant B contradicts themselves: rule 1 (line 2) says 'small', rule 3 (line 4) says "
+                       "'large' of the same conditions."));
+  EXPECT_TRUE(mentions(built->notes, "w.csv has a weight for 'Z', who is not in the study."));
+}
+
 TEST(ModelBuilder, SimulatedDataSaySo) {
   auto study = smallStudy();
   for (auto& participant : study.participants) participant.simulated = true;
@@ -261,12 +309,31 @@ TEST(ModelBuilder, SimulatedDataSaySo) {
   ASSERT_TRUE(built);
   EXPECT_EQ(built->model.experts[0].label, "A") << "given rules are not what is simulated of a participant";
   EXPECT_EQ(built->model.experts[1].label, "B (simulated)");
-  EXPECT_NE(built->model.provenance->notes.find("Simulated"), std::string::npos);
+  EXPECT_EQ(built->model.provenance->notes, "Simulated, not measured: answers of A, B. Rules given directly: A.");
   EXPECT_TRUE(mentions(built->notes, "Simulated"));
   const auto& sources = built->model.provenance->sources;
   EXPECT_TRUE(std::any_of(sources.begin(), sources.end(), [](const fuzzy::NamedJson& source) {
     return source.key == "simulated" && source.json == "[\"A\", \"B\"]";
   }));
+}
+
+TEST(ModelBuilder, WhatIsSimulatedIsSaidForEachKindOfData) {
+  auto study = smallStudy();
+  study.participants[0].simulated = true;
+  addSpeeds(study, "A", {20, 100, 200});
+  study.judgements = {{"A", "ascending", 1, 1.1, study::ForceJudgement::Kind::kTerm, "small"},
+                      {"B", "ascending", 1, 1.1, study::ForceJudgement::Kind::kTerm, "small"}};
+  study.answers = {{"B", "short", 1, "small", Status::kAnswered}};
+  study.rules = {{"A", "", {{"depth", "nasal_cavity"}}, "small", 1}};
+  const auto notes = [&study] { return buildModel(study, forms(), {}).value().model.provenance->notes; };
+  EXPECT_EQ(notes(), "Simulated, not measured: strokes and judgements of A. Rules given directly: A.");
+  study.participants[1].simulated = true;
+  EXPECT_EQ(notes(),
+            "Simulated, not measured: strokes of A; judgements of A, B; answers of B. Rules given directly: A.");
+  study.speeds.clear();
+  study.judgements.clear();
+  study.participants[1].simulated = false;
+  EXPECT_EQ(notes(), "Simulated participants without strokes, judgements and answers: A. Rules given directly: A.");
 }
 
 TEST(ModelBuilder, AnExpertAloneHasItsOwnTermsAsTheModels) {

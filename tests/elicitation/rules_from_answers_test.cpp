@@ -25,7 +25,7 @@ TEST(RulesFromAnswers, AnItemWithoutAnAnswerIsAnAbsentRule) {
   ASSERT_TRUE(rules);
   const fuzzy::Rule first{{{"speed", "slow"}, {"depth", "stomach"}}, "small", 1, true};
   const fuzzy::Rule second{{{"speed", "fast"}}, "large", 1, true};
-  EXPECT_EQ(*rules, (std::vector<fuzzy::Rule>{first, second}));
+  EXPECT_EQ(rules->rules, (std::vector<fuzzy::Rule>{first, second}));
 }
 
 TEST(RulesFromAnswers, RefusesUnknownItemsTermsAndSecondAnswers) {

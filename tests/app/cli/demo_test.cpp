@@ -63,6 +63,19 @@ TEST_F(Demo, WhatIsSimulatedSaysSo) {
   EXPECT_NE(readText(path("export/README.txt")).find("simulated"), std::string::npos);
 }
 
+TEST_F(Demo, ProvenanceSaysWhatIsSimulatedAndHow) {
+  const auto model = nlohmann::json::parse(readText(path("models/averaged.tactus.json")));
+  const auto& provenance = model.at("provenance");
+  EXPECT_EQ(provenance.at("notes"),
+            "Simulated, not measured: strokes and judgements of S1, S2, S3, S4; answers of S1, S2, S3. Rules given "
+            "directly: S4.");
+  const auto& settings = provenance.at("settings");
+  EXPECT_EQ(settings.at("simulation_seed"), 2);
+  EXPECT_EQ(settings.at("forms").at("S1"), "ngt-force-v1");
+  EXPECT_EQ(settings.at("forms").at("S4"), "ngt-a2-five-regions");
+  EXPECT_EQ(settings.at("depth_terms").at("S4"), "form_a2");
+}
+
 TEST_F(Demo, BuildFromItsTablesGivesTheSameForces) {
   const std::string rebuilt = path("rebuilt.tactus.json");
   const ProgramRun build({"build", path("study"), "--out", rebuilt});
@@ -88,6 +101,17 @@ TEST_F(Demo, TheSameSeedGivesTheSameStudy) {
   for (const char* table : {"speeds.csv", "judgements.csv", "answers.csv", "rules.csv"}) {
     EXPECT_EQ(readText(folder_->file("again") + "/study/" + table), readText(path("study/") + table)) << table;
   }
+}
+
+TEST_F(Demo, NeverWritesOverAnybodysWork) {
+  const std::string work = folder_->file("work");
+  std::filesystem::create_directory(work);
+  writeText(work + "/report.html", "mine");
+  const ProgramRun refused({"demo", work});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("a folder that holds other files"), std::string::npos) << refused.err;
+  EXPECT_EQ(readText(work + "/report.html"), "mine");
+  EXPECT_EQ(ProgramRun({"demo", folder_->file("demo")}).status, 0) << "its own folder it may write again";
 }
 
 TEST_F(Demo, TheReadingOfTableA2IsAChoice) {

@@ -1,11 +1,14 @@
 #include "core/analysis/lint.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "core/analysis/directions.h"
+#include "core/base/random.h"
 
 #include "tests/support/ngt_model.h"
+#include "tests/support/random_model.h"
 
 namespace tactus::analysis {
 namespace {
@@ -95,6 +98,109 @@ TEST(Lint, TheReachableRangeStopsShortOfTheUniverse) {
   EXPECT_LE(range.max_n, 0.923810);
   EXPECT_GT(range.max_n, 0.7);
   EXPECT_GT(range.fired, range.points / 2);
+}
+
+std::optional<Finding> only(const ForceModel& model, Kind kind) {
+  const auto found = findings(model, kind);
+  EXPECT_EQ(found.size(), 1);
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+// Alone, at a well lubricated nose, very_small gives .0316667 / .25 N and large .7 N.
+TEST(LintNewtons, OfAConflictLieBetweenTheTwoRulesAlone) {
+  ForceModel model = support::s4AsPrinted();
+  auto rule = model.experts[0].rules[0];
+  rule.then = "large";
+  model.experts[0].rules.push_back(rule);
+  EXPECT_NEAR(only(model, Kind::kConflict)->newtons.value(), .7 - .19 / 6 / .25, 1e-12);
+}
+
+TEST(LintNewtons, OfADirectionChangeAreTheForceAlongTheStep) {
+  ForceModel model = support::s4AsPrinted();
+  for (auto& rule : model.experts[0].rules) {
+    if (rule.conditions[0].term == "fast" && rule.conditions[1].term == "stomach") rule.then = "very_small";
+  }
+  const auto change = only(model, Kind::kDirectionChange);
+  const auto compiled = fuzzy::compile(model);
+  ASSERT_EQ(change->from.size(), 4);
+  EXPECT_EQ(change->from[3], 110);
+  EXPECT_EQ(change->to[3], 281.5);
+  EXPECT_GT(change->newtons, 0.01);
+  EXPECT_EQ(change->newtons, compiled->evaluate(change->from).force_n - compiled->evaluate(change->to).force_n);
+}
+
+TEST(LintNewtons, OfADisagreementAreTheDifferentChanges) {
+  ForceModel model = support::s4AsPrinted();
+  for (const char* id : {"S1", "S2"}) {
+    auto expert = model.experts[0];
+    expert.id = id;
+    for (auto& rule : expert.rules) {
+      auto& condition = rule.conditions[0];
+      if (condition.input == "neck_flexion" && condition.term != "medium") {
+        condition.term = condition.term == "small" ? "large" : "small";
+      }
+    }
+    model.experts.push_back(expert);
+  }
+  const auto found = only(model, Kind::kDisagreement);
+  const auto compiled = fuzzy::compile(model);
+  const auto change = [&](std::size_t e) {
+    return compiled->evaluateExpert(e, found->to).force_n - compiled->evaluateExpert(e, found->from).force_n;
+  };
+  EXPECT_EQ(found->from[1], 0);
+  EXPECT_EQ(found->to[1], 90);
+  EXPECT_GT(found->newtons, 0.1);
+  EXPECT_NEAR(found->newtons.value(), std::abs(change(0) - (change(1) + change(2)) / 2), 1e-14);
+}
+
+// A second expert with five regions goes on where S4's oropharynx is missing.
+TEST(LintNewtons, OfAnAbstentionJumpAreReproduced) {
+  ForceModel model = support::s4AsPrinted();
+  auto other = support::s4FiveRegions();
+  other.experts[0].id = "S1";
+  other.experts[0].overrides.push_back({"depth", other.inputs[2].terms});
+  for (auto& rule : other.experts[0].rules) rule.then = "large";
+  model.experts.push_back(other.experts[0]);
+  const auto jump = only(model, Kind::kAbstentionJump);
+  EXPECT_EQ(jump->expert, "S4");
+  EXPECT_EQ(jump->place, "depth 125 to 138 mm");
+  const auto compiled = fuzzy::compile(model);
+  EXPECT_EQ(jump->newtons, std::abs(compiled->evaluate(jump->to).force_n - compiled->evaluate(jump->from).force_n));
+  // S1 says .7 N everywhere. Beside the gap S4 has very_large and large at most (a bar on [.6, 1.1], .85 N) and small
+  // at least (not below the support of small, .2 N), so the mean moves by at most half of .5 N.
+  EXPECT_GT(jump->newtons, 0.05);
+  EXPECT_LT(jump->newtons, 0.25);
+}
+
+TEST(Lint, RedundantAndUnreachable) {
+  ForceModel model = support::s4AsPrinted();
+  auto& rules = model.experts[0].rules;
+  rules.push_back({{{"depth", "stomach"}}, "large"});
+  EXPECT_EQ(findings(model, Kind::kRedundantRule).size(), 2) << "lubrication poor and speed fast in the stomach";
+  EXPECT_EQ(findings(model, Kind::kRedundantRule)[0].newtons, 0);
+  EXPECT_TRUE(findings(model, Kind::kUnreachableRule).empty());
+  EXPECT_TRUE(findings(model, Kind::kUnreachableTerm).empty());
+
+  model.inputs[2].terms[5].points = {600, 650, 700, 700};  // the stomach begins where the universe ends
+  EXPECT_EQ(findings(model, Kind::kUnreachableRule).size(), 10);
+  EXPECT_EQ(only(model, Kind::kUnreachableTerm)->place, "depth stomach");
+
+  for (auto& rule : rules) rule.enabled = rule.then != "very_small";
+  const auto terms = findings(model, Kind::kUnreachableTerm);
+  ASSERT_EQ(terms.size(), 2);
+  EXPECT_EQ(terms[1].place, "force very_small");
+}
+
+TEST(Lint, WhatWasSeenLiesWithinTheBounds) {
+  base::Random random(51);
+  for (int m = 0; m < 60; ++m) {
+    const ForceModel model = support::randomModel(random, {.gaussians = m % 3 == 0});
+    const auto result = lint(model, *fuzzy::compile(model));
+    if (result.reachable.fired == 0) continue;
+    ASSERT_TRUE(result.bounds.has_value());
+    ASSERT_LE(result.bounds->min_n, result.reachable.min_n);
+    ASSERT_GE(result.bounds->max_n, result.reachable.max_n);
+  }
 }
 
 }  // namespace

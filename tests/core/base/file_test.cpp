@@ -1,7 +1,10 @@
 #include "core/base/file.h"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <fcntl.h>
+#include <unistd.h>
 #include <gtest/gtest.h>
 #include <string>
 #include <sys/stat.h>
@@ -68,6 +71,20 @@ TEST(File, ANewFileHasTheUsualMode) {
   ::umask(before);
   ASSERT_TRUE(written.has_value());
   EXPECT_EQ(static_cast<unsigned>(fs::status(folder.file("x")).permissions()), 0640U);
+}
+
+TEST(File, APipeIsWrittenIntoAndStaysAPipe) {
+  const support::TempFolder folder;
+  const std::string path = folder.file("pipe");
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  // Opened for both ways, so that neither end waits for the other.
+  const int reader = ::open(path.c_str(), O_RDWR | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  EXPECT_TRUE(writeFileAtomically(path, "hello").has_value());
+  std::array<char, 16> got{};
+  EXPECT_EQ(::read(reader, got.data(), got.size()), 5);
+  ::close(reader);
+  EXPECT_TRUE(fs::is_fifo(path));
 }
 
 TEST(File, FoldersAreMadeWithTheirParents) {

@@ -71,6 +71,11 @@ TEST(Centroid, TinyStrengthsKeepTheirProportion) {
   }
 }
 
+TEST(Centroid, ASetOneSubnormalWideIsWhereItIs) {
+  EXPECT_EQ(centroid({{trapezoid(0, 0, 0, 5e-324), 1}}, Implication::kClip, 0, 2), 0);
+  EXPECT_EQ(centroid({{trapezoid(0, 0, 5e-324, 5e-324), 0.5}}, Implication::kScale, -1, 2), 0);
+}
+
 // Mean of a Gaussian truncated to [lo, hi]: mean + sigma (phi(l) - phi(h)) / (Phi(h) - Phi(l)).
 TEST(Centroid, OneGaussianIsATruncatedNormal) {
   const double mean = 0.4, sigma = 0.3, lo = 0, hi = 1.1;

@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(
     Study, BrokenTables,
     ::testing::Values(
         BrokenTable{"ParticipantTwice", "participants.csv",
-                    "participant,years_experience,category,handedness,weight,simulated\nP1,,,,,\n# note\nP1,,,,,\n",
+                    "participant,years_experience,category,handedness,weight,simulated\nP1,,,,,\n\nP1,,,,,\n",
                     "participants.csv: line 4, column 'participant': found 'P1' again, wanted each participant once"},
         BrokenTable{"MissingColumn", "participants.csv", "participant,category,handedness,weight,simulated\nP1,,,,\n",
                     "participants.csv: header: found the columns 'participant', 'category', 'handedness', 'weight', "
@@ -68,6 +68,15 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenTable{"StepTooLarge", "judgements.csv",
                     "participant,series,step,force_n,term\nP1,ascending,99999999999,.1,\n",
                     "judgements.csv: line 2, column 'step': found '99999999999', wanted an integer of at most 32 bits"},
+        BrokenTable{"StepZero", "judgements.csv", "participant,series,step,force_n,term\nP1,ascending,0,.1,\n",
+                    "judgements.csv: line 2, column 'step': found '0', wanted an integer from 1"},
+        BrokenTable{"StepNegative", "judgements.csv", "participant,series,step,force_n,term\nP1,ascending,-1,.1,\n",
+                    "judgements.csv: line 2, column 'step': found '-1', wanted an integer from 1"},
+        BrokenTable{"StrokeZero", "speeds.csv",
+                    "participant,level,stroke,time_s,depth_mm,speed_mm_s\nP1,slow,0,0,0,1\n",
+                    "speeds.csv: line 2, column 'stroke': found '0', wanted an integer from 1"},
+        BrokenTable{"NegativeForce", "judgements.csv", "participant,series,step,force_n,term\nP1,a,1,-0.1,small\n",
+                    "judgements.csv: line 2, column 'force_n': found '-0.1', wanted a force of 0 N or more"},
         BrokenTable{"StepTwice", "judgements.csv",
                     "participant,series,step,force_n,term\nP1,ascending,1,.1,small\nP1,ascending,1,.1,large\n",
                     "judgements.csv: line 3, column 'step': found step 1 of this series again, wanted each step of a "

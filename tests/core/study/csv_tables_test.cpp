@@ -78,8 +78,44 @@ TEST(StudyFolders, OnlyParticipantsMustBeThere) {
   const auto read = readStudyFolder(folder.path());
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(read->study.participants.size(), 2U);
-  EXPECT_EQ(read->notes, (std::vector<std::string>{"speeds.csv is absent.", "judgements.csv is absent.",
-                                                   "answers.csv is absent.", "rules.csv is absent."}));
+  EXPECT_EQ(read->notes,
+            std::vector<std::string>{
+                "Absent tables, which count as empty: speeds.csv, judgements.csv, answers.csv, rules.csv."});
+  for (const char* table : {"speeds.csv", "judgements.csv"}) {
+    folder.write(table, "participant,level,series,stroke,step,time_s,depth_mm,speed_mm_s,force_n,term\n");
+  }
+  folder.write("answers.csv", "participant,form,item,term,status\n");
+  EXPECT_EQ(readStudyFolder(folder.path())->notes.front(), "Absent table, which counts as empty: rules.csv.");
+}
+
+TEST(StudyFolders, RecordsKnowTheirLine) {
+  const StudyFolder folder;
+  folder.write("participants.csv", "# above the header\n" + std::string(kParticipants));
+  folder.write("speeds.csv",
+               "participant,level,stroke,time_s,depth_mm,speed_mm_s\n\nP1,slow,1,0,0,1\nP1,slow,1,1,1,1\n");
+  folder.write("judgements.csv", "participant,series,step,force_n,term\nP1,ascending,1,.5,medium\n");
+  folder.write("answers.csv", "participant,form,item,term,status\nP1,f,1,\"large\",answered\n\n\nP1,f,2,,skipped\n");
+  folder.write("rules.csv", "participant,speed,then,weight,comment\nP1,fast,large,,\"two\nlines\"\nP1,slow,small,,\n");
+  const auto read = readStudyFolder(folder.path(), {"speed"});
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->study.participants[1].line.number, 4U);
+  EXPECT_EQ(read->study.speeds[0].line.number, 3U);
+  EXPECT_EQ(read->study.speeds[1].line.number, 4U);
+  EXPECT_EQ(read->study.judgements[0].line.number, 2U);
+  EXPECT_EQ(read->study.answers[1].line.number, 5U);
+  EXPECT_EQ(read->study.rules[0].line.number, 2U);
+  EXPECT_EQ(read->study.rules[1].line.number, 4U);
+}
+
+TEST(TableLines, ErrorsNameTheTableOnlyForRecordsOfOne) {
+  const base::Error error{base::ErrorCode::kValue, {}, "rule 1", "weight 2", "less"};
+  EXPECT_EQ(atCell(error, {kRulesTable, {}, "weight"}, "'2'").value().message(), "rule 1: found weight 2, wanted less");
+  const auto at_cell = atCell(error, {kRulesTable, {7}, "weight"}, "'2'").value();
+  EXPECT_EQ(at_cell.message(), "rules.csv: line 7, column 'weight': found '2', wanted less");
+  EXPECT_EQ(inStudyFolder(at_cell, "st/x/").value().file, "st/x/rules.csv");
+  EXPECT_EQ(inStudyFolder(error, "st/x").value().file, "st/x");
+  EXPECT_EQ(inTable(error, kRulesTable, {7}).value().file, "rules.csv");
+  EXPECT_EQ(inTable(error, kRulesTable, {}).value().file, "");
 }
 
 TEST(StudyFolders, UnknownColumnsAreIgnoredAndListed) {

@@ -1,0 +1,83 @@
+#include "core/analysis/boundary_jumps.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/analysis/sample_points.h"
+
+namespace tactus::analysis {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// One face of a hole: the last value of `input` inside and the first one outside.
+struct Face {
+  std::size_t input;
+  double inside, outside;
+};
+
+/// First double that belongs to the range from below, and from above.
+double lowest(const InputRange& range) { return range.low_included ? range.low : std::nextafter(range.low, kInfinity); }
+double highest(const InputRange& range) {
+  return range.high_included ? range.high : std::nextafter(range.high, -kInfinity);
+}
+
+std::vector<Face> facesOf(const fuzzy::ForceModel& model, const Hole& hole) {
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < hole.ranges.size(); ++i) {
+    const double low = lowest(hole.ranges[i]);
+    const double high = highest(hole.ranges[i]);
+    if (low > model.inputs[i].min) faces.push_back({i, low, std::nextafter(low, -kInfinity)});
+    if (high < model.inputs[i].max) faces.push_back({i, high, std::nextafter(high, kInfinity)});
+  }
+  return faces;
+}
+
+/// Jump in newtons between a point inside and one outside, or nothing where there is none to speak of.
+using Jump =
+    std::function<std::optional<double>(const std::vector<double>& inside, const std::vector<double>& outside)>;
+
+std::optional<BoundaryJump> largestJump(const ForceProbe& probe, const Hole& hole, std::size_t samples,
+                                        const Jump& jump) {
+  std::optional<BoundaryJump> largest;
+  for (const Face& face : facesOf(probe.model(), hole)) {
+    if (!probe.affords()) break;
+    std::vector<std::vector<double>> values;
+    for (std::size_t i = 0; i < hole.ranges.size(); ++i) {
+      values.push_back(i == face.input ? std::vector<double>{face.inside}
+                                       : probe.values(i, lowest(hole.ranges[i]), highest(hole.ranges[i])));
+    }
+    const SamplePoints points(std::move(values), samples);
+    for (std::size_t p = 0; p < points.size() && probe.affords(); ++p) {
+      const auto inside = points[p];
+      auto outside = inside;
+      outside[face.input] = face.outside;
+      const auto newtons = jump(inside, outside);
+      if (newtons && (!largest || *newtons > largest->newtons)) largest = BoundaryJump{*newtons, outside, inside};
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::optional<BoundaryJump> jumpToDefault(ForceProbe& probe, const Hole& hole, std::optional<std::size_t> expert,
+                                          std::size_t samples) {
+  return largestJump(probe, hole, samples, [&](const auto& /*inside*/, const auto& outside) -> std::optional<double> {
+    const auto beside = expert ? probe.expert(*expert, outside) : probe.mean(outside);
+    if (!beside.fired) return std::nullopt;
+    return std::abs(beside.force_n - probe.model().default_force_n);
+  });
+}
+
+std::optional<BoundaryJump> jumpOfMean(ForceProbe& probe, const Hole& hole, std::size_t expert, std::size_t samples) {
+  return largestJump(probe, hole, samples, [&](const auto& inside, const auto& outside) -> std::optional<double> {
+    if (!probe.expert(expert, outside).fired) return std::nullopt;
+    const auto without = probe.mean(inside);
+    if (!without.fired) return std::nullopt;
+    return std::abs(probe.mean(outside).force_n - without.force_n);
+  });
+}
+
+}  // namespace tactus::analysis

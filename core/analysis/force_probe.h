@@ -1,0 +1,58 @@
+// Evaluations that an analysis may still spend, so that a lint of a huge model ends in a bounded time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/analysis/sample_points.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::analysis {
+
+/// A model with an allowance, counted in rules looked at: the same on every machine.
+class ForceProbe {
+ public:
+  ForceProbe(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t allowance_rules)
+      : model_(model), compiled_(compiled), vertices_(sortedVertices(model)), left_(allowance_rules) {
+    for (const auto& expert : model.experts) all_rules_ += expert.rules.size() + kFixedCost;
+  }
+
+  const fuzzy::ForceModel& model() const noexcept { return model_; }
+  const fuzzy::CompiledModel& compiled() const noexcept { return compiled_; }
+  /// Values of one input in [low, high] that are worth a look.
+  std::vector<double> values(std::size_t input, double low, double high) const {
+    return valuesWorthALook(vertices_[input], low, high);
+  }
+  /// The same over its whole range.
+  std::vector<double> values(std::size_t input) const {
+    return values(input, model_.inputs[input].min, model_.inputs[input].max);
+  }
+  /// Cost of one averaged force.
+  std::size_t costOfMean() const noexcept { return all_rules_; }
+  /// False once the allowance is spent; callers stop looking then.
+  bool affords() const noexcept { return left_ > 0; }
+
+  fuzzy::Evaluation mean(std::span<const double> point) {
+    spend(all_rules_);
+    return compiled_.evaluate(point);
+  }
+  fuzzy::Evaluation expert(std::size_t expert, std::span<const double> point) {
+    spend(model_.experts[expert].rules.size() + kFixedCost);
+    return compiled_.evaluateExpert(expert, point);
+  }
+
+ private:
+  /// Fuzzification and centroid of one expert, in rules.
+  static constexpr std::size_t kFixedCost = 32;
+
+  void spend(std::size_t rules) noexcept { left_ -= rules < left_ ? rules : left_; }
+
+  const fuzzy::ForceModel& model_;
+  const fuzzy::CompiledModel& compiled_;
+  std::vector<std::vector<double>> vertices_;
+  std::size_t left_;
+  std::size_t all_rules_ = 0;
+};
+
+}  // namespace tactus::analysis

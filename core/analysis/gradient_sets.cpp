@@ -1,0 +1,197 @@
+#include "core/analysis/gradient_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tactus::analysis {
+namespace {
+
+// Beyond this many sigmas exp(-u^2 / 2) is 0 in double precision.
+constexpr double kReach = 39;
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+}  // namespace
+
+Position Position::beside(double x, double offset) noexcept {
+  const double sum = x + offset;
+  const double part = sum - x;
+  return {sum, (x - (sum - part)) + (offset - part)};
+}
+
+ImpliedSet ImpliedSet::of(const FiringTerm& term, fuzzy::Implication implication, double largest) noexcept {
+  const auto& f = *term.function;
+  const bool scale = implication == fuzzy::Implication::kScale;
+  const double s = scale ? 1 : term.strength;
+  // Finite also below the normal range, so that 0 times it is 0.
+  const double ramp_height = scale ? term.height : std::min(1 / largest, kLargest);
+  if (f.gaussian) {
+    const double plateau = f.sigma * std::sqrt(-2 * std::log(s));
+    return {&f,
+            term.height,
+            ramp_height,
+            std::log(ramp_height),
+            {f.mean - kReach * f.sigma},
+            {f.mean - plateau},
+            {f.mean + plateau},
+            {f.mean + kReach * f.sigma}};
+  }
+  return {&f,
+          term.height,
+          ramp_height,
+          0,
+          {f.a},
+          std::min(Position::beside(f.a, s * (f.b - f.a)), {f.b}),
+          std::max(Position::beside(f.d, -s * (f.d - f.c)), {f.c}),
+          {f.d}};
+}
+
+double ImpliedSet::at(const Position& x) const noexcept {
+  const auto& f = *function;
+  if (x >= top_left && x <= top_right) return height;
+  if (f.gaussian) {
+    const double u = (x.high - f.mean) / f.sigma;
+    return std::min(height, std::exp(log_ramp - 0.5 * u * u));
+  }
+  const double share = x < top_left ? x.minus(left) / (f.b - f.a) : right.minus(x) / (f.d - f.c);
+  return std::min(height, share * ramp_height);
+}
+
+Line Line::of(std::size_t index, const ImpliedSet& set, const Position& x0, const Position& x1) noexcept {
+  const auto& f = *set.function;
+  const double y0 = set.at(x0);
+  const double y1 = set.at(x1);
+  if (x1 <= set.top_left) {
+    const double width = f.b - f.a;
+    const bool whole = x0 == set.left && x1 == set.top_left;
+    const Position top{f.b};
+    return {index,
+            Part::kRise,
+            y0,
+            y1,
+            whole ? set.height : x1.minus(x0) / width * set.ramp_height,
+            x0.minus(set.left) / width,
+            x1.minus(set.left) / width,
+            top.minus(x0) / width,
+            top.minus(x1) / width};
+  }
+  if (x0 >= set.top_right) {
+    const double width = f.d - f.c;
+    const bool whole = x0 == set.top_right && x1 == set.right;
+    const Position top{f.c};
+    return {index,
+            Part::kFall,
+            y0,
+            y1,
+            whole ? set.height : x1.minus(x0) / width * set.ramp_height,
+            set.right.minus(x0) / width,
+            set.right.minus(x1) / width,
+            x0.minus(top) / width,
+            x1.minus(top) / width};
+  }
+  return {index, Part::kTop, y0, y1, 0, 1, 1, 0, 0};
+}
+
+GradientSums::GradientSums(std::span<const ImpliedSet> sets, fuzzy::Implication implication) noexcept
+    : sets_(sets), scale_(implication == fuzzy::Implication::kScale) {
+  std::fill_n(of_set_.begin(), sets.size(), std::array<Integral, 5>{});
+}
+
+void GradientSums::addLine(const Line& line, double x0, double width, double t0, double t1) noexcept {
+  const auto between = [](double from, double to, double t) { return from + t * (to - from); };
+  // Of a linear function over the piece: its mean, and the mean of its product with the way through the piece.
+  struct Mean {
+    double value, first;
+  };
+  const auto mean = [&](double from, double to) -> Mean {
+    const double p0 = between(from, to, t0);
+    const double p1 = between(from, to, t1);
+    return {(p0 + p1) / 2, (p0 + 2 * p1) / 6};
+  };
+  const double share = t1 - t0;
+  const double x = x0 + t0 * width;
+  const double piece_width = share * width;
+
+  const Mean height = mean(line.y0, line.y1);
+  const double mass = piece_width * height.value;
+  const double moment = mass * x + piece_width * piece_width * height.first;
+  whole_.mass += mass;
+  whole_.moment += moment;
+  if (scale_ || line.part == Part::kTop) add(line.set, kStrength, mass, moment);
+  if (line.part == Part::kTop) return;
+
+  // dA/da = -(1 - membership) / (b - a) and dA/db = -membership / (b - a), with dy = (b - a) d(membership).
+  const double climb = share * line.climb * (line.part == Part::kRise ? -1 : 1);
+  const std::size_t outer = line.part == Part::kRise ? 0 : 3;
+  const std::size_t inner = line.part == Part::kRise ? 1 : 2;
+  const Mean rest = mean(line.rest0, line.rest1);
+  const Mean membership = mean(line.share0, line.share1);
+  add(line.set, outer, climb * rest.value, climb * (rest.value * x + rest.first * piece_width));
+  add(line.set, inner, climb * membership.value, climb * (membership.value * x + membership.first * piece_width));
+}
+
+void GradientSums::addGaussianMass(std::size_t set, double x, double mass, double u) noexcept {
+  const double sigma = sets_[set].function->sigma;
+  whole_.mass += mass;
+  whole_.moment += mass * x;
+  if (scale_) add(set, kStrength, mass, mass * x);
+  const double by_mean = mass * u / sigma;
+  add(set, 0, by_mean, by_mean * x);
+  add(set, 1, by_mean * u, by_mean * u * x);
+}
+
+void GradientSums::addEdge(std::size_t set, std::size_t outer, std::size_t inner, double x, double outer_from,
+                           double inner_from) noexcept {
+  const double height = sets_[set].height;
+  const double top = height / sets_[set].ramp_height;
+  const double sign = outer == 0 ? -1 : 1;
+  const auto add_from = [&](std::size_t point, double from) {
+    if (from >= height) return;
+    const double membership = (from / sets_[set].ramp_height + top) / 2;
+    const double mass = sign * (height - from) * (point == outer ? 1 - membership : membership);
+    add(set, point, mass, mass * x);
+  };
+  add_from(outer, outer_from);
+  add_from(inner, inner_from);
+}
+
+void GradientSums::addVerticalEdges(double lo, double hi, const Position& origin) noexcept {
+  for (std::size_t i = 0; i < sets_.size(); ++i) {
+    const ImpliedSet& set = sets_[i];
+    const auto& f = *set.function;
+    if (f.gaussian) continue;
+    // A moved vertex makes a ramp on its side of the edge, which counts where it is above the other sets.
+    const auto highest_left = [&](const Position& x) {
+      if (x.high <= lo) return kLargest;
+      double highest = 0;
+      for (const auto& other : sets_) {
+        if (&other != &set) highest = std::max(highest, other.leftLimit(x));
+      }
+      return highest;
+    };
+    const auto highest_right = [&](const Position& x) {
+      if (x.high >= hi) return kLargest;
+      double highest = 0;
+      for (const auto& other : sets_) {
+        if (&other != &set) highest = std::max(highest, other.rightLimit(x));
+      }
+      return highest;
+    };
+    if (set.left == set.top_left && f.a >= lo && f.a <= hi)
+      addEdge(i, 0, 1, set.left.minus(origin), highest_left(set.left), highest_right(set.left));
+    if (set.right == set.top_right && f.d >= lo && f.d <= hi)
+      addEdge(i, 3, 2, set.right.minus(origin), highest_right(set.right), highest_left(set.right));
+  }
+}
+
+double GradientSums::finish(std::span<SetGradient> out) const noexcept {
+  const double centroid = whole_.moment / whole_.mass;
+  const auto derivative = [&](const Integral& sum) { return (sum.moment - centroid * sum.mass) / whole_.mass; };
+  for (std::size_t i = 0; i < sets_.size(); ++i) {
+    for (std::size_t p = 0; p < 4; ++p) out[i].points[p] = derivative(of_set_[i][p]);
+    out[i].log_strength = derivative(of_set_[i][kStrength]);
+  }
+  return centroid;
+}
+
+}  // namespace tactus::analysis

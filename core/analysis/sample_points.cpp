@@ -1,0 +1,81 @@
+#include "core/analysis/sample_points.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tactus::analysis {
+namespace {
+
+/// Radical inverse of `index` in base `base` (Halton 1960): in [0, 1).
+double radicalInverse(std::size_t index, std::size_t base) {
+  double share = 1;
+  double value = 0;
+  for (; index > 0; index /= base) {
+    share /= static_cast<double>(base);
+    value += share * static_cast<double>(index % base);
+  }
+  return value;
+}
+
+// More than four experts with own terms have; bounds the memory for a thousand of them.
+constexpr std::size_t kMostVertices = 200;
+
+void addVertices(const std::vector<fuzzy::Term>& terms, const fuzzy::Variable& input, std::vector<double>& values) {
+  for (const auto& term : terms) {
+    const std::size_t count = term.shape == fuzzy::Shape::kGaussian ? 1 : term.points.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      if (term.points[k] > input.min && term.points[k] < input.max) values.push_back(term.points[k]);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> sortedVertices(const fuzzy::ForceModel& model) {
+  std::vector<std::vector<double>> all;
+  for (const auto& input : model.inputs) {
+    auto& values = all.emplace_back();
+    addVertices(input.terms, input, values);
+    for (const auto& expert : model.experts) {
+      for (const auto& own : expert.overrides) {
+        if (own.variable == input.id) addVertices(own.terms, input, values);
+      }
+    }
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  }
+  return all;
+}
+
+std::vector<double> valuesWorthALook(std::span<const double> vertices, double low, double high) {
+  std::vector<double> values = {low};
+  const auto first = std::upper_bound(vertices.begin(), vertices.end(), low);
+  const auto last = std::lower_bound(first, vertices.end(), high);
+  const auto count = static_cast<std::size_t>(last - first);
+  const std::size_t taken = std::min(count, kMostVertices);
+  for (std::size_t k = 0; k < taken; ++k) values.push_back(first[static_cast<std::ptrdiff_t>(k * count / taken)]);
+  if (high > low) values.push_back(high);
+  for (std::size_t i = values.size() - 1; i > 0; --i) values.push_back(values[i - 1] + (values[i] - values[i - 1]) / 2);
+  return values;
+}
+
+SamplePoints::SamplePoints(std::vector<std::vector<double>> values, std::size_t most) : values_(std::move(values)) {
+  for (const auto& list : values_) size_ = std::min(size_ * list.size(), most + 1);
+  all_ = size_ <= most;
+  size_ = std::min(size_, most);
+}
+
+std::vector<double> SamplePoints::operator[](std::size_t index) const {
+  constexpr std::array<std::size_t, fuzzy::kMostInputs> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19};
+  std::vector<double> point;
+  std::size_t rest = index;
+  for (const auto& list : values_) {
+    const double share = radicalInverse(index + 1, kPrimes[point.size()]);
+    const auto drawn = static_cast<std::size_t>(share * static_cast<double>(list.size()));
+    point.push_back(list[all_ ? rest % list.size() : std::min(drawn, list.size() - 1)]);
+    rest /= list.size();
+  }
+  return point;
+}
+
+}  // namespace tactus::analysis

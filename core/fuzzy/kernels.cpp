@@ -1,0 +1,66 @@
+// Compiles the kernels for each instruction set and picks one. A #pragma instead of compiler flags for whole files
+// keeps the standard library's inline functions on the plain instruction set, so none of them can leak into other code.
+#include "core/fuzzy/kernels.h"
+
+#include <array>
+
+#include "core/fuzzy/instruction_set.h"
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define TACTUS_KERNELS_FOR_X86 1
+#endif
+
+namespace tactus::fuzzy {
+namespace {
+
+#define TACTUS_KERNEL_WIDTH 2
+namespace plain {
+#include "core/fuzzy/kernel_source.h"
+}  // namespace plain
+
+#ifdef TACTUS_KERNELS_FOR_X86
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#define TACTUS_KERNEL_WIDTH 4
+namespace avx2 {
+#include "core/fuzzy/kernel_source.h"
+}  // namespace avx2
+#pragma GCC pop_options
+
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")
+#define TACTUS_KERNEL_WIDTH 8
+namespace avx512 {
+#include "core/fuzzy/kernel_source.h"
+}  // namespace avx512
+#pragma GCC pop_options
+
+constexpr std::array<Kernels, 3> kAll = {{{"sse2", plain::point, plain::batch},
+                                          {"avx2", avx2::point, avx2::batch},
+                                          {"avx512", avx512::point, avx512::batch}}};
+
+std::size_t countSupported() noexcept {
+  __builtin_cpu_init();
+  if (!__builtin_cpu_supports("avx2")) return 1;
+  const bool wide =
+      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  return wide ? 3 : 2;
+}
+#else
+constexpr std::array<Kernels, 1> kAll = {{{"portable", plain::point, plain::batch}}};
+
+std::size_t countSupported() noexcept { return 1; }
+#endif
+
+}  // namespace
+
+std::span<const Kernels> supportedKernels() noexcept {
+  static const std::size_t count = countSupported();
+  return std::span(kAll).first(count);
+}
+
+const Kernels& activeKernels() noexcept { return supportedKernels().back(); }
+
+std::string_view activeInstructionSet() noexcept { return activeKernels().name; }
+
+}  // namespace tactus::fuzzy

@@ -1,0 +1,77 @@
+// The tables of a compiled model, shared by the evaluators of this folder. Nothing outside core/fuzzy includes this.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/check.h"
+#include "core/fuzzy/batch.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/fuzzy/program.h"
+
+namespace tactus::fuzzy {
+
+/// One expert's rules with names turned into indices.
+struct RuleTable {
+  struct Condition {
+    std::uint8_t input;
+    std::uint8_t term;
+  };
+  struct Rule {
+    std::uint32_t first_condition;
+    std::uint16_t condition_count;
+    std::uint16_t then;
+    double weight;
+  };
+  double weight = 1;                      ///< of the expert in the mean
+  std::vector<std::uint32_t> input_bank;  ///< one per input
+  std::uint32_t output_bank = 0;
+  std::vector<Rule> rules;  ///< enabled rules with a weight > 0 only
+  std::vector<Condition> conditions;
+};
+
+struct ModelTables {
+  std::vector<double> input_min, input_max;
+  double output_min = 0, output_max = 1;
+  double default_force_n = 0;
+  Implication implication = Implication::kClip;
+  std::vector<std::vector<MembershipFunction>> banks;  ///< lists of terms; experts without their own share one
+  std::vector<RuleTable> experts;
+  Program program;
+
+  /// Copies `inputs` into their universes; false where one is not finite.
+  bool clamp(std::span<const double> inputs, std::span<double> clamped) const noexcept {
+    TACTUS_CHECK(inputs.size() == input_min.size());
+    bool finite = true;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const double x = inputs[i];
+      finite = finite & (x - x == 0);  // not so for NaN and infinity
+      const double above = x > input_min[i] ? x : input_min[i];
+      clamped[i] = above < input_max[i] ? above : input_max[i];
+    }
+    return finite;
+  }
+};
+
+/// The mean at a point of clamped, finite inputs by a program made from `tables`; whatever the program leaves open the
+/// general path decides.
+/// Thread: any. Real-time safe: yes.
+Evaluation evaluateFast(const ModelTables& tables, const Program& program, std::span<const double> clamped) noexcept;
+
+/// The same at many points: `varying` holds one array for each input in `index`, `clamped` the values of the others.
+/// Thread: any. Real-time safe: yes.
+void evaluateBatchOf(const ModelTables& tables, const Program& program,
+                     std::span<const std::span<const double>> varying, std::span<const std::size_t> index,
+                     std::span<const double> clamped, BatchResult out) noexcept;
+
+/// Whether every input is 0 or not so small that products with it could underflow: then an area of 0 is certain.
+inline bool areOrdinary(std::span<const double> clamped) noexcept {
+  bool ordinary = true;
+  for (const double x : clamped) ordinary = ordinary && (x == 0 || x > 1e-280 || x < -1e-280);
+  return ordinary;
+}
+
+}  // namespace tactus::fuzzy

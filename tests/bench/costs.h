@@ -1,0 +1,23 @@
+// What larger models, set-up and common tasks cost.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/bench/interleaved.h"
+
+namespace tactus::bench {
+
+/// A job with its place in the tables, see CostResult.
+struct CostJob {
+  std::string part;
+  std::string value;
+  std::string what;
+  Job job;
+};
+
+/// One-point and batch evaluation, compiling, and fuzzylite at resolution 100 where it is installed, against the number
+/// of rules, terms, inputs and experts; compiling and specialising the NGT model; a surface and a curve.
+std::vector<CostJob> costJobs();
+
+}  // namespace tactus::bench
