@@ -126,7 +126,7 @@ int report(const base::Result<Output>& result, std::ostream& out, std::ostream& 
   for (const auto& warning : result->warnings) err << "tactus: warning: " << warning << '\n';
   out << result->text << std::flush;
   if (out.good()) return kFine;
-  err << "tactus: found a closed standard output, wanted one that can be written to\n";
+  err << "tactus: found a standard output that cannot be written to, wanted a pipe or file with room\n";
   return kWrongInput;
 }
 
