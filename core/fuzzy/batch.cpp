@@ -38,7 +38,7 @@ void evaluateBatchOf(const ModelTables& tables, const Program& program,
   };
   // What does not fill a batch goes point by point.
   std::size_t first = 0;
-  const auto kernel = activeKernels().batch;
+  const auto kernel = program.usable ? program.kernels->batch : nullptr;
   std::array<const double*, kMostInputs> columns{};
   BatchOutcome outcome;
   for (; program.usable && first + kBatch <= points; first += kBatch) {

@@ -26,7 +26,7 @@ Outcome outcomeOf(const Program& program, const Centroid& centroid, bool ordinar
 Evaluation evaluateFast(const ModelTables& tables, const Program& program, std::span<const double> clamped) noexcept {
   if (!program.usable) return evaluateGenerally(tables, clamped);
   std::array<Centroid, kMostExperts> centroids;
-  activeKernels().point(program, clamped.data(), centroids.data());
+  program.kernels->point(program, clamped.data(), centroids.data());
 
   // Mostly every expert fires.
   const std::size_t experts = tables.experts.size();
@@ -66,13 +66,13 @@ double CompiledModel::clampInput(std::size_t input, double value) const noexcept
 }
 
 Evaluation CompiledModel::evaluate(std::span<const double> inputs) const noexcept {
-  std::array<double, kMostInputs> clamped;
+  std::array<double, kMostInputs> clamped{};
   if (!tables_->clamp(inputs, clamped)) return kNotANumber;
   return evaluateFast(*tables_, tables_->program, {clamped.data(), inputs.size()});
 }
 
 Evaluation CompiledModel::evaluateExpert(std::size_t expert, std::span<const double> inputs) const noexcept {
-  std::array<double, kMostInputs> values;
+  std::array<double, kMostInputs> values{};
   if (!tables_->clamp(inputs, values)) return kNotANumber;
   const std::span<const double> clamped(values.data(), inputs.size());
   const Program& program = tables_->program;
@@ -81,7 +81,7 @@ Evaluation CompiledModel::evaluateExpert(std::size_t expert, std::span<const dou
   Outcome outcome = Outcome::kOpen;
   if (program.usable) {
     std::array<Centroid, kMostExperts> centroids;
-    activeKernels().point(program, values.data(), centroids.data());
+    program.kernels->point(program, values.data(), centroids.data());
     outcome = outcomeOf(program, centroids[expert], areOrdinary(clamped));
     fires = outcome == Outcome::kFires;
     if (fires) offset = centroids[expert].moment / centroids[expert].area;

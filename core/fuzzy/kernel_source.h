@@ -182,16 +182,27 @@ TACTUS_INLINE V8 strengthsOf(const FastExpert& expert, const double* slots, doub
   return strengths;
 }
 
+// Most inputs have three or four terms: half a block, unless a register holds a whole one anyway.
+constexpr int kHalf = kWidth < 8 ? 4 : 8;
+
+/// Memberships of one input in the terms of a block, absent terms included.
+template <int count>
+TACTUS_INLINE void fuzzify(const TermBlock& block, double input, double* slots) noexcept {
+  const Pack<count> x = spread<count>(input);
+  const Pack<count> rise = smaller((x - load<count>(block.a.value)) * load<count>(block.rise.value), spread<count>(1));
+  const Pack<count> both = smaller((load<count>(block.d.value) - x) * load<count>(block.fall.value), rise);
+  store(slots, larger(both, spread<count>(0)));
+}
+
 void point(const Program& program, const double* inputs, Centroid* out) noexcept {
   alignas(64) double slots[kMostSlots];
   for (std::size_t i = 0; i < program.constants.size(); ++i) store(slots + i * kLanes, load(program.constants[i]));
-  const V8 zero = spread<8>(0);
-  const V8 one = spread<8>(1);
   for (const TermBlock& block : program.blocks) {
-    const V8 x = spread<8>(inputs[block.input]);
-    const V8 rise = smaller((x - load(block.a)) * load(block.rise), one);
-    const V8 both = smaller((load(block.d) - x) * load(block.fall), rise);
-    store(slots + block.slot, larger(both, zero));
+    if (block.count <= kHalf) {
+      fuzzify<kHalf>(block, inputs[block.input], slots + block.slot);
+    } else {
+      fuzzify<8>(block, inputs[block.input], slots + block.slot);
+    }
   }
   for (const Antecedent& antecedent : program.antecedents) {
     double least = slots[antecedent.of[0]];

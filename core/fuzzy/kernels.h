@@ -23,7 +23,7 @@ struct BatchOutcome {
 /// The same source compiled for one instruction set. Every set does the same operations in the same order on each lane,
 /// so all give the same bits.
 struct Kernels {
-  std::string_view name;  ///< sse2, avx2, avx512; or portable on other processors
+  std::string_view name;  ///< sse2, avx2, avx512-only, avx512; or portable on other processors
   /// All experts of `program` at one point of clamped, finite inputs.
   void (*point)(const Program& program, const double* inputs, Centroid* out) noexcept;
   /// The mean at kBatch points: `columns` holds, for each varying input of the program, a pointer to kBatch values of

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/fuzzy/kernels.h"
 #include "core/fuzzy/model_tables.h"
 
 namespace tactus::fuzzy {
@@ -47,6 +48,7 @@ class Builder {
       if (!addExpert(table)) return {};
     }
     program_.usable = true;
+    program_.kernels = &activeKernels();
     program_.constant_count = constants_.size();
     return std::move(program_);
   }
@@ -112,6 +114,7 @@ class Builder {
       TermBlock block;
       block.input = static_cast<std::uint16_t>(input);
       block.slot = static_cast<std::uint16_t>(*base + b * kLanes);
+      block.count = static_cast<std::uint16_t>(std::min(kLanes, source_.banks[bank].size() - b * kLanes));
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         block.a.value[lane] = kInfinity;
         block.rise.value[lane] = block.fall.value[lane] = 1;

@@ -55,8 +55,9 @@ struct ClosedForm {
 /// Up to eight terms of one input side by side: their memberships go to eight slots in a row.
 struct TermBlock {
   std::uint16_t input = 0;
-  std::uint16_t slot = 0;  ///< of the first
-  Lanes a, rise, d, fall;  ///< as in FastTerm; an absent ramp has its foot at infinity, an absent term is 0 everywhere
+  std::uint16_t slot = 0;   ///< of the first
+  std::uint16_t count = 0;  ///< terms
+  Lanes a, rise, d, fall;   ///< as in FastTerm; an absent ramp has its foot at infinity, an absent term is 0 everywhere
 };
 
 /// min of some memberships, for rules with more than two conditions: one slot that others can refer to.
@@ -104,8 +105,11 @@ struct FastExpert {
   std::size_t form = 0;  ///< index of the closed form
 };
 
+struct Kernels;
+
 struct Program {
-  bool usable = false;  ///< false: the general path evaluates everything
+  const Kernels* kernels = nullptr;  ///< what runs it on this processor
+  bool usable = false;               ///< false: the general path evaluates everything
   bool clip = true;
   /// No product of a membership and a weight underflows for ordinary inputs, so an area of 0 means that nothing fires.
   bool zero_is_certain = true;
