@@ -4,6 +4,7 @@
 
 #include "core/analysis/gradient_sets.h"
 #include "core/base/check.h"
+#include "core/fuzzy/upper_envelope.h"
 
 namespace tactus::analysis {
 namespace {
@@ -13,34 +14,10 @@ using fuzzy::kMostTerms;
 // A trapezoid has 4 corners, a Gaussian 2 ends, 2 plateau ends, 2 inflections and its mean; then lo and hi.
 constexpr std::size_t kMostCorners = 7 * kMostTerms;
 
-/// Adds the upper envelope of `lines` over an interval of `width` from x0 on. Walks from crossing to crossing; each
-/// step goes to a line that ends higher, so there are at most as many steps as lines. Of coinciding lines the first
-/// counts.
+/// Adds the maximum of `lines` over an interval of `width` from x0 on.
 void addEnvelope(std::span<const Line> lines, double x0, double width, GradientSums& sums) noexcept {
-  if (lines.empty()) return;
-  const Line* top = lines.data();
-  for (const Line& line : lines) {
-    if (line.y0 > top->y0 || (line.y0 == top->y0 && line.y1 > top->y1)) top = &line;
-  }
-  double t = 0;
-  while (true) {
-    const Line* next = nullptr;
-    double next_t = 1;
-    for (const Line& line : lines) {
-      if (line.y1 <= top->y1) continue;
-      const double below = top->y0 - line.y0;
-      const double crossing = std::max(t, below / (below + (line.y1 - top->y1)));
-      if (crossing < next_t || (next != nullptr && crossing == next_t && line.y1 > next->y1)) {
-        next = &line;
-        next_t = crossing;
-      }
-    }
-    if (next == nullptr) break;
-    sums.addLine(*top, x0, width, t, next_t);
-    t = next_t;
-    top = next;
-  }
-  sums.addLine(*top, x0, width, t, 1);
+  fuzzy::walkUpperEnvelope(lines, [&](const Line& top, const fuzzy::EnvelopePoint& from,
+                                      const fuzzy::EnvelopePoint& to) { sums.addLine(top, x0, width, from.t, to.t); });
 }
 
 void sweep(std::span<const ImpliedSet> sets, std::span<const Position> corners, GradientSums& sums) noexcept {

@@ -4,20 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/fuzzy/gaussian_pieces.h"
+
 namespace tactus::analysis {
 namespace {
 
-// Beyond this many sigmas exp(-u^2 / 2) is 0 in double precision.
-constexpr double kReach = 39;
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 }  // namespace
-
-Position Position::beside(double x, double offset) noexcept {
-  const double sum = x + offset;
-  const double part = sum - x;
-  return {sum, (x - (sum - part)) + (offset - part)};
-}
 
 ImpliedSet ImpliedSet::of(const FiringTerm& term, fuzzy::Implication implication, double largest) noexcept {
   const auto& f = *term.function;
@@ -25,36 +19,24 @@ ImpliedSet ImpliedSet::of(const FiringTerm& term, fuzzy::Implication implication
   const double s = scale ? 1 : term.strength;
   // Finite also below the normal range, so that 0 times it is 0.
   const double ramp_height = scale ? term.height : std::min(1 / largest, kLargest);
-  if (f.gaussian) {
-    const double plateau = f.sigma * std::sqrt(-2 * std::log(s));
-    return {&f,
-            term.height,
-            ramp_height,
-            std::log(ramp_height),
-            {f.mean - kReach * f.sigma},
-            {f.mean - plateau},
-            {f.mean + plateau},
-            {f.mean + kReach * f.sigma}};
-  }
-  return {&f,
-          term.height,
-          ramp_height,
-          0,
-          {f.a},
-          std::min(Position::beside(f.a, s * (f.b - f.a)), {f.b}),
-          std::max(Position::beside(f.d, -s * (f.d - f.c)), {f.c}),
-          {f.d}};
+  if (!f.gaussian) return {fuzzy::ImpliedTrapezoid::of(f, s, term.height, ramp_height), 0};
+  const double plateau = f.sigma * std::sqrt(-2 * std::log(s));
+  return {{&f,
+           term.height,
+           ramp_height,
+           {f.mean - fuzzy::kGaussianReach * f.sigma},
+           {f.mean - plateau},
+           {f.mean + plateau},
+           {f.mean + fuzzy::kGaussianReach * f.sigma}},
+          std::log(ramp_height)};
 }
 
 double ImpliedSet::at(const Position& x) const noexcept {
   const auto& f = *function;
+  if (!f.gaussian) return ImpliedTrapezoid::at(x);
   if (x >= top_left && x <= top_right) return height;
-  if (f.gaussian) {
-    const double u = (x.high - f.mean) / f.sigma;
-    return std::min(height, std::exp(log_ramp - 0.5 * u * u));
-  }
-  const double share = x < top_left ? x.minus(left) / (f.b - f.a) : right.minus(x) / (f.d - f.c);
-  return std::min(height, share * ramp_height);
+  const double u = (x.high - f.mean) / f.sigma;
+  return std::min(height, std::exp(log_ramp - 0.5 * u * u));
 }
 
 Line Line::of(std::size_t index, const ImpliedSet& set, const Position& x0, const Position& x1) noexcept {

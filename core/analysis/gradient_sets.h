@@ -2,33 +2,19 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <span>
 
 #include "core/analysis/gradient_centroid.h"
+#include "core/fuzzy/implied_trapezoid.h"
 
 namespace tactus::analysis {
 
-/// A position as an unevaluated sum: the corner that clipping cuts into a ramp a few ulps wide lies between two
-/// doubles.
-struct Position {
-  double high = 0;
-  double low = 0;  ///< less than half an ulp of `high`
+using fuzzy::Position;
 
-  /// x + offset (Knuth's two-sum).
-  static Position beside(double x, double offset) noexcept;
-  double minus(const Position& other) const noexcept { return (high - other.high) + (low - other.low); }
-  auto operator<=>(const Position&) const = default;
-};
-
-/// A term after implication. A trapezoid is zero at `left`, at its height from `top_left` to `top_right`, zero at
-/// `right`; a Gaussian ends where it is 0 in double precision, and has no plateau where nothing clips it.
-struct ImpliedSet {
-  const fuzzy::MembershipFunction* function;
-  double height;       ///< of the plateau, relative to the largest strength
-  double ramp_height;  ///< height where the membership would be 1
-  double log_ramp;     ///< its logarithm, for Gaussians
-  Position left, top_left, top_right, right;
+/// A term after implication: a trapezoid, or a Gaussian, which ends where it is 0 in double precision, and has no
+/// plateau where nothing clips it.
+struct ImpliedSet : fuzzy::ImpliedTrapezoid {
+  double log_ramp;  ///< logarithm of `ramp_height`, for Gaussians
 
   static ImpliedSet of(const FiringTerm& term, fuzzy::Implication implication, double largest) noexcept;
 

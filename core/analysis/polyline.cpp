@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fuzzy/centroid.h"
+#include "core/fuzzy/upper_envelope.h"
+
 namespace tactus::analysis {
 namespace {
 
@@ -40,41 +43,17 @@ struct Walker {
   }
 };
 
-/// A line over one interval, by its heights at the two ends.
-struct Line {
-  double y0, y1;
-};
-
 void addVertex(double x, double height, Polyline& out) {
   if (out.empty() || out.back().x != x || out.back().height != height) out.push_back({x, height});
 }
 
-/// Adds the maximum of lines over [x0, x1]: from the highest one at x0 to whichever crosses it first, and so on.
-void addMaximum(const std::vector<Line>& lines, double x0, double x1, Polyline& out) {
-  const Line* top = &lines.front();
-  for (const Line& line : lines) {
-    if (line.y0 > top->y0 || (line.y0 == top->y0 && line.y1 > top->y1)) top = &line;
-  }
-  addVertex(x0, top->y0, out);
-  double t = 0;
-  while (true) {
-    const Line* next = nullptr;
-    double next_t = 1;
-    for (const Line& line : lines) {
-      if (line.y1 <= top->y1) continue;
-      const double below = top->y0 - line.y0;
-      const double crossing = std::max(t, below / (below + (line.y1 - top->y1)));
-      if (crossing < next_t || (next != nullptr && crossing == next_t && line.y1 > next->y1)) {
-        next = &line;
-        next_t = crossing;
-      }
-    }
-    if (next == nullptr) break;
-    addVertex(x0 + next_t * (x1 - x0), top->y0 + next_t * (top->y1 - top->y0), out);
-    t = next_t;
-    top = next;
-  }
-  addVertex(x1, top->y1, out);
+/// Adds the maximum of lines over [x0, x1].
+void addMaximum(std::span<const fuzzy::EndHeights> lines, double x0, double x1, Polyline& out) {
+  const auto position = [&](double t) { return t <= 0 ? x0 : t >= 1 ? x1 : x0 + t * (x1 - x0); };
+  fuzzy::walkUpperEnvelope(lines, [&](const auto&, const fuzzy::EnvelopePoint& from, const fuzzy::EnvelopePoint& to) {
+    addVertex(position(from.t), from.height, out);
+    addVertex(position(to.t), to.height, out);
+  });
 }
 
 }  // namespace
@@ -116,7 +95,7 @@ Polyline upperEnvelope(std::span<const Polyline> sets) {
   std::sort(xs.begin(), xs.end());
   xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
   Polyline out;
-  std::vector<Line> lines;
+  std::vector<fuzzy::EndHeights> lines;
   for (std::size_t k = 1; k < xs.size(); ++k) {
     lines.clear();
     for (auto& walker : walkers) {
@@ -132,16 +111,13 @@ double centroid(const Polyline& set) {
   const double origin = set.front().x;
   double highest = 0;
   for (const auto& vertex : set) highest = std::max(highest, vertex.height);
-  double area = 0;
-  double moment = 0;
+  fuzzy::AreaAndMoment sum;
   for (std::size_t k = 1; k < set.size(); ++k) {
-    const double width = set[k].x - set[k - 1].x;
-    const double y0 = set[k - 1].height / highest;
-    const double y1 = set[k].height / highest;
-    area += width * (y0 + y1) / 2;
-    moment += width * (y0 + y1) / 2 * (set[k - 1].x - origin) + width * width * (y0 + 2 * y1) / 6;
+    const Vertex& from = set[k - 1];
+    const Vertex& to = set[k];
+    sum.addLinear(from.x - origin, to.x - from.x, from.height / highest, to.height / highest);
   }
-  return origin + moment / area;
+  return origin + sum.moment / sum.area;
 }
 
 }  // namespace tactus::analysis

@@ -1,24 +1,11 @@
 // An editor may ask for gradients while the servo runs: they must not allocate.
-#include <cstdlib>
 #include <gtest/gtest.h>
-#include <new>
 
 #include "core/analysis/gradient.h"
 #include "core/base/random.h"
 
+#include "tests/support/allocation_counter.h"
 #include "tests/support/random_model.h"
-
-namespace {
-thread_local long allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace tactus::analysis {
 namespace {
@@ -31,11 +18,11 @@ TEST(GradientAllocation, EvaluationNeverAllocates) {
     ASSERT_TRUE(gradients.has_value());
     Gradient gradient = gradients->makeGradient();
     const auto point = support::randomPoint(random, model);
-    const long before = allocations;
+    const long before = support::allocations();
     gradients->evaluate(point, gradient);
-    ASSERT_EQ(allocations, before);
+    ASSERT_EQ(support::allocations(), before);
   }
-  EXPECT_GT(allocations, 0) << "the counter counts nothing";
+  EXPECT_GT(support::allocations(), 0) << "the counter counts nothing";
 }
 
 }  // namespace

@@ -1,24 +1,11 @@
 // Evaluation must not allocate: the servo calls it a thousand times a second.
-#include <cstdlib>
 #include <gtest/gtest.h>
-#include <new>
 
 #include "core/base/random.h"
 #include "core/fuzzy/compiled_model.h"
 
+#include "tests/support/allocation_counter.h"
 #include "tests/support/random_model.h"
-
-namespace {
-thread_local long allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace tactus::fuzzy {
 namespace {
@@ -30,12 +17,12 @@ TEST(Allocation, EvaluationNeverAllocates) {
     const auto compiled = compile(model);
     ASSERT_TRUE(compiled.has_value());
     const auto point = support::randomPoint(random, model);
-    const long before = allocations;
+    const long before = support::allocations();
     (void)compiled->evaluate(point);
     for (std::size_t e = 0; e < compiled->expertCount(); ++e) (void)compiled->evaluateExpert(e, point);
-    ASSERT_EQ(allocations, before);
+    ASSERT_EQ(support::allocations(), before);
   }
-  EXPECT_GT(allocations, 0) << "the counter counts nothing";
+  EXPECT_GT(support::allocations(), 0) << "the counter counts nothing";
 }
 
 }  // namespace
