@@ -109,7 +109,7 @@ double GradientModel::addExpert(const Expert& expert, std::span<const double> cl
   const std::size_t count = bank.functions.size();
   const double largest =
       *std::max_element(winners.strength.begin(), winners.strength.begin() + static_cast<std::ptrdiff_t>(count));
-  std::array<FiringTerm, kMostTerms> firing;
+  std::array<fuzzy::ActiveTerm, kMostTerms> firing;
   std::array<std::uint32_t, kMostTerms> index;
   std::size_t firing_count = 0;
   for (std::size_t t = 0; t < count; ++t) {

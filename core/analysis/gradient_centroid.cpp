@@ -36,7 +36,7 @@ void sweep(std::span<const ImpliedSet> sets, std::span<const Position> corners, 
 
 }  // namespace
 
-double centroidGradient(std::span<const FiringTerm> terms, fuzzy::Implication implication, double lo, double hi,
+double centroidGradient(std::span<const fuzzy::ActiveTerm> terms, fuzzy::Implication implication, double lo, double hi,
                         std::span<SetGradient> out) noexcept {
   TACTUS_CHECK(!terms.empty() && terms.size() <= kMostTerms && out.size() >= terms.size());
   double largest = 0;

@@ -4,17 +4,10 @@
 #include <array>
 #include <span>
 
+#include "core/fuzzy/centroid.h"
 #include "core/fuzzy/force_model.h"
-#include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {
-
-/// An output term and the strength with which it fires.
-struct FiringTerm {
-  const fuzzy::MembershipFunction* function;
-  double strength;  ///< in (0, 1]
-  double height;    ///< strength relative to the largest one, in (0, 1]
-};
 
 /// What one term does to the centroid.
 struct SetGradient {
@@ -30,7 +23,7 @@ struct SetGradient {
 /// strength or to a vertex is linear in y, so all integrals are closed forms; Gaussians are integrated by quadrature.
 /// On a ramp the integral runs over the height instead of y, and so it also holds for a vertical edge, the limit of
 /// steep ramps. Thread: any. Real-time safe: yes.
-double centroidGradient(std::span<const FiringTerm> terms, fuzzy::Implication implication, double lo, double hi,
+double centroidGradient(std::span<const fuzzy::ActiveTerm> terms, fuzzy::Implication implication, double lo, double hi,
                         std::span<SetGradient> out) noexcept;
 
 }  // namespace tactus::analysis

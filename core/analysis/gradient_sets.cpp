@@ -13,7 +13,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 
 }  // namespace
 
-ImpliedSet ImpliedSet::of(const FiringTerm& term, fuzzy::Implication implication, double largest) noexcept {
+ImpliedSet ImpliedSet::of(const fuzzy::ActiveTerm& term, fuzzy::Implication implication, double largest) noexcept {
   const auto& f = *term.function;
   const bool scale = implication == fuzzy::Implication::kScale;
   const double s = scale ? 1 : term.strength;

@@ -16,7 +16,7 @@ using fuzzy::Position;
 struct ImpliedSet : fuzzy::ImpliedTrapezoid {
   double log_ramp;  ///< logarithm of `ramp_height`, for Gaussians
 
-  static ImpliedSet of(const FiringTerm& term, fuzzy::Implication implication, double largest) noexcept;
+  static ImpliedSet of(const fuzzy::ActiveTerm& term, fuzzy::Implication implication, double largest) noexcept;
 
   /// Height at x in [left, right].
   double at(const Position& x) const noexcept;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "core/base/check.h"
 #include "core/fuzzy/kernels.h"
@@ -11,28 +10,26 @@
 namespace tactus::fuzzy {
 namespace {
 
-/// One point of a batch: `varying` and `index` as in evaluateBatchOf, the fixed inputs in `clamped`.
+/// One point of a batch: `varying` and `index` as in evaluateBatchOf, the fixed inputs in `values`.
 Evaluation evaluateOne(const ModelTables& tables, const Program& program,
                        std::span<const std::span<const double>> varying, std::span<const std::size_t> index,
-                       std::span<const double> clamped, std::size_t p) noexcept {
+                       std::span<const double> values, std::size_t p) noexcept {
   std::array<double, kMostInputs> point;
-  std::array<double, kMostInputs> inside;
-  std::copy(clamped.begin(), clamped.end(), point.begin());
+  std::copy(values.begin(), values.end(), point.begin());
   for (std::size_t k = 0; k < varying.size(); ++k) point[index[k]] = varying[k][p];
-  if (!tables.clamp({point.data(), clamped.size()}, inside)) return {std::numeric_limits<double>::quiet_NaN(), false};
-  return evaluateFast(tables, program, {inside.data(), clamped.size()});
+  return evaluateProgram(tables, program, {point.data(), values.size()});
 }
 
 }  // namespace
 
 void evaluateBatchOf(const ModelTables& tables, const Program& program,
                      std::span<const std::span<const double>> varying, std::span<const std::size_t> index,
-                     std::span<const double> clamped, BatchResult out) noexcept {
+                     std::span<const double> values, BatchResult out) noexcept {
   const std::size_t points = out.force_n.size();
   TACTUS_CHECK(out.fired.size() == points);
   for (const auto& column : varying) TACTUS_CHECK(column.size() == points);
   const auto set_one = [&](std::size_t p) {
-    const Evaluation force = evaluateOne(tables, program, varying, index, clamped, p);
+    const Evaluation force = evaluateOne(tables, program, varying, index, values, p);
     out.force_n[p] = force.force_n;
     out.fired[p] = force.fired ? 1 : 0;
   };

@@ -63,7 +63,6 @@ std::optional<ClosedForm> closedForm(std::span<const MembershipFunction> terms, 
     form.skew.value[lane] = skewOf(rise, fall);
     form.half_width.value[lane] = width / 2;
     form.third_taper.value[lane] = (rise + fall) / 3;
-    form.any_skew = form.any_skew || form.skew.value[lane] != 0;
 
     if (lane + 1 == order.size()) continue;
     const Corners& g = sets[order[lane + 1]];
@@ -80,7 +79,6 @@ std::optional<ClosedForm> closedForm(std::span<const MembershipFunction> terms, 
     form.overlap_half_width.value[lane] = overlap / 2;
     form.overlap_third_taper.value[lane] = (next_rise + fall) / 3;
     form.overlap_peak.value[lane] = next_rise + fall > overlap ? overlap / (next_rise + fall) : 1;
-    form.any_skew = form.any_skew || form.overlap_skew.value[lane] != 0;
     form.overlap_start.value[lane] = g.a - lo;
     form.inverse_fall.value[lane] = clip ? 0 : 1 / fall;
     form.inverse_rise.value[lane] = clip ? 0 : 1 / next_rise;

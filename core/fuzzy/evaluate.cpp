@@ -23,7 +23,10 @@ Outcome outcomeOf(const Program& program, const Centroid& centroid, bool ordinar
 
 }  // namespace
 
-Evaluation evaluateFast(const ModelTables& tables, const Program& program, std::span<const double> clamped) noexcept {
+Evaluation evaluateProgram(const ModelTables& tables, const Program& program, std::span<const double> inputs) noexcept {
+  std::array<double, kMostInputs> values{};
+  if (!tables.clamp(inputs, values)) return kNotANumber;
+  const std::span<const double> clamped(values.data(), inputs.size());
   if (!program.usable) return evaluateGenerally(tables, clamped);
   std::array<Centroid, kMostExperts> centroids;
   program.kernels->point(program, clamped.data(), centroids.data());
@@ -66,9 +69,7 @@ double CompiledModel::clampInput(std::size_t input, double value) const noexcept
 }
 
 Evaluation CompiledModel::evaluate(std::span<const double> inputs) const noexcept {
-  std::array<double, kMostInputs> clamped{};
-  if (!tables_->clamp(inputs, clamped)) return kNotANumber;
-  return evaluateFast(*tables_, tables_->program, {clamped.data(), inputs.size()});
+  return evaluateProgram(*tables_, tables_->program, inputs);
 }
 
 Evaluation CompiledModel::evaluateExpert(std::size_t expert, std::span<const double> inputs) const noexcept {

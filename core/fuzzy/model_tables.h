@@ -56,12 +56,11 @@ struct ModelTables {
   }
 };
 
-/// The mean at a point of clamped, finite inputs by a program made from `tables`; whatever the program leaves open the
-/// general path decides.
-/// Thread: any. Real-time safe: yes.
-Evaluation evaluateFast(const ModelTables& tables, const Program& program, std::span<const double> clamped) noexcept;
+/// The mean at a point by a program made from `tables`: all inputs of the model, clamped here; NaN where one is not
+/// finite. Whatever the program leaves open the general path decides. Thread: any. Real-time safe: yes.
+Evaluation evaluateProgram(const ModelTables& tables, const Program& program, std::span<const double> inputs) noexcept;
 
-/// The same at many points: `varying` holds one array for each input in `index`, `clamped` the values of the others.
+/// The same at many points: `varying` holds one array for each input in `index`, `values` the values of the others.
 /// Thread: any. Real-time safe: yes.
 void evaluateBatchOf(const ModelTables& tables, const Program& program,
                      std::span<const std::span<const double>> varying, std::span<const std::size_t> index,

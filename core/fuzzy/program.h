@@ -49,7 +49,6 @@ struct ClosedForm {
   Lanes overlap_peak;
   Lanes overlap_start, inverse_fall, inverse_rise;  ///< scale only: ramps of the overlap
   std::size_t count = 0;                            ///< output terms
-  bool any_skew = false;
 };
 
 /// Up to eight terms of one input side by side: their memberships go to eight slots in a row.
@@ -119,7 +118,7 @@ struct Program {
   double negligible = 0;         ///< an area up to this, but not 0, is left to the general path
   std::vector<Lanes> constants;  ///< values of the first slots: 0, 1, then what else is constant
   std::size_t constant_count = 0;
-  std::vector<FastTerm> terms;    ///< the same terms twice: for eight points at once,
+  std::vector<FastTerm> terms;    ///< the same terms twice: for a batch,
   std::vector<TermBlock> blocks;  ///< and for one point
   std::vector<Antecedent> antecedents;
   std::vector<ClosedForm> forms;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/base/check.h"
 #include "core/base/text.h"
@@ -31,11 +30,8 @@ Evaluation Scene::evaluate(std::span<const double> free_inputs) const noexcept {
   TACTUS_CHECK(free_inputs.size() == free_.size());
   std::array<double, kMostInputs> point;
   std::copy(point_.begin(), point_.end(), point.begin());
-  for (std::size_t f = 0; f < free_.size(); ++f) {
-    if (!std::isfinite(free_inputs[f])) return {std::numeric_limits<double>::quiet_NaN(), false};
-    point[free_[f]] = model_.clampInput(free_[f], free_inputs[f]);
-  }
-  return evaluateFast(model_.tables(), *program_, {point.data(), point_.size()});
+  for (std::size_t f = 0; f < free_.size(); ++f) point[free_[f]] = free_inputs[f];
+  return evaluateProgram(model_.tables(), *program_, {point.data(), point_.size()});
 }
 
 void Scene::evaluateBatch(std::span<const std::span<const double>> free_inputs, BatchResult out) const noexcept {

@@ -22,6 +22,23 @@ std::vector<Finding> findings(const ForceModel& model, Kind kind) {
   return all;
 }
 
+/// S4, and two experts for whom a flexed neck lowers the force: S4's rules with small and large flexion exchanged.
+ForceModel s4AgainstTwo() {
+  ForceModel model = support::s4AsPrinted();
+  for (const char* id : {"S1", "S2"}) {
+    auto expert = model.experts[0];
+    expert.id = id;
+    for (auto& rule : expert.rules) {
+      auto& condition = rule.conditions[0];
+      if (condition.input == "neck_flexion" && condition.term != "medium") {
+        condition.term = condition.term == "small" ? "large" : "small";
+      }
+    }
+    model.experts.push_back(expert);
+  }
+  return model;
+}
+
 TEST(Lint, NamesTheHoleOfTheMeanAndOfTheExpert) {
   const auto holes = findings(support::s4AsPrinted(), Kind::kHole);
   ASSERT_EQ(holes.size(), 2);
@@ -65,19 +82,7 @@ TEST(Lint, AStepAgainstTheDirectionIsFound) {
 }
 
 TEST(Lint, AnExpertAgainstTheOthersIsNamed) {
-  ForceModel model = support::s4AsPrinted();
-  // Two experts for whom a flexed neck lowers the force: S4's rules with small and large flexion exchanged.
-  for (const char* id : {"S1", "S2"}) {
-    auto expert = model.experts[0];
-    expert.id = id;
-    for (auto& rule : expert.rules) {
-      auto& condition = rule.conditions[0];
-      if (condition.input == "neck_flexion" && condition.term != "medium") {
-        condition.term = condition.term == "small" ? "large" : "small";
-      }
-    }
-    model.experts.push_back(expert);
-  }
+  const ForceModel model = s4AgainstTwo();
   const auto disagreements = findings(model, Kind::kDisagreement);
   ASSERT_EQ(disagreements.size(), 1);
   EXPECT_EQ(disagreements[0].expert, "S4");
@@ -130,18 +135,7 @@ TEST(LintNewtons, OfADirectionChangeAreTheForceAlongTheStep) {
 }
 
 TEST(LintNewtons, OfADisagreementAreTheDifferentChanges) {
-  ForceModel model = support::s4AsPrinted();
-  for (const char* id : {"S1", "S2"}) {
-    auto expert = model.experts[0];
-    expert.id = id;
-    for (auto& rule : expert.rules) {
-      auto& condition = rule.conditions[0];
-      if (condition.input == "neck_flexion" && condition.term != "medium") {
-        condition.term = condition.term == "small" ? "large" : "small";
-      }
-    }
-    model.experts.push_back(expert);
-  }
+  const ForceModel model = s4AgainstTwo();
   const auto found = only(model, Kind::kDisagreement);
   const auto compiled = fuzzy::compile(model);
   const auto change = [&](std::size_t e) {
