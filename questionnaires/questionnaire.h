@@ -1,0 +1,66 @@
+// A form as a person sees it: the questions and the choices in one language.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/study/records.h"
+#include "questionnaires/scale_form.h"
+#include "questionnaires/wording.h"
+
+namespace tactus::questionnaires {
+
+/// One answer that can be chosen.
+struct Choice {
+  std::string value;  ///< what is stored: a term id, or a point of a scale
+  std::string label;  ///< what is shown; empty for an unnamed point of a scale
+
+  bool operator==(const Choice&) const = default;
+};
+
+struct Question {
+  int number = 0;  ///< the form's item number
+  std::string text;
+
+  bool operator==(const Question&) const = default;
+};
+
+struct Questionnaire {
+  std::string form;  ///< form id
+  int version = 1;   ///< of the form
+  std::string language;
+  std::string title;
+  std::string instructions;  ///< may be empty
+  std::string remark;        ///< about the wording, for the researcher; may be empty
+  std::vector<Choice> choices;
+  std::vector<Question> questions;  ///< in the order of the form
+
+  bool operator==(const Questionnaire&) const = default;
+
+  /// The choice that stores `value`, or nothing.
+  const Choice* choice(std::string_view value) const;
+};
+
+/// `form` in its own words, in the language `en`.
+Questionnaire asPrinted(const study::Form& form);
+Questionnaire asPrinted(const ScaleForm& form);
+
+/// `form` in the words of `wording`. Refused: a wording of another form or version, a condition or an answer without
+/// words.
+base::Result<Questionnaire> inWords(const study::Form& form, const Wording& wording);
+base::Result<Questionnaire> inWords(const ScaleForm& form, const Wording& wording);
+
+/// The forms that people can fill in: `ngt-force-v1` (Table A1), `usability-v1` (paper, Section 5.4).
+std::vector<std::string> questionnaireIds();
+
+/// The languages of a form that the program carries, `en` first: the paper's wording.
+std::vector<std::string> languagesOf(std::string_view form);
+
+/// A form that the program carries in one of its languages. An unknown form or language is an error that lists the
+/// known ones.
+base::Result<Questionnaire> questionnaire(std::string_view form, std::string_view language);
+
+}  // namespace tactus::questionnaires

@@ -1,0 +1,149 @@
+#include "questionnaires/questionnaire_run.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/check.h"
+
+namespace tactus::questionnaires {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using Status = study::Answer::Status;
+
+QuestionnaireRun::QuestionnaireRun(Questionnaire form, ItemOrder order, std::uint64_t seed)
+    : form_(std::move(form)),
+      order_(itemOrder(form_.questions.size(), order, seed)),
+      records_(form_.questions.size()) {}
+
+const study::AnswerRecord* QuestionnaireRun::lastOf(std::size_t place) const {
+  return records_[place].empty() ? nullptr : &records_[place].back();
+}
+
+bool QuestionnaireRun::needsReply(std::size_t place) const {
+  const study::AnswerRecord* const last = lastOf(place);
+  return last == nullptr || last->status == Status::kCleared;
+}
+
+std::optional<Page> QuestionnaireRun::page() const {
+  if (isAtEnd()) return std::nullopt;
+  const std::size_t place = order_[at_];
+  return Page{&form_.questions[place], at_ + 1, order_.size(), lastOf(place)};
+}
+
+Result<void> QuestionnaireRun::checkValue(Status status, const std::string& value) const {
+  if (status == Status::kAnswered && form_.choice(value) == nullptr) {
+    std::string wanted = "one of";
+    for (const auto& choice : form_.choices) wanted += ' ' + choice.value;
+    return fail(ErrorCode::kValue, "answer", base::quoted(value), std::move(wanted));
+  }
+  if (status != Status::kAnswered && !value.empty()) {
+    return fail(ErrorCode::kValue, "answer", base::quoted(value) + " to a question without an answer", "no value");
+  }
+  return {};
+}
+
+Result<study::AnswerRecord> QuestionnaireRun::draft(const Reply& reply) const {
+  const auto open = page();
+  if (!open) return fail(ErrorCode::kValue, form_.form, "a reply after the last question", "a reply to an open page");
+  if (auto ok = checkValue(reply.status, reply.value); !ok) return tl::unexpected(ok.error());
+  if (reply.status == Status::kCleared && needsReply(order_[at_])) {
+    return fail(ErrorCode::kValue, "item " + std::to_string(open->question->number), "nothing to clear", "an answer");
+  }
+  study::AnswerRecord record;
+  if (open->last_answer != nullptr) record.entry.supersedes = open->last_answer->entry.id;
+  record.form = form_.form;
+  record.form_version = form_.version;
+  record.item = open->question->number;
+  record.position = static_cast<int>(open->position);
+  record.status = reply.status;
+  record.value = reply.value;
+  return record;
+}
+
+Result<std::size_t> QuestionnaireRun::placeOf(const study::AnswerRecord& record) const {
+  if (record.form != form_.form || record.form_version != form_.version) {
+    return fail(ErrorCode::kReference, "answer",
+                base::quoted(record.form) + " version " + std::to_string(record.form_version),
+                base::quoted(form_.form) + " version " + std::to_string(form_.version));
+  }
+  const auto it = std::find_if(form_.questions.begin(), form_.questions.end(),
+                               [&](const Question& question) { return question.number == record.item; });
+  if (it == form_.questions.end()) {
+    return fail(ErrorCode::kReference, "answer", "item " + std::to_string(record.item),
+                "an item of " + base::quoted(form_.form));
+  }
+  return static_cast<std::size_t>(it - form_.questions.begin());
+}
+
+Result<void> QuestionnaireRun::add(const study::AnswerRecord& record) {
+  const auto place = placeOf(record);
+  if (!place) return tl::unexpected(place.error());
+  if (auto ok = checkValue(record.status, record.value); !ok) return ok;
+  const study::AnswerRecord* const last = lastOf(*place);
+  const bool follows =
+      last == nullptr ? !record.entry.supersedes.has_value() : record.entry.supersedes == last->entry.id;
+  if (!follows) {
+    return fail(ErrorCode::kReference, "answer to item " + std::to_string(record.item),
+                "a record that does not follow the last one", "one that supersedes it");
+  }
+  records_[*place].push_back(record);
+
+  const auto shown = static_cast<std::size_t>(std::find(order_.begin(), order_.end(), *place) - order_.begin());
+  furthest_ = std::max(furthest_, shown + 1);
+  at_ = record.status == Status::kCleared ? shown : furthest_;
+  return {};
+}
+
+void QuestionnaireRun::back() {
+  if (at_ > 0) --at_;
+}
+
+bool QuestionnaireRun::forward() {
+  if (isAtEnd() || needsReply(order_[at_])) return false;
+  ++at_;
+  return true;
+}
+
+bool QuestionnaireRun::goToFirstOpen() {
+  const auto it = std::find_if(order_.begin(), order_.end(), [this](std::size_t place) { return needsReply(place); });
+  if (it == order_.end()) return false;
+  at_ = static_cast<std::size_t>(it - order_.begin());
+  return true;
+}
+
+Progress QuestionnaireRun::progress() const {
+  Progress progress;
+  for (std::size_t place = 0; place < records_.size(); ++place) {
+    const study::AnswerRecord* const last = lastOf(place);
+    if (last == nullptr) {
+      ++progress.open;
+      continue;
+    }
+    switch (last->status) {
+      case Status::kAnswered:
+        ++progress.answered;
+        break;
+      case Status::kSkipped:
+        ++progress.skipped;
+        break;
+      case Status::kCantTell:
+        ++progress.cant_tell;
+        break;
+      case Status::kCleared:
+        ++progress.cleared;
+        break;
+    }
+  }
+  return progress;
+}
+
+std::vector<study::AnswerRecord> QuestionnaireRun::history(int number) const {
+  for (std::size_t place = 0; place < records_.size(); ++place) {
+    if (form_.questions[place].number == number) return records_[place];
+  }
+  return {};
+}
+
+}  // namespace tactus::questionnaires

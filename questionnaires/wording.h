@@ -1,0 +1,51 @@
+// The words of a form in another language, or in plainer words of the same one: data, never code.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/study/records.h"
+
+namespace tactus::questionnaires {
+
+/// One way to word a form. An item is either worded as a whole, by its number, or put together: the phrase of each of
+/// its conditions, then the question.
+struct Wording {
+  struct Phrase {
+    study::ItemCondition condition;
+    std::string text;
+  };
+  struct Label {
+    std::string value;  ///< what is stored: a term id, or a point of a scale
+    std::string text;
+  };
+  struct Item {
+    int number = 0;
+    std::string text;
+  };
+
+  std::string form;  ///< form id
+  int version = 1;   ///< of the form
+  std::string language;
+  std::string title;
+  std::string instructions;
+  std::string remark;    ///< for the researcher, e.g. that nobody has reviewed the translation; may be empty
+  std::string question;  ///< after the phrases; empty where items are worded as a whole
+  std::vector<Phrase> phrases;
+  std::vector<Item> items;
+  std::vector<Label> answers;
+
+  /// The phrases of `conditions` joined, with the question; nothing where one has no phrase.
+  std::optional<std::string> sentence(const std::vector<study::ItemCondition>& conditions) const;
+  const std::string* item(int number) const;
+  const std::string* answer(std::string_view value) const;
+};
+
+/// Reads a wording (JSON, see forms/ngt_force_v1.de.json) from `text`, said to be of `file` in errors. Refused: a
+/// missing key, a phrase, an item or an answer twice.
+base::Result<Wording> parseWording(std::string_view text, const std::string& file);
+
+}  // namespace tactus::questionnaires
