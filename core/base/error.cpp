@@ -35,6 +35,8 @@ std::string_view describe(ErrorCode code) noexcept {
       return "a verification failed";
     case ErrorCode::kData:
       return "the data do not determine an answer";
+    case ErrorCode::kCancelled:
+      return "stopped before the end";
   }
   return "unknown error";
 }

@@ -9,15 +9,16 @@ namespace tactus::base {
 
 /// Kinds of error. The command line turns every one of them into exit status 1; a C interface can pass the number on.
 enum class ErrorCode {
-  kIo = 1,         ///< a file or folder cannot be read or written
-  kSyntax = 2,     ///< the text is not of its format (JSON, CSV, UTF-8)
-  kSchema = 3,     ///< a key, column or table is missing, doubled or of the wrong type
-  kValue = 4,      ///< a value is outside what its place allows
-  kReference = 5,  ///< a name refers to nothing
-  kLimit = 6,      ///< a documented limit is exceeded
-  kVersion = 7,    ///< the file is newer than this program
-  kMismatch = 8,   ///< a verification gave another result than the file says
-  kData = 9,       ///< the data do not determine an answer
+  kIo = 1,          ///< a file or folder cannot be read or written
+  kSyntax = 2,      ///< the text is not of its format (JSON, CSV, UTF-8)
+  kSchema = 3,      ///< a key, column or table is missing, doubled or of the wrong type
+  kValue = 4,       ///< a value is outside what its place allows
+  kReference = 5,   ///< a name refers to nothing
+  kLimit = 6,       ///< a documented limit is exceeded
+  kVersion = 7,     ///< the file is newer than this program
+  kMismatch = 8,    ///< a verification gave another result than the file says
+  kData = 9,        ///< the data do not determine an answer
+  kCancelled = 10,  ///< the caller stopped it before the end
 };
 
 /// One text per code, for a reader who knows nothing else.

@@ -1,0 +1,12 @@
+// Checksum of a block of bytes against accidental change.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace tactus::base {
+
+/// CRC-32 as in Ethernet, zip and PNG (polynomial 0xEDB88320 reflected, start and final inversion 0xFFFFFFFF).
+std::uint32_t crc32(std::string_view bytes) noexcept;
+
+}  // namespace tactus::base
