@@ -1,0 +1,201 @@
+#include "experiments/force_protocol.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/base/text.h"
+
+namespace tactus::experiments {
+namespace {
+
+using Kind = study::ForceJudgement::Kind;
+
+constexpr double kSameForceN = 1e-9;
+constexpr const char* kStandStill = "Once more, please: push forward while you feel the force.";
+
+bool isOf(const study::JudgementRecord& record, const ForceStep& step) {
+  return record.series == step.series && record.step == step.step;
+}
+
+std::vector<ForceAnswerOption> allAnswers(const std::vector<std::string>& terms) {
+  std::vector<ForceAnswerOption> answers;
+  answers.reserve(terms.size() + 2);
+  for (const auto& term : terms) answers.push_back({Kind::kTerm, term, false});
+  answers.push_back({Kind::kNotFelt, "not_felt", true});
+  answers.push_back({Kind::kBeyondPractice, "beyond_practice", true});
+  return answers;
+}
+
+std::string described(const std::string& series, int step, int attempt, double force_n) {
+  return series + " step " + std::to_string(step) + ", attempt " + std::to_string(attempt) + ", " +
+         base::formatNumber(force_n) + " N";
+}
+
+bool isAmount(double value) { return std::isfinite(value) && value >= 0; }
+
+}  // namespace
+
+base::Result<ForceProtocol> ForceProtocol::create(const ForceSettings& settings, std::uint64_t seed,
+                                                  std::span<const study::JudgementRecord> records) {
+  if (auto valid = validate(settings); !valid) return tl::unexpected(valid.error());
+  std::vector<ForceStep> block;
+  if (settings.random) {
+    auto drawn = randomBlock(settings, seed);
+    if (!drawn) return tl::unexpected(drawn.error());
+    block = std::move(*drawn);
+  }
+  ForceProtocol protocol(settings, seed, std::move(block));
+  for (const auto& record : records) {
+    if (auto added = protocol.add(record); !added) return tl::unexpected(added.error());
+  }
+  return protocol;
+}
+
+ForceProtocol::ForceProtocol(const ForceSettings& settings, std::uint64_t seed, std::vector<ForceStep> block)
+    : settings_(settings), seed_(seed), block_(std::move(block)) {}
+
+ForcePlan ForceProtocol::next() const {
+  ForcePlan plan;
+  const auto step = nextStep();
+  if (!step) {
+    plan.finished = true;
+    return plan;
+  }
+  const bool asked = step->series != kFamiliarisation;
+  plan.step = *step;
+  plan.attempt = attemptsAt(*step) + 1;
+  plan.pause_before_s = settings_.pause_s;
+  plan.start_zone_mm = settings_.start_zone_mm;
+  plan.ramp_s = settings_.ramp_s;
+  if (step->force_n > settings_.continuous_n) plan.hold_limit_s = settings_.hold_limit_s;
+  plan.forward_least_mm = settings_.forward_least_mm;
+  plan.forward_least_mm_s = settings_.forward_least_mm_s;
+  if (asked) plan.question.answers = allAnswers(settings_.terms);
+  if (plan.attempt > 1) plan.question.repeat_reason = kStandStill;
+  const auto felt = static_cast<int>(judgements_.size());
+  plan.question.rest_first = settings_.rest_every > 0 && felt > 0 && felt % settings_.rest_every == 0;
+  return plan;
+}
+
+base::Result<study::JudgementRecord> ForceProtocol::record(const ForceAnswer& answer) const {
+  const ForcePlan plan = next();
+  TACTUS_CHECK(!plan.finished);
+  const auto refuse = [](std::string place, std::string found, std::string wanted) {
+    return base::fail(base::ErrorCode::kValue, std::move(place), std::move(found), std::move(wanted));
+  };
+  const auto& offered = plan.question.answers;
+  const bool known = answer.kind == Kind::kNoAnswer ||
+                     std::any_of(offered.begin(), offered.end(), [&](const ForceAnswerOption& option) {
+                       return option.kind == answer.kind && (answer.kind != Kind::kTerm || option.id == answer.term);
+                     });
+  if (!known) return refuse("answer", base::quoted(answer.term), "one of the answers that were offered");
+  if (!isAmount(answer.forward_mm)) return refuse("forward_mm", base::formatNumber(answer.forward_mm), "0 or more");
+  if (!isAmount(answer.forward_speed_mm_s)) {
+    return refuse("forward_speed_mm_s", base::formatNumber(answer.forward_speed_mm_s), "0 or more");
+  }
+  if (!isAmount(answer.response_s)) return refuse("response_s", base::formatNumber(answer.response_s), "0 or more");
+  if (answer.feel_again < 0) return refuse("feel_again", std::to_string(answer.feel_again), "0 or more");
+
+  const bool moved =
+      answer.forward_mm >= settings_.forward_least_mm && answer.forward_speed_mm_s >= settings_.forward_least_mm_s;
+  study::JudgementRecord record;
+  record.series = plan.step.series;
+  record.step = plan.step.step;
+  record.attempt = plan.attempt;
+  record.commanded_n = plan.step.force_n;
+  if (settings_.device_friction_n && moved) record.felt_n = plan.step.force_n + *settings_.device_friction_n;
+  record.kind = answer.kind;
+  if (answer.kind == Kind::kTerm) record.term = answer.term;
+  record.scored = moved && plan.step.series != kFamiliarisation;
+  record.catch_trial = plan.step.catch_trial;
+  record.feel_again = answer.feel_again;
+  record.forward_mm = answer.forward_mm;
+  record.forward_speed_mm_s = answer.forward_speed_mm_s;
+  record.response_s = answer.response_s;
+  return record;
+}
+
+base::Result<void> ForceProtocol::add(const study::JudgementRecord& record) {
+  const auto refuse = [&](std::string found, std::string wanted) {
+    return base::fail(base::ErrorCode::kData, "judgement " + study::toText(record.entry.id), std::move(found),
+                      std::move(wanted));
+  };
+  const std::string found = described(record.series, record.step, record.attempt, record.commanded_n);
+  const auto& terms = settings_.terms;
+  if (record.kind == Kind::kTerm && std::find(terms.begin(), terms.end(), record.term) == terms.end()) {
+    return refuse("the term " + base::quoted(record.term), "a term of the settings");
+  }
+  if (record.entry.supersedes) {
+    const auto corrected = std::find_if(judgements_.begin(), judgements_.end(), [&](const auto& earlier) {
+      return earlier.entry.id == *record.entry.supersedes;
+    });
+    if (corrected == judgements_.end()) return refuse("a correction of an unknown judgement", "one of this session");
+    const std::string wanted =
+        described(corrected->series, corrected->step, corrected->attempt, corrected->commanded_n);
+    if (found != wanted) return refuse("a correction of " + found, wanted);
+    *corrected = record;
+    return {};
+  }
+  const auto step = nextStep();
+  if (!step) return refuse(found, "nothing: the force experiment is finished");
+  const int attempt = attemptsAt(*step) + 1;
+  const bool fits =
+      isOf(record, *step) && record.attempt == attempt && std::abs(record.commanded_n - step->force_n) < kSameForceN;
+  if (!fits) return refuse(found, described(step->series, step->step, attempt, step->force_n));
+  judgements_.push_back(record);
+  return {};
+}
+
+std::vector<ForceStep> ForceProtocol::steps() const {
+  std::vector<ForceStep> steps = familiarisationSeries(settings_);
+  const auto append = [&steps](const std::vector<ForceStep>& series) {
+    steps.insert(steps.end(), series.begin(), series.end());
+  };
+  const auto ascending = ascendingSteps();
+  append(ascending);
+  if (settings_.descending && isDone(ascending.back())) {
+    double start_n = descendingStart(settings_, ascending.back().force_n, seed_);
+    // A later correction in the ascending series does not move a descending series that has begun.
+    for (const auto& judgement : judgements_) {
+      if (judgement.series == kDescending && judgement.step == 1) start_n = judgement.commanded_n;
+    }
+    append(descendingSeries(settings_, start_n));
+  }
+  append(block_);
+  return steps;
+}
+
+/// The ascending series up to the first force that is beyond practice.
+std::vector<ForceStep> ForceProtocol::ascendingSteps() const {
+  if (!settings_.ascending) return {};
+  auto series = ascendingSeries(settings_);
+  for (const auto& judgement : judgements_) {
+    const bool ends = judgement.series == kAscending && judgement.scored && judgement.kind == Kind::kBeyondPractice;
+    if (ends && static_cast<std::size_t>(judgement.step) < series.size()) {
+      series.resize(static_cast<std::size_t>(judgement.step));
+    }
+  }
+  return series;
+}
+
+std::optional<ForceStep> ForceProtocol::nextStep() const {
+  for (const auto& step : steps()) {
+    if (!isDone(step)) return step;
+  }
+  return std::nullopt;
+}
+
+bool ForceProtocol::isDone(const ForceStep& step) const {
+  return std::any_of(judgements_.begin(), judgements_.end(), [&](const auto& judgement) {
+    return isOf(judgement, step) && (judgement.scored || step.series == kFamiliarisation);
+  });
+}
+
+int ForceProtocol::attemptsAt(const ForceStep& step) const {
+  return static_cast<int>(std::count_if(judgements_.begin(), judgements_.end(),
+                                        [&](const auto& judgement) { return isOf(judgement, step); }));
+}
+
+}  // namespace tactus::experiments

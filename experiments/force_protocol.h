@@ -1,0 +1,101 @@
+// The force-perception experiment (paper, Section 3.1.5) as a state machine: which force comes next, what was said of
+// it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/study/session_records.h"
+#include "experiments/force_series.h"
+#include "experiments/force_source.h"
+
+namespace tactus::experiments {
+
+/// One possible answer.
+struct ForceAnswerOption {
+  study::ForceJudgement::Kind kind = study::ForceJudgement::Kind::kTerm;
+  std::string id;             ///< a term id, `not_felt` or `beyond_practice`
+  bool our_addition = false;  ///< not among the paper's five terms, and never counted as a term
+
+  bool operator==(const ForceAnswerOption&) const = default;
+};
+
+/// What the participant may see of a step: no force, no number of steps, no place in the series.
+struct ForceQuestion {
+  std::vector<ForceAnswerOption> answers;  ///< none while getting used to the forces
+  std::string repeat_reason;               ///< one sentence why the step comes again; empty at the first attempt
+  bool rest_first = false;                 ///< offer a rest before this step
+
+  bool operator==(const ForceQuestion&) const = default;
+};
+
+/// What comes next. `question` is for the participant, all else for the servo and the researcher.
+struct ForcePlan {
+  bool finished = false;  ///< nothing is left to do; the rest then says nothing
+  ForceStep step;
+  int attempt = 1;
+  ForceSource force_source = ForceSource::kStimulus;
+  double pause_before_s = 0;           ///< without force, before the step can start
+  double start_zone_mm = 0;            ///< it starts when the stylus is held within this way of its place of rest
+  double ramp_s = 0;                   ///< from no force to the full force
+  std::optional<double> hold_limit_s;  ///< the force fades after this time; nothing = it is held until the answer
+  double forward_least_mm = 0;         ///< the judgement counts after this way forward
+  double forward_least_mm_s = 0;
+  ForceQuestion question;
+
+  bool operator==(const ForcePlan&) const = default;
+};
+
+/// What came back from one step.
+struct ForceAnswer {
+  study::ForceJudgement::Kind kind = study::ForceJudgement::Kind::kNoAnswer;
+  std::string term;       ///< where `kind` is kTerm
+  int feel_again = 0;     ///< how often the participant asked to feel it again
+  double forward_mm = 0;  ///< from ForwardMotion, between the full force and the answer
+  double forward_speed_mm_s = 0;
+  double response_s = 0;  ///< from the full force to the answer
+};
+
+/// The state follows from settings, seed and records alone: a session that was interrupted is resumed from its records.
+///
+/// Order: familiarisation, ascending series (to its end or to the first `beyond_practice`), descending series, random
+/// block. A judgement without forward motion is recorded but not scored, and its step comes again. Corrections
+/// (`entry.supersedes`) count instead of what they correct: where one takes a `beyond_practice` back, the ascending
+/// series goes on.
+class ForceProtocol {
+ public:
+  /// `records`: those of the session so far, in the order in which they were added; refused where they do not fit.
+  static base::Result<ForceProtocol> create(const ForceSettings& settings, std::uint64_t seed,
+                                            std::span<const study::JudgementRecord> records = {});
+
+  ForcePlan next() const;
+
+  /// The record of an answer to what next() asks; without its entry, which the caller fills in. Refuses an answer that
+  /// was not offered and numbers that cannot be (a negative way or time). No answer (`kNoAnswer`) is always possible.
+  base::Result<study::JudgementRecord> record(const ForceAnswer& answer) const;
+
+  /// Takes a record that was stored: the next step, or a correction of an earlier one. Refuses, without a change, what
+  /// is neither.
+  base::Result<void> add(const study::JudgementRecord& record);
+
+  /// Steps that are known so far, done or not: grows when the ascending series ends. For researchers.
+  std::vector<ForceStep> steps() const;
+
+ private:
+  ForceProtocol(const ForceSettings& settings, std::uint64_t seed, std::vector<ForceStep> block);
+  std::optional<ForceStep> nextStep() const;
+  std::vector<ForceStep> ascendingSteps() const;
+  bool isDone(const ForceStep& step) const;
+  int attemptsAt(const ForceStep& step) const;
+
+  ForceSettings settings_;
+  std::uint64_t seed_;
+  std::vector<ForceStep> block_;
+  std::vector<study::JudgementRecord> judgements_;  ///< a correction stands in the place of what it corrects
+};
+
+}  // namespace tactus::experiments

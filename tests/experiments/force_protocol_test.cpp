@@ -1,0 +1,227 @@
+#include "experiments/force_protocol.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+
+#include "tests/experiments/record_maker.h"
+
+namespace tactus::experiments {
+namespace {
+
+using Kind = study::ForceJudgement::Kind;
+
+ForceAnswer term(const std::string& id) { return {Kind::kTerm, id, 0, 25, 40, 1.5}; }
+ForceAnswer only(Kind kind) { return {kind, "", 0, 25, 40, 1.5}; }
+ForceAnswer standingStill(ForceAnswer answer) {
+  answer.forward_mm = 3;
+  answer.forward_speed_mm_s = 15;
+  return answer;
+}
+
+study::JudgementRecord give(ForceProtocol& protocol, const ForceAnswer& answer) {
+  static std::uint64_t ids = 0;
+  auto record = *protocol.record(answer);
+  record.entry.id = idOf(++ids);
+  const auto added = protocol.add(record);
+  EXPECT_TRUE(added.has_value()) << added.error().message();
+  return record;
+}
+
+/// Gets used to the forces without answers.
+ForceProtocol readyToJudge(const ForceSettings& settings, std::uint64_t seed = 1) {
+  auto protocol = *ForceProtocol::create(settings, seed);
+  while (protocol.next().step.series == kFamiliarisation) give(protocol, only(Kind::kNoAnswer));
+  return protocol;
+}
+
+TEST(ForceProtocol, FamiliarisationHasNoLabelsAndIsNotScored) {
+  auto protocol = *ForceProtocol::create({}, 1);
+  for (const double force_n : {0.1, 0.6, 1.1}) {
+    const auto plan = protocol.next();
+    EXPECT_EQ(plan.step.force_n, force_n);
+    EXPECT_TRUE(plan.question.answers.empty());
+    EXPECT_FALSE(protocol.record(term("small")).has_value());
+    EXPECT_FALSE(give(protocol, only(Kind::kNoAnswer)).scored);
+  }
+  EXPECT_EQ(protocol.next().step.series, kAscending);
+}
+
+TEST(ForceProtocol, OffersThePapersTermsAndTwoAdditionsThatAreMarked) {
+  const auto answers = readyToJudge({}).next().question.answers;
+  ASSERT_EQ(answers.size(), 7U);
+  const char* const ids[] = {"very_small", "small", "medium", "large", "very_large", "not_felt", "beyond_practice"};
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(answers[i].id, ids[i]);
+    EXPECT_EQ(answers[i].our_addition, i >= 5);
+  }
+}
+
+TEST(ForceProtocol, TheAscendingSeriesGoesToItsEnd) {
+  auto protocol = readyToJudge({});
+  std::vector<double> forces;
+  while (!protocol.next().finished) forces.push_back(give(protocol, term("large")).commanded_n);
+  ASSERT_EQ(forces.size(), 17U);
+  EXPECT_EQ(forces.front(), 0.1);
+  EXPECT_EQ(forces.back(), 1.7);
+}
+
+TEST(ForceProtocol, TheAscendingSeriesStopsBeyondPractice) {
+  auto protocol = readyToJudge({});
+  for (int i = 0; i < 11; ++i) give(protocol, term("medium"));
+  const auto last = give(protocol, only(Kind::kBeyondPractice));
+  EXPECT_EQ(last.commanded_n, 1.2);
+  EXPECT_TRUE(last.scored);
+  EXPECT_TRUE(protocol.next().finished);
+  EXPECT_FALSE(protocol.add(last).has_value());
+}
+
+TEST(ForceProtocol, AStepWithoutForwardMotionIsRepeatedAndNotScored) {
+  auto protocol = readyToJudge({});
+  const auto still = give(protocol, standingStill(only(Kind::kBeyondPractice)));
+  EXPECT_FALSE(still.scored);
+  EXPECT_EQ(still.kind, Kind::kBeyondPractice);  // on record, but it ends nothing
+  const auto plan = protocol.next();
+  EXPECT_EQ(plan.step.step, 1);
+  EXPECT_EQ(plan.attempt, 2);
+  EXPECT_EQ(plan.question.repeat_reason, "Once more, please: push forward while you feel the force.");
+  EXPECT_TRUE(give(protocol, term("very_small")).scored);
+  EXPECT_EQ(protocol.next().step.step, 2);
+  EXPECT_EQ(protocol.next().attempt, 1);
+
+  auto slow = term("small");
+  slow.forward_speed_mm_s = 9;
+  EXPECT_FALSE(protocol.record(slow)->scored);
+}
+
+TEST(ForceProtocol, TheFeltForceHasTheDevicesFrictionOnTop) {
+  ForceSettings settings;
+  EXPECT_FALSE(readyToJudge(settings).record(term("small"))->felt_n.has_value());
+  settings.device_friction_n = 0.15;
+  const auto protocol = readyToJudge(settings);
+  const auto record = *protocol.record(term("small"));
+  EXPECT_EQ(record.commanded_n, 0.1);
+  EXPECT_DOUBLE_EQ(record.felt_n.value(), 0.25);
+  EXPECT_FALSE(protocol.record(standingStill(term("small")))->felt_n.has_value());
+}
+
+TEST(ForceProtocol, TimingIsDataForTheScreenAndTheServo) {
+  auto protocol = readyToJudge({});
+  for (int i = 1; i <= 17; ++i) {
+    const auto plan = protocol.next();
+    EXPECT_EQ(plan.ramp_s, 0.15);
+    EXPECT_EQ(plan.pause_before_s, 2);
+    EXPECT_EQ(plan.force_source, ForceSource::kStimulus);
+    EXPECT_EQ(plan.hold_limit_s.has_value(), i >= 9) << i;  // 0.9 N is above 0.88 N
+    EXPECT_EQ(plan.hold_limit_s.value_or(3), 3);
+    give(protocol, term("medium"));
+  }
+}
+
+TEST(ForceProtocol, ARestIsOfferedEveryTwentySteps) {
+  ForceSettings settings;
+  settings.random = true;
+  auto protocol = *ForceProtocol::create(settings, 1);
+  for (int felt = 0; !protocol.next().finished; ++felt) {
+    EXPECT_EQ(protocol.next().question.rest_first, felt == 20 || felt == 40) << felt;
+    give(protocol, felt < 3 ? only(Kind::kNoAnswer) : term("medium"));
+  }
+}
+
+TEST(ForceProtocol, AllSeriesComeOneAfterAnother) {
+  ForceSettings settings;
+  settings.descending = true;
+  settings.random = true;
+  auto protocol = readyToJudge(settings, 4);
+  for (int i = 0; i < 5; ++i) give(protocol, term("medium"));
+  give(protocol, only(Kind::kBeyondPractice));
+  const double start_n = descendingStart(settings, 0.6, 4);
+  EXPECT_EQ(protocol.next().step, (ForceStep{kDescending, 1, start_n, false}));
+  while (protocol.next().step.series == kDescending) give(protocol, term("small"));
+  int judged = 0;
+  while (!protocol.next().finished) {
+    EXPECT_EQ(protocol.next().step.series, kRandom);
+    const auto record = give(protocol, only(Kind::kNotFelt));
+    EXPECT_EQ(record.catch_trial,
+              protocol.steps()[protocol.steps().size() - 38 + static_cast<std::size_t>(judged)].catch_trial);
+    ++judged;
+  }
+  EXPECT_EQ(judged, 38);
+}
+
+TEST(ForceProtocol, ACorrectionOfTheEndLetsTheSeriesGoOn) {
+  auto protocol = readyToJudge({});
+  give(protocol, term("small"));
+  const auto ended = give(protocol, only(Kind::kBeyondPractice));
+  ASSERT_TRUE(protocol.next().finished);
+  auto corrected = ended;
+  corrected.entry.id = idOf(5000);
+  corrected.entry.supersedes = ended.entry.id;
+  corrected.kind = Kind::kTerm;
+  corrected.term = "large";
+  ASSERT_TRUE(protocol.add(corrected).has_value());
+  EXPECT_EQ(protocol.next().step.step, 3);
+  auto elsewhere = corrected;
+  elsewhere.entry.supersedes = corrected.entry.id;
+  elsewhere.step = 1;
+  EXPECT_FALSE(protocol.add(elsewhere).has_value());
+}
+
+TEST(ForceProtocol, WhatDoesNotFitIsRefusedAndChangesNothing) {
+  auto protocol = readyToJudge({});
+  const auto plan = protocol.next();
+  EXPECT_FALSE(protocol.record(term("huge")).has_value());
+  auto impossible = term("small");
+  impossible.response_s = -1;
+  EXPECT_FALSE(protocol.record(impossible).has_value());
+  const auto good = *protocol.record(term("small"));
+  const auto refused = [&](auto change) {
+    auto record = good;
+    change(record);
+    return !protocol.add(record).has_value();
+  };
+  EXPECT_TRUE(refused([](auto& record) { record.step = 2; }));
+  EXPECT_TRUE(refused([](auto& record) { record.attempt = 2; }));
+  EXPECT_TRUE(refused([](auto& record) { record.series = kRandom; }));
+  EXPECT_TRUE(refused([](auto& record) { record.commanded_n = 0.2; }));
+  EXPECT_TRUE(refused([](auto& record) { record.term = "huge"; }));
+  EXPECT_TRUE(refused([](auto& record) { record.entry.supersedes = idOf(123456); }));
+  EXPECT_EQ(protocol.next(), plan);
+}
+
+TEST(ForceProtocol, ResumedAnywhereItGoesOnTheSame) {
+  ForceSettings settings;
+  settings.descending = true;
+  settings.random = true;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    base::Random random(seed);
+    auto protocol = *ForceProtocol::create(settings, seed);
+    std::vector<study::JudgementRecord> records;
+    while (!protocol.next().finished) {
+      const auto resumed = ForceProtocol::create(settings, seed, records);
+      ASSERT_TRUE(resumed.has_value()) << resumed.error().message();
+      ASSERT_EQ(resumed->next(), protocol.next());
+      ASSERT_EQ(resumed->steps(), protocol.steps());
+      const bool asked = !protocol.next().question.answers.empty();
+      ForceAnswer answer = only(Kind::kNoAnswer);
+      if (asked)
+        answer = random.below(12) == 0 ? only(Kind::kBeyondPractice)
+                                       : term(settings.terms[static_cast<std::size_t>(random.below(5))]);
+      if (random.below(5) == 0) answer = standingStill(answer);
+      records.push_back(give(protocol, answer));
+      if (random.below(8) != 0 || !asked) continue;
+      auto correction = records.back();
+      correction.entry.supersedes = correction.entry.id;
+      correction.entry.id = idOf(1000000 + seed * 1000 + records.size());
+      correction.kind = Kind::kTerm;
+      correction.term = "large";
+      ASSERT_TRUE(protocol.add(correction).has_value());
+      records.push_back(correction);
+    }
+    EXPECT_TRUE(ForceProtocol::create(settings, seed, records)->next().finished);
+  }
+}
+
+}  // namespace
+}  // namespace tactus::experiments
