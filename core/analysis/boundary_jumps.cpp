@@ -49,13 +49,23 @@ std::optional<BoundaryJump> largestJump(const ForceProbe& probe, const Hole& hol
                                        : probe.values(i, lowest(hole.ranges[i]), highest(hole.ranges[i])));
     }
     const SamplePoints points(std::move(values), samples);
-    for (std::size_t p = 0; p < points.size() && probe.affords(); ++p) {
-      const auto inside = points[p];
+    const auto look = [&](const SamplePoints::Choice& choice) -> std::optional<double> {
+      if (!probe.affords()) return std::nullopt;
+      const auto inside = points.at(choice);
       auto outside = inside;
       outside[face.input] = face.outside;
       const auto newtons = jump(inside, outside);
       if (newtons && (!largest || *newtons > largest->newtons)) largest = BoundaryJump{*newtons, outside, inside};
+      return newtons;
+    };
+    std::optional<double> best;
+    SamplePoints::Choice where;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const auto choice = points.choice(p);
+      const auto newtons = look(choice);
+      if (newtons && (!best || *newtons > *best)) best = newtons, where = choice;
     }
+    if (best) points.climb(where, *best, look);
   }
   return largest;
 }

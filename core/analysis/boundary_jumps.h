@@ -17,8 +17,9 @@ struct BoundaryJump {
 };
 
 /// The jump from the force beside `hole` to the default force: the largest one over all faces of the hole and at most
-/// `samples` settings of the other inputs on each face. With `expert`: a hole of that expert and its own force;
-/// without: a hole of all experts and the mean. Nothing where no rule fires beside the hole.
+/// `samples` settings of the other inputs on each face and as many beside the best of them. With `expert`: a hole of
+/// that expert and its own force; without: a hole of all experts and the mean. Nothing where no rule fires beside the
+/// hole.
 std::optional<BoundaryJump> jumpToDefault(ForceProbe& probe, const Hole& hole, std::optional<std::size_t> expert,
                                           std::size_t samples);
 

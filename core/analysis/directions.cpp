@@ -109,15 +109,24 @@ std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, co
   const SamplePoints from(valuesFor(probe, who, step.before), samples);
   const SamplePoints to(valuesFor(probe, who, step.after), samples);
   std::optional<ForceChange> largest;
-  for (std::size_t p = 0; p < from.size() && probe.affords(); ++p) {
-    auto before = from[p];
-    auto after = to[p];
+  SamplePoints::Choice where;
+  // The rules differ along one input only, so a choice means the same values of the others at both ends.
+  const auto look = [&](const SamplePoints::Choice& choice) -> std::optional<double> {
+    if (!probe.affords()) return std::nullopt;
+    auto before = from.at(choice);
+    auto after = to.at(choice);
     const auto start = probe.expert(expert, before);
     const auto end = probe.expert(expert, after);
-    if (!start.fired || !end.fired) continue;
+    if (!start.fired || !end.fired) return std::nullopt;
     const double newtons = std::max(0.0, step.rises ? end.force_n - start.force_n : start.force_n - end.force_n);
-    if (!largest || newtons > largest->newtons) largest = ForceChange{newtons, std::move(before), std::move(after)};
-  }
+    if (!largest || newtons > largest->newtons) {
+      largest = ForceChange{newtons, std::move(before), std::move(after)};
+      where = choice;
+    }
+    return newtons;
+  };
+  for (std::size_t p = 0; p < from.size(); ++p) look(from.choice(p));
+  if (largest) from.climb(where, largest->newtons, look);
   return largest;
 }
 
@@ -130,9 +139,13 @@ std::vector<std::optional<ForceChange>> differencesAlong(ForceProbe& probe, std:
   }
   const SamplePoints points(std::move(values), samples);
   std::vector<std::optional<ForceChange>> largest(model.experts.size());
+  std::vector<SamplePoints::Choice> where(model.experts.size());
   std::vector<std::optional<double>> changes(model.experts.size());
-  for (std::size_t p = 0; p < points.size() && probe.affords(); ++p) {
-    const auto low = points[p];
+  std::vector<std::optional<double>> newtons(model.experts.size());
+  const auto look = [&](const SamplePoints::Choice& choice) {
+    std::fill(newtons.begin(), newtons.end(), std::nullopt);
+    if (!probe.affords()) return;
+    const auto low = points.at(choice);
     auto high = low;
     high[input] = model.inputs[input].max;
     double weights = 0;
@@ -151,9 +164,19 @@ std::vector<std::optional<ForceChange>> differencesAlong(ForceProbe& probe, std:
       // Others that weigh less than this are lost in the rounding of the sums.
       const bool others = changes[e] && weights - own > 1e-9 * weights;
       if (!others) continue;
-      const double newtons = std::abs(*changes[e] - (sum - own * *changes[e]) / (weights - own));
-      if (!largest[e] || newtons > largest[e]->newtons) largest[e] = ForceChange{newtons, low, high};
+      newtons[e] = std::abs(*changes[e] - (sum - own * *changes[e]) / (weights - own));
+      if (largest[e] && *newtons[e] <= largest[e]->newtons) continue;
+      largest[e] = ForceChange{*newtons[e], low, high};
+      where[e] = choice;
     }
+  };
+  for (std::size_t p = 0; p < points.size(); ++p) look(points.choice(p));
+  for (std::size_t e = 0; e < largest.size(); ++e) {
+    if (!largest[e]) continue;
+    points.climb(where[e], largest[e]->newtons, [&](const SamplePoints::Choice& choice) {
+      look(choice);
+      return newtons[e];
+    });
   }
   return largest;
 }

@@ -37,14 +37,14 @@ struct ForceChange {
 
 /// How far the force of `expert` alone moves in the direction of `step`: from the middle of the core of the first term
 /// to that of the second, the other conditions met in full; the largest over at most `samples` settings of the inputs
-/// that the rules do not mention, 0 where the other rules outweigh the step everywhere. Nothing where the expert
-/// abstains at one of the ends.
+/// that the rules do not mention and as many beside the best of them, 0 where the other rules outweigh the step
+/// everywhere. Nothing where the expert abstains at one of the ends.
 std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, const RuleStep& step,
                                        std::size_t samples);
 
 /// For each expert the largest difference in newtons between its change of force from the lower to the upper end of
 /// `input` and that of the mean of the other experts of weight > 0, over at most `samples` settings of the other
-/// inputs. Nothing where it never fires at both ends together with another one.
+/// inputs and as many beside the best of them. Nothing where it never fires at both ends together with another one.
 std::vector<std::optional<ForceChange>> differencesAlong(ForceProbe& probe, std::size_t input, std::size_t samples);
 
 /// `depth is nasopharynx and speed is slow`, sorted by input.

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/analysis/rule_table.h"
+#include "core/fuzzy/gaussian_pieces.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {
@@ -16,14 +17,30 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The largest error of the moments below, as a share of the universe, with a wide margin.
 constexpr double kRounding = 1e-12;
+// Moments below this lose digits.
+constexpr double kTiny = 1e-280;
 
-/// An output term that rules can conclude, on a universe that starts at 0.
+/// An output term that rules can conclude, on a universe that starts at 0. A Gaussian has its mean for b and c, and no
+/// ends.
 struct Candidate {
   double a, b, c, d;
+  double sigma;     ///< 0 for a trapezoid
   double strength;  ///< the largest one
 
+  static Candidate of(const fuzzy::MembershipFunction& f, double strength) {
+    if (f.gaussian) return {-kInfinity, f.mean, f.mean, kInfinity, f.sigma, strength};
+    return {f.a, f.b, f.c, f.d, 0, strength};
+  }
+  /// As seen from `origin`, and mirrored there.
+  Candidate from(double origin) const { return {a - origin, b - origin, c - origin, d - origin, sigma, strength}; }
+  Candidate mirroredAt(double origin) const {
+    return {origin - d, origin - c, origin - b, origin - a, sigma, strength};
+  }
+  bool gaussian() const { return sigma > 0; }
+
   bool operator<(const Candidate& other) const {
-    return std::tie(a, b, c, d, strength) < std::tie(other.a, other.b, other.c, other.d, other.strength);
+    return std::tie(a, b, c, d, sigma, strength) <
+           std::tie(other.a, other.b, other.c, other.d, other.sigma, other.strength);
   }
 };
 
@@ -53,42 +70,107 @@ void addLine(double x0, double x1, double y0, double y1, double about, double wi
   addPiece(middle, to, at(middle), at(to), about, out);
 }
 
+/// Half the width of a Gaussian at height `h`.
+double reachAt(const Candidate& term, double h) { return term.sigma * std::sqrt(-2 * std::log(h)); }
+
+/// Adds the part of a Gaussian, relative to `strength`, between x0 and x1, cut to [0, width] and at `about`. Sums of
+/// positive masses, exact to rounding (gaussian_pieces.h).
+void addTail(const Candidate& term, double strength, double x0, double x1, double about, double width, Moments& out) {
+  const fuzzy::CurvePiece curve{true, 0, 0, 0, term.b, term.sigma, -std::log(strength)};
+  const double from = std::clamp(x0, 0.0, width);
+  const double to = std::clamp(x1, 0.0, width);
+  const double middle = std::clamp(about, from, to);
+  const auto add = [&](double x, double mass) { (x < about ? out.left : out.right) += mass * std::abs(x - about); };
+  fuzzy::visitGaussianMasses(curve, from, middle, add);
+  fuzzy::visitGaussianMasses(curve, middle, to, add);
+}
+
 /// Moments of the term clipped at `strength`, divided by it.
 Moments clipped(const Candidate& term, double strength, double about, double width) {
+  Moments out;
+  if (term.gaussian()) {
+    const double plateau = reachAt(term, strength);
+    // Beyond this the tail is e^-60 of the highest point in the universe, far below rounding.
+    const double nearest = std::max({plateau, -term.b, term.b - width});
+    const double end = std::sqrt(nearest * nearest + 120 * term.sigma * term.sigma);
+    addTail(term, strength, term.b - end, term.b - plateau, about, width, out);
+    addLine(term.b - plateau, term.b + plateau, 1, 1, about, width, out);
+    addTail(term, strength, term.b + plateau, term.b + end, about, width, out);
+    if (out.left + out.right < kTiny) out.left = kInfinity;  // too far away to be computed: nothing is proved
+    return out;
+  }
   const double left = std::min(term.b, term.a + strength * (term.b - term.a));
   const double right = std::max(term.c, term.d - strength * (term.d - term.c));
-  Moments out;
   addLine(term.a, left, 0, 1, about, width, out);
   addLine(left, right, 1, 1, about, width, out);
   addLine(right, term.d, 1, 0, about, width, out);
   return out;
 }
 
+/// The cuts of a term at the heights up to its largest strength. Their ends, as the universe shows them, are piecewise
+/// linear in a level that rises with the height: the height itself for a trapezoid, the reach from the mean with the
+/// sign turned for a Gaussian.
+class Cuts {
+ public:
+  Cuts(const Candidate& term, double width) : term_(term), width_(width) {
+    if (term.gaussian()) {
+      const double top = -reachAt(term, term.strength);
+      const double bottom = std::min(top, -fuzzy::kGaussianReach * term.sigma);
+      corners_ = {bottom, std::clamp(-term.b, bottom, top), std::clamp(term.b - width, bottom, top), top};
+    } else {
+      corners_ = {0, term.strength, term.strength, term.strength};
+      if (term.a < 0 && term.b > term.a) corners_[1] = std::min(term.strength, -term.a / (term.b - term.a));
+      if (term.d > width && term.d > term.c)
+        corners_[2] = std::min(term.strength, (term.d - width) / (term.d - term.c));
+    }
+    std::sort(corners_.begin(), corners_.end());
+  }
+
+  /// Levels between which the ends are linear, from the lowest to the highest.
+  const std::array<double, 4>& corners() const { return corners_; }
+  double heightAt(double level) const {
+    if (!term_.gaussian()) return level;
+    const double u = level / term_.sigma;
+    return level == corners_.back() ? term_.strength : std::exp(-0.5 * u * u);
+  }
+  double left(double level) const {
+    return std::max(0.0, term_.gaussian() ? term_.b + level : term_.a + level * (term_.b - term_.a));
+  }
+  double right(double level) const {
+    return std::min(width_, term_.gaussian() ? term_.b - level : term_.d - level * (term_.d - term_.c));
+  }
+
+ private:
+  const Candidate& term_;
+  double width_;
+  std::array<double, 4> corners_;
+};
+
 /// The smallest weight of the right-hand side with which the term has no negative moment about `about` at any strength
 /// in (0, largest], clip. The moment as a function of the strength is the integral of that of the cuts, whose sign
 /// changes where a piecewise linear function does, so its minimum lies at a zero of that function, at one of its
 /// corners or at the largest strength; the weight is found by Dinkelbach's iteration (1967) for the largest ratio.
 double weightForClip(const Candidate& term, double about, double width) {
-  const auto left = [&](double h) { return std::max(0.0, term.a + h * (term.b - term.a)); };
-  const auto right = [&](double h) { return std::min(width, term.d - h * (term.d - term.c)); };
-  if (right(0) <= about) return kInfinity;
-
-  std::array<double, 4> corners = {0, term.strength, term.strength, term.strength};
-  if (term.a < 0 && term.b > term.a) corners[1] = std::min(term.strength, -term.a / (term.b - term.a));
-  if (term.d > width && term.d > term.c) corners[2] = std::min(term.strength, (term.d - width) / (term.d - term.c));
-  std::sort(corners.begin(), corners.end());
+  const Cuts cuts(term, width);
+  const auto& corners = cuts.corners();
 
   double weight = 0;
-  const auto consider = [&](double strength) {
+  const auto consider = [&](double level) {
+    const double strength = cuts.heightAt(level);
     if (strength > 0) weight = std::max(weight, clipped(term, strength, about, width).ratio());
   };
-  const double first = std::max(0.0, about - left(0)) / (right(0) - about);
-  weight = first * first;  // strengths towards 0
+  // Strengths towards 0: the whole support, and of a Gaussian also the whole universe.
+  const auto consider_cut = [&](double left, double right) {
+    const double ratio = right > about ? std::max(0.0, about - left) / (right - about) : kInfinity;
+    weight = std::max(weight, ratio * ratio);
+  };
+  consider_cut(cuts.left(corners[0]), cuts.right(corners[0]));
+  if (term.gaussian()) consider_cut(0, width);
   for (const double corner : corners) consider(corner);
   for (int round = 0; round < 50 && weight <= 1; ++round) {
     const double before = weight;
     const double root = std::sqrt(weight);
-    const auto sign = [&](double h) { return root * (right(h) - about) + (left(h) - about); };
+    const auto sign = [&](double level) { return root * (cuts.right(level) - about) + (cuts.left(level) - about); };
     for (std::size_t k = 1; k < corners.size(); ++k) {
       const double y0 = sign(corners[k - 1]);
       const double y1 = sign(corners[k]);
@@ -105,6 +187,7 @@ double lowerBound(const std::vector<Candidate>& terms, bool clip, double width) 
     double weights = 0;
     for (const auto& term : terms) {
       if (std::max(term.a, 0.0) >= about) continue;
+      if (std::min(term.d, width) <= about) return false;  // also where it is too narrow to have a moment
       weights += clip ? weightForClip(term, about, width) : clipped(term, 1, about, width).ratio();
       if (weights > 1) return false;
     }
@@ -135,10 +218,9 @@ std::optional<ForceBounds> boundsOf(const fuzzy::ForceModel& model, const fuzzy:
   for (std::size_t t = 0; t < terms.size(); ++t) {
     if (strengths[t] == 0) continue;
     const auto f = fuzzy::MembershipFunction::of(terms[t]);
-    if (f.gaussian) return ForceBounds{lo, hi};
-    const double strength = clip ? strengths[t] : 1;
-    upright.push_back({f.a - lo, f.b - lo, f.c - lo, f.d - lo, strength});
-    mirrored.push_back({hi - f.d, hi - f.c, hi - f.b, hi - f.a, strength});
+    const Candidate term = Candidate::of(f, clip ? strengths[t] : 1);
+    upright.push_back(term.from(lo));
+    mirrored.push_back(term.mirroredAt(hi));
   }
   if (upright.empty()) return std::nullopt;
   const auto [it, fresh] = cache.try_emplace(upright);

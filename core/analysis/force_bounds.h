@@ -21,7 +21,8 @@ struct ForceBounds {
 /// has no negative moment at any strength from 0 to the largest that its rules allow; the largest such c is taken. The
 /// upper bound mirrors it. Where one term alone lies at an end of the range, as in ordered sets, the bound is the
 /// smallest (largest) centroid of that term alone, so it is sharp; unions of terms, whose centroid may lie outside
-/// those of the terms, are covered too. With a Gaussian among the terms that can be active: the universe.
+/// those of the terms, are covered too. A Gaussian reaches everywhere: clipped, its bounds take in the middle of the
+/// universe, which its centroid approaches as the strength falls.
 std::optional<ForceBounds> forceBounds(const fuzzy::ForceModel& model, std::size_t expert);
 
 /// Bounds on the averaged force wherever it fires. `always_fires`: one flag per expert, true only where it never

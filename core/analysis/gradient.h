@@ -1,27 +1,51 @@
 // The force and its derivatives with respect to everything an editor can move: inputs, vertices of terms, rule weights.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
-#include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {
 
-/// The force at one point and its partial derivatives there.
-struct Gradient {
+/// The force at one point and its partial derivatives there. Made by GradientModel::makeGradient, filled by evaluate,
+/// and meant to be used again and again: an evaluation clears only what the one before it wrote.
+class Gradient {
+ public:
   double force_n = 0;  ///< as CompiledModel::evaluate gives it, up to rounding
   bool fired = false;
-  std::vector<double> values;  ///< newtons per unit of the parameter, by slot
+
+  /// Newtons per unit of the parameter, by slot.
+  std::span<const double> values() const noexcept { return {values_.data(), slot_count_}; }
+  double operator[](std::size_t slot) const noexcept { return values_[slot]; }
+
+ private:
+  friend class GradientModel;
+  friend class GradientSink;
+
+  std::size_t slot_count_ = 0;
+  std::vector<double> values_;          ///< and some to spare
+  std::vector<std::uint32_t> touched_;  ///< groups of slots that may hold something, the first `touched_count_` of them
+  std::size_t touched_count_ = 0;
+  bool all_touched_ = false;
 };
 
-/// A force model prepared for gradients: immutable, shared freely between threads. One reverse pass gives all
-/// derivatives: from the centroid to the sets, from each strength to its rule, from there to one membership.
+/// How gradients are computed.
+enum class GradientMethod {
+  kFastest,  ///< the closed form where the model has one
+  kGeneral,  ///< the general sweep everywhere: to compare with
+};
+
+struct GradientTables;
+
+/// A force model prepared for gradients: immutable, cheap to copy, shared freely between threads. One reverse pass
+/// gives all derivatives: from the centroid to the sets, from each strength to its winning rule, from there to the
+/// smallest membership of that rule. Only terms whose membership is not 0 at the point, and rules all of whose terms
+/// are such, are looked at.
 ///
 /// The derivatives are those of docs/semantics.md in real arithmetic, up to rounding. The force has kinks; there the
 /// derivative is one-sided:
@@ -34,17 +58,19 @@ struct Gradient {
 /// - vertical edge of an output term: each vertex moves to where it can go: the outer one (a, d) outwards and the inner
 ///   one (b, c) inwards, which turns the edge into a ramp. An outer vertex on the border of the universe has
 ///   derivative 0.
-/// Where the choice hangs on rounding (two strengths or two sets within a few ulps of each other) either side may come.
-/// Where all experts abstain the force is constant and all derivatives are 0.
+/// Where kinks meet (rules that tie, for an output term that ties with another) each of these choices is made by
+/// itself. Where the choice hangs on rounding (two strengths or two sets within a few ulps of each other) either side
+/// may come. Where all experts abstain the force is constant and all derivatives are 0.
 class GradientModel {
  public:
   /// Validates `model` and prepares it. The error is that of fuzzy::validate.
-  static base::Result<GradientModel> of(const fuzzy::ForceModel& model);
+  static base::Result<GradientModel> of(const fuzzy::ForceModel& model,
+                                        GradientMethod method = GradientMethod::kFastest);
 
-  std::size_t inputCount() const noexcept { return input_min_.size(); }
-  std::size_t slotCount() const noexcept { return slot_count_; }
+  std::size_t inputCount() const noexcept;
+  std::size_t slotCount() const noexcept;
   /// A gradient of the right size for `evaluate`.
-  Gradient makeGradient() const { return {0, false, std::vector<double>(slot_count_)}; }
+  Gradient makeGradient() const;
 
   /// Slot of an input: dF/d(input).
   std::size_t inputSlot(std::size_t input) const noexcept;
@@ -57,65 +83,23 @@ class GradientModel {
   bool hasOwnTerms(std::size_t expert, std::size_t variable) const noexcept;
   /// Slot of the weight of a rule, by its index in Expert::rules.
   std::size_t weightSlot(std::size_t expert, std::size_t rule) const noexcept;
+  /// Whether `expert` has the closed form, at points where no number is extreme: no Gaussians; output terms that are
+  /// ordered, none of which reaches beyond the second next one, and no ramp of which is cut by the universe or narrower
+  /// than a thousandth of it. Others cost several times as much.
+  bool hasClosedForm(std::size_t expert) const noexcept;
 
   /// Force and gradient at a point. `inputs`: inputCount() values in the order and units of the model's inputs. `out`
-  /// comes from makeGradient(). If an input is not finite, the force and all derivatives are NaN and `fired` is false.
-  /// Trapezoids and triangles in closed form; Gaussian output terms by quadrature to 1e-12. A derivative beyond the
-  /// range of double is infinite. Thread: any. Real-time safe: yes (no allocation, no lock, bounded time).
+  /// comes from makeGradient() of this model, or of another one of the same shape, and is best used again for the next
+  /// point: only the slots that this point and the one before it touch are written. If an input is not finite, the
+  /// force and all derivatives are NaN and `fired` is false. Trapezoids and triangles in closed form; Gaussian output
+  /// terms by quadrature to 1e-12. A derivative beyond the range of double is infinite.
+  /// Thread: any. Real-time safe: yes (no allocation, no lock, bounded time).
   void evaluate(std::span<const double> inputs, Gradient& out) const noexcept;
+  /// The same into a gradient made for it: for a single point. Real-time safe: no.
+  Gradient evaluate(std::span<const double> inputs) const;
 
  private:
-  /// A list of terms of one variable. The slots of a term are those of a, b, c, d (b and c of a triangle share one), or
-  /// of mean and sigma.
-  struct Bank {
-    std::vector<fuzzy::MembershipFunction> functions;
-    std::vector<std::array<std::uint32_t, 4>> slots;
-    std::vector<std::uint32_t> first_slot;
-  };
-  struct Condition {
-    std::uint8_t input;
-    std::uint8_t term;
-  };
-  struct Rule {
-    std::uint32_t first_condition;
-    std::uint16_t condition_count;
-    std::uint16_t then;
-    std::uint32_t slot;
-    double weight;
-  };
-  struct Expert {
-    double weight = 1;                ///< relative to the largest weight
-    std::vector<std::uint32_t> bank;  ///< one per input, then that of the output
-    std::uint32_t first_rule_slot = 0;
-    std::vector<Rule> rules;  ///< enabled rules with a weight > 0 only
-    std::vector<Condition> conditions;
-  };
-  struct Fuzzified;
-  struct Winners;
-
-  Bank makeBank(const std::vector<fuzzy::Term>& terms);
-  Expert makeExpert(const fuzzy::ForceModel& model, const fuzzy::Expert& expert);
-  bool fire(const Expert& expert, std::span<const double> clamped, Fuzzified& fuzzified,
-            Winners& winners) const noexcept;
-  /// Adds weight * dF/dparameter of one expert; returns the force measured from the lower end of the universe.
-  double addExpert(const Expert& expert, std::span<const double> clamped, const Fuzzified& fuzzified,
-                   const Winners& winners, std::span<double> values) const noexcept;
-  /// The first condition with the smallest membership.
-  static const Condition& smallestOf(const Rule& rule, const Expert& expert, const Fuzzified& fuzzified) noexcept;
-  /// Adds to the input and the points of a term what `log_derivative`, that of the force with respect to the logarithm
-  /// of the membership, makes of them.
-  void addCondition(const Expert& expert, const Condition& condition, std::span<const double> clamped,
-                    double log_derivative, std::span<double> values) const noexcept;
-
-  std::vector<double> input_min_;
-  std::vector<double> input_max_;
-  double output_min_ = 0;
-  double output_max_ = 1;
-  double default_force_n_ = 0;
-  fuzzy::Implication implication_ = fuzzy::Implication::kClip;
-  std::size_t slot_count_ = 0;
-  std::vector<Bank> banks_;  ///< first those of the inputs and of the output, then the experts' own
-  std::vector<Expert> experts_;
+  std::shared_ptr<const GradientTables> tables_;
 };
 
 }  // namespace tactus::analysis

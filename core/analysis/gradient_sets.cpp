@@ -43,35 +43,24 @@ Line Line::of(std::size_t index, const ImpliedSet& set, const Position& x0, cons
   const auto& f = *set.function;
   const double y0 = set.at(x0);
   const double y1 = set.at(x1);
-  if (x1 <= set.top_left) {
-    const double width = f.b - f.a;
-    const bool whole = x0 == set.left && x1 == set.top_left;
-    const Position top{f.b};
-    return {index,
-            Part::kRise,
-            y0,
-            y1,
-            whole ? set.height : x1.minus(x0) / width * set.ramp_height,
-            x0.minus(set.left) / width,
-            x1.minus(set.left) / width,
-            top.minus(x0) / width,
-            top.minus(x1) / width};
-  }
-  if (x0 >= set.top_right) {
-    const double width = f.d - f.c;
-    const bool whole = x0 == set.top_right && x1 == set.right;
-    const Position top{f.c};
-    return {index,
-            Part::kFall,
-            y0,
-            y1,
-            whole ? set.height : x1.minus(x0) / width * set.ramp_height,
-            set.right.minus(x0) / width,
-            set.right.minus(x1) / width,
-            x0.minus(top) / width,
-            x1.minus(top) / width};
-  }
-  return {index, Part::kTop, y0, y1, 0, 1, 1, 0, 0};
+  const bool rises = x1 <= set.top_left;
+  if (!rises && x0 < set.top_right) return {index, Part::kTop, y0, y1, 0, 1, 1, 0, 0};
+
+  // A ramp hangs between its foot, where the term is 0, and its shoulder, where it is 1.
+  const Position& foot = rises ? set.left : set.right;
+  const Position shoulder{rises ? f.b : f.c};
+  const double width = std::abs(rises ? f.b - f.a : f.d - f.c);
+  const auto part = [width](const Position& from, const Position& to) { return std::abs(to.minus(from)) / width; };
+  const bool whole = rises ? x0 == set.left && x1 == set.top_left : x0 == set.top_right && x1 == set.right;
+  return {index,
+          rises ? Part::kRise : Part::kFall,
+          y0,
+          y1,
+          whole ? set.height : part(x0, x1) * set.ramp_height,
+          part(foot, x0),
+          part(foot, x1),
+          part(shoulder, x0),
+          part(shoulder, x1)};
 }
 
 GradientSums::GradientSums(std::span<const ImpliedSet> sets, fuzzy::Implication implication) noexcept

@@ -24,7 +24,7 @@ using Kind = Finding::Kind;
 constexpr std::size_t kAllowance = 100'000'000;
 // Each expert's share of the search for holes is at least this, enough for some hundreds of boxes.
 constexpr std::size_t kSmallestSearch = 100'000;
-// Settings of the other inputs at each place: more find larger jumps, rarely by much.
+// Settings of the other inputs at each place, and as many again beside the best one.
 constexpr std::size_t kMostSettings = 100;
 // Jumps below this share of the output's universe are rounding.
 constexpr double kNoJump = 1e-12;
@@ -99,7 +99,7 @@ class Linter {
 
   /// Settings that each of `places` may look at, each for the cost of a few averaged forces.
   std::size_t settings(std::size_t places) const {
-    const std::size_t share = kAllowance / (1 + 8 * places * probe_.costOfMean());
+    const std::size_t share = kAllowance / (1 + 16 * places * probe_.costOfMean());
     return std::clamp<std::size_t>(share, 1, kMostSettings);
   }
 

@@ -25,14 +25,24 @@ ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledM
   const SamplePoints points(std::move(values), std::clamp(kAllowance / probe.costOfMean(), kFewestPoints, kMostPoints));
 
   ForceRange range;
-  range.points = points.size();
-  for (std::size_t p = 0; p < range.points; ++p) {
-    const auto force = probe.mean(points[p]);
-    if (!force.fired) continue;
-    range.min_n = range.fired == 0 ? force.force_n : std::min(range.min_n, force.force_n);
-    range.max_n = range.fired == 0 ? force.force_n : std::max(range.max_n, force.force_n);
+  SamplePoints::Choice lowest;
+  SamplePoints::Choice highest;
+  const auto look = [&](const SamplePoints::Choice& choice) -> std::optional<double> {
+    ++range.points;
+    const auto force = probe.mean(points.at(choice));
+    if (!force.fired) return std::nullopt;
+    if (range.fired == 0 || force.force_n < range.min_n) range.min_n = force.force_n, lowest = choice;
+    if (range.fired == 0 || force.force_n > range.max_n) range.max_n = force.force_n, highest = choice;
     ++range.fired;
-  }
+    return force.force_n;
+  };
+  for (std::size_t p = 0; p < points.size(); ++p) look(points.choice(p));
+  if (range.fired == 0) return range;
+  points.climb(highest, range.max_n, look);
+  points.climb(lowest, -range.min_n, [&](const SamplePoints::Choice& choice) -> std::optional<double> {
+    const auto force = look(choice);
+    return force ? std::optional(-*force) : std::nullopt;
+  });
   return range;
 }
 

@@ -65,17 +65,47 @@ SamplePoints::SamplePoints(std::vector<std::vector<double>> values, std::size_t 
   size_ = std::min(size_, most);
 }
 
-std::vector<double> SamplePoints::operator[](std::size_t index) const {
+SamplePoints::Choice SamplePoints::choice(std::size_t index) const {
   constexpr std::array<std::size_t, fuzzy::kMostInputs> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19};
-  std::vector<double> point;
+  Choice choice;
   std::size_t rest = index;
   for (const auto& list : values_) {
-    const double share = radicalInverse(index + 1, kPrimes[point.size()]);
+    const double share = radicalInverse(index + 1, kPrimes[choice.size()]);
     const auto drawn = static_cast<std::size_t>(share * static_cast<double>(list.size()));
-    point.push_back(list[all_ ? rest % list.size() : std::min(drawn, list.size() - 1)]);
+    choice.push_back(all_ ? rest % list.size() : std::min(drawn, list.size() - 1));
     rest /= list.size();
   }
+  return choice;
+}
+
+std::vector<double> SamplePoints::at(const Choice& choice) const {
+  std::vector<double> point;
+  for (std::size_t i = 0; i < values_.size(); ++i) point.push_back(values_[i][choice[i]]);
   return point;
+}
+
+void SamplePoints::climb(Choice start, double value,
+                         const std::function<std::optional<double>(const Choice&)>& look) const {
+  if (all_) return;
+  std::size_t left = size_;
+  for (bool better = true; better;) {
+    better = false;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const std::size_t before = start[i];
+      std::size_t best = before;
+      for (std::size_t k = 0; k < values_[i].size(); ++k) {
+        if (k == before) continue;
+        if (left-- == 0) return;
+        start[i] = k;
+        const auto other = look(start);
+        if (!other || *other <= value) continue;
+        value = *other;
+        best = k;
+        better = true;
+      }
+      start[i] = best;
+    }
+  }
 }
 
 }  // namespace tactus::analysis

@@ -2,6 +2,8 @@
 // combinations.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,11 +22,23 @@ std::vector<double> valuesWorthALook(std::span<const double> vertices, double lo
 /// Halton sequence over them. Deterministic.
 class SamplePoints {
  public:
+  /// One of its values for each input.
+  using Choice = std::vector<std::size_t>;
+
   SamplePoints(std::vector<std::vector<double>> values, std::size_t most);
 
   std::size_t size() const noexcept { return size_; }
+  /// Whether these are all combinations.
+  bool all() const noexcept { return all_; }
+  Choice choice(std::size_t index) const;
+  std::vector<double> at(const Choice& choice) const;
   /// Point number `index`, one value per input.
-  std::vector<double> operator[](std::size_t index) const;
+  std::vector<double> operator[](std::size_t index) const { return at(choice(index)); }
+
+  /// Looks beside a good point, taking for one input after the other the value with which it gets best, until nothing
+  /// gets better or `size()` points have been looked at. `value` is that of `start`; `look(choice)` gives that of a
+  /// choice, or nothing.
+  void climb(Choice start, double value, const std::function<std::optional<double>(const Choice&)>& look) const;
 
  private:
   std::vector<std::vector<double>> values_;

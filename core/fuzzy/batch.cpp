@@ -11,43 +11,57 @@ namespace tactus::fuzzy {
 namespace {
 
 /// One point of a batch: `varying` and `index` as in evaluateBatchOf, the fixed inputs in `values`.
-Evaluation evaluateOne(const ModelTables& tables, const Program& program,
-                       std::span<const std::span<const double>> varying, std::span<const std::size_t> index,
-                       std::span<const double> values, std::size_t p) noexcept {
+Evaluation evaluateOne(const ModelTables& tables, std::span<const std::span<const double>> varying,
+                       std::span<const std::size_t> index, std::span<const double> values, std::size_t p) noexcept {
   std::array<double, kMostInputs> point;
   std::copy(values.begin(), values.end(), point.begin());
   for (std::size_t k = 0; k < varying.size(); ++k) point[index[k]] = varying[k][p];
-  return evaluateProgram(tables, program, {point.data(), values.size()});
+  return evaluatePoint(tables, *tables.program.kernels, {point.data(), values.size()});
 }
 
 }  // namespace
 
-void evaluateBatchOf(const ModelTables& tables, const Program& program,
+void evaluateBatchOf(const ModelTables& tables, const BatchProgram& program,
                      std::span<const std::span<const double>> varying, std::span<const std::size_t> index,
                      std::span<const double> values, BatchResult out) noexcept {
   const std::size_t points = out.force_n.size();
   TACTUS_CHECK(out.fired.size() == points);
   for (const auto& column : varying) TACTUS_CHECK(column.size() == points);
   const auto set_one = [&](std::size_t p) {
-    const Evaluation force = evaluateOne(tables, program, varying, index, values, p);
+    const Evaluation force = evaluateOne(tables, varying, index, values, p);
     out.force_n[p] = force.force_n;
     out.fired[p] = force.fired ? 1 : 0;
   };
-  // What does not fill a batch goes point by point.
-  std::size_t first = 0;
-  const auto kernel = program.usable ? program.kernels->batch : nullptr;
-  std::array<const double*, kMostInputs> columns{};
-  BatchOutcome outcome;
-  for (; program.usable && first + kBatch <= points; first += kBatch) {
-    for (std::size_t k = 0; k < varying.size(); ++k) columns[k] = varying[k].data() + first;
-    kernel(program, columns.data(), outcome);
-    std::copy_n(outcome.force_n, kBatch, out.force_n.begin() + static_cast<std::ptrdiff_t>(first));
-    std::fill_n(out.fired.begin() + static_cast<std::ptrdiff_t>(first), kBatch, std::uint8_t{1});
-    for (std::size_t p = 0; outcome.look_again >> p != 0; ++p) {
-      if ((outcome.look_again >> p & 1U) != 0) set_one(first + p);
-    }
+  if (!tables.program.usable) {
+    for (std::size_t p = 0; p < points; ++p) set_one(p);
+    return;
   }
-  for (; first < points; ++first) set_one(first);
+  const auto kernel = tables.program.kernels->batch;
+  std::array<const double*, kMostInputs> columns{};
+  const auto look_again_at = [&](std::size_t first, std::uint32_t points_of_batch) {
+    for (std::size_t p = first; points_of_batch != 0; ++p, points_of_batch >>= 1U) {
+      if ((points_of_batch & 1U) != 0) set_one(p);
+    }
+  };
+  std::fill(out.fired.begin(), out.fired.end(), std::uint8_t{1});
+  std::size_t first = 0;
+  for (; first + kBatch <= points; first += kBatch) {
+    for (std::size_t k = 0; k < varying.size(); ++k) columns[index[k]] = varying[k].data() + first;
+    look_again_at(first, kernel(tables.program, program, columns.data(), out.force_n.data() + first));
+  }
+  const std::size_t left = points - first;
+  if (left == 0) return;
+  // What is left fills a batch with copies of its first point.
+  std::array<std::array<double, kBatch>, kMostInputs> padded;
+  std::array<double, kBatch> force_n;
+  for (std::size_t k = 0; k < varying.size(); ++k) {
+    const auto rest = varying[k].subspan(first);
+    std::fill(std::copy(rest.begin(), rest.end(), padded[k].begin()), padded[k].end(), rest.front());
+    columns[index[k]] = padded[k].data();
+  }
+  const std::uint32_t again = kernel(tables.program, program, columns.data(), force_n.data());
+  std::copy_n(force_n.begin(), left, out.force_n.begin() + static_cast<std::ptrdiff_t>(first));
+  look_again_at(first, again & ((std::uint32_t{1} << left) - 1));
 }
 
 void evaluateBatch(const CompiledModel& model, std::span<const std::span<const double>> inputs,
@@ -56,7 +70,7 @@ void evaluateBatch(const CompiledModel& model, std::span<const std::span<const d
   TACTUS_CHECK(inputs.size() == model.inputCount());
   const std::array<double, kMostInputs> unused{};
   const ModelTables& tables = model.tables();
-  evaluateBatchOf(tables, tables.program, inputs, std::span(kEvery).first(inputs.size()),
+  evaluateBatchOf(tables, tables.program.batch, inputs, std::span(kEvery).first(inputs.size()),
                   std::span(unused).first(inputs.size()), out);
 }
 

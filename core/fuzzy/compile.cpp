@@ -1,9 +1,6 @@
 // From what people edit to what evaluates: names become indices, disabled rules disappear.
-#include <algorithm>
-
-#include "core/base/check.h"
 #include "core/fuzzy/model_tables.h"
-#include "core/fuzzy/validate.h"
+#include "core/fuzzy/resolve.h"
 
 namespace tactus::fuzzy {
 namespace {
@@ -15,54 +12,26 @@ std::vector<MembershipFunction> compileTerms(const std::vector<Term>& terms) {
   return functions;
 }
 
-std::size_t indexOf(const std::vector<Term>& terms, const std::string& id) {
-  const Term* const term = findTerm(terms, id);
-  TACTUS_CHECK(term != nullptr);
-  return static_cast<std::size_t>(term - terms.data());
-}
-
-std::size_t indexOf(const std::vector<Variable>& variables, const std::string& id) {
-  const auto it = std::find_if(variables.begin(), variables.end(), [&id](const Variable& v) { return v.id == id; });
-  TACTUS_CHECK(it != variables.end());
-  return static_cast<std::size_t>(it - variables.begin());
-}
-
-RuleTable compileExpert(const ForceModel& model, const Expert& expert,
-                        std::vector<std::vector<MembershipFunction>>& banks) {
-  // Bank of the variable at `index` (the output comes after the inputs): shared, or the expert's own.
+/// Chooses the banks of an expert: those of the variables, or new ones for its own lists of terms.
+void setBanks(const ForceModel& model, const Expert& expert, std::vector<std::vector<MembershipFunction>>& banks,
+              RuleTable& table) {
+  // Bank of the variable at `index`; the output comes after the inputs.
   const auto bank_of = [&](const Variable& variable, std::size_t index) {
     const auto& terms = termsFor(expert, variable);
     if (&terms == &variable.terms) return static_cast<std::uint32_t>(index);
     banks.push_back(compileTerms(terms));
     return static_cast<std::uint32_t>(banks.size() - 1);
   };
-
-  RuleTable table;
-  table.weight = expert.weight;
+  table.input_bank.reserve(model.inputs.size());
   for (std::size_t i = 0; i < model.inputs.size(); ++i) table.input_bank.push_back(bank_of(model.inputs[i], i));
   table.output_bank = bank_of(model.output, model.inputs.size());
-  const auto& output_terms = termsFor(expert, model.output);
-  for (const auto& rule : expert.rules) {
-    if (!rule.enabled || rule.weight == 0) continue;
-    table.rules.push_back({static_cast<std::uint32_t>(table.conditions.size()),
-                           static_cast<std::uint16_t>(rule.conditions.size()),
-                           static_cast<std::uint16_t>(indexOf(output_terms, rule.then)), rule.weight});
-    for (const auto& condition : rule.conditions) {
-      const std::size_t input = indexOf(model.inputs, condition.input);
-      const auto& terms = termsFor(expert, model.inputs[input]);
-      table.conditions.push_back(
-          {static_cast<std::uint8_t>(input), static_cast<std::uint8_t>(indexOf(terms, condition.term))});
-    }
-  }
-  return table;
 }
 
 }  // namespace
 
 base::Result<CompiledModel> compile(const ForceModel& model) {
-  if (auto ok = validate(model); !ok) return tl::unexpected(ok.error());
-
   auto tables = std::make_shared<ModelTables>();
+  if (auto ok = resolve(model, tables->experts); !ok) return tl::unexpected(ok.error());
   tables->output_min = model.output.min;
   tables->output_max = model.output.max;
   tables->default_force_n = model.default_force_n;
@@ -73,9 +42,13 @@ base::Result<CompiledModel> compile(const ForceModel& model) {
     tables->banks.push_back(compileTerms(input.terms));
   }
   tables->banks.push_back(compileTerms(model.output.terms));
-  for (const auto& expert : model.experts) tables->experts.push_back(compileExpert(model, expert, tables->banks));
-  const std::vector<std::optional<double>> nothing_fixed(model.inputs.size());
-  tables->program = makeProgram(*tables, nothing_fixed);
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    setBanks(model, model.experts[e], tables->banks, tables->experts[e]);
+  }
+  long double all_weights = 0;
+  for (const RuleTable& table : tables->experts) all_weights += table.weight;
+  for (RuleTable& table : tables->experts) table.share = static_cast<double>(table.weight / all_weights);
+  tables->program = makeProgram(*tables);
 
   CompiledModel compiled;
   compiled.tables_ = std::move(tables);

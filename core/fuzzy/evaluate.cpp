@@ -14,45 +14,37 @@ namespace {
 
 constexpr Evaluation kNotANumber{std::numeric_limits<double>::quiet_NaN(), false};
 
+constexpr std::size_t kFewExperts = 16;
+
 enum class Outcome { kFires, kAbstains, kOpen };
 
-Outcome outcomeOf(const Program& program, const Centroid& centroid, bool ordinary) noexcept {
-  if (centroid.area > program.negligible) return Outcome::kFires;
-  return centroid.area == 0 && program.zero_is_certain && ordinary ? Outcome::kAbstains : Outcome::kOpen;
+Outcome outcomeOf(const Program& program, double area, bool ordinary) noexcept {
+  if (area > program.negligible) return Outcome::kFires;
+  return area == 0 && program.zero_is_certain && ordinary ? Outcome::kAbstains : Outcome::kOpen;
 }
 
 }  // namespace
 
-Evaluation evaluateProgram(const ModelTables& tables, const Program& program, std::span<const double> inputs) noexcept {
+Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept {
   std::array<double, kMostInputs> values{};
   if (!tables.clamp(inputs, values)) return kNotANumber;
   const std::span<const double> clamped(values.data(), inputs.size());
+  const Program& program = tables.program;
   if (!program.usable) return evaluateGenerally(tables, clamped);
-  std::array<Centroid, kMostExperts> centroids;
-  program.kernels->point(program, clamped.data(), centroids.data());
-
-  // Mostly every expert fires.
-  const std::size_t experts = tables.experts.size();
-  bool all_fire = true;
-  double sum = 0;
-  for (std::size_t e = 0; e < experts; ++e) {
-    all_fire = all_fire && centroids[e].area > program.negligible;
-    sum += centroids[e].moment / centroids[e].area * program.experts[e].share;
-  }
-  if (all_fire) return {tables.output_min + sum, true};
+  PointOutcome outcome;
+  kernels.point(program, clamped.data(), outcome);
+  if (outcome.all_fire) return {tables.output_min + outcome.mean, true};
 
   const bool ordinary = areOrdinary(clamped);
   Mean mean;
-  for (std::size_t e = 0; e < experts; ++e) {
-    const double weight = tables.experts[e].weight;
+  for (std::size_t seat = 0; seat < tables.experts.size(); ++seat) {
+    const std::uint32_t expert = program.point.expert_at[seat];
+    const double weight = tables.experts[expert].weight;
     if (weight == 0) continue;
-    const Outcome outcome = outcomeOf(program, centroids[e], ordinary);
-    double offset = 0;
-    if (outcome == Outcome::kFires) {
-      mean.add(centroids[e].moment / centroids[e].area, weight);
-    } else if (outcome == Outcome::kOpen && expertOffsetGenerally(tables, e, clamped, offset)) {
+    const Outcome found = outcomeOf(program, outcome.area[seat], ordinary);
+    double offset = outcome.offset[seat];
+    if (found == Outcome::kFires || (found == Outcome::kOpen && expertOffsetGenerally(tables, expert, clamped, offset)))
       mean.add(offset, weight);
-    }
   }
   return mean.result(tables);
 }
@@ -69,7 +61,7 @@ double CompiledModel::clampInput(std::size_t input, double value) const noexcept
 }
 
 Evaluation CompiledModel::evaluate(std::span<const double> inputs) const noexcept {
-  return evaluateProgram(*tables_, tables_->program, inputs);
+  return evaluatePoint(*tables_, *tables_->program.kernels, inputs);
 }
 
 Evaluation CompiledModel::evaluateExpert(std::size_t expert, std::span<const double> inputs) const noexcept {
@@ -77,17 +69,19 @@ Evaluation CompiledModel::evaluateExpert(std::size_t expert, std::span<const dou
   if (!tables_->clamp(inputs, values)) return kNotANumber;
   const std::span<const double> clamped(values.data(), inputs.size());
   const Program& program = tables_->program;
+  Outcome found = Outcome::kOpen;
   double offset = 0;
-  bool fires = false;
-  Outcome outcome = Outcome::kOpen;
-  if (program.usable) {
-    std::array<Centroid, kMostExperts> centroids;
-    program.kernels->point(program, values.data(), centroids.data());
-    outcome = outcomeOf(program, centroids[expert], areOrdinary(clamped));
-    fires = outcome == Outcome::kFires;
-    if (fires) offset = centroids[expert].moment / centroids[expert].area;
+  // The kernel computes all experts. Where they are many, the general path has this one sooner.
+  if (program.usable && tables_->experts.size() <= kFewExperts) {
+    PointOutcome outcome;
+    program.kernels->point(program, values.data(), outcome);
+    const auto& order = program.point.expert_at;
+    const auto seat = static_cast<std::size_t>(std::find(order.begin(), order.end(), expert) - order.begin());
+    found = outcomeOf(program, outcome.area[seat], areOrdinary(clamped));
+    offset = outcome.offset[seat];
   }
-  if (outcome == Outcome::kOpen) fires = expertOffsetGenerally(*tables_, expert, clamped, offset);
+  const bool fires =
+      found == Outcome::kFires || (found == Outcome::kOpen && expertOffsetGenerally(*tables_, expert, clamped, offset));
   if (!fires) return {tables_->default_force_n, false};
   return {tables_->output_min + offset, true};
 }

@@ -9,26 +9,27 @@
 
 namespace tactus::fuzzy {
 
-/// Area and first moment of one expert's output set, positions from the lower end of the universe.
-struct Centroid {
-  double area, moment;  // not initialised: evaluation keeps a thousand of them on the stack
-};
-
-/// kBatch points at once.
-struct BatchOutcome {
-  alignas(128) double force_n[kBatch];  ///< mean over all experts
-  std::uint32_t look_again = 0;         ///< bit p: at point p some expert may not fire, or an input is not finite
+/// Each expert at one point, in the order of PointProgram::expert_at. Not initialised: evaluation keeps it on the
+/// stack.
+struct PointOutcome {
+  double area[kMostExperts + kTeam];    ///< of the output set
+  double offset[kMostExperts + kTeam];  ///< centroid from the lower end of the universe; any value where the area is 0
+  bool all_fire;                        ///< no area is negligible
+  double mean;                          ///< of the offsets, where all fire
 };
 
 /// The same source compiled for one instruction set. Every set does the same operations in the same order on each lane,
 /// so all give the same bits.
 struct Kernels {
-  std::string_view name;  ///< sse2, avx2, avx512-only, avx512; or portable on other processors
-  /// All experts of `program` at one point of clamped, finite inputs.
-  void (*point)(const Program& program, const double* inputs, Centroid* out) noexcept;
-  /// The mean at kBatch points: `columns` holds, for each varying input of the program, a pointer to kBatch values of
-  /// any kind.
-  void (*batch)(const Program& program, const double* const* columns, BatchOutcome& out) noexcept;
+  std::string_view name;  ///< sse2, avx2, avx512; or portable on other processors
+  /// All experts of the model at one point of clamped, finite inputs.
+  void (*point)(const Program& program, const double* inputs, PointOutcome& out) noexcept;
+  /// The mean over all experts at kBatch points, by a program made from that of the model. `columns` holds kMostInputs
+  /// pointers: to kBatch values of any kind for each input that varies, null for the others. `force_n` has room for
+  /// kBatch forces. Returns bits of the points that must be looked at again: some expert may not fire there, or an
+  /// input is not finite.
+  std::uint32_t (*batch)(const Program& model, const BatchProgram& program, const double* const* columns,
+                         double* force_n) noexcept;
 };
 
 /// The sets that this processor can run, the fastest last.

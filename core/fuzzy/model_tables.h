@@ -27,6 +27,7 @@ struct RuleTable {
     double weight;
   };
   double weight = 1;                      ///< of the expert in the mean
+  double share = 1;                       ///< weight relative to the sum of all weights
   std::vector<std::uint32_t> input_bank;  ///< one per input
   std::uint32_t output_bank = 0;
   std::vector<Rule> rules;  ///< enabled rules with a weight > 0 only
@@ -45,26 +46,27 @@ struct ModelTables {
   /// Copies `inputs` into their universes; false where one is not finite.
   bool clamp(std::span<const double> inputs, std::span<double> clamped) const noexcept {
     TACTUS_CHECK(inputs.size() == input_min.size());
-    bool finite = true;
+    double nothing = 0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       const double x = inputs[i];
-      finite = finite & (x - x == 0);  // not so for NaN and infinity
+      nothing += x - x;  // NaN where x is NaN or infinite
       const double above = x > input_min[i] ? x : input_min[i];
       clamped[i] = above < input_max[i] ? above : input_max[i];
     }
-    return finite;
+    return nothing == 0;
   }
 };
 
-/// The mean at a point by a program made from `tables`: all inputs of the model, clamped here; NaN where one is not
-/// finite. Whatever the program leaves open the general path decides. Thread: any. Real-time safe: yes.
-Evaluation evaluateProgram(const ModelTables& tables, const Program& program, std::span<const double> inputs) noexcept;
-
-/// The same at many points: `varying` holds one array for each input in `index`, `values` the values of the others.
+/// The mean at a point: all inputs of the model, clamped here; NaN where one is not finite. Whatever the fast form
+/// leaves open the general path decides. `kernels`: those of the program, or others that this processor can run.
 /// Thread: any. Real-time safe: yes.
-void evaluateBatchOf(const ModelTables& tables, const Program& program,
+Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept;
+
+/// The same at many points, by the program of the model or one specialised from it: `varying` holds one array for each
+/// input in `index`, `values` the values of the others. Thread: any. Real-time safe: yes.
+void evaluateBatchOf(const ModelTables& tables, const BatchProgram& program,
                      std::span<const std::span<const double>> varying, std::span<const std::size_t> index,
-                     std::span<const double> clamped, BatchResult out) noexcept;
+                     std::span<const double> values, BatchResult out) noexcept;
 
 /// Whether every input is 0 or not so small that products with it could underflow: then an area of 0 is certain.
 inline bool areOrdinary(std::span<const double> clamped) noexcept {

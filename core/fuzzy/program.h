@@ -1,138 +1,208 @@
 // The fast form of a model: flat tables that the kernels read (kernels.h). Made by compile and specialise, never
 // edited.
+//
+// Experts that share their input terms stand in one section. A section is evaluated by itself: its memberships go to
+// slots, which the next section uses again.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/fuzzy/closed_form.h"
 #include "core/fuzzy/force_model.h"
-#include "core/fuzzy/membership.h"
 
 namespace tactus::fuzzy {
 
-struct ModelTables;
+inline constexpr std::size_t kBatch = 32;       ///< points that the batch kernel takes at once
+inline constexpr std::size_t kTeam = 4;         ///< experts that the point kernel takes at once
+inline constexpr std::size_t kGridCells = 256;  ///< of the table that finds a point's segment
+/// Memberships and antecedents of one section; a model with a larger one is evaluated by the general path alone.
+inline constexpr std::size_t kMostSlots = 1024;
 
-// Sizes up to which a model has a fast form; larger ones are evaluated by the general path alone.
-inline constexpr std::size_t kBatch = 16;          ///< points that the batch kernel takes at once
-inline constexpr std::size_t kMostConstants = 64;  ///< slots with a constant value
-inline constexpr std::size_t kLanes = 8;           ///< output terms of one expert
-inline constexpr std::size_t kGridCells = 256;     ///< of the table that finds a point's segment
-inline constexpr std::size_t kMostSlots = 512;     ///< memberships and antecedents of one evaluation
+// The first slots hold constants.
+inline constexpr std::uint16_t kZeroSlot = 0;
+inline constexpr std::uint16_t kOneSlot = 1;
 
-/// Eight numbers side by side, one per output term.
-struct alignas(64) Lanes {
-  double value[kLanes] = {};
+/// A stretch of one of the flat tables.
+struct Stretch {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+
+  std::uint32_t end() const noexcept { return first + count; }
 };
 
-/// One input term that can be active: membership = min of two ramps, each cut to [0, 1].
-struct FastTerm {
-  std::uint16_t input = 0;
-  std::uint16_t slot = 0;  ///< where its membership goes
-  double a = 0, rise = 0;  ///< ramp (x - a) * rise; `rise` is rounded so that it reaches 1 where the core begins
-  double d = 0, fall = 0;  ///< ramp (d - x) * fall
+template <class T>
+std::uint32_t sizeOf(const std::vector<T>& table) noexcept {
+  return static_cast<std::uint32_t>(table.size());
+}
+
+template <class T>
+std::span<const T> in(const std::vector<T>& table, Stretch stretch) noexcept {
+  return {table.data() + stretch.first, stretch.count};
+}
+
+/// A trapezoid of an input: the lesser of two ramps, cut to [0, 1].
+struct Ramps {
+  double a = 0, rise = 0;  ///< (x - a) * rise; `rise` is rounded so that it reaches 1 where the core begins
+  double d = 0, fall = 0;  ///< (d - x) * fall
   bool has_rise = true;    ///< false where the term is 1 from the lower end of the universe on
   bool has_fall = true;
 };
 
-/// The centroid of up to eight ordered terms of which only neighbours overlap, as polynomials in their strengths.
-/// Area of a trapezoid clipped at s: s (width - s half_taper); moment: area * middle + skew s^2 (half_width - s
-/// third_taper), positions from the lower end of the universe. The same for the overlap of each term with the next,
-/// clipped at the least of both strengths and its own peak. Scaled sets: area and moment are linear in s; an overlap is
-/// a triangle between two ramps.
-struct ClosedForm {
-  Lanes width, half_taper, middle, skew, half_width, third_taper;
-  Lanes overlap_width, overlap_half_taper, overlap_middle, overlap_skew, overlap_half_width, overlap_third_taper;
-  Lanes overlap_peak;
-  Lanes overlap_start, inverse_fall, inverse_rise;  ///< scale only: ramps of the overlap
-  std::size_t count = 0;                            ///< output terms
+/// The least of some memberships: what a rule asks besides its pivot term.
+struct Antecedent {
+  std::uint16_t slot = 0;
+  Stretch of;      ///< slots
+  double cap = 1;  ///< the least of those that are fixed
 };
+
+// ---- one point
 
 /// Up to eight terms of one input side by side: their memberships go to eight slots in a row.
 struct TermBlock {
   std::uint16_t input = 0;
   std::uint16_t slot = 0;   ///< of the first
   std::uint16_t count = 0;  ///< terms
-  Lanes a, rise, d, fall;   ///< as in FastTerm; an absent ramp has its foot at infinity, an absent term is 0 everywhere
+  Lanes a, rise, d, fall;   ///< as in Ramps; an absent ramp has its foot at infinity, an absent term is 0 everywhere
 };
 
-/// min of some memberships, for rules with more than two conditions: one slot that others can refer to.
-struct Antecedent {
+/// What remains of a rule's conditions without its pivot term: strength = weight * min(pivot, rest).
+struct Rest {
   std::uint16_t slot = 0;
-  std::vector<std::uint16_t> of;  ///< slots
+  std::uint16_t lane = 0;  ///< the output term that it strengthens, where weights stand for experts
 };
 
-/// Rules that share one term of the pivot input: strength = weight * min(pivot, rest), for every rest.
-struct Row {
-  std::uint16_t pivot = 0;  ///< slot
-  std::uint32_t first = 0;  ///< of the expert's rests and weights
-  std::uint32_t count = 0;
+struct alignas(32) Weights {
+  double value[kTeam] = {};
 };
 
-/// One rule of the batch kernel: strength = weight * min(pivot, rest) for one output term.
-struct FastRule {
+/// Experts with the same terms, at most kTeam. Several of them: each rest has a lane, and a weight for each expert. One
+/// alone: each rest has a weight for each of eight output terms. A weight is 0 where there is no such rule. The first
+/// expert takes the places that are left too, with a share of 0.
+struct Team {
+  bool side_by_side = false;  ///< one expert alone, and its closed form fits side by side
+  std::uint16_t experts = 1;
+  std::uint16_t lanes = 1;  ///< output terms
+  std::uint32_t form = 0;
+  std::uint32_t first_row = 0;  ///< rows[first_row + r] are the rests of pivot term r
+  std::uint32_t first_rest = 0;
+  std::uint32_t first_weight = 0;  ///< of its first rest
+  Weights shares;                  ///< of each expert: weight relative to the sum of all weights
+};
+
+struct PointSection {
+  Stretch blocks, antecedents, teams;
+  std::uint16_t pivot_input = 0;
+  double grid_start = 0;  ///< lower end of the pivot input's universe
+  double cells_per_unit = 0;
+  std::uint32_t first_cell = 0;        ///< in first_segment
+  std::uint32_t first_breakpoint = 0;  ///< in breakpoints
+  std::uint32_t first_segment_row = 0;
+  std::uint32_t rows_per_segment = 1;
+  std::uint32_t first_pivot = 0;  ///< pivots[first_pivot + r] is the slot of pivot term r
+};
+
+struct PointProgram {
+  std::vector<PointSection> sections;
+  std::vector<TermBlock> blocks;
+  std::vector<Antecedent> antecedents;
+  std::vector<std::uint16_t> antecedent_slots;
+  std::vector<double> breakpoints;           ///< of the pivot input, ascending, infinity at the end
+  std::vector<std::uint16_t> first_segment;  ///< of each grid cell; the segment of a point is this one or a later one
+  std::vector<std::uint16_t> segment_rows;   ///< rows that can be active between two breakpoints, rows_per_segment each
+  std::vector<std::uint16_t> pivots;         ///< slots
+  std::vector<Team> teams;                   ///< all experts of the model, in an order of their own
+  std::vector<Stretch> rows;                 ///< of rests
+  std::vector<Rest> rests;
+  std::vector<Weights> weights;
+  std::vector<std::uint32_t> expert_at;  ///< expert of the model for each seat: teams in order, experts in the team
+};
+
+// ---- many points
+
+struct BatchTerm {
+  Ramps ramps;
+  std::uint16_t input = 0;
+  std::uint16_t slot = 0;
+  bool cap = true;  ///< cut at 1; a rest needs not be, because its pivot is
+};
+
+/// A slot with the same value at all points.
+struct FixedSlot {
+  std::uint16_t slot = 0;
+  double value = 0;
+};
+
+struct BatchRule {
   std::uint16_t rest = 0;  ///< slot
   double weight = 1;
 };
 
-/// Rules of one row and one output term.
+/// Rules of one pivot term and one output term.
 struct RuleGroup {
-  std::uint16_t pivot = 0;
-  std::uint16_t lane = 0;
-  std::uint32_t first = 0;  ///< of the expert's batch_rules
-  std::uint32_t count = 0;
-  bool unit_weights = true;  ///< then strength = min(pivot, largest rest)
+  std::uint16_t pivot = 0;   ///< slot
+  bool unit_weights = true;  ///< strength = min(pivot, largest rest)
+  Stretch rules;
+  double cap = 0;  ///< the largest rest of those that are fixed, with unit weights
 };
 
-struct FastExpert {
+/// An output term that some rule can reach.
+struct BatchLane {
+  std::uint16_t lane = 0;
+  Stretch groups;
+};
+
+struct BatchExpert {
   double share = 1;  ///< weight relative to the sum of all weights
-  std::uint16_t pivot_input = 0;
-  std::vector<double> breakpoints;  ///< of the pivot input, ascending, infinity at the end
-  double grid_start = 0;            ///< lower end of the pivot input's universe
-  double cells_per_unit = 0;
-  std::vector<std::uint16_t> first_segment;  ///< of each grid cell; the segment of a point is this one or a later one
-  std::size_t rows_per_segment = 1;
-  std::vector<std::uint32_t> segment_rows;  ///< rows that can be active between two breakpoints, rows_per_segment each
-  std::vector<Row> rows;
-  std::vector<std::uint16_t> rests;  ///< slots
-  std::vector<Lanes> weights;        ///< one per rest; 0 where that output term has no such rule
+  std::uint32_t form = 0;
+  Stretch lanes;
+};
+
+struct BatchSection {
+  Stretch fixed, terms, antecedents, experts;
+};
+
+struct BatchProgram {
+  std::vector<BatchSection> sections;
+  std::vector<FixedSlot> fixed;
+  std::vector<BatchTerm> terms;
+  std::vector<Antecedent> antecedents;
+  std::vector<std::uint16_t> antecedent_slots;
+  std::vector<BatchExpert> experts;  ///< those with a weight > 0
+  std::vector<BatchLane> lanes;
   std::vector<RuleGroup> groups;
-  std::vector<FastRule> batch_rules;
-  std::size_t form = 0;  ///< index of the closed form
+  std::vector<BatchRule> rules;
 };
 
 struct Kernels;
 
+/// What all programs of a model share.
 struct Program {
-  const Kernels* kernels = nullptr;  ///< what runs it on this processor
+  const Kernels* kernels = nullptr;  ///< what runs it on this processor; never null once made
   bool usable = false;               ///< false: the general path evaluates everything
   bool clip = true;
   /// No product of a membership and a weight underflows for ordinary inputs, so an area of 0 means that nothing fires.
   bool zero_is_certain = true;
-  std::vector<std::uint16_t> varying;  ///< the inputs that terms read
   std::array<double, kMostInputs> input_min{}, input_max{};
   double output_min = 0;
-  double negligible = 0;         ///< an area up to this, but not 0, is left to the general path
-  std::vector<Lanes> constants;  ///< values of the first slots: 0, 1, then what else is constant
-  std::size_t constant_count = 0;
-  std::vector<FastTerm> terms;    ///< the same terms twice: for a batch,
-  std::vector<TermBlock> blocks;  ///< and for one point
-  std::vector<Antecedent> antecedents;
+  double negligible = 0;  ///< an area up to this, but not 0, is left to the general path
   std::vector<ClosedForm> forms;
-  std::vector<FastExpert> experts;  ///< one per expert of the model
+  PointProgram point;
+  BatchProgram batch;  ///< with nothing fixed
 };
 
-/// The fast form of the tables of a model. `fixed`: the values of inputs that do not vary, one entry per input; their
-/// memberships become constants. Not usable where a limit is exceeded or a shape needs the general path.
-Program makeProgram(const ModelTables& tables, std::span<const std::optional<double>> fixed);
+struct ModelTables;
 
-/// The closed form of an expert's output terms, or nothing where the general sweep is needed: more than eight terms, a
-/// Gaussian, terms without an order, overlaps beyond neighbours, ramps cut by the universe.
-/// `lane_of` receives the lane of each term.
-std::optional<ClosedForm> closedForm(std::span<const MembershipFunction> terms, double lo, double hi,
-                                     Implication implication, std::vector<std::uint16_t>& lane_of);
+/// The fast form of the tables of a model. Not usable where a limit is exceeded or a shape needs the general path.
+Program makeProgram(const ModelTables& tables);
+
+/// A program for many points with some inputs fixed: one entry per input, a value in its universe or nothing. Whatever
+/// depends on fixed inputs alone is computed here, and what cannot fire any more drops out.
+BatchProgram specialised(const BatchProgram& program, std::span<const std::optional<double>> fixed);
 
 }  // namespace tactus::fuzzy

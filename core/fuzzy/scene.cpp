@@ -1,6 +1,5 @@
 #include "core/fuzzy/scene.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,29 +13,34 @@ base::Result<Scene> Scene::specialise(const CompiledModel& model, std::span<cons
   TACTUS_CHECK(fixed.size() == model.inputCount());
   Scene scene;
   scene.model_ = model;
+  std::array<std::optional<double>, kMostInputs> clamped;
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (fixed[i] && !std::isfinite(*fixed[i])) {
       return base::fail(base::ErrorCode::kValue, "input " + std::to_string(i), base::formatNumber(*fixed[i]),
                         "a finite number");
     }
-    scene.point_.push_back(model.clampInput(i, fixed[i].value_or(model.tables().input_min[i])));
-    if (!fixed[i]) scene.free_.push_back(i);
+    scene.point_[i] = model.clampInput(i, fixed[i].value_or(model.tables().input_min[i]));
+    if (fixed[i]) {
+      clamped[i] = scene.point_[i];
+    } else {
+      scene.free_.push_back(i);
+    }
   }
-  scene.program_ = std::make_shared<const Program>(makeProgram(model.tables(), fixed));
+  scene.program_ = std::make_shared<const BatchProgram>(
+      specialised(model.tables().program.batch, std::span(clamped).first(fixed.size())));
   return scene;
 }
 
 Evaluation Scene::evaluate(std::span<const double> free_inputs) const noexcept {
   TACTUS_CHECK(free_inputs.size() == free_.size());
-  std::array<double, kMostInputs> point;
-  std::copy(point_.begin(), point_.end(), point.begin());
+  std::array<double, kMostInputs> point = point_;
   for (std::size_t f = 0; f < free_.size(); ++f) point[free_[f]] = free_inputs[f];
-  return evaluateProgram(model_.tables(), *program_, {point.data(), point_.size()});
+  return model_.evaluate(std::span(point).first(model_.inputCount()));
 }
 
 void Scene::evaluateBatch(std::span<const std::span<const double>> free_inputs, BatchResult out) const noexcept {
   TACTUS_CHECK(free_inputs.size() == free_.size());
-  evaluateBatchOf(model_.tables(), *program_, free_inputs, free_, point_, out);
+  evaluateBatchOf(model_.tables(), *program_, free_inputs, free_, std::span(point_).first(model_.inputCount()), out);
 }
 
 }  // namespace tactus::fuzzy

@@ -1,6 +1,7 @@
 // A compiled model specialised to inputs that do not change for now.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,7 +13,7 @@
 
 namespace tactus::fuzzy {
 
-struct Program;
+struct BatchProgram;
 
 /// The force as a function of the inputs that still vary. Immutable; it keeps what it needs of the model, so the model
 /// may go away.
@@ -35,9 +36,9 @@ class Scene {
 
  private:
   CompiledModel model_;
-  std::shared_ptr<const Program> program_;
-  std::vector<double> point_;      ///< all inputs, clamped; the fixed ones at their values
-  std::vector<std::size_t> free_;  ///< indices of the varying inputs
+  std::shared_ptr<const BatchProgram> program_;
+  std::array<double, kMostInputs> point_{};  ///< all inputs, clamped; the fixed ones at their values
+  std::vector<std::size_t> free_;            ///< indices of the varying inputs
 };
 
 }  // namespace tactus::fuzzy

@@ -68,10 +68,45 @@ TEST(ForceBounds, AUnionMayLieOutsideItsTerms) {
   EXPECT_LT(forceBounds(model, 0)->max_n, 10);
 }
 
+// A bell at .3, 15 sigmas from the nearer border. Scaled, its centroid is .3 whatever the strength. Clipped, it is .3
+// at strength 1 and moves to .5, the middle of the universe, as the strength falls and the plateau fills the universe.
+TEST(ForceBounds, OfAGaussianAlone) {
+  ForceModel model = twoTerms({0, 1, 2}, {0, 1, 2});
+  model.output.max = 1;
+  model.output.terms[0] = {"f", "f", Shape::kGaussian, {.3, .02}};
+  model.experts[0].rules.pop_back();
+  EXPECT_NEAR(forceBounds(model, 0)->min_n, .3, 1e-11);
+  EXPECT_NEAR(forceBounds(model, 0)->max_n, .3, 1e-11);
+  model.implication = fuzzy::Implication::kClip;
+  EXPECT_NEAR(forceBounds(model, 0)->min_n, .3, 1e-11);
+  EXPECT_NEAR(forceBounds(model, 0)->max_n, .5, 1e-11);
+}
+
+// Beside the bell a triangle whose centroid, .8, is the largest there is: the bell only pulls it down.
+TEST(ForceBounds, OfAGaussianAndATriangle) {
+  ForceModel model = twoTerms({0, 1, 2}, {.7, .8, .9});
+  model.output.max = 1;
+  model.output.terms[0] = {"f", "f", Shape::kGaussian, {.3, .02}};
+  EXPECT_NEAR(forceBounds(model, 0)->min_n, .3, 1e-11);
+  EXPECT_NEAR(forceBounds(model, 0)->max_n, .8, 1e-11);
+}
+
 TEST(ForceBounds, NothingWhereNoRuleCanFire) {
   ForceModel model = support::s4AsPrinted();
   model.experts[0].rules.clear();
   EXPECT_FALSE(forceBounds(model, 0).has_value());
+}
+
+// So narrow that its width is lost when it is seen from the lower end of the universe.
+TEST(ForceBounds, KnowTermsOfAFewUlps) {
+  ForceModel model = twoTerms({-5e5, 1e5, 8e5}, {474262, 474262, 474262.00000000006});
+  model.output.min = -1e6;
+  model.output.max = 1e6;
+  const auto compiled = fuzzy::compile(model);
+  ASSERT_TRUE(compiled.has_value());
+  const double alone = compiled->evaluate(std::vector{1.0}).force_n;
+  EXPECT_NEAR(alone, 474262, 1e-9);
+  EXPECT_LE(alone, forceBounds(model, 0)->max_n);
 }
 
 // Two experts that both always fire: the mean cannot come as low as the lower of the two.
@@ -94,20 +129,21 @@ TEST(ForceBounds, EveryFiredForceOfRandomModelsLiesWithin) {
   base::Random random(21);
   for (int m = 0; m < 1000; ++m) {
     SCOPED_TRACE("model " + std::to_string(m));
-    const ForceModel model = support::randomModel(random, {.gaussians = m % 5 == 0, .adversarial = m % 2 == 0});
+    const ForceModel model = support::randomModel(random, {.gaussians = m % 3 == 0, .adversarial = m % 3 == 1});
     const auto compiled = fuzzy::compile(model);
     std::vector<bool> always(model.experts.size());
     for (std::size_t e = 0; e < always.size(); ++e) always[e] = coverage(model, std::span(&e, 1)).holes.empty();
     const auto mean = forceBounds(model, always);
+    std::vector<std::optional<ForceBounds>> own;
+    for (std::size_t e = 0; e < always.size(); ++e) own.push_back(forceBounds(model, e));
     for (int p = 0; p < 40; ++p) {
       const auto point = support::randomPoint(random, model);
       for (std::size_t e = 0; e < model.experts.size(); ++e) {
         const auto force = compiled->evaluateExpert(e, point);
         if (!force.fired) continue;
-        const auto bounds = forceBounds(model, e);
-        ASSERT_TRUE(bounds.has_value());
-        ASSERT_GE(force.force_n, bounds->min_n);
-        ASSERT_LE(force.force_n, bounds->max_n);
+        ASSERT_TRUE(own[e].has_value());
+        ASSERT_GE(force.force_n, own[e]->min_n);
+        ASSERT_LE(force.force_n, own[e]->max_n);
       }
       const auto force = compiled->evaluate(point);
       if (!force.fired) continue;

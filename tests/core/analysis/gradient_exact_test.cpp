@@ -10,7 +10,9 @@
 
 #include "tests/reference/exact_gradient.h"
 #include "tests/reference/exact_model.h"
+#include "tests/support/gradient_slots.h"
 #include "tests/support/ngt_model.h"
+#include "tests/support/ordered_model.h"
 #include "tests/support/random_model.h"
 
 namespace tactus::analysis {
@@ -20,19 +22,7 @@ using fuzzy::ForceModel;
 using fuzzy::Implication;
 using reference::ExactGradient;
 using reference::Parameter;
-
-std::size_t slotOf(const GradientModel& model, const Parameter& p) {
-  switch (p.kind) {
-    case Parameter::Kind::kInput:
-      return model.inputSlot(p.variable);
-    case Parameter::Kind::kWeight:
-      return model.weightSlot(*p.expert, p.index);
-    case Parameter::Kind::kPoint:
-      break;
-  }
-  return p.expert ? model.pointSlot(*p.expert, p.variable, p.index, p.point)
-                  : model.pointSlot(p.variable, p.index, p.point);
-}
+using support::slotOf;
 
 double widthOf(const ForceModel& model, const Parameter& p) {
   if (p.kind == Parameter::Kind::kWeight) return 1;
@@ -126,7 +116,7 @@ void compareAt(const ForceModel& model, const GradientModel& gradients, const st
   const double force = exact.force() ? exact.force()->get_d() : model.default_force_n;
   ASSERT_NEAR(gradient.force_n, force, 1e-12 * (model.output.max - model.output.min) + 4.5e-16 * std::abs(force));
   for (const auto& parameter : exact.parameters())
-    compare(model, point, parameter, exact, gradient.values[slotOf(gradients, parameter)], tally);
+    compare(model, point, parameter, exact, gradient[slotOf(gradients, parameter)], tally);
 }
 
 Tally compareRandomModels(std::uint64_t seed, int models, bool adversarial) {
@@ -155,6 +145,28 @@ void expectMostlySmooth(const Tally& tally) {
 TEST(GradientExact, OrdinaryRandomModels) { expectMostlySmooth(compareRandomModels(11, 500, false)); }
 
 TEST(GradientExact, AdversarialRandomModels) { expectMostlySmooth(compareRandomModels(12, 500, true)); }
+
+// Where the fast path applies, against the exact derivatives and against the general sweep.
+TEST(GradientExact, OrderedRandomModels) {
+  base::Random random(16);
+  Tally tally;
+  int closed = 0;
+  int experts = 0;
+  for (int m = 0; m < 50; ++m) {
+    SCOPED_TRACE("model " + std::to_string(m));
+    const ForceModel model = support::randomOrderedModel(random);
+    const auto gradients = GradientModel::of(model);
+    ASSERT_TRUE(gradients.has_value()) << gradients.error().message();
+    for (std::size_t e = 0; e < model.experts.size(); ++e) closed += gradients->hasClosedForm(e) ? 1 : 0;
+    experts += static_cast<int>(model.experts.size());
+    compareAt(model, *gradients, support::randomOrderedPoint(random, model), tally);
+  }
+  EXPECT_GT(closed, experts / 3);
+  EXPECT_GT(tally.nonzero, 1000);
+  EXPECT_LT(tally.kinks, tally.nonzero / 5);
+  // Rules that share their smallest membership tie for their term; then their weights have no derivative.
+  EXPECT_LT(tally.undefined, tally.nonzero / 5);
+}
 
 TEST(GradientExact, NgtModel) {
   base::Random random(13);

@@ -45,11 +45,11 @@ struct Evaluated {
       : model(GradientModel::of(force_model).value()), gradient(model.makeGradient()) {
     model.evaluate(point, gradient);
   }
-  double input(std::size_t i) const { return gradient.values[model.inputSlot(i)]; }
+  double input(std::size_t i) const { return gradient[model.inputSlot(i)]; }
   double point(std::size_t variable, std::size_t term, std::size_t p) const {
-    return gradient.values[model.pointSlot(variable, term, p)];
+    return gradient[model.pointSlot(variable, term, p)];
   }
-  double weight(std::size_t expert, std::size_t rule) const { return gradient.values[model.weightSlot(expert, rule)]; }
+  double weight(std::size_t expert, std::size_t rule) const { return gradient[model.weightSlot(expert, rule)]; }
 };
 
 // Sums and quotients of a few numbers below 1.
@@ -164,7 +164,7 @@ TEST(Gradient, WeightedExpertsAndThoseThatAbstain) {
   EXPECT_NEAR(at.weight(0, 0), .25 * -.112, kRounding);
   EXPECT_NEAR(at.weight(1, 0), .75 * second_by_strength * .2, kRounding);
   EXPECT_NEAR(at.point(0, 0, 1), .25 * .112, kRounding) << "the shared list";
-  EXPECT_NEAR(at.gradient.values[at.model.pointSlot(1, 0, 0, 1)], .75 * second_by_strength * -.4, kRounding);
+  EXPECT_NEAR(at.gradient[at.model.pointSlot(1, 0, 0, 1)], .75 * second_by_strength * -.4, kRounding);
   EXPECT_EQ(at.weight(2, 0), 0);
   EXPECT_EQ(at.weight(3, 0), 0);
 }
@@ -175,7 +175,7 @@ TEST(Gradient, WhereNothingFiresTheForceIsConstant) {
   const Evaluated at(model, {0});
   EXPECT_FALSE(at.gradient.fired);
   EXPECT_EQ(at.gradient.force_n, .3);
-  for (const double value : at.gradient.values) EXPECT_EQ(value, 0);
+  for (const double value : at.gradient.values()) EXPECT_EQ(value, 0);
 }
 
 TEST(Gradient, InputsThatAreNotNumbersGiveNone) {
@@ -183,7 +183,7 @@ TEST(Gradient, InputsThatAreNotNumbersGiveNone) {
     const Evaluated at(twoRectangles(), {x});
     EXPECT_FALSE(at.gradient.fired);
     EXPECT_TRUE(std::isnan(at.gradient.force_n));
-    for (const double value : at.gradient.values) EXPECT_TRUE(std::isnan(value));
+    for (const double value : at.gradient.values()) EXPECT_TRUE(std::isnan(value));
   }
 }
 
@@ -264,7 +264,7 @@ TEST(Gradient, RandomGaussianModelsGiveTheForceOfTheEvaluator) {
     // Each is within 1e-12 of the range and 2 ulp.
     ASSERT_NEAR(at.gradient.force_n, force.force_n,
                 2e-12 * (model.output.max - model.output.min) + 9e-16 * std::abs(force.force_n));
-    for (const double value : at.gradient.values) ASSERT_FALSE(std::isnan(value));
+    for (const double value : at.gradient.values()) ASSERT_FALSE(std::isnan(value));
   }
 }
 

@@ -1,0 +1,74 @@
+#include "core/analysis/force_difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/analysis/force_probe.h"
+#include "core/analysis/sample_points.h"
+#include "core/base/check.h"
+
+namespace tactus::analysis {
+namespace {
+
+// 20,000 points of each kind for models of a few hundred rules: some hundredths of a second.
+constexpr std::size_t kMostPoints = 20000;
+constexpr std::size_t kFewestPoints = 100;
+constexpr std::size_t kAllowance = 100'000'000;  // rules looked at
+constexpr std::size_t kEvenValues = 128;         // of one input, at the middles of as many cells
+
+std::vector<double> evenly(const fuzzy::Variable& input) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < kEvenValues; ++k) {
+    const double share = (static_cast<double>(k) + 0.5) / kEvenValues;
+    values.push_back(input.min + share * (input.max - input.min));
+  }
+  return values;
+}
+
+}  // namespace
+
+ForceDifference forceDifference(const fuzzy::ForceModel& first, const fuzzy::CompiledModel& compiled_first,
+                                const fuzzy::ForceModel& second, const fuzzy::CompiledModel& compiled_second) {
+  TACTUS_CHECK(first.inputs.size() == second.inputs.size());
+  constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max();
+  ForceProbe one(first, compiled_first, kUnbounded);
+  ForceProbe two(second, compiled_second, kUnbounded);
+  const std::size_t most =
+      std::clamp(kAllowance / (1 + one.costOfMean() + two.costOfMean()), kFewestPoints, kMostPoints);
+  std::vector<std::vector<double>> worth_a_look;
+  std::vector<std::vector<double>> even;
+  for (std::size_t i = 0; i < first.inputs.size(); ++i) {
+    worth_a_look.push_back(one.values(i));
+    even.push_back(evenly(first.inputs[i]));
+  }
+
+  ForceDifference out;
+  double squares = 0;
+  std::size_t even_points = 0;
+  const auto compare = [&](std::vector<double> point, bool counts_for_rms) {
+    const auto a = one.mean(point);
+    const auto b = two.mean(point);
+    if (a.fired != b.fired) ++out.only_one_fires;
+    if (!a.fired || !b.fired) return;
+    ++out.points;
+    const double newtons = std::abs(a.force_n - b.force_n);
+    if (counts_for_rms) {
+      squares += newtons * newtons;
+      ++even_points;
+    }
+    if (newtons <= out.largest_n) return;
+    out.largest_n = newtons;
+    out.at = std::move(point);
+    out.first_n = a.force_n;
+    out.second_n = b.force_n;
+  };
+  const SamplePoints vertices(std::move(worth_a_look), most);
+  for (std::size_t p = 0; p < vertices.size(); ++p) compare(vertices[p], false);
+  const SamplePoints spread(std::move(even), most);
+  for (std::size_t p = 0; p < spread.size(); ++p) compare(spread[p], true);
+  if (even_points > 0) out.rms_n = std::sqrt(squares / static_cast<double>(even_points));
+  return out;
+}
+
+}  // namespace tactus::analysis

@@ -1,0 +1,29 @@
+// Steps from one rule of an expert to the next along an input, and how many levels of the force each takes.
+#pragma once
+
+#include <vector>
+
+#include "core/analysis/directions.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::analysis {
+
+/// Two rules of one expert with the same conditions but for the term of one input, and no rule for a term between them.
+struct NeighbourStep {
+  std::size_t input = 0;   ///< index of the input along which the step goes
+  std::size_t before = 0;  ///< index in Expert::rules, the rule of the lower term
+  std::size_t after = 0;
+  int levels = 0;  ///< places from the first consequent to the second in the order of the output terms; may be < 0
+  bool adjacent = false;  ///< no term of the expert lies between; otherwise the rule of one is missing
+};
+
+/// All steps of `expert` along input number `input`. Terms, of the input and of the output, are taken in the order of
+/// their centres. Of a rule that is given twice with different consequents, each makes its steps. Disabled rules and
+/// rules of weight 0 do not count. `model` must be valid.
+std::vector<NeighbourStep> neighbourSteps(const fuzzy::ForceModel& model, const fuzzy::Expert& expert,
+                                          std::size_t input);
+
+/// The step in words, with what `changeAlong` needs.
+RuleStep ruleStep(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, const NeighbourStep& step);
+
+}  // namespace tactus::analysis
