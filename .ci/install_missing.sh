@@ -41,6 +41,6 @@ quietly() {
 }
 
 # What every build needs.
-build_packages=(g++ cmake ninja-build nlohmann-json3-dev libexpected-dev libcli11-dev)
+build_packages=(g++ cmake ninja-build nlohmann-json3-dev libexpected-dev libcli11-dev libsqlitecpp-dev)
 # What the workbench needs on top.
 workbench_packages=(qt6-base-dev qt6-svg-dev libqcustomplot-dev fonts-dejavu-core)

@@ -1,0 +1,59 @@
+#include "core/store/conflicts.h"
+
+#include "core/store/entry_tables.h"
+
+namespace tactus::store {
+namespace {
+
+using Findings = std::vector<std::string>;
+
+void checkOrder(Connection& connection, Findings& findings) {
+  Query query(connection,
+              "SELECT session_id, count(*), count(DISTINCT sequence), max(sequence) FROM session_record"
+              " GROUP BY session_id HAVING count(*) <> max(sequence) OR count(DISTINCT sequence) <> count(*)");
+  while (query.next()) {
+    const std::string session = "session " + study::toText(query.id());
+    const auto records = query.integer();
+    const auto numbers = query.integer();
+    const auto highest = query.integer();
+    if (numbers < highest) {
+      findings.push_back(session + ": " + std::to_string(highest - numbers) + " records are missing");
+    }
+    if (records > numbers) {
+      findings.push_back(session + ": " + std::to_string(records - numbers) +
+                         " records have the number of another, so it went on in two copies of the study");
+    }
+  }
+}
+
+void checkPersons(Connection& connection, Findings& findings) {
+  Query query(connection, "SELECT code, count(*) FROM person GROUP BY code HAVING count(*) > 1 ORDER BY code");
+  while (query.next()) {
+    const std::string code = query.text();
+    findings.push_back("person: " + std::to_string(query.integer()) + " persons have the code " + base::quoted(code));
+  }
+}
+
+void checkCorrections(Connection& connection, Findings& findings) {
+  for (const std::string_view table : kEntryTables) {
+    Query query(connection, "SELECT supersedes, count(*) FROM " + std::string(table) +
+                                " WHERE supersedes IS NOT NULL GROUP BY supersedes HAVING count(*) > 1");
+    while (query.next()) {
+      const std::string id = study::toText(query.id());
+      findings.push_back(std::string(table) + " " + id + ": has " + std::to_string(query.integer()) +
+                         " corrections, the latest counts");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> conflicts(Connection& connection) {
+  Findings findings;
+  checkOrder(connection, findings);
+  checkPersons(connection, findings);
+  checkCorrections(connection, findings);
+  return findings;
+}
+
+}  // namespace tactus::store

@@ -1,0 +1,15 @@
+// Records that contradict each other, which only two copies of a study can bring about. Private to core/store.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/store/connection.h"
+
+namespace tactus::store {
+
+/// One sentence each: numbers missing in the order of a session or given twice, codes of two persons, records with two
+/// corrections. Throws as Query does.
+std::vector<std::string> conflicts(Connection& connection);
+
+}  // namespace tactus::store

@@ -1,0 +1,106 @@
+#include "core/store/connection.h"
+
+#include <SQLiteCpp/Statement.h>
+#include <filesystem>
+#include <sqlite3.h>
+#include <string_view>
+
+#include "core/base/text.h"
+
+namespace tactus::store {
+namespace {
+
+using base::ErrorCode;
+
+std::string absolute(const std::string& path) { return std::filesystem::absolute(path).string(); }
+
+/// `path` as a URI that SQLite opens without locks and without a journal.
+std::string immutableUri(const std::string& path) {
+  std::string uri = "file:";
+  for (const char c : absolute(path)) {
+    if (c == '%' || c == '?' || c == '#') {
+      constexpr std::string_view kDigits = "0123456789ABCDEF";
+      const auto byte = static_cast<unsigned char>(c);
+      uri += '%';
+      uri += kDigits[byte >> 4U];
+      uri += kDigits[byte & 15U];
+    } else {
+      uri += c;
+    }
+  }
+  return uri + "?immutable=1";
+}
+
+// Debian's SQLite takes names that begin with `file:` for URIs; an absolute path never does.
+std::string sqliteName(const std::string& path, Connection::Mode mode) {
+  return mode == Connection::Mode::kImmutable ? immutableUri(path) : absolute(path);
+}
+
+int openFlags(Connection::Mode mode) {
+  return mode == Connection::Mode::kImmutable ? SQLite::OPEN_READONLY | SQLite::OPEN_URI : SQLite::OPEN_READWRITE;
+}
+
+}  // namespace
+
+Connection::Connection(const std::string& path, Mode mode, const std::string& vfs)
+    : path_(path),
+      vfs_(vfs),
+      mode_(mode),
+      database_(sqliteName(path, mode).c_str(), openFlags(mode), kBusyTimeoutMs, vfs.empty() ? nullptr : vfs.c_str()) {
+  sqlite3_extended_result_codes(database_.getHandle(), 1);
+  leaveJournalOnClose(true);
+  // Exclusive before the first access: the whole file is ours, and the index of the journal stays in memory.
+  database_.exec("PRAGMA locking_mode = EXCLUSIVE");
+  database_.exec("PRAGMA trusted_schema = OFF");
+  database_.exec("PRAGMA cell_size_check = ON");
+  database_.exec("PRAGMA mmap_size = 0");
+  database_.exec("PRAGMA recursive_triggers = ON");
+  database_.exec("PRAGMA foreign_keys = ON");
+  if (mode == Mode::kQueryOnly) database_.exec("PRAGMA query_only = ON");
+  if (pragma("foreign_keys") != 1) {
+    refuse(ErrorCode::kSchema, {}, "a library of SQLite without foreign keys", "one with them");
+  }
+  if (mode == Mode::kReadWrite && sqlite3_db_readonly(database_.getHandle(), "main") == 1) {
+    throw Refusal{whyNotWritable(path_)};
+  }
+}
+
+Connection::~Connection() = default;
+
+std::string Connection::answerOf(const std::string& sql) {
+  SQLite::Statement statement(database_, sql);
+  std::string answer;
+  // To the end: an error that only comes when a statement ends would be lost with the statement.
+  while (statement.executeStep()) answer = statement.getColumn(0).getString();
+  return answer;
+}
+
+long long Connection::pragma(const std::string& name) {
+  return base::parseInteger(answerOf("PRAGMA " + name)).value_or(0);
+}
+
+void Connection::leaveJournalOnClose(bool leave) {
+  sqlite3_db_config(database_.getHandle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, leave ? 1 : 0, nullptr);
+}
+
+void Connection::startJournal() {
+  leaveJournalOnClose(false);
+  const std::string mode = answerOf("PRAGMA journal_mode = WAL");
+  if (mode != "wal") refuse(ErrorCode::kIo, {}, "a file without a write-ahead journal", "one that can have it");
+  database_.exec("PRAGMA synchronous = FULL");
+  database_.exec("PRAGMA secure_delete = ON");
+}
+
+std::string Connection::firstFinding(const std::string& check) {
+  SQLite::Statement statement(database_, "PRAGMA " + check);
+  if (!statement.executeStep()) return {};
+  std::string finding = statement.getColumn(0).getString();
+  if (check == "foreign_key_check") finding = "a row of " + finding + " without the row it belongs to";
+  return finding == "ok" ? std::string() : finding;
+}
+
+base::Error Connection::describe(const SQLite::Exception& exception) {
+  return describeFailure(path_, failureOf(exception, sqlite3_system_errno(database_.getHandle())));
+}
+
+}  // namespace tactus::store

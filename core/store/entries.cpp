@@ -1,0 +1,176 @@
+#include "core/store/entries.h"
+
+#include <string>
+#include <type_traits>
+
+#include "core/store/entry_tables.h"
+#include "core/store/recording_codec.h"
+#include "core/store/words.h"
+
+namespace tactus::store {
+namespace {
+
+using base::ErrorCode;
+using base::Result;
+using study::Entry;
+using study::RecordId;
+
+constexpr std::string_view kEntryColumns =
+    "id, session_id, sequence, utc_ms, monotonic_ns, entered_by, supersedes, reason";
+
+/// The number that the next record of the session gets, over all kinds.
+std::int64_t nextSequence(Connection& connection, const RecordId& session) {
+  std::string sql = "SELECT coalesce(max(highest), 0) + 1 FROM (";
+  for (std::size_t i = 0; i < kEntryTables.size(); ++i) {
+    if (i > 0) sql += " UNION ALL ";
+    sql += "SELECT max(sequence) AS highest FROM " + std::string(kEntryTables[i]) + " WHERE session_id = ?1";
+  }
+  Query query(connection, sql + ")");
+  query.put(session).next();
+  return query.integer();
+}
+
+/// A record has one correction at most: the next one corrects the correction.
+void requireUncorrected(Connection& connection, std::string_view table, const RecordId& superseded) {
+  Query query(connection, "SELECT 1 FROM " + std::string(table) + " WHERE supersedes = ?");
+  if (query.put(superseded).next()) {
+    refuse(ErrorCode::kReference, std::string(table), "a correction of a record that was corrected before",
+           "a correction of its latest correction");
+  }
+}
+
+template <class Record>
+void insertEntry(Connection& connection, const Record& record) {
+  constexpr EntryTable kTable = kEntryTable<Record>;
+  const Entry& entry = record.entry;
+  if (entry.supersedes) requireUncorrected(connection, kTable.name, *entry.supersedes);
+  std::string marks = "?, ?, ?, ?, ?, ?, ?, ?, ?";
+  for (const char c : kTable.columns) marks += c == ',' ? ", ?" : "";
+  Query insert(connection, "INSERT INTO " + std::string(kTable.name) + " (" + std::string(kEntryColumns) + ", " +
+                               std::string(kTable.columns) + ") VALUES (" + marks + ")");
+  insert.put(entry.id).put(entry.session).put(nextSequence(connection, entry.session));
+  insert.put(entry.when.utc_ms).put(entry.when.monotonic_ns).put(wordFor(entry.entered_by));
+  insert.put(entry.supersedes).put(entry.reason);
+  putColumns(insert, record);
+  insert.run();
+}
+
+void insertRecording(Connection& connection, const study::StrokeRecord& record) {
+  auto bytes = encodeRecording(record.recording);
+  if (!bytes) throw Refusal{bytes.error()};
+  std::string channels;
+  for (const auto& channel : record.recording.channels) {
+    channels += (channels.empty() ? "" : ", ") + channel.name + " " + channel.unit;
+  }
+  Query insert(connection,
+               "INSERT INTO recording VALUES ((SELECT coalesce(max(place), 0) + 1 FROM recording), ?, ?, ?, ?, ?, ?)");
+  insert.put(record.entry.id).put(record.entry.session).put(record.recording.sample_rate_hz);
+  insert.put(static_cast<std::int64_t>(record.recording.size())).put(channels).putBlob(*bytes).run();
+}
+
+template <class Record>
+Result<void> appendEntry(StudyFile& file, const Record& record) {
+  Connection& connection = file.connection();
+  return inTransaction(connection, [&] {
+    insertEntry(connection, record);
+    if constexpr (std::is_same_v<Record, study::StrokeRecord>) insertRecording(connection, record);
+  });
+}
+
+study::Recording takeRecording(Query& query) {
+  auto recording = decodeRecording(query.text());
+  if (!recording) throw Refusal{recording.error()};
+  return *std::move(recording);
+}
+
+template <class Record>
+Result<std::vector<Record>> readEntries(const StudyFile& file, const Selection& selection,
+                                        Recordings recordings = Recordings::kLeaveOut) {
+  constexpr EntryTable kTable = kEntryTable<Record>;
+  constexpr bool kIsStroke = std::is_same_v<Record, study::StrokeRecord>;
+  const bool with_recording = kIsStroke && recordings == Recordings::kRead;
+  Connection& connection = file.connection();
+  return guarded(connection, [&] {
+    // The columns of a record are unambiguous but for the id, the kind and what a session has too.
+    std::string columns;
+    for (const std::string_view list : {kEntryColumns, kTable.columns}) {
+      std::string qualified = "r." + std::string(list);
+      for (std::size_t at = 0; (at = qualified.find(", ", at)) != std::string::npos; at += 4) {
+        qualified.insert(at + 2, "r.");
+      }
+      columns += (columns.empty() ? "" : ", ") + qualified;
+    }
+    std::string sql = "SELECT " + columns + (with_recording ? ", recording.data" : "") + " FROM " +
+                      std::string(kTable.name) + (selection.history ? "" : "_current") +
+                      " AS r JOIN session AS s ON s.id = r.session_id";
+    if (with_recording) sql += " JOIN recording ON recording.stroke_id = r.id";
+    sql += " WHERE (?1 IS NULL OR s.person_id = ?1) AND (?2 IS NULL OR s.id = ?2)";
+    sql += " ORDER BY s.started_utc_ms, s.id, r.sequence, r.id";
+    Query query(connection, sql);
+    query.put(selection.person).put(selection.session);
+    std::vector<Record> found;
+    while (query.next()) {
+      Record record;
+      record.entry.id = query.id();
+      record.entry.session = query.id();
+      query.integer();  // the sequence, which the order of the rows tells
+      record.entry.when.utc_ms = query.integer();
+      record.entry.when.monotonic_ns = query.integer();
+      record.entry.entered_by = fromWord<study::EnteredBy>(query.text());
+      record.entry.supersedes = query.idOrNothing();
+      record.entry.reason = query.text();
+      takeColumns(query, record);
+      if constexpr (kIsStroke) {
+        if (with_recording) record.recording = takeRecording(query);
+      }
+      found.push_back(std::move(record));
+    }
+    return found;
+  });
+}
+
+}  // namespace
+
+Result<void> append(StudyFile& file, const study::ProfileRecord& record) { return appendEntry(file, record); }
+Result<void> append(StudyFile& file, const study::EventRecord& record) { return appendEntry(file, record); }
+Result<void> append(StudyFile& file, const study::StrokeRecord& record) { return appendEntry(file, record); }
+Result<void> append(StudyFile& file, const study::JudgementRecord& record) { return appendEntry(file, record); }
+Result<void> append(StudyFile& file, const study::AnswerRecord& record) { return appendEntry(file, record); }
+Result<void> append(StudyFile& file, const study::RatingRecord& record) { return appendEntry(file, record); }
+Result<void> append(StudyFile& file, const study::RuleRecord& record) { return appendEntry(file, record); }
+
+Result<std::vector<study::ProfileRecord>> profiles(const StudyFile& file, const Selection& selection) {
+  return readEntries<study::ProfileRecord>(file, selection);
+}
+Result<std::vector<study::EventRecord>> events(const StudyFile& file, const Selection& selection) {
+  return readEntries<study::EventRecord>(file, selection);
+}
+Result<std::vector<study::StrokeRecord>> strokes(const StudyFile& file, const Selection& selection,
+                                                 Recordings recordings) {
+  return readEntries<study::StrokeRecord>(file, selection, recordings);
+}
+Result<std::vector<study::JudgementRecord>> judgements(const StudyFile& file, const Selection& selection) {
+  return readEntries<study::JudgementRecord>(file, selection);
+}
+Result<std::vector<study::AnswerRecord>> answers(const StudyFile& file, const Selection& selection) {
+  return readEntries<study::AnswerRecord>(file, selection);
+}
+Result<std::vector<study::RatingRecord>> ratings(const StudyFile& file, const Selection& selection) {
+  return readEntries<study::RatingRecord>(file, selection);
+}
+Result<std::vector<study::RuleRecord>> rules(const StudyFile& file, const Selection& selection) {
+  return readEntries<study::RuleRecord>(file, selection);
+}
+
+Result<study::Recording> recordingOf(const StudyFile& file, const RecordId& stroke) {
+  Connection& connection = file.connection();
+  return guarded(connection, [&] {
+    Query query(connection, "SELECT data FROM recording WHERE stroke_id = ?");
+    if (!query.put(stroke).next()) {
+      refuse(ErrorCode::kReference, {}, "no stroke " + study::toText(stroke), "the id of a stroke of the study");
+    }
+    return takeRecording(query);
+  });
+}
+
+}  // namespace tactus::store

@@ -1,0 +1,130 @@
+#include "core/store/entry_tables.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/json_writer.h"
+#include "core/store/words.h"
+
+namespace tactus::store {
+namespace {
+
+using base::ErrorCode;
+
+std::string conditionsText(const std::vector<study::ItemCondition>& conditions) {
+  base::JsonWriter json;
+  json.beginArray(base::JsonWriter::Layout::kInline);
+  for (const auto& condition : conditions) json.values(std::array{condition.input, condition.term});
+  std::string text = json.endArray().text();
+  text.pop_back();  // the newline of a whole file
+  return text;
+}
+
+std::vector<study::ItemCondition> parseConditions(const std::string& text) {
+  std::vector<study::ItemCondition> conditions;
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  bool fits = json.is_array();
+  for (std::size_t i = 0; fits && i < json.size(); ++i) {
+    const auto& pair = json[i];
+    fits = pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string();
+    if (fits) conditions.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
+  }
+  if (!fits) refuse(ErrorCode::kSchema, "rule", base::quoted(text), "a list of [input, term]");
+  return conditions;
+}
+
+}  // namespace
+
+void putColumns(Query& query, const study::ProfileRecord& record) {
+  query.put(record.years_experience).put(record.insertions_per_month).put(record.category).put(record.handedness);
+  query.put(record.gloves).put(record.tube_size).put(record.haptic_experience).put(record.weight);
+}
+void takeColumns(Query& query, study::ProfileRecord& record) {
+  record.years_experience = query.numberOrNothing();
+  record.insertions_per_month = query.numberOrNothing();
+  record.category = query.text();
+  record.handedness = query.text();
+  record.gloves = query.text();
+  record.tube_size = query.text();
+  record.haptic_experience = query.text();
+  record.weight = query.numberOrNothing();
+}
+
+void putColumns(Query& query, const study::EventRecord& record) { query.put(record.kind).putJson(record.detail); }
+void takeColumns(Query& query, study::EventRecord& record) {
+  record.kind = query.text();
+  record.detail = query.text();
+}
+
+void putColumns(Query& query, const study::StrokeRecord& record) {
+  if (record.last > record.recording.size()) {
+    refuse(ErrorCode::kValue, "stroke", "an end at sample " + std::to_string(record.last),
+           "one within the " + std::to_string(record.recording.size()) + " samples of its recording");
+  }
+  query.put(record.level).put(record.number).put(record.attempt).put(record.practice).put(record.verdict);
+  query.put(static_cast<std::int64_t>(record.first)).put(static_cast<std::int64_t>(record.last));
+}
+void takeColumns(Query& query, study::StrokeRecord& record) {
+  record.level = query.text();
+  record.number = query.small();
+  record.attempt = query.small();
+  record.practice = query.flag();
+  record.verdict = query.text();
+  record.first = static_cast<std::size_t>(query.integer());
+  record.last = static_cast<std::size_t>(query.integer());
+}
+
+void putColumns(Query& query, const study::JudgementRecord& record) {
+  query.put(record.series).put(record.step).put(record.attempt).put(record.commanded_n).put(record.felt_n);
+  query.put(wordFor(record.kind)).put(record.term).put(record.scored).put(record.catch_trial).put(record.feel_again);
+  query.put(record.forward_mm).put(record.forward_speed_mm_s).put(record.response_s);
+}
+void takeColumns(Query& query, study::JudgementRecord& record) {
+  record.series = query.text();
+  record.step = query.small();
+  record.attempt = query.small();
+  record.commanded_n = query.number();
+  record.felt_n = query.numberOrNothing();
+  record.kind = fromWord<study::ForceJudgement::Kind>(query.text());
+  record.term = query.text();
+  record.scored = query.flag();
+  record.catch_trial = query.flag();
+  record.feel_again = query.small();
+  record.forward_mm = query.number();
+  record.forward_speed_mm_s = query.number();
+  record.response_s = query.number();
+}
+
+void putColumns(Query& query, const study::AnswerRecord& record) {
+  query.put(record.form).put(record.form_version).put(record.item).put(record.position);
+  query.put(wordFor(record.status)).put(record.value).put(record.response_s);
+}
+void takeColumns(Query& query, study::AnswerRecord& record) {
+  record.form = query.text();
+  record.form_version = query.small();
+  record.item = query.small();
+  record.position = query.small();
+  record.status = fromWord<study::Answer::Status>(query.text());
+  record.value = query.text();
+  record.response_s = query.number();
+}
+
+void putColumns(Query& query, const study::RatingRecord& record) {
+  query.put(record.block).put(record.effort).put(record.comfort);
+}
+void takeColumns(Query& query, study::RatingRecord& record) {
+  record.block = query.text();
+  record.effort = query.small();
+  record.comfort = query.small();
+}
+
+void putColumns(Query& query, const study::RuleRecord& record) {
+  query.put(record.rule.form).put(conditionsText(record.rule.conditions)).put(record.rule.then).put(record.rule.weight);
+}
+void takeColumns(Query& query, study::RuleRecord& record) {
+  record.rule.form = query.text();
+  record.rule.conditions = parseConditions(query.text());
+  record.rule.then = query.text();
+  record.rule.weight = query.number();
+}
+
+}  // namespace tactus::store

@@ -1,0 +1,96 @@
+#include "core/store/fresh_file.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace tactus::store {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+
+tl::unexpected<Error> systemError(const std::string& path, int error_number, const char* wanted) {
+  return tl::unexpected(
+      Error{ErrorCode::kIo, path, {}, std::strerror(error_number), wanted});  // NOLINT(concurrency-mt-unsafe)
+}
+
+tl::unexpected<Error> thereAlready(const std::string& path) {
+  return tl::unexpected(Error{ErrorCode::kIo, path, {}, "a file of this name", "a name that is not taken yet"});
+}
+
+/// Syncs a file or folder; 0 or the number of the error.
+int sync(const std::string& path, int flags) {
+  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  return error;
+}
+
+/// Renames without ever replacing a file; 0 or the number of the error.
+int renameToFree(const std::string& from, const std::string& to) {
+  if (::link(from.c_str(), to.c_str()) == 0) return ::unlink(from.c_str()) == 0 ? 0 : errno;
+  if (errno == EEXIST) return EEXIST;
+  // Memory sticks often have file systems without links.
+  struct stat info {};
+  if (::lstat(to.c_str(), &info) == 0) return EEXIST;
+  return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
+std::string folderOf(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+}  // namespace
+
+FreshFile::FreshFile(std::string path, std::string temporary)
+    : path_(std::move(path)), temporary_(std::move(temporary)) {}
+
+FreshFile::FreshFile(FreshFile&& other) noexcept
+    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})) {}
+
+FreshFile::~FreshFile() {
+  if (temporary_.empty()) return;
+  for (const char* tail : {"", "-wal", "-journal"}) ::unlink((temporary_ + tail).c_str());
+}
+
+Result<FreshFile> FreshFile::beside(const std::string& path) {
+  struct stat info {};
+  if (path.empty()) return systemError(path, ENOENT, "a file name");
+  if (::lstat(path.c_str(), &info) == 0) return thereAlready(path);
+  std::string temporary = path + ".XXXXXX";
+  const int descriptor = ::mkstemp(temporary.data());
+  if (descriptor < 0) return systemError(path, errno, "a folder in which files can be made");
+  // mkstemp makes the file private; the study gets the usual permissions.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(descriptor, 0666U & ~mask);
+  ::close(descriptor);
+  return FreshFile(path, std::move(temporary));
+}
+
+Result<void> FreshFile::place() {
+  int error = sync(temporary_, O_RDONLY);
+  if (error == 0) error = renameToFree(temporary_, path_);
+  if (error == EEXIST) return thereAlready(path_);
+  if (error != 0) return systemError(path_, error, "a file that can be written");
+  temporary_.clear();
+  error = sync(folderOf(path_), O_RDONLY | O_DIRECTORY);
+  if (error != 0) return systemError(path_, error, "a folder that can be synced");
+  return {};
+}
+
+Error FreshFile::renamed(Error error) const {
+  if (error.file == temporary_) error.file = path_;
+  return error;
+}
+
+}  // namespace tactus::store

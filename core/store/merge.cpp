@@ -1,0 +1,234 @@
+#include "core/store/merge.h"
+
+#include <SQLiteCpp/Statement.h>
+#include <algorithm>
+#include <filesystem>
+#include <sqlite3.h>
+
+#include "core/base/json_writer.h"
+#include "core/store/conflicts.h"
+#include "core/store/entry_tables.h"
+#include "core/store/query.h"
+#include "core/store/removal.h"
+#include "core/store/withdrawal.h"
+
+namespace tactus::store {
+namespace {
+
+using base::ErrorCode;
+using base::Result;
+using study::RecordId;
+
+/// A table to merge: which column tells rows apart, and the order in which rows may be added.
+struct MergedTable {
+  std::string name;
+  std::string key;
+  std::string order;
+  bool has_place = false;  ///< the first column only counts the rows of its file
+};
+
+/// Rows that others refer to come first.
+std::vector<MergedTable> mergedTables() {
+  std::vector<MergedTable> tables = {{"person", "id", "id"}, {"session", "id", "id"}};
+  for (const std::string_view entry : kEntryTables) {
+    const std::string name(entry);
+    // A correction comes after what it corrects, however long the chain is.
+    tables.push_back({name, "id",
+                      "(WITH RECURSIVE chain(id, depth) AS (SELECT t.supersedes, 1 UNION ALL SELECT c.supersedes, "
+                      "chain.depth + 1 FROM chain JOIN " +
+                          name + " AS c ON c.id = chain.id) SELECT max(depth) FROM chain), session_id, sequence, id"});
+  }
+  tables.push_back({"recording", "stroke_id", "stroke_id", true});
+  tables.push_back({"model_version", "id", "sequence, utc_ms, id", true});
+  tables.push_back({"import_log", "id", "id"});
+  return tables;
+}
+
+std::vector<std::string> columnsOf(Connection& connection, const MergedTable& table) {
+  Query query(connection, "SELECT name FROM pragma_table_info('" + table.name + "') ORDER BY cid");
+  std::vector<std::string> columns;
+  while (query.next()) columns.push_back(query.text());
+  if (table.has_place) columns.erase(columns.begin());
+  return columns;
+}
+
+/// Copies the rows of one table that are new; the statements of both files work side by side.
+class TableMerge {
+ public:
+  TableMerge(Connection& ours, Connection& theirs, const MergedTable& table)
+      : table_(table),
+        columns_(columnsOf(ours, table)),
+        rows_(theirs.database(), "SELECT " + list("t.") + " FROM " + table.name + " AS t ORDER BY " + table.order),
+        same_(ours.database(), "SELECT 1 FROM " + table.name + " WHERE " + equalities()),
+        there_(ours.database(), "SELECT 1 FROM " + table.name + " WHERE " + table.key + " = ?1"),
+        belongs_(ours.database(), owner()),
+        insert_(ours.database(), insertion()) {}
+
+  /// The number of rows that were new.
+  long long run(std::vector<std::string>& differences) {
+    long long added = 0;
+    while (rows_.executeStep()) {
+      if (answers(same_) || !answers(belongs_)) continue;
+      if (answers(there_)) {
+        differences.push_back(table_.name + " " + keyText() + ": differs in the other file, this file's was kept");
+        continue;
+      }
+      bindAll(insert_);
+      insert_.exec();
+      insert_.reset();
+      ++added;
+    }
+    return added;
+  }
+
+ private:
+  std::string list(const std::string& prefix) const {
+    std::string text = prefix + table_.key;  // the key first, wherever it stands in the table
+    for (const auto& column : columns_) text += column == table_.key ? "" : ", " + prefix + column;
+    return text;
+  }
+  std::string equalities() const {
+    std::string text = table_.key + " = ?1";
+    int number = 1;
+    for (const auto& column : columns_) {
+      if (column != table_.key) text += " AND " + column + " IS ?" + std::to_string(++number);
+    }
+    return text;
+  }
+  /// A row without its owner is one of a person who withdrew.
+  std::string owner() const {
+    const std::string parameter = "?" + std::to_string(position("session_id"));
+    if (table_.name == "person") return "SELECT 1 WHERE ?1 NOT IN (SELECT person_id FROM tombstone)";
+    if (table_.name == "session") {
+      return "SELECT 1 FROM person WHERE id = ?" + std::to_string(position("person_id"));
+    }
+    if (position("session_id") > 0) return "SELECT 1 FROM session WHERE id = " + parameter;
+    return "SELECT 1";
+  }
+  /// The number of the column among the parameters, from 1, or 0.
+  int position(const std::string& wanted) const {
+    int number = 1;
+    for (const auto& column : columns_) {
+      if (column == table_.key) continue;
+      ++number;
+      if (column == wanted) return number;
+    }
+    return 0;
+  }
+  std::string insertion() const {
+    std::string marks = "?1";
+    for (std::size_t i = 2; i <= columns_.size(); ++i) marks.append(", ?").append(std::to_string(i));
+    const std::string place = "(SELECT coalesce(max(place), 0) + 1 FROM " + table_.name + "), ";
+    return "INSERT INTO " + table_.name + " (" + (table_.has_place ? "place, " : "") + list("") + ") VALUES (" +
+           (table_.has_place ? place : "") + marks + ")";
+  }
+  std::string keyText() const {
+    RecordId id;
+    const auto column = rows_.getColumn(0);
+    if (column.getBytes() == static_cast<int>(id.bytes.size())) {
+      const auto* bytes = static_cast<const std::uint8_t*>(column.getBlob());
+      std::copy_n(bytes, id.bytes.size(), id.bytes.begin());
+    }
+    return study::toText(id);
+  }
+  /// The values of the current row, as many as `statement` takes.
+  void bindAll(SQLite::Statement& statement) const {
+    for (int i = 0; i < statement.getBindParameterCount(); ++i) {
+      const auto column = rows_.getColumn(i);
+      switch (column.getType()) {
+        case SQLITE_INTEGER:
+          statement.bind(i + 1, static_cast<std::int64_t>(column.getInt64()));
+          break;
+        case SQLITE_FLOAT:
+          statement.bind(i + 1, column.getDouble());
+          break;
+        case SQLITE_TEXT:
+          statement.bind(i + 1, column.getString());
+          break;
+        case SQLITE_BLOB:
+          statement.bind(i + 1, column.getBlob(), column.getBytes());
+          break;
+        default:
+          statement.bind(i + 1);
+      }
+    }
+  }
+  bool answers(SQLite::Statement& statement) const {
+    bindAll(statement);
+    const bool found = statement.executeStep();
+    statement.reset();
+    return found;
+  }
+
+  const MergedTable& table_;
+  std::vector<std::string> columns_;
+  SQLite::Statement rows_;
+  SQLite::Statement same_;
+  SQLite::Statement there_;
+  SQLite::Statement belongs_;
+  SQLite::Statement insert_;
+};
+
+/// Takes over who withdrew, and removes them here.
+void mergeTombstones(Connection& connection, const std::vector<Tombstone>& others, Merge& merge) {
+  long long added = 0;
+  for (const Tombstone& tombstone : others) {
+    Query there(connection, "SELECT 1 FROM tombstone WHERE person_id = ?");
+    if (there.put(tombstone.person).next()) continue;
+    Query insert(connection, "INSERT INTO tombstone (person_id, utc_ms) VALUES (?, ?)");
+    insert.put(tombstone.person).put(tombstone.utc_ms).run();
+    ++added;
+    if (removePerson(connection, tombstone.person) > 0) ++merge.withdrawn;
+  }
+  if (added > 0) merge.added.push_back({"tombstone", added});
+}
+
+std::string logDetail(const Merge& merge) {
+  base::JsonWriter json;
+  json.beginObject(base::JsonWriter::Layout::kInline);
+  for (const auto& count : merge.added) json.key(count.table).value(static_cast<long long>(count.rows));
+  std::string text = json.key("conflicts").value(merge.conflicts.size()).endObject().text();
+  text.pop_back();  // the newline of a whole file
+  return text;
+}
+
+}  // namespace
+
+Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const RecordId& log_id, std::int64_t utc_ms) {
+  if (file.connection().batch != Connection::BatchState::kNone) {
+    return base::inFile({ErrorCode::kIo, {}, {}, "a batch that is not finished", "a study at rest"}, file.path());
+  }
+  auto opened = StudyFile::open(other, {Access::kReadOnly, file.connection().vfs()});
+  if (!opened) return tl::unexpected(opened.error());
+  if (opened->version() != file.version()) {
+    return tl::unexpected(base::Error{
+        ErrorCode::kVersion,
+        other,
+        {},
+        "a study of version " + std::to_string(opened->version()),
+        "version " + std::to_string(file.version()) + " as the study it is merged into; open it once for writing"});
+  }
+  auto withdrawn = tombstones(*opened);
+  if (!withdrawn) return tl::unexpected(withdrawn.error());
+
+  Connection& ours = file.connection();
+  Merge merge;
+  auto merged = inTransaction(ours, [&] {
+    mergeTombstones(ours, *withdrawn, merge);
+    for (const MergedTable& table : mergedTables()) {
+      const long long added = TableMerge(ours, opened->connection(), table).run(merge.conflicts);
+      if (added > 0) merge.added.push_back({table.name, added});
+    }
+    for (auto& conflict : conflicts(ours)) merge.conflicts.push_back(std::move(conflict));
+    if (merge.added.empty()) return;
+    Query log(ours, "INSERT INTO import_log (id, utc_ms, kind, source, detail) VALUES (?, ?, 'merge', ?, ?)");
+    log.put(log_id).put(utc_ms).put(std::filesystem::path(other).filename().string()).put(logDetail(merge)).run();
+  });
+  if (!merged) return tl::unexpected(merged.error());
+  if (merge.withdrawn > 0) {
+    if (auto erased = eraseTraces(file); !erased) return tl::unexpected(erased.error());
+  }
+  return merge;
+}
+
+}  // namespace tactus::store

@@ -1,0 +1,31 @@
+// Puts the records of another study file into this one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/store/study_file.h"
+#include "core/store/study_info.h"
+
+namespace tactus::store {
+
+struct Merge {
+  std::vector<TableCount> added;       ///< rows that are new, of each table that has some
+  long long withdrawn = 0;             ///< persons of this file who withdrew in the other one: removed here too
+  std::vector<std::string> conflicts;  ///< one sentence each; nothing was overwritten
+};
+
+/// Adds what the study at `other` has and this one has not, record by record by its id, in one transaction. The other
+/// file is only read. Nothing is overwritten, and merging again adds nothing. A person who withdrew in either file
+/// stays out or is removed, with all traces. The result is the same in whatever order files are merged, but for
+/// import_log and where two files hold different records under one id, which only a change by hand can cause: then this
+/// file's is kept. Listed as conflicts, with both sides kept: a code of two persons, a session that went on in both
+/// files, a record that both files correct (the later correction counts). `log_id` and `utc_ms` are for the line in
+/// import_log, which is written where anything is new. Refused: what cannot be opened, a study of another version of
+/// the schema (open it once for writing).
+base::Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const study::RecordId& log_id,
+                               std::int64_t utc_ms);
+
+}  // namespace tactus::store

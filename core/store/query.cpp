@@ -1,0 +1,99 @@
+#include "core/store/query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/text.h"
+
+namespace tactus::store {
+
+using base::ErrorCode;
+using study::RecordId;
+
+Query& Query::put(std::int64_t value) {
+  statement_.bind(in_++, value);
+  return *this;
+}
+
+Query& Query::put(double value) {
+  // SQLite would store NaN as NULL, which says "not given".
+  if (!std::isfinite(value)) refuse(ErrorCode::kValue, {}, base::formatNumber(value), "a finite number");
+  statement_.bind(in_++, value);
+  return *this;
+}
+
+Query& Query::put(const std::optional<double>& value) {
+  if (value) return put(*value);
+  statement_.bind(in_++);
+  return *this;
+}
+
+Query& Query::put(std::string_view text) {
+  if (!base::isUtf8(text) || text.find('\0') != std::string_view::npos) {
+    refuse(ErrorCode::kSyntax, {}, base::quoted(text), "text in UTF-8");
+  }
+  statement_.bind(in_++, std::string(text));
+  return *this;
+}
+
+Query& Query::put(const RecordId& id) {
+  if (id.isNil()) refuse(ErrorCode::kValue, {}, "an id of zeros", "a random id");
+  statement_.bind(in_++, id.bytes.data(), static_cast<int>(id.bytes.size()));
+  return *this;
+}
+
+Query& Query::put(const std::optional<RecordId>& id) {
+  if (id) return put(*id);
+  statement_.bind(in_++);
+  return *this;
+}
+
+Query& Query::putJson(const std::string& text) {
+  if (!text.empty() && !nlohmann::json::accept(text)) {
+    refuse(ErrorCode::kSyntax, {}, base::quoted(text), "JSON text, or none");
+  }
+  return put(text);
+}
+
+Query& Query::putBlob(const std::string& bytes) {
+  statement_.bind(in_++, bytes.data(), static_cast<int>(bytes.size()));
+  return *this;
+}
+
+void Query::run() {
+  statement_.exec();
+  statement_.reset();
+  in_ = 1;
+}
+
+bool Query::next() {
+  out_ = 0;
+  return statement_.executeStep();
+}
+
+std::optional<double> Query::numberOrNothing() {
+  const auto column = statement_.getColumn(out_++);
+  return column.isNull() ? std::nullopt : std::optional(column.getDouble());
+}
+
+RecordId Query::id() {
+  const auto column = statement_.getColumn(out_++);
+  RecordId id;
+  if (column.getBytes() != static_cast<int>(id.bytes.size())) {
+    refuse(ErrorCode::kMismatch, {}, "an id of " + std::to_string(column.getBytes()) + " bytes", "one of 16");
+  }
+  const auto* bytes = static_cast<const std::uint8_t*>(column.getBlob());
+  std::copy_n(bytes, id.bytes.size(), id.bytes.begin());
+  return id;
+}
+
+std::optional<RecordId> Query::idOrNothing() {
+  if (statement_.getColumn(out_).isNull()) {
+    ++out_;
+    return std::nullopt;
+  }
+  return id();
+}
+
+}  // namespace tactus::store

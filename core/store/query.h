@@ -1,0 +1,57 @@
+// A prepared statement whose values go in and come out in order. Private to core/store.
+#pragma once
+
+#include <SQLiteCpp/Statement.h>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/store/connection.h"
+#include "core/study/record_id.h"
+
+namespace tactus::store {
+
+/// Throws SQLite::Exception, and Refusal for what must not be stored: a number that is not finite, text that is not
+/// UTF-8, an id that names nothing.
+class Query {
+ public:
+  Query(Connection& connection, const std::string& sql) : statement_(connection.database(), sql) {}
+
+  /// Binds the next parameter.
+  Query& put(std::int64_t value);
+  Query& put(int value) { return put(static_cast<std::int64_t>(value)); }
+  Query& put(bool value) { return put(static_cast<std::int64_t>(value)); }
+  Query& put(double value);
+  Query& put(const std::optional<double>& value);
+  Query& put(std::string_view text);
+  Query& put(const std::string& text) { return put(std::string_view(text)); }
+  Query& put(const char* text) { return put(std::string_view(text)); }
+  Query& put(const study::RecordId& id);
+  Query& put(const std::optional<study::RecordId>& id);
+  /// JSON text, or an empty one.
+  Query& putJson(const std::string& text);
+  Query& putBlob(const std::string& bytes);
+
+  /// Runs to the end and makes ready for the next set of values.
+  void run();
+  /// Goes to the next row, if there is one.
+  bool next();
+
+  /// The next column of the row.
+  std::int64_t integer() { return statement_.getColumn(out_++).getInt64(); }
+  int small() { return static_cast<int>(integer()); }
+  bool flag() { return integer() != 0; }
+  double number() { return statement_.getColumn(out_++).getDouble(); }
+  std::optional<double> numberOrNothing();
+  std::string text() { return statement_.getColumn(out_++).getString(); }
+  study::RecordId id();
+  std::optional<study::RecordId> idOrNothing();
+
+ private:
+  SQLite::Statement statement_;
+  int in_ = 1;
+  int out_ = 0;
+};
+
+}  // namespace tactus::store

@@ -1,0 +1,28 @@
+// How the samples of a stroke stand in one block of bytes.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/study/session_records.h"
+
+namespace tactus::store {
+
+/// Layout 1, all numbers little-endian:
+///   4 bytes  `TREC`
+///   u16      layout, 1
+///   u16      number of channels
+///   u32      samples per channel
+///   f64      samples per second
+///   for each channel: u8 length of the name, the name, u8 length of the unit, the unit (UTF-8)
+///   channel after channel its samples as f64 (IEEE 754)
+///   u32      CRC-32 (core/base/crc32.h) of all bytes before it
+/// Refused: channels of different lengths, a number that is not finite, a rate that is not above 0, a name or unit of
+/// more than 255 bytes, more than 64 MiB.
+base::Result<std::string> encodeRecording(const study::Recording& recording);
+
+/// The recording in `bytes`; an error where the checksum or the layout is not as above.
+base::Result<study::Recording> decodeRecording(std::string_view bytes);
+
+}  // namespace tactus::store

@@ -1,0 +1,82 @@
+// A study file: one SQLite database that keeps all records of a study and loses none (docs/study-file.md).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/store/migrations.h"
+#include "core/study/record_id.h"
+
+namespace tactus::store {
+
+class Connection;
+
+/// What a new study begins with.
+struct NewStudy {
+  study::RecordId id;
+  std::string name;
+  std::int64_t created_utc_ms = 0;
+  std::string program;  ///< program and version that makes it
+};
+
+enum class Access {
+  kReadWrite,
+  /// Changes nothing that is recorded. A journal left by a crash is still worked in where that is possible.
+  kReadOnly,
+};
+
+struct OpenOptions {
+  Access access = Access::kReadWrite;
+  /// Name of a registered sqlite3_vfs through which the file is reached; empty: that of the system. Tests register one
+  /// that fails or loses writes.
+  std::string vfs = {};
+};
+
+/// An open study file. While it is open no other program can open it. Records are written and read by the functions of
+/// the other headers of this folder; each write returns after it was committed and synced, so it survives a crash of
+/// the program and of the machine.
+/// Thread: the one that opened it.
+class StudyFile {
+ public:
+  /// Makes the file `path`, which must not be there yet: it appears whole or not at all.
+  static base::Result<StudyFile> create(const std::string& path, const NewStudy& study,
+                                        const OpenOptions& options = {});
+
+  /// Opens the file `path`. One of an older version is brought up to date after a copy of it was put beside it
+  /// (migrations.h); where that fails the file stays as it was. Refused in one sentence: no such file, no study, a
+  /// damaged file, a file that is open elsewhere, a file or folder without permission, and, for writing, a study of a
+  /// newer version.
+  static base::Result<StudyFile> open(const std::string& path, const OpenOptions& options = {});
+
+  StudyFile(StudyFile&&) noexcept;
+  StudyFile& operator=(StudyFile&&) noexcept;
+  ~StudyFile();
+
+  /// Puts everything into the one file, without a journal beside it, and lets go of it. The destructor does the same
+  /// without a word about failure; after a failure nothing is lost, the next opening works the journal in.
+  base::Result<void> close();
+
+  const std::string& path() const { return path_; }
+  Access access() const { return access_; }
+  /// Of the schema, from 1.
+  int version() const { return version_; }
+
+  /// For core/store only.
+  Connection& connection() const;
+
+ private:
+  StudyFile(std::unique_ptr<Connection> connection, Access access, int version);
+
+  std::unique_ptr<Connection> connection_;
+  std::string path_;
+  Access access_ = Access::kReadWrite;
+  int version_ = 0;
+};
+
+/// Version of SQLite that the program runs with, for reports.
+std::string sqliteVersion();
+
+}  // namespace tactus::store

@@ -1,0 +1,93 @@
+#include "core/store/study_info.h"
+
+#include <utility>
+
+#include "core/base/sha256.h"
+#include "core/store/conflicts.h"
+#include "core/store/entry_tables.h"
+#include "core/store/recording_codec.h"
+
+namespace tactus::store {
+namespace {
+
+using base::Result;
+using Findings = std::vector<std::string>;
+
+long long countRows(Connection& connection, const std::string& table) {
+  Query query(connection, "SELECT count(*) FROM " + table);
+  query.next();
+  return query.integer();
+}
+
+void checkFile(Connection& connection, Findings& findings) {
+  for (const char* check : {"integrity_check", "foreign_key_check"}) {
+    const std::string finding = connection.firstFinding(check);
+    if (!finding.empty()) findings.push_back(std::string(check) + ": " + finding);
+  }
+}
+
+void checkRecordings(Connection& connection, Findings& findings) {
+  Query missing(connection, "SELECT id FROM stroke WHERE id NOT IN (SELECT stroke_id FROM recording)");
+  while (missing.next()) findings.push_back("stroke " + study::toText(missing.id()) + ": has no recording");
+  Query query(connection, "SELECT stroke_id, sample_rate_hz, samples, data FROM recording ORDER BY place");
+  while (query.next()) {
+    const std::string stroke = "recording of stroke " + study::toText(query.id());
+    const double rate_hz = query.number();
+    const auto samples = query.integer();
+    const auto recording = decodeRecording(query.text());
+    if (!recording) {
+      findings.push_back(stroke + ": " + recording.error().found);
+    } else if (recording->sample_rate_hz != rate_hz || static_cast<std::int64_t>(recording->size()) != samples) {
+      findings.push_back(stroke + ": its columns and its data say different things");
+    }
+  }
+}
+
+void checkModels(Connection& connection, Findings& findings) {
+  Query query(connection, "SELECT id, sha256, text FROM model_version ORDER BY place");
+  while (query.next()) {
+    const std::string version = "model version " + study::toText(query.id());
+    const std::string hash = query.text();
+    if (base::sha256(query.text()) != hash) findings.push_back(version + ": its text does not fit its SHA-256");
+  }
+}
+
+}  // namespace
+
+Result<StudyInfo> studyInfo(const StudyFile& file) {
+  Connection& connection = file.connection();
+  return guarded(connection, [&] {
+    StudyInfo info;
+    Query query(connection, "SELECT id, name, created_utc_ms, program FROM study");
+    if (!query.next()) refuse(base::ErrorCode::kMismatch, {}, "a study without its first record", "an intact study");
+    info.id = query.id();
+    info.name = query.text();
+    info.created_utc_ms = query.integer();
+    info.program = query.text();
+    info.version = connection.version();
+    Query simulated(connection, "SELECT count(*) FROM person WHERE simulated = 1");
+    simulated.next();
+    info.simulated_persons = simulated.integer();
+    const auto add = [&](std::string_view table) {
+      info.counts.push_back({std::string(table), countRows(connection, std::string(table))});
+    };
+    for (const char* table : {"person", "session"}) add(table);
+    for (const std::string_view table : kEntryTables) add(table);
+    for (const char* table : {"model_version", "tombstone", "import_log"}) add(table);
+    return info;
+  });
+}
+
+Result<std::vector<std::string>> checkStudy(const StudyFile& file) {
+  Connection& connection = file.connection();
+  return guarded(connection, [&] {
+    Findings findings;
+    checkFile(connection, findings);
+    for (auto& conflict : conflicts(connection)) findings.push_back(std::move(conflict));
+    checkRecordings(connection, findings);
+    checkModels(connection, findings);
+    return findings;
+  });
+}
+
+}  // namespace tactus::store
