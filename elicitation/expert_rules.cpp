@@ -1,12 +1,12 @@
 #include "elicitation/expert_rules.h"
 
 #include <algorithm>
-#include <set>
+#include <cstdint>
+#include <map>
 #include <utility>
 
 #include "core/base/text.h"
 #include "elicitation/ngt_variables.h"
-#include "elicitation/rules_from_answers.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -83,7 +83,7 @@ Result<void> addGiven(ExpertRules& expert, const study::Study& study, std::span<
     if (given.participant != expert.participant.code) continue;
     expert.source = ExpertRules::Source::kGiven;
     expert.rules.push_back(ruleFrom(given));
-    expert.lines.push_back(given.line);
+    expert.origins.push_back({given.form, 0, given.line});
     if (given.form.empty()) continue;
     const study::Form* const form = findForm(forms, given.form);
     const study::TableCell cell{study::kRulesTable, given.line, "form"};
@@ -118,21 +118,25 @@ Result<void> addAnswered(ExpertRules& expert, const std::vector<study::Answer>& 
     const auto answered = rulesFromAnswers(own, form, output_terms);
     if (!answered) return tl::unexpected(answered.error());
     if (answered->rules.empty()) continue;
-    if (auto ok = joinForm(expert, form, {study::kAnswersTable, answered->lines.front(), "form"}); !ok) return ok;
+    if (auto ok = joinForm(expert, form, {study::kAnswersTable, answered->origins.front().line, "form"}); !ok)
+      return ok;
     expert.rules.insert(expert.rules.end(), answered->rules.begin(), answered->rules.end());
-    expert.lines.insert(expert.lines.end(), answered->lines.begin(), answered->lines.end());
+    expert.origins.insert(expert.origins.end(), answered->origins.begin(), answered->origins.end());
+    expert.missing.insert(expert.missing.end(), answered->missing.begin(), answered->missing.end());
   }
   return {};
 }
 
 void noteUnknownForms(const study::Study& study, std::span<const study::Form> forms, std::vector<std::string>& notes) {
-  std::set<std::string> unknown;
+  std::map<std::string, std::uint32_t> unknown;  // form, line of its first answer
   for (const auto& answer : study.answers) {
-    if (findForm(forms, answer.form) == nullptr) unknown.insert(answer.form);
+    if (findForm(forms, answer.form) == nullptr) unknown.emplace(answer.form, answer.line.number);
   }
-  for (const auto& form : unknown) {
-    notes.push_back("Answers to the form " + quoted(form) + " were passed over: it is not one that gives rules (" +
-                    formIds(forms) + ").");
+  for (const auto& [form, line] : unknown) {
+    const std::string from =
+        line > 0 ? " (" + std::string(study::kAnswersTable) + ", from line " + std::to_string(line) + ")" : "";
+    notes.push_back("Answers to the form " + quoted(form) + from +
+                    " were passed over: it is not one that gives rules (" + formIds(forms) + ").");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
 #include "core/study/records.h"
+#include "elicitation/rules_from_answers.h"
 
 namespace tactus::elicitation {
 
@@ -20,7 +21,8 @@ struct ExpertRules {
   std::string depth_terms;            ///< name of the set (ngt_variables.h)
   bool depth_terms_inferred = false;  ///< from the regions that the rules use, because they name no form
   std::vector<fuzzy::Rule> rules;
-  std::vector<study::TableLine> lines;  ///< one for each rule: of rules.csv where they are given, else of answers.csv
+  std::vector<RuleOrigin> origins;   ///< one for each rule
+  std::vector<MissingItem> missing;  ///< items of those forms that give no rule; empty where the rules are given
 };
 
 struct StudyRules {
@@ -30,7 +32,7 @@ struct StudyRules {
 
 /// Given rules take the place of a participant's answers. The form of an expert decides the set of depth terms; given
 /// rules that name no form get the set that holds the regions they use. Answers to a form that is not in `forms` are
-/// passed over with a note. `output_terms`: ids an answer may have.
+/// passed over with a note that names their first line. `output_terms`: ids an answer may have.
 /// Refused: what rulesFromAnswers refuses, given rules that name an unknown form, forms of one expert with different
 /// sets of depth terms, an unknown set, no rule at all.
 base::Result<StudyRules> studyRules(const study::Study& study, std::span<const study::Form> forms,

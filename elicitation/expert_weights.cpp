@@ -55,6 +55,42 @@ Result<double> weightOf(const study::Participant& expert, const WeightSettings& 
   return 1.0;
 }
 
+/// The column of participants.csv that a policy reads; empty where it reads none.
+std::string_view columnOf(WeightPolicy policy) {
+  if (policy == WeightPolicy::kYears) return "years_experience";
+  if (policy == WeightPolicy::kCategory) return "category";
+  if (policy == WeightPolicy::kColumn) return "weight";
+  return "";
+}
+
+/// The weight `value` of `expert` is none.
+tl::unexpected<base::Error> refuseWeight(const study::Participant& expert, double value,
+                                         const WeightSettings& settings) {
+  const std::string found = "weight " + base::formatNumber(value);
+  base::Error error{ErrorCode::kValue, {}, "participant " + expert.code, found, "a finite number of 0 or more"};
+  if (settings.policy == WeightPolicy::kTable) error.file = settings.table_file;
+  const auto column = columnOf(settings.policy);
+  if (column.empty()) return tl::unexpected(std::move(error));
+  return study::atCell(std::move(error), {study::kParticipantsTable, expert.line, column}, found);
+}
+
+/// Weights relative to the largest add up without overflow.
+std::vector<double> shares(std::span<const double> weights) {
+  const double largest = *std::max_element(weights.begin(), weights.end());
+  std::vector<double> out;
+  double sum = 0;
+  for (const double weight : weights) {
+    out.push_back(weight / largest);
+    sum += out.back();
+  }
+  for (double& share : out) share /= sum;
+  return out;
+}
+
+std::string percent(double share) {
+  return share >= 0.001 ? base::formatFixed(100 * share, 1) + " %" : "less than 0.1 %";
+}
+
 }  // namespace
 
 std::string_view name(WeightPolicy policy) noexcept {
@@ -78,16 +114,14 @@ Result<std::vector<double>> expertWeights(std::span<const study::Participant> ex
   for (const auto& expert : experts) {
     const auto weight = weightOf(expert, settings);
     if (!weight) return tl::unexpected(weight.error());
-    if (!std::isfinite(*weight) || *weight < 0) {
-      return fail(ErrorCode::kValue, "participant " + expert.code, "weight " + base::formatNumber(*weight),
-                  "a number of 0 or more");
-    }
+    if (!std::isfinite(*weight) || *weight < 0) return refuseWeight(expert, *weight, settings);
     weights.push_back(*weight);
   }
   if (!weights.empty() && *std::max_element(weights.begin(), weights.end()) <= 0) {
-    const std::string file = settings.policy == WeightPolicy::kTable ? settings.table_file : "";
-    return tl::unexpected(
-        base::Error{ErrorCode::kData, file, "weights", "0 for every expert", "at least one weight above 0"});
+    base::Error error{ErrorCode::kData, {}, "weights", "0 for every expert", "at least one weight above 0"};
+    if (settings.policy == WeightPolicy::kTable) error.file = settings.table_file;
+    return study::inTable(std::move(error), study::kParticipantsTable,
+                          columnOf(settings.policy).empty() ? study::TableLine{} : experts.front().line);
   }
   return weights;
 }
@@ -101,6 +135,32 @@ std::vector<std::string> unusedWeightNotes(std::span<const study::Participant> p
     const bool known = std::any_of(participants.begin(), participants.end(),
                                    [&key = code](const study::Participant& one) { return one.code == key; });
     if (!known) notes.push_back(table + " has a weight for " + base::quoted(code) + ", who is not in the study.");
+  }
+  return notes;
+}
+
+std::vector<std::string> weightNotes(std::span<const study::Participant> experts, std::span<const double> weights,
+                                     const std::vector<bool>& simulated) {
+  constexpr double kHardly = 0.01;
+  std::vector<std::string> notes;
+  if (experts.empty()) return notes;
+  const auto share = shares(weights);
+  std::vector<std::string> made_up;
+  double made_up_share = 0;
+  for (std::size_t e = 0; e < experts.size(); ++e) {
+    if (weights[e] == 0) {
+      notes.push_back("Participant " + experts[e].code + " has the weight 0 and does not count in the mean.");
+    } else if (share[e] < kHardly) {
+      notes.push_back("Participant " + experts[e].code + " hardly counts in the mean: the weight " +
+                      base::formatNumber(weights[e]) + " is " + percent(share[e]) + " of all.");
+    }
+    if (!simulated[e] || weights[e] == 0) continue;
+    made_up.push_back(experts[e].code);
+    made_up_share += share[e];
+  }
+  if (!made_up.empty() && made_up_share < 1 && made_up.size() < experts.size()) {
+    notes.push_back("Simulated experts (" + base::joined(made_up, ", ") + ") have " + percent(made_up_share) +
+                    " of the weight of the mean.");
   }
   return notes;
 }

@@ -33,7 +33,8 @@ struct WeightSettings {
 };
 
 /// One weight per expert, in their order. Refused: a participant without the value that the policy needs, a weight that
-/// is not finite or below 0, no weight above 0. The error names the table and line that the value should come from.
+/// is not finite or below 0, no weight above 0. The error names the table and line of the value, or that it should be
+/// in.
 base::Result<std::vector<double>> expertWeights(std::span<const study::Participant> experts,
                                                 const WeightSettings& settings);
 
@@ -41,6 +42,12 @@ base::Result<std::vector<double>> expertWeights(std::span<const study::Participa
 /// the table.
 std::vector<std::string> unusedWeightNotes(std::span<const study::Participant> participants,
                                            const WeightSettings& settings);
+
+/// What to know of `weights`, one for each of `experts` and accepted by `expertWeights`: experts who do not count or
+/// hardly count (less than 1 % of the sum), and how much of the mean is simulated where not all of it is. `simulated`:
+/// whether an expert's rules are. One sentence each.
+std::vector<std::string> weightNotes(std::span<const study::Participant> experts, std::span<const double> weights,
+                                     const std::vector<bool>& simulated);
 
 /// Reads a table `participant,weight`. Refused: a missing column, a participant twice, a weight below 0.
 base::Result<std::map<std::string, double>> readWeightTable(const base::CsvTable& table);

@@ -4,14 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <utility>
 
-#include "core/base/check.h"
-#include "core/base/random.h"
 #include "core/base/text.h"
-#include "elicitation/fcm_descent.h"
-#include "elicitation/fcm_samples.h"
-#include "elicitation/fcm_starts.h"
+#include "elicitation/fcm_data.h"
+#include "elicitation/fcm_search.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -21,15 +17,10 @@ using base::fail;
 using base::formatNumber;
 using base::Result;
 
-constexpr double kLargestM = 100;          // u^m of many clusters underflows beyond it
-constexpr double kPinningM = 5;            // above it J has a minimum at nearly every sample
-constexpr std::size_t kMostCoarse = 1024;  // entries on which the starts are tried; more only cost time
-constexpr std::size_t kMostRefined = 5;    // minima that are followed on all samples
-constexpr int kWarmUp = 4;                 // steps of Bezdek's iteration before the first Newton step
-constexpr double kSameMinimum = 1e-5;      // of the range: nearer results are one minimum
-constexpr double kEqualObjective = 1e-12;  // relative difference of J that rounding explains
+constexpr double kLargestM = 100;  // u^m of many clusters underflows beyond it
+constexpr double kPinningM = 5;    // above it J has a minimum at nearly every sample
 
-Result<void> checkInput(std::span<const double> samples, const FcmSettings& settings) {
+Result<void> checkSettings(const FcmSettings& settings) {
   if (settings.clusters < 1 || settings.clusters > kMostClusters) {
     return fail(ErrorCode::kValue, "clusters", std::to_string(settings.clusters),
                 "1 to " + std::to_string(kMostClusters));
@@ -38,57 +29,12 @@ Result<void> checkInput(std::span<const double> samples, const FcmSettings& sett
     return fail(ErrorCode::kValue, "fuzziness m", formatNumber(settings.m),
                 "a number above 1 and at most " + formatNumber(kLargestM));
   }
-  if (samples.empty()) return fail(ErrorCode::kData, "samples", "none", "at least one for each cluster");
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!std::isfinite(samples[i])) {
-      return fail(ErrorCode::kValue, "sample " + std::to_string(i + 1), formatNumber(samples[i]), "a finite number");
-    }
-  }
   return {};
 }
 
-bool near(const std::vector<double>& a, const std::vector<double>& b, double distance) {
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    if (std::abs(a[k] - b[k]) > distance) return false;
-  }
-  return true;
-}
-
-/// Adds `found` unless the same place is there already.
-void addDistinct(std::vector<FcmDescent>& list, FcmDescent found, double distance) {
-  for (const auto& other : list) {
-    if (near(other.centres, found.centres, distance)) return;
-  }
-  list.push_back(std::move(found));
-}
-
-/// By J; where rounding alone could decide, the one that was found first.
-void sortByObjective(std::vector<FcmDescent>& list) {
-  std::stable_sort(list.begin(), list.end(),
-                   [](const FcmDescent& a, const FcmDescent& b) { return a.objective < b.objective; });
-}
-
-std::vector<FcmDescent> tryStarts(const ScaledSamples& samples, const FcmSettings& settings) {
-  const CoarseSamples coarse(samples.values(), std::max(kMostCoarse, 8 * settings.clusters));
-  const WeightedValues data = coarse.view();
-  base::Random random(settings.seed);
-  std::vector<FcmDescent> found;
-  for (int start = 0; start < std::max(settings.starts, 1); ++start) {
-    std::vector<double> centres = start == 0   ? quantileStart(data, settings.clusters)
-                                  : start == 1 ? equalWidthStart(data, settings.clusters)
-                                               : spreadStart(data, settings.clusters, random);
-    if (centres.size() < settings.clusters) continue;
-    addDistinct(found, descend(data, std::move(centres), samples.range(), kWarmUp, settings),
-                kSameMinimum * samples.range());
-  }
-  sortByObjective(found);
-  return found;
-}
-
-std::vector<double> original(const ScaledSamples& samples, const std::vector<double>& centres) {
-  std::vector<double> out = centres;
-  for (double& centre : out) centre = samples.toOriginal(centre);
-  return out;
+std::vector<double> original(const FcmData& data, std::vector<double> centres) {
+  for (double& centre : centres) centre = data.toOriginal(centre);
+  return centres;
 }
 
 void setObjective(FcmResult& result, double scaled, int exponent) {
@@ -116,6 +62,49 @@ void addWarnings(FcmResult& result) {
   }
 }
 
+Result<FcmResult> fuzzyCMeansOf(std::span<const double> samples, std::span<const double> weights,
+                                const FcmSettings& settings) {
+  if (auto ok = checkSettings(settings); !ok) return tl::unexpected(ok.error());
+  const auto data = prepareFcmData(samples, weights);
+  if (!data) return tl::unexpected(data.error());
+  const auto distinct = distinctValues(*data, settings.clusters + 1);
+  if (distinct.size() < settings.clusters) {
+    return fail(ErrorCode::kData, "samples",
+                std::to_string(distinct.size()) + (distinct.size() == 1 ? " distinct value" : " distinct values"),
+                "at least " + std::to_string(settings.clusters) + ", one for each cluster");
+  }
+
+  FcmResult result;
+  result.m = settings.m;
+  if (distinct.size() == settings.clusters) {
+    result.centres = distinct;
+    result.objective = 0;
+    result.stop = FcmStop::kExact;
+    addWarnings(result);
+    return result;
+  }
+
+  const FcmSearch found = searchMinima(*data, settings);
+  if (found.cancelled) {
+    return fail(ErrorCode::kCancelled, "clustering", "a request to stop", "to go on to the end");
+  }
+  result.centres = original(*data, found.kept.centres);
+  if (std::adjacent_find(result.centres.begin(), result.centres.end(), std::greater_equal<>()) !=
+      result.centres.end()) {
+    return fail(ErrorCode::kData, "samples", "clusters too close together for the range of the values",
+                "values whose clusters double precision can tell apart");
+  }
+  setObjective(result, found.kept.objective, data->objectiveExponent());
+  result.iterations = found.kept.iterations;
+  result.passes = found.passes;
+  result.stop = found.kept.converged ? FcmStop::kConverged : FcmStop::kIterationLimit;
+  for (const auto& other : found.others) {
+    result.other_minima.push_back({original(*data, other.centres), other.objective / found.kept.objective});
+  }
+  addWarnings(result);
+  return result;
+}
+
 }  // namespace
 
 std::string_view name(FcmStop stop) noexcept {
@@ -131,58 +120,15 @@ std::string_view name(FcmStop stop) noexcept {
 }
 
 Result<FcmResult> fuzzyCMeans(std::span<const double> samples, const FcmSettings& settings) {
-  if (auto ok = checkInput(samples, settings); !ok) return tl::unexpected(ok.error());
-  const ScaledSamples scaled(samples);
-  const auto distinct = scaled.firstDistinct();
-  if (distinct.size() < settings.clusters) {
-    return fail(ErrorCode::kData, "samples",
-                std::to_string(distinct.size()) + (distinct.size() == 1 ? " distinct value" : " distinct values"),
-                "at least " + std::to_string(settings.clusters) + ", one for each cluster");
-  }
+  return fuzzyCMeansOf(samples, {}, settings);
+}
 
-  FcmResult result;
-  result.m = settings.m;
-  if (distinct.size() == settings.clusters) {
-    result.centres.assign(distinct.begin(), distinct.end());
-    result.objective = 0;
-    result.stop = FcmStop::kExact;
-    addWarnings(result);
-    return result;
+Result<FcmResult> fuzzyCMeans(std::span<const double> samples, std::span<const double> weights,
+                              const FcmSettings& settings) {
+  if (weights.empty() && !samples.empty()) {
+    return fail(ErrorCode::kData, "weights", "none", std::to_string(samples.size()) + ", one for each sample");
   }
-
-  std::vector<FcmDescent> refined;
-  std::vector<FcmDescent> tried = tryStarts(scaled, settings);
-  TACTUS_CHECK(!tried.empty());
-  if (tried.size() > kMostRefined) tried.resize(kMostRefined);
-  for (auto& start : tried) {
-    FcmDescent end = descend({scaled.values(), {}}, start.centres, scaled.range(), 0, settings);
-    end.iterations += start.iterations;
-    addDistinct(refined, std::move(end), kSameMinimum * scaled.range());
-  }
-  // Of equally low minima the first found stays, so that rounding does not choose.
-  auto best = refined.begin();
-  for (auto it = refined.begin(); it != refined.end(); ++it) {
-    if (it->objective < best->objective * (1 - kEqualObjective)) best = it;
-  }
-  std::rotate(refined.begin(), best, best + 1);
-  const FcmDescent& kept = refined.front();
-  result.centres = original(scaled, kept.centres);
-  if (std::adjacent_find(result.centres.begin(), result.centres.end(), std::greater_equal<>()) !=
-      result.centres.end()) {
-    return fail(ErrorCode::kData, "samples", "clusters too close together for the range of the values",
-                "values whose clusters double precision can tell apart");
-  }
-  setObjective(result, kept.objective, scaled.objectiveExponent());
-  result.iterations = kept.iterations;
-  result.stop = kept.converged ? FcmStop::kConverged : FcmStop::kIterationLimit;
-  std::vector<FcmDescent> others(refined.begin() + 1, refined.end());
-  sortByObjective(others);
-  for (const auto& other : others) {
-    if (!other.minimum) continue;
-    result.other_minima.push_back({original(scaled, other.centres), other.objective / kept.objective});
-  }
-  addWarnings(result);
-  return result;
+  return fuzzyCMeansOf(samples, weights, settings);
 }
 
 void fcmMemberships(double x, std::span<const double> centres, double m, std::span<double> memberships) noexcept {

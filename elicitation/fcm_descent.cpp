@@ -2,48 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "elicitation/fcm_pass.h"
+#include "elicitation/positive_solve.h"
 
 namespace tactus::elicitation {
 namespace {
 
-// J of two neighbouring points differs by rounding alone below this share.
-constexpr double kObjectiveNoise = 1e-13;
-
-/// Solves matrix * x = right by Cholesky's method; false where the matrix is not positive definite.
-bool solvePositive(std::vector<double> matrix, std::vector<double>& right) {
-  const std::size_t n = right.size();
-  for (std::size_t j = 0; j < n; ++j) {
-    double pivot = matrix[j * n + j];
-    const double before = pivot;
-    for (std::size_t k = 0; k < j; ++k) pivot -= matrix[j * n + k] * matrix[j * n + k];
-    if (!(pivot > 1e-14 * before)) return false;
-    const double root = std::sqrt(pivot);
-    matrix[j * n + j] = root;
-    for (std::size_t i = j + 1; i < n; ++i) {
-      double sum = matrix[i * n + j];
-      for (std::size_t k = 0; k < j; ++k) sum -= matrix[i * n + k] * matrix[j * n + k];
-      matrix[i * n + j] = sum / root;
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) right[i] -= matrix[i * n + k] * right[k];
-    right[i] /= matrix[i * n + i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) right[i] -= matrix[k * n + i] * right[k];
-    right[i] /= matrix[i * n + i];
-  }
-  return true;
-}
-
-std::vector<double> moved(const std::vector<double>& centres, const std::vector<double>& step) {
-  std::vector<double> out = centres;
-  for (std::size_t k = 0; k < out.size(); ++k) out[k] += step[k];
-  return out;
-}
+constexpr double kObjectiveNoise = 1e-13;  // J of two neighbouring points differs by rounding alone below this share
+constexpr double kSmoothM = 3;             // above it J's second derivatives have cusps at the samples
+constexpr double kNewtonSafety = 10;       // of the estimate of what a Newton step leaves
+constexpr double kRoundingOfStep = 1e-16;  // of the smallest gap between centres: no step can do better
 
 double largest(const std::vector<double>& step) {
   double most = 0;
@@ -51,57 +22,144 @@ double largest(const std::vector<double>& step) {
   return most;
 }
 
-/// A Newton step may not carry centres out of the data or past each other: it would leave its own valley.
-bool inOrder(const std::vector<double>& centres, const WeightedValues& data) {
-  return centres.front() >= data.values.front() && centres.back() <= data.values.back() &&
-         std::adjacent_find(centres.begin(), centres.end(), std::greater_equal<>()) == centres.end();
+double smallestGap(const std::vector<double>& centres) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < centres.size(); ++k) least = std::min(least, centres[k] - centres[k - 1]);
+  return least;
 }
 
-/// The step of Bezdek's iteration: each centre to the mean of the values weighted by u^m.
-std::vector<double> meanStep(const FcmSums& sums) {
-  std::vector<double> step(sums.pull.size());
-  for (std::size_t k = 0; k < step.size(); ++k) step[k] = sums.weight[k] > 0 ? sums.pull[k] / sums.weight[k] : 0.0;
-  return step;
-}
+class Descent {
+ public:
+  Descent(const FcmData& data, std::vector<double> centres, FcmBeginning beginning, const FcmSettings& settings,
+          const FcmBeforePass& before_pass)
+      : data_(data),
+        settings_(settings),
+        before_pass_(before_pass),
+        pass_(centres.size(), settings.m),
+        centres_(std::move(centres)),
+        damping_(beginning == FcmBeginning::kAnywhere ? 1 : 0) {}
+
+  FcmDescent run() {
+    bool going = sumsAt(centres_, sums_);
+    while (going && out_.iterations < settings_.most_iterations && !out_.converged) {
+      ++out_.iterations;
+      going = takeStep();
+    }
+    out_.cancelled = !going;
+    std::sort(centres_.begin(), centres_.end());
+    out_.centres = std::move(centres_);
+    out_.objective = std::max(sums_.objective, 0.0);
+    return std::move(out_);
+  }
+
+ private:
+  bool sumsAt(const std::vector<double>& centres, FcmSums& sums) {
+    if (before_pass_ && !before_pass_(change_)) return false;
+    pass_.run(data_, centres, sums);
+    return true;
+  }
+
+  /// One step that does not raise J; false when the descent is to stop.
+  bool takeStep() {
+    while (true) {
+      solve();
+      const double size = largest(step_);
+      if (leavesNothing(size)) {
+        // J at the end by its second-order expansion, whose error is far below the rounding of J.
+        for (std::size_t k = 0; k < step_.size(); ++k) sums_.objective -= step_[k] * sums_.pull[k];
+        moveTo(candidate_, size);
+        out_.converged = true;
+        return true;
+      }
+      const bool possible = damping_ == 1 || inOrder();
+      if (possible) {
+        if (!sumsAt(candidate_, next_)) return false;
+        if (damping_ == 1 || next_.objective <= sums_.objective * (1 + kObjectiveNoise)) {
+          out_.converged = isSmall(size);
+          moveTo(candidate_, size);
+          std::swap(sums_, next_);
+          damping_ = damping_ > 0.2 ? damping_ / 2 : 0;
+          return true;
+        }
+      }
+      damping_ = std::min(1.0, damping_ == 0 ? 0.25 : 2 * damping_);
+    }
+  }
+
+  /// step_ and candidate_ for the present damping, raised until the matrix is positive definite.
+  void solve() {
+    const std::size_t c = centres_.size();
+    while (true) {
+      if (damping_ < 1) {
+        matrix_ = sums_.curvature;
+        for (double& entry : matrix_) entry *= 1 - damping_;
+        for (std::size_t k = 0; k < c; ++k) matrix_[k * c + k] += damping_ * sums_.weight[k];
+        step_ = sums_.pull;
+        const bool positive = solvePositive(matrix_, step_);
+        if (damping_ == 0) out_.minimum = positive;
+        if (positive) break;
+        damping_ = std::min(1.0, damping_ == 0 ? 0.25 : 2 * damping_);
+        continue;
+      }
+      step_ = sums_.pull;  // Bezdek's step: to the means of the samples weighted by u^m
+      for (std::size_t k = 0; k < c; ++k) step_[k] = sums_.weight[k] > 0 ? step_[k] / sums_.weight[k] : 0;
+      break;
+    }
+    candidate_ = centres_;
+    for (std::size_t k = 0; k < c; ++k) candidate_[k] += step_[k];
+  }
+
+  /// A step may not carry centres out of the data or past each other: it would leave its own valley.
+  bool inOrder() const {
+    return candidate_.front() >= data_.low && candidate_.back() <= data_.high && smallestGap(candidate_) > 0;
+  }
+
+  /// Whether Newton's step, whose error is quadratic, ends below rounding. The error grows where J is flat, which
+  /// shows in a Newton step much longer than Bezdek's.
+  bool leavesNothing(double size) const {
+    if (damping_ != 0 || !inOrder()) return false;
+    if (size == 0) return true;
+    if (settings_.m > kSmoothM) return false;
+    double plain = 0;
+    for (std::size_t k = 0; k < step_.size(); ++k) plain = std::max(plain, std::abs(sums_.pull[k] / sums_.weight[k]));
+    const double gap = std::min(smallestGap(centres_), data_.range()) * std::min(1.0, settings_.m - 1);
+    const double rest = kNewtonSafety * (size / gap) * (size / gap) * std::max(1.0, size / plain);
+    return rest <= std::max(kRoundingOfStep, 1e-3 * settings_.tolerance);
+  }
+
+  /// Whether the step of `size` just taken may be the last: what remains is small beside the gaps, or J falls no more.
+  bool isSmall(double size) const {
+    double rest = size;  // Newton's steps shrink ever faster
+    if (damping_ > 0) {  // linear: what remains is a geometric series
+      const double rate = change_ > 0 ? size / change_ : 0;
+      rest = rate < 1 ? size * std::max(1.0, rate / (1 - rate)) : std::numeric_limits<double>::infinity();
+    }
+    if (size == 0 || rest <= settings_.tolerance * std::min(smallestGap(candidate_), data_.range())) return true;
+    return size <= settings_.tolerance * data_.range() && next_.objective >= sums_.objective;
+  }
+
+  void moveTo(const std::vector<double>& centres, double size) {
+    centres_ = centres;
+    change_ = size;
+  }
+
+  const FcmData& data_;
+  const FcmSettings& settings_;
+  const FcmBeforePass& before_pass_;
+  FcmPass pass_;
+  std::vector<double> centres_;
+  double damping_;                                           // 0: Newton's step, 1: Bezdek's
+  double change_ = std::numeric_limits<double>::infinity();  // of the last step
+  FcmSums sums_, next_;
+  std::vector<double> matrix_, step_, candidate_;
+  FcmDescent out_;
+};
 
 }  // namespace
 
-FcmDescent descend(const WeightedValues& data, std::vector<double> centres, double range, int warm_up,
-                   const FcmSettings& settings) {
-  FcmPass pass(centres.size(), settings.m);
-  FcmSums sums;
-  FcmSums next;
-  pass.run(data, centres, sums);
-
-  FcmDescent out;
-  const double small = settings.tolerance * range;
-  while (out.iterations < settings.most_iterations && !out.converged) {
-    ++out.iterations;
-    std::vector<double> step = sums.pull;
-    out.minimum = solvePositive(sums.curvature, step);
-    std::vector<double> candidate;
-    if (out.minimum && out.iterations > warm_up) {
-      candidate = moved(centres, step);
-      if (inOrder(candidate, data)) {
-        pass.run(data, candidate, next);
-        if (next.objective > sums.objective * (1 + kObjectiveNoise)) candidate.clear();
-      } else {
-        candidate.clear();
-      }
-    }
-    if (candidate.empty()) {
-      step = meanStep(sums);
-      candidate = moved(centres, step);
-      pass.run(data, candidate, next);
-    }
-    out.converged = largest(step) <= small;
-    centres = std::move(candidate);
-    std::swap(sums, next);
-  }
-  std::sort(centres.begin(), centres.end());
-  out.centres = std::move(centres);
-  out.objective = sums.objective;
-  return out;
+FcmDescent descend(const FcmData& data, std::vector<double> centres, FcmBeginning beginning,
+                   const FcmSettings& settings, const FcmBeforePass& before_pass) {
+  return Descent(data, std::move(centres), beginning, settings, before_pass).run();
 }
 
 }  // namespace tactus::elicitation

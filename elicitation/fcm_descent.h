@@ -1,25 +1,37 @@
 // From a start downhill to a local minimum of J (part of fcm.h).
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "elicitation/fcm.h"
-#include "elicitation/fcm_samples.h"
+#include "elicitation/fcm_data.h"
 
 namespace tactus::elicitation {
 
 struct FcmDescent {
-  std::vector<double> centres;  ///< ascending
-  double objective = 0;         ///< J
+  std::vector<double> centres;  ///< ascending, scaled
+  double objective = 0;         ///< J of the scaled data
   int iterations = 0;
   bool converged = false;
   bool minimum = false;  ///< J curves upward in every direction there
+  bool cancelled = false;
 };
 
-/// Descends from `centres` (distinct) on values in [-1, 1]: steps of Bezdek's iteration, which never raise J, for the
-/// first `warm_up` steps and wherever Newton's step does not lower J; Newton steps otherwise, which end at full
-/// precision. Stops when a step moves no centre by more than settings.tolerance * range.
-FcmDescent descend(const WeightedValues& data, std::vector<double> centres, double range, int warm_up,
-                   const FcmSettings& settings);
+/// Where a descent begins.
+enum class FcmBeginning {
+  kAnywhere,     ///< with a step of Bezdek's iteration, which never raises J
+  kNearMinimum,  ///< with Newton's step
+};
+
+/// Called before each pass with the largest change of a centre so far; false stops the descent.
+using FcmBeforePass = std::function<bool(double change)>;
+
+/// Descends from `centres` (distinct, ascending) by steps of a matrix between J's second derivatives (Newton, which
+/// ends at full precision) and the metric of Bezdek's iteration (which never raises J), the nearer to the latter the
+/// more often a step had to be taken back. Ends where what remains is estimated to be below settings.tolerance of the
+/// range and, near a smooth minimum, below the rounding of the sums; the last step needs no pass of its own then.
+FcmDescent descend(const FcmData& data, std::vector<double> centres, FcmBeginning beginning,
+                   const FcmSettings& settings, const FcmBeforePass& before_pass);
 
 }  // namespace tactus::elicitation

@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "elicitation/fcm_samples.h"
+#include "elicitation/fcm_data.h"
+#include "elicitation/fcm_kernels.h"
 
 namespace tactus::elicitation {
 
@@ -19,25 +20,25 @@ struct FcmSums {
   double objective = 0;  ///< J
 };
 
-/// Scratch and formulas for one c and m. Memory O(c^2).
+/// Scratch for one c and m: no memberships are kept, memory is O(c^2).
 class FcmPass {
  public:
   FcmPass(std::size_t clusters, double m);
+  /// With the loops of one instruction set, for tests.
+  FcmPass(std::size_t clusters, double m, const FcmKernels& kernels);
 
-  /// The sums at `centres`. Values in [-1, 1]; centres may coincide with values and with each other.
-  void run(const WeightedValues& data, std::span<const double> centres, FcmSums& sums);
+  /// The sums at `centres`, scaled; they may coincide with values and with each other.
+  void run(const FcmData& data, std::span<const double> centres, FcmSums& sums);
 
  private:
-  /// u^m of one value from the squares_ of its distances, into powers_; returns h.
-  double productForm();
-  double ratioForm();
-  void addToBlock(double x, double weight, std::span<const double> centres);
+  void addBlock(const FcmBlock& block, std::span<const double> centres);
+  void addTail(const FcmData& data, std::size_t begin, FcmBlock block, std::span<const double> centres);
+  void finish(FcmSums& sums) const;
 
   std::size_t clusters_;
   double m_;
-  double p_;  // 1 / (m - 1)
-  std::vector<double> squares_, powers_, ahead_;
-  std::vector<double> block_;     // sums of one block: weight, pull, outer products, J
+  FcmKernels kernels_;
+  std::vector<double> lanes_;     // sums of one block, lane by lane: weight, pull, outer products, J
   std::vector<double> total_;     // sums of all blocks
   std::vector<double> rounding_;  // what the additions to total_ lost (Neumaier 1974)
 };

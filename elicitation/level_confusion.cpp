@@ -75,12 +75,18 @@ LevelConfusion levelConfusion(std::span<const study::SpeedSample> samples, std::
   if (counted == 0) return out;
   out.accuracy = static_cast<double>(right) / static_cast<double>(counted);
   out.adjusted_rand_index = adjustedRandIndex(out.counts);
-  if (out.adjusted_rand_index < kLowRandIndex || out.accuracy < kLowAccuracy) {
+  std::vector<std::string> low;
+  if (out.adjusted_rand_index < kLowRandIndex) {
+    low.push_back("adjusted Rand index " + base::formatFixed(out.adjusted_rand_index, 2) + ", below 0.3");
+  }
+  if (out.accuracy < kLowAccuracy) {
+    low.push_back("accuracy " + base::formatFixed(out.accuracy, 2) + ", below 0.6");
+  }
+  if (!low.empty()) {
     out.warnings.push_back("Participant " + participant +
-                           ": the speed clusters are not the levels that were asked for (adjusted Rand index " +
-                           base::formatFixed(out.adjusted_rand_index, 2) + ", accuracy " +
-                           base::formatFixed(out.accuracy, 2) +
-                           "); a cluster may be the start and stop of the strokes, which trimming removes.");
+                           ": the samples nearest to each centre are not those of the level that was asked for (" +
+                           base::joined(low, "; ") +
+                           "); the slow cluster may be the start and stop of the strokes, which trimming removes.");
   }
   return out;
 }

@@ -65,6 +65,24 @@ void noteNegativeSpeeds(const study::Study& study, std::vector<std::string>& not
                   " speed samples lie below 0 mm/s; they are clustered as they are.");
 }
 
+/// Weights of the participants whose ramps are averaged; empty where they count alike.
+Result<std::vector<double>> speedWeights(std::span<const ParticipantSpeeds> speeds, const study::Study& study,
+                                         const BuildSettings& settings) {
+  if (settings.averaging != Averaging::kWeightedMean) return std::vector<double>{};
+  std::vector<study::Participant> people;
+  for (const auto& one : speeds) {
+    people.push_back(*std::find_if(study.participants.begin(), study.participants.end(),
+                                   [&one](const study::Participant& p) { return p.code == one.participant; }));
+  }
+  return expertWeights(people, settings.weights);
+}
+
+std::vector<std::vector<Ramp>> rampsOf(std::span<const ParticipantSpeeds> speeds) {
+  std::vector<std::vector<Ramp>> ramps;
+  for (const auto& one : speeds) ramps.push_back(one.ramps);
+  return ramps;
+}
+
 Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
   auto& speed = variable(out.model.inputs, "speed");
   auto participants = clusterSpeeds(study, speed, settings.speed);
@@ -77,31 +95,30 @@ Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings
 
   noteNegativeSpeeds(study, out.notes);
 
-  std::vector<double> weights;
-  if (settings.averaging == Averaging::kWeightedMean) {
-    std::vector<study::Participant> people;
-    for (const auto& one : out.speeds) {
-      people.push_back(*std::find_if(study.participants.begin(), study.participants.end(),
-                                     [&one](const study::Participant& p) { return p.code == one.participant; }));
-    }
-    auto found = expertWeights(people, settings.weights);
-    if (!found) return tl::unexpected(found.error());
-    weights = std::move(*found);
-  }
-  std::vector<std::vector<Ramp>> ramps;
+  auto weights = speedWeights(out.speeds, study, settings);
+  if (!weights) return tl::unexpected(weights.error());
+  out.speed_weights = std::move(*weights);
   for (const auto& one : out.speeds) {
-    ramps.push_back(one.ramps);
-    for (const auto& warning : one.clusters.warnings) {
-      out.notes.push_back("Speeds of participant " + one.participant + ": " + warning);
+    if (one.clusters) {
+      for (const auto& warning : one.clusters->warnings) {
+        out.notes.push_back("Speeds of participant " + one.participant + ": " + warning);
+      }
     }
-    append(out.notes, one.confusion.warnings);
+    append(out.notes, one.diagnostics.warnings);
   }
-  out.averaged_ramps = averageRamps(ramps, weights, settings.averaging);
+  out.averaged_ramps = averageRamps(rampsOf(out.speeds), out.speed_weights, settings.averaging);
   const double default_max_mm_s = speed.max;
   speed = averagedSpeed(speed, out.speeds, out.averaged_ramps);
   if (speed.max > default_max_mm_s) {
     out.notes.push_back("The universe of the speed ends at " + roundedNumber(speed.max) + " mm/s instead of " +
                         roundedNumber(default_max_mm_s) + " mm/s: the speeds of a participant lie beyond it.");
+  }
+  if (settings.terms == SpeedTermsOf::kAveraged) {
+    fuzzy::Variable own = speed;
+    for (const auto& one : out.speeds) {
+      own.terms = speedTerms(speed, one.ramps);
+      if (auto note = sameTermNote(one.diagnostics.levels, speed, own, one.participant)) out.notes.push_back(*note);
+    }
   }
   return {};
 }
@@ -158,12 +175,27 @@ std::string sharedDepthTerms(const std::vector<ExpertRules>& experts) {
 /// A set that `studyRules` has looked up already.
 std::vector<fuzzy::Term> depthTerms(const std::string& id) { return findDepthTerms(id).value().terms; }
 
-Result<void> buildExperts(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
+std::vector<study::Participant> peopleOf(const std::vector<ExpertRules>& experts) {
   std::vector<study::Participant> people;
-  for (const auto& expert : out.experts) people.push_back(expert.participant);
+  people.reserve(experts.size());
+  for (const auto& expert : experts) people.push_back(expert.participant);
+  return people;
+}
+
+/// Rules that were given directly stand in a table of their own: what is simulated of that participant is not the
+/// rules.
+bool hasSimulatedRules(const ExpertRules& expert) {
+  return expert.participant.simulated && expert.source == ExpertRules::Source::kAnswers;
+}
+
+Result<void> buildExperts(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
+  const auto people = peopleOf(out.experts);
   const auto weights = expertWeights(people, settings.weights);
   if (!weights) return tl::unexpected(weights.error());
   append(out.notes, unusedWeightNotes(study.participants, settings.weights));
+  std::vector<bool> simulated;
+  for (const auto& expert : out.experts) simulated.push_back(hasSimulatedRules(expert));
+  append(out.notes, weightNotes(people, *weights, simulated));
 
   const std::string shared = sharedDepthTerms(out.experts);
   variable(out.model.inputs, "depth").terms = depthTerms(shared);
@@ -171,10 +203,7 @@ Result<void> buildExperts(const study::Study& study, const BuildSettings& settin
   for (std::size_t i = 0; i < out.experts.size(); ++i) {
     const ExpertRules& rules = out.experts[i];
     const std::string& code = rules.participant.code;
-    // Rules that were given directly stand in a table of their own: what is simulated of that participant is not the
-    // rules.
-    const bool simulated_rules = rules.participant.simulated && rules.source == ExpertRules::Source::kAnswers;
-    fuzzy::Expert expert{code, code + (simulated_rules ? " (simulated)" : ""), (*weights)[i], {}, rules.rules};
+    fuzzy::Expert expert{code, code + (simulated[i] ? " (simulated)" : ""), (*weights)[i], {}, rules.rules};
     if (rules.depth_terms != shared) expert.overrides.push_back({"depth", depthTerms(rules.depth_terms)});
     if (settings.terms == SpeedTermsOf::kOwn) {
       const auto own = std::find_if(out.speeds.begin(), out.speeds.end(),
@@ -222,6 +251,28 @@ Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::
   if (!out.model.provenance->notes.empty()) out.notes.push_back(out.model.provenance->notes);
   if (auto ok = setChecks(out.model); !ok) return tl::unexpected(ok.error());
   if (auto ok = fuzzy::validate(out.model); !ok) return tl::unexpected(ok.error());
+  auto influences = expertInfluence(out.model);
+  if (!influences) return tl::unexpected(influences.error());
+  out.influences = std::move(*influences);
+  append(out.notes, influenceNotes(out.model, out.influences));
+  return out;
+}
+
+Result<fuzzy::ForceModel> reweightedModel(const BuiltModel& built, const study::Study& study,
+                                          const BuildSettings& settings) {
+  const auto weights = expertWeights(peopleOf(built.experts), settings.weights);
+  if (!weights) return tl::unexpected(weights.error());
+  fuzzy::ForceModel out = built.model;
+  for (std::size_t e = 0; e < out.experts.size(); ++e) out.experts[e].weight = (*weights)[e];
+  if (settings.averaging == Averaging::kWeightedMean && !built.speeds.empty()) {
+    const auto speed_weights = speedWeights(built.speeds, study, settings);
+    if (!speed_weights) return tl::unexpected(speed_weights.error());
+    const auto ramps = averageRamps(rampsOf(built.speeds), *speed_weights, settings.averaging);
+    auto defaults = ngtInputs();
+    variable(out.inputs, "speed") = averagedSpeed(variable(defaults, "speed"), built.speeds, ramps);
+  }
+  out.provenance = modelProvenance(study, built.experts, settings);
+  if (auto ok = setChecks(out); !ok) return tl::unexpected(ok.error());
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
 #include "core/study/records.h"
+#include "elicitation/expert_influence.h"
 #include "elicitation/expert_rules.h"
 #include "elicitation/expert_weights.h"
 #include "elicitation/force_terms.h"
@@ -43,10 +44,12 @@ struct BuildSettings {
 struct BuiltModel {
   fuzzy::ForceModel model;                ///< validated
   std::vector<ParticipantSpeeds> speeds;  ///< one per participant with speeds
+  std::vector<double> speed_weights;      ///< one per entry of `speeds` with Averaging::kWeightedMean, else empty
   std::vector<Ramp> averaged_ramps;       ///< empty where the default speed terms were used
   std::vector<VoteStep> votes;            ///< empty where the default force terms were used
   std::optional<ForceTerms> force_terms;  ///< absent where the default force terms were used
   std::vector<ExpertRules> experts;       ///< in the order of the model's experts
+  ExpertInfluences influences;            ///< of each expert on the averaged force
   std::vector<std::string> notes;         ///< one sentence each: defaults, warnings, what is simulated
 };
 
@@ -56,6 +59,12 @@ struct BuiltModel {
 /// a table has no rows the default terms stay, with a note. Holes in the coverage stay too: the lint shows them.
 base::Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
                                     const BuildSettings& settings);
+
+/// The model of `built` with the experts weighted by `settings.weights` instead; everything else as it was built, with
+/// the same `study` and `settings`. The clusters are used again: only where the ramps are a weighted mean are the
+/// speed terms averaged anew. The error is that of `expertWeights`.
+base::Result<fuzzy::ForceModel> reweightedModel(const BuiltModel& built, const study::Study& study,
+                                                const BuildSettings& settings);
 
 /// The model of the expert `expert_id` alone: own terms become the model's, checks are evaluated anew, accepted holes
 /// are dropped. An unknown id is an error that lists the experts.

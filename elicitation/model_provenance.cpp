@@ -97,6 +97,7 @@ fuzzy::Provenance modelProvenance(const study::Study& study, std::span<const Exp
       {"alpha", base::jsonNumber(settings.speed.alpha)},
       {"m", base::jsonNumber(settings.speed.fcm.m)},
       {"clusters", std::to_string(settings.speed.fcm.clusters)},
+      {"centres", base::jsonString(name(settings.speed.centres))},
       {"trim", base::jsonNumber(settings.speed.trim)},
       {"averaging", base::jsonString(name(settings.averaging))},
       {"terms", base::jsonString(name(settings.terms))},

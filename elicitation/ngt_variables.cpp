@@ -1,5 +1,6 @@
 #include "elicitation/ngt_variables.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -68,6 +69,27 @@ std::vector<std::string> ngtInputIds() {
 fuzzy::Variable ngtOutput() {
   const json all = data();
   return readVariable(all, all.at("output"));
+}
+
+std::vector<DeclaredDirection> ngtDirections() {
+  const json all = data();
+  std::vector<DeclaredDirection> out;
+  for (const auto& input : all.at("inputs")) {
+    if (!input.contains("declared_direction")) continue;
+    const std::string direction = input.at("declared_direction");
+    TACTUS_CHECK(direction == "falls" || direction == "rises");
+    out.push_back({input.at("id"), direction == "falls" ? analysis::Direction::kFalls : analysis::Direction::kRises});
+  }
+  return out;
+}
+
+std::string ngtRegionInput() {
+  const json all = data();
+  const auto& inputs = all.at("inputs");
+  const auto it =
+      std::find_if(inputs.begin(), inputs.end(), [](const json& input) { return input.contains("regions"); });
+  TACTUS_CHECK(it != inputs.end());
+  return it->at("id");
 }
 
 std::vector<DepthTermSet> depthTermSets() { return readSets(data()); }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/analysis/directions.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::elicitation {
@@ -21,6 +22,21 @@ std::vector<std::string> ngtInputIds();
 
 /// force [0, 1.1] N; its default terms are those of the paper's Table 2.
 fuzzy::Variable ngtOutput();
+
+/// In which direction the force is declared to move when an input grows.
+struct DeclaredDirection {
+  std::string input;
+  analysis::Direction direction = analysis::Direction::kMixed;  ///< kMixed declares nothing
+
+  bool operator==(const DeclaredDirection&) const = default;
+};
+
+/// What the study declares: better lubrication less force, a flexed neck less, more speed more. It is what the paper's
+/// text says of the four experts (Fig. 10), not a law: S4's rules say the opposite of the neck.
+std::vector<DeclaredDirection> ngtDirections();
+
+/// The input whose terms are the regions by which experts are compared: depth.
+std::string ngtRegionInput();
 
 /// A named list of terms of the depth variable. A form that does not ask about a region has no term for it.
 struct DepthTermSet {

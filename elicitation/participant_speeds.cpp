@@ -1,10 +1,12 @@
 #include "elicitation/participant_speeds.h"
 
 #include <algorithm>
+#include <functional>
 #include <unordered_map>
 #include <utility>
 
 #include "core/base/text.h"
+#include "elicitation/rounded_number.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -13,6 +15,8 @@ using base::ErrorCode;
 using base::fail;
 using base::Result;
 
+constexpr double kLargestFuzziness = 100;  // as fuzzyCMeans
+
 Result<void> checkSettings(const fuzzy::Variable& speed, const SpeedSettings& settings) {
   if (!(settings.trim >= 0 && settings.trim < 1)) {
     return fail(ErrorCode::kValue, "trim", base::formatNumber(settings.trim), "a share of 0 or more and below 1");
@@ -20,6 +24,11 @@ Result<void> checkSettings(const fuzzy::Variable& speed, const SpeedSettings& se
   if (settings.fcm.clusters != speed.terms.size()) {
     return fail(ErrorCode::kValue, "clusters", std::to_string(settings.fcm.clusters),
                 std::to_string(speed.terms.size()) + ", one for each term of the speed");
+  }
+  const double m = settings.fcm.m;
+  if (settings.centres == SpeedCentres::kLevelMeans && !(m > 1 && m <= kLargestFuzziness)) {
+    return fail(ErrorCode::kValue, "fuzziness m", base::formatNumber(m),
+                "a number above 1 and at most " + base::formatNumber(kLargestFuzziness));
   }
   // Without centres only the range of alpha is looked at.
   if (const auto ramps = alphaCutRamps({}, settings.fcm.m, settings.alpha); !ramps)
@@ -46,6 +55,24 @@ Result<void> checkLevels(std::span<const study::SpeedSample> samples, std::span<
   return {};
 }
 
+/// The means of the levels as centres, which the terms need in ascending order.
+Result<std::vector<double>> levelMeans(std::span<const LevelSpeeds> levels) {
+  std::vector<double> means;
+  for (const auto& level : levels) {
+    if (level.samples == 0) {
+      return fail(ErrorCode::kData, "level " + level.level, "no samples", "samples of each level for level means");
+    }
+    means.push_back(level.mean_mm_s);
+  }
+  if (std::adjacent_find(means.begin(), means.end(), std::greater_equal<>()) != means.end()) {
+    std::vector<std::string> found;
+    for (const auto& level : levels) found.push_back(level.level + " " + roundedNumber(level.mean_mm_s));
+    return fail(ErrorCode::kData, "level means", base::joined(found, ", ") + " mm/s",
+                "means that rise with the level, or clusters as centres");
+  }
+  return means;
+}
+
 Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std::span<const study::SpeedSample> samples,
                                      const fuzzy::Variable& speed, const SpeedSettings& settings) {
   ParticipantSpeeds out;
@@ -61,23 +88,31 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
   speeds_mm_s.reserve(kept.size());
   for (const auto& sample : kept) speeds_mm_s.push_back(sample.speed_mm_s);
 
-  auto clusters = fuzzyCMeans(speeds_mm_s, settings.fcm);
-  if (!clusters) return ofParticipant(clusters.error(), participant.code, samples.front().line);
-  out.clusters = std::move(*clusters);
-  const auto& centres = out.clusters.centres;
-  if (centres.front() < speed.min) {
+  if (settings.centres == SpeedCentres::kLevelMeans) {
+    auto means = levelMeans(levelSpeeds(kept, levels));
+    if (!means) return ofParticipant(means.error(), participant.code, samples.front().line);
+    out.centres = std::move(*means);
+    out.m = settings.fcm.m;
+  } else {
+    auto clusters = fuzzyCMeans(speeds_mm_s, settings.fcm);
+    if (!clusters) return ofParticipant(clusters.error(), participant.code, samples.front().line);
+    out.clusters = std::move(*clusters);
+    out.centres = out.clusters->centres;
+    out.m = out.clusters->m;
+  }
+  if (out.centres.front() < speed.min) {
     return ofParticipant({ErrorCode::kData,
                           {},
-                          "lowest cluster",
-                          base::formatNumber(centres.front()) + " mm/s",
+                          out.clusters ? "lowest cluster" : "lowest level",
+                          base::formatNumber(out.centres.front()) + " mm/s",
                           "at least " + base::formatNumber(speed.min) + " mm/s: speeds of forward strokes"},
                          participant.code, samples.front().line);
   }
-  auto ramps = alphaCutRamps(centres, out.clusters.m, settings.alpha);
+  auto ramps = alphaCutRamps(out.centres, out.m, settings.alpha);
   if (!ramps) return tl::unexpected(ramps.error());
   out.ramps = std::move(*ramps);
-  out.validity = fcmValidity(speeds_mm_s, centres, out.clusters.m);
-  out.confusion = levelConfusion(kept, levels, centres, participant.code);
+  out.validity = fcmValidity(speeds_mm_s, out.centres, out.m);
+  out.diagnostics = levelDiagnostics(kept, levels, out.centres, participant.code);
   return out;
 }
 
@@ -104,7 +139,7 @@ fuzzy::Variable averagedSpeed(const fuzzy::Variable& speed, std::span<const Part
                               std::span<const Ramp> averaged) {
   fuzzy::Variable out = speed;
   for (const auto& one : participants) {
-    out.max = std::max(out.max, speedUniverseMax(speed.max, one.clusters.centres.back(), one.ramps));
+    out.max = std::max(out.max, speedUniverseMax(speed.max, one.centres.back(), one.ramps));
   }
   out.terms = speedTerms(out, averaged);
   return out;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,14 +12,15 @@
 #include "core/study/records.h"
 #include "elicitation/fcm.h"
 #include "elicitation/fcm_validity.h"
-#include "elicitation/level_confusion.h"
+#include "elicitation/level_diagnostics.h"
 #include "elicitation/speed_terms.h"
 
 namespace tactus::elicitation {
 
 struct SpeedSettings {
+  SpeedCentres centres = SpeedCentres::kClusters;
   double alpha = kDefaultAlpha;  ///< (1/2, 1], where a ramp begins and ends (alphaCutRamps)
-  FcmSettings fcm;               ///< as many clusters as the speed variable has terms
+  FcmSettings fcm;               ///< as many clusters as the speed variable has terms; m for either kind of centres
   double trim = 0;               ///< [0, 1): share of a stroke's peak speed below which its samples are dropped
 };
 
@@ -26,17 +28,20 @@ struct SpeedSettings {
 struct ParticipantSpeeds {
   std::string participant;
   bool simulated = false;
-  std::size_t samples = 0;  ///< before trimming
-  std::size_t kept = 0;     ///< after trimming, clustered
-  FcmResult clusters;
+  std::size_t samples = 0;            ///< before trimming
+  std::size_t kept = 0;               ///< after trimming; everything below is computed from these
+  std::vector<double> centres;        ///< of the clusters, or the means of the levels; ascending
+  double m = 2;                       ///< fuzziness of the memberships around the centres
+  std::optional<FcmResult> clusters;  ///< absent where the centres are the means of the levels
   FcmValidity validity;
   std::vector<Ramp> ramps;
-  LevelConfusion confusion;  ///< of the samples kept
+  LevelDiagnostics diagnostics;
 };
 
-/// One entry per participant with speeds, in the participants' order. The clusters become the terms of `speed` in
+/// One entry per participant with speeds, in the participants' order. The centres become the terms of `speed` in
 /// ascending order. Refused: settings out of range, a level that is no term of `speed`, speeds that cannot be
-/// clustered, a centre below the universe of `speed`; the error names the participant.
+/// clustered, for level means a level without samples or means that do not rise with the level, a centre below the
+/// universe of `speed`; the error names the participant.
 base::Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
                                                            const SpeedSettings& settings);
 

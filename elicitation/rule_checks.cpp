@@ -35,7 +35,7 @@ struct RuleAt {
                                      std::string found, std::string found_in_cell, std::string wanted) const {
     const std::string place = "rule " + std::to_string(index + 1) + " of participant " + origin.participant.code;
     return study::atCell({code, {}, place, std::move(found), std::move(wanted)},
-                         {given() ? study::kRulesTable : study::kAnswersTable, origin.lines[index],
+                         {given() ? study::kRulesTable : study::kAnswersTable, origin.origins[index].line,
                           given() ? given_column : answer_column},
                          std::move(found_in_cell));
   }
@@ -73,7 +73,7 @@ Conditions sortedConditions(const fuzzy::Rule& rule) {
 
 Result<void> checkRules(const fuzzy::Expert& expert, const ExpertRules& origin, std::span<const fuzzy::Variable> inputs,
                         const fuzzy::Variable& output, std::span<const std::string> absent_output_terms) {
-  TACTUS_CHECK(origin.lines.size() == expert.rules.size());
+  TACTUS_CHECK(origin.origins.size() == expert.rules.size());
   std::set<std::pair<Conditions, std::string>> seen;
   for (std::size_t i = 0; i < expert.rules.size(); ++i) {
     const fuzzy::Rule& rule = expert.rules[i];
@@ -107,7 +107,7 @@ std::optional<std::string> contradictionNote(const ExpertRules& expert) {
   std::string first;
   int contradictions = 0;
   const auto said = [&expert](std::size_t rule) {
-    const auto line = expert.lines[rule].number;
+    const auto line = expert.origins[rule].line.number;
     return "rule " + std::to_string(rule + 1) + (line > 0 ? " (line " + std::to_string(line) + ")" : "") + " says " +
            quoted(expert.rules[rule].then);
   };

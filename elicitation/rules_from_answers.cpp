@@ -16,10 +16,38 @@ std::vector<fuzzy::Condition> conditionsFrom(const std::vector<study::ItemCondit
   return out;
 }
 
+MissingItem::Reason reasonOf(study::Answer::Status status) {
+  switch (status) {
+    case study::Answer::Status::kSkipped:
+      return MissingItem::Reason::kSkipped;
+    case study::Answer::Status::kCantTell:
+      return MissingItem::Reason::kCantTell;
+    case study::Answer::Status::kCleared:
+      return MissingItem::Reason::kCleared;
+    case study::Answer::Status::kAnswered:
+      break;
+  }
+  return MissingItem::Reason::kNoAnswer;
+}
+
 }  // namespace
 
-base::Result<SourcedRules> rulesFromAnswers(std::span<const study::Answer> answers, const study::Form& form,
-                                            std::span<const std::string> output_terms) {
+std::string_view name(MissingItem::Reason reason) noexcept {
+  switch (reason) {
+    case MissingItem::Reason::kNoAnswer:
+      return "no answer";
+    case MissingItem::Reason::kSkipped:
+      return "skipped";
+    case MissingItem::Reason::kCantTell:
+      return "cannot tell";
+    case MissingItem::Reason::kCleared:
+      return "cleared";
+  }
+  return "";
+}
+
+base::Result<AnsweredRules> rulesFromAnswers(std::span<const study::Answer> answers, const study::Form& form,
+                                             std::span<const std::string> output_terms) {
   std::map<int, const study::Answer*> by_item;
   for (const auto& answer : answers) {
     const std::string place = "answer of participant " + answer.participant + " to item " +
@@ -29,6 +57,10 @@ base::Result<SourcedRules> rulesFromAnswers(std::span<const study::Answer> answe
       return study::atCell({code, {}, place, std::move(found), std::move(wanted)},
                            {study::kAnswersTable, answer.line, column}, std::move(found_in_cell));
     };
+    if (answer.form != form.id) {
+      return refused(base::ErrorCode::kReference, "form", "an answer to form " + base::quoted(answer.form),
+                     base::quoted(answer.form), "an answer to form " + base::quoted(form.id));
+    }
     const std::string number = "item " + std::to_string(answer.item);
     const bool known = std::any_of(form.items.begin(), form.items.end(),
                                    [&answer](const study::FormItem& item) { return item.number == answer.item; });
@@ -40,19 +72,30 @@ base::Result<SourcedRules> rulesFromAnswers(std::span<const study::Answer> answe
     if (!by_item.emplace(answer.item, &answer).second) {
       return refused(base::ErrorCode::kData, "item", "a second answer", number + " again", "one answer per item");
     }
-    if (answer.status != study::Answer::Status::kAnswered) continue;
+    if (answer.status != study::Answer::Status::kAnswered) {
+      if (answer.term.empty()) continue;
+      return refused(base::ErrorCode::kData, "term", "term " + base::quoted(answer.term), base::quoted(answer.term),
+                     "no term, as the item has no answer (" + std::string(name(reasonOf(answer.status))) + ")");
+    }
     if (std::find(output_terms.begin(), output_terms.end(), answer.term) == output_terms.end()) {
       return refused(base::ErrorCode::kReference, "term", "term " + base::quoted(answer.term),
                      base::quoted(answer.term), "one of " + base::joined(output_terms, ", "));
     }
   }
 
-  SourcedRules out;
+  AnsweredRules out;
   for (const auto& item : form.items) {
-    const auto answer = by_item.find(item.number);
-    if (answer == by_item.end() || answer->second->status != study::Answer::Status::kAnswered) continue;
-    out.rules.push_back({conditionsFrom(item.conditions), answer->second->term, 1, true});
-    out.lines.push_back(answer->second->line);
+    const auto found = by_item.find(item.number);
+    const study::Answer* const answer = found == by_item.end() ? nullptr : found->second;
+    const RuleOrigin origin{form.id, item.number, answer == nullptr ? study::TableLine{} : answer->line};
+    auto conditions = conditionsFrom(item.conditions);
+    if (answer != nullptr && answer->status == study::Answer::Status::kAnswered) {
+      out.rules.push_back({std::move(conditions), answer->term, 1, true});
+      out.origins.push_back(origin);
+    } else {
+      const auto reason = answer == nullptr ? MissingItem::Reason::kNoAnswer : reasonOf(answer->status);
+      out.missing.push_back({origin, reason, std::move(conditions)});
+    }
   }
   return out;
 }

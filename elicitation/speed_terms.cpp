@@ -8,21 +8,30 @@
 #include "core/base/check.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
-#include "elicitation/fcm.h"
 
 namespace tactus::elicitation {
 namespace {
+
+/// Membership of x in one cluster, as fcmMemberships, which computes all.
+double membership(double x, std::size_t cluster, std::span<const double> centres, double m) {
+  const double own = std::abs(x - centres[cluster]);
+  if (own == 0) return 1;
+  double sum = 0;
+  for (const double centre : centres) {
+    const double ratio = own / std::abs(x - centre);  // infinite on another centre, whose membership is 1
+    sum += m == 2 ? ratio * ratio : std::pow(ratio, 2 / (m - 1));
+  }
+  return 1 / sum;
+}
 
 /// The point nearest to `outside` (where the membership in `cluster` is below alpha), coming from `inside` (where it is
 /// not), that still has at least alpha: bisection down to neighbouring doubles.
 double edge(double inside, double outside, std::size_t cluster, std::span<const double> centres, double m,
             double alpha) {
-  std::vector<double> u(centres.size());
   while (true) {
     const double middle = inside + (outside - inside) / 2;
     if (middle == inside || middle == outside) return inside;
-    fcmMemberships(middle, centres, m, u);
-    (u[cluster] >= alpha ? inside : outside) = middle;
+    (membership(middle, cluster, centres, m) >= alpha ? inside : outside) = middle;
   }
 }
 
@@ -55,6 +64,10 @@ base::Result<std::vector<Ramp>> alphaCutRamps(std::span<const double> centres, d
     }
   }
   return ramps;
+}
+
+std::string_view name(SpeedCentres centres) noexcept {
+  return centres == SpeedCentres::kLevelMeans ? "level_means" : "clusters";
 }
 
 std::string_view name(Averaging averaging) noexcept {

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -29,6 +30,17 @@ struct Ramp {
 /// more; alpha = 1 reads that literally (terms between two others become triangles), 0.95 is the ramp that fits the
 /// membership best. Refused: alpha outside (1/2, 1].
 base::Result<std::vector<Ramp>> alphaCutRamps(std::span<const double> centres, double m, double alpha);
+
+/// What stands in the middle of a participant's speed terms.
+enum class SpeedCentres {
+  kClusters,  ///< the centres of the clusters of all samples, whatever the level (paper, Eq. 1)
+  /// The mean speed of each level, clusters or not. The ramps are cut in the same way from the memberships that Eq. 1
+  /// gives for these centres: m and alpha then only set how steep the ramps are; nothing is fitted.
+  kLevelMeans,
+};
+
+/// `clusters`, `level_means`: the words of `tactus build --centres`.
+std::string_view name(SpeedCentres centres) noexcept;
 
 enum class Averaging { kMean, kWeightedMean, kMedian };
 

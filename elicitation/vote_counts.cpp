@@ -26,6 +26,12 @@ tl::unexpected<base::Error> refused(base::Error error, const study::ForceJudgeme
   return study::atCell(std::move(error), {study::kJudgementsTable, judgement.line, column}, std::move(found));
 }
 
+/// Whether one of `forces_n` is the same step as `force_n`.
+bool isTaken(const std::set<double>& forces_n, double force_n) {
+  const auto next = forces_n.lower_bound(force_n - kSameForceN);
+  return next != forces_n.end() && *next - force_n <= kSameForceN;
+}
+
 std::string placeOf(const study::ForceJudgement& judgement) {
   return "judgement of participant " + judgement.participant + " at " + formatNumber(judgement.force_n) + " N";
 }
@@ -106,6 +112,7 @@ Result<VoteTable> readVoteTable(const base::CsvTable& table, std::span<const std
   }
 
   VoteTable out;
+  std::set<double> taken;  // forces of the rows so far
   for (std::size_t column = 0; column < table.columns().size(); ++column) {
     if (column != *force && std::find(columns.begin(), columns.end(), column) == columns.end()) {
       out.ignored.push_back(table.columns()[column]);
@@ -125,9 +132,8 @@ Result<VoteTable> readVoteTable(const base::CsvTable& table, std::span<const std
       }
       step.votes.push_back(static_cast<int>(*votes));
     }
-    for (const auto& other : out.steps) {
-      if (other.force_n == step.force_n) return table.refuse(row, *force, ErrorCode::kData, "each force once");
-    }
+    if (isTaken(taken, step.force_n)) return table.refuse(row, *force, ErrorCode::kData, "each force once");
+    taken.insert(step.force_n);
     out.steps.push_back(std::move(step));
   }
   if (out.steps.empty()) return base::inFile({ErrorCode::kData, {}, {}, "no rows", "one row per force"}, table.file());

@@ -1,17 +1,23 @@
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/findings_text.h"
+#include "app/cli/speeds_text.h"
 #include "app/session/known_forms.h"
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/csv.h"
 #include "core/base/json_writer.h"
 #include "core/base/text.h"
+#include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 #include "core/study/csv_tables.h"
+#include "elicitation/expert_weights_compared.h"
 #include "elicitation/model_builder.h"
 #include "elicitation/ngt_variables.h"
+#include "elicitation/rule_lint.h"
 
 namespace tactus::cli {
 namespace {
@@ -41,18 +47,52 @@ Result<elicitation::WeightSettings> weightSettings(const std::string& word) {
   return settings;
 }
 
-std::string summary(const BuildOptions& options, const elicitation::BuiltModel& built) {
+/// What a build gives besides the model file.
+struct Results {
+  const elicitation::BuiltModel& built;
+  elicitation::RuleLint lint;
+  std::vector<elicitation::WeightedModel> weights;
+  std::optional<elicitation::StudySpeedIntervals> speed_intervals;
+};
+
+std::string summary(const BuildOptions& options, const Results& results) {
+  const auto& built = results.built;
   std::string text =
       options.out + ": " + built.model.name + "; experts " + std::to_string(built.model.experts.size()) + '\n';
   for (const auto& expert : built.model.experts) {
     text += "  " + expert.id + ": rules " + std::to_string(expert.rules.size()) + ", weight " +
             base::formatNumber(expert.weight) + '\n';
   }
+  text += speedsAsText(built, results.speed_intervals);
   for (const auto& note : built.notes) text += "note: " + note + '\n';
-  return text;
+  text += "findings " + std::to_string(results.lint.findings.size()) + '\n';
+  return text + findingsAsText(results.lint.findings, built.model.output.unit);
 }
 
-std::string asJson(const BuildOptions& options, const elicitation::BuiltModel& built) {
+/// The model under each policy as the member `weights` of the object that `json` is in.
+void writeWeights(const std::vector<elicitation::WeightedModel>& models, base::JsonWriter& json) {
+  json.key("weights").beginArray();
+  for (const auto& one : models) {
+    json.beginObject(base::JsonWriter::Layout::kInline).key("policy").value(name(one.policy));
+    if (!one.table.empty()) json.key("table").value(one.table);
+    json.key("available").value(one.model.has_value());
+    if (!one.model) {
+      json.key("reason").value(one.unavailable).endObject();
+      continue;
+    }
+    const auto& difference = one.from_equal;
+    json.key("weights").beginArray(base::JsonWriter::Layout::kInline);
+    for (const auto& expert : one.model->experts) json.value(expert.weight);
+    json.endArray().key("largest_n").value(difference.largest_n).key("rms_n").value(difference.rms_n);
+    json.key("at").values(difference.at).key("region");
+    one.region.empty() ? json.null() : json.value(one.region);
+    json.key("points").value(difference.points).key("only_one_fires").value(difference.only_one_fires).endObject();
+  }
+  json.endArray();
+}
+
+std::string asJson(const BuildOptions& options, const Results& results) {
+  const auto& built = results.built;
   base::JsonWriter json;
   json.beginObject().key("model").value(options.out).key("name").value(built.model.name);
   json.key("experts").beginArray();
@@ -60,7 +100,11 @@ std::string asJson(const BuildOptions& options, const elicitation::BuiltModel& b
     json.beginObject(base::JsonWriter::Layout::kInline).key("id").value(expert.id);
     json.key("rules").value(expert.rules.size()).key("weight").value(expert.weight).endObject();
   }
-  json.endArray().key("notes").values(built.notes).endObject();
+  json.endArray().key("notes").values(built.notes);
+  writeSpeeds(built, results.speed_intervals, json);
+  writeFindings(results.lint.findings, json);
+  writeWeights(results.weights, json);
+  json.endObject();
   return json.text();
 }
 
@@ -82,16 +126,29 @@ Result<Output> build(const BuildOptions& options) {
   settings.generator = kGenerator;
   settings.speed.alpha = options.alpha;
   settings.speed.trim = options.trim;
+  settings.speed.centres = options.centres;
+  settings.averaging = options.averaging;
   const std::string weights_file = weights->table_file;
   settings.weights = std::move(*weights);
   settings.terms = options.own_terms ? elicitation::SpeedTermsOf::kOwn : elicitation::SpeedTermsOf::kAveraged;
-  const auto built = elicitation::buildModel(tables->study, session::knownForms(), settings);
+  auto built = elicitation::buildModel(tables->study, session::knownForms(), settings);
   if (!built) {
     const bool about_weights = !built.error().file.empty() && built.error().file == weights_file;
     return about_weights ? tl::unexpected(built.error()) : study::inStudyFolder(built.error(), options.study);
   }
+  const auto compiled = fuzzy::compile(built->model);
+  if (!compiled) return inFile(compiled.error(), options.study);
+  std::string no_intervals;
+  const auto intervals = speedIntervals(tables->study, *built, settings, options.replicates, no_intervals);
+  if (!no_intervals.empty()) built->notes.push_back(no_intervals);
+  Results results{*built, elicitation::ruleLint(built->model, *compiled, built->experts), {}, intervals};
+  if (options.json) {
+    auto weighted = elicitation::compareWeights(*built, tables->study, settings);
+    if (!weighted) return inFile(weighted.error(), options.study);
+    results.weights = std::move(*weighted);
+  }
   if (auto written = model_io::writeModel(built->model, options.out); !written) return tl::unexpected(written.error());
-  return Output{options.json ? asJson(options, *built) : summary(options, *built), tables->notes};
+  return Output{options.json ? asJson(options, results) : summary(options, results), tables->notes};
 }
 
 }  // namespace tactus::cli

@@ -1,9 +1,10 @@
 #include "app/cli/commands.h"
-#include "core/analysis/lint.h"
+#include "app/cli/findings_text.h"
 #include "core/base/json_writer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
+#include "elicitation/rule_lint.h"
 
 namespace tactus::cli {
 namespace {
@@ -17,18 +18,14 @@ std::size_t ruleCount(const fuzzy::ForceModel& model) {
   return rules;
 }
 
-std::string asText(const std::string& file, const fuzzy::ForceModel& model, const analysis::Lint& lint) {
+std::string asText(const std::string& file, const fuzzy::ForceModel& model, const elicitation::RuleLint& found) {
+  const auto& lint = found.model;
   const auto& range = lint.reachable;
   std::string text = file + ": valid; inputs " + std::to_string(model.inputs.size()) + ", experts " +
                      std::to_string(model.experts.size()) + ", rules " + std::to_string(ruleCount(model)) +
-                     ", findings " + std::to_string(lint.findings.size()) + '\n';
-  for (const auto& finding : lint.findings) {
-    text += "  " + std::string(name(finding.kind)) + ": " + (finding.expert.empty() ? "mean" : finding.expert) + ": " +
-            finding.text;
-    if (finding.newtons) text += " (" + formatFixed(*finding.newtons, 4) + ' ' + model.output.unit + ')';
-    text += '\n';
-  }
-  if (!lint.newtons_complete) text += "  not every force at stake was looked for: the model is very large\n";
+                     ", findings " + std::to_string(found.findings.size()) + '\n';
+  text += findingsAsText(found.findings, model.output.unit);
+  if (!found.newtons_complete) text += "  not every force at stake was looked for: the model is very large\n";
   if (!lint.coverage_complete) text += "  the search for holes was cut off: the model is too finely divided\n";
   if (!lint.bounds) return text + "reachable force: none, no rule fires anywhere\n";
   const auto interval = [&](double min, double max) {
@@ -42,24 +39,17 @@ std::string asText(const std::string& file, const fuzzy::ForceModel& model, cons
          model.output.unit + '\n';
 }
 
-std::string asJson(const std::string& file, const fuzzy::ForceModel& model, const analysis::Lint& lint,
+std::string asJson(const std::string& file, const fuzzy::ForceModel& model, const elicitation::RuleLint& found,
                    const std::vector<std::string>& warnings) {
   using Layout = base::JsonWriter::Layout;
+  const auto& lint = found.model;
   base::JsonWriter json;
   json.beginObject().key("file").value(file).key("name").value(model.name).key("valid").value(true);
   json.key("experts").value(model.experts.size()).key("rules").value(ruleCount(model));
   json.key("warnings").values(warnings);
-  json.key("findings").beginArray();
-  for (const auto& finding : lint.findings) {
-    json.beginObject(Layout::kInline).key("kind").value(std::string(name(finding.kind))).key("expert");
-    finding.expert.empty() ? json.null() : json.value(finding.expert);
-    json.key("place").value(finding.place).key("text").value(finding.text).key("newtons");
-    finding.newtons ? json.value(*finding.newtons) : json.null();
-    if (!finding.from.empty()) json.key("from").values(finding.from).key("to").values(finding.to);
-    json.endObject();
-  }
-  json.endArray().key("coverage_complete").value(lint.coverage_complete);
-  json.key("newtons_complete").value(lint.newtons_complete);
+  writeFindings(found.findings, json);
+  json.key("coverage_complete").value(lint.coverage_complete);
+  json.key("newtons_complete").value(found.newtons_complete);
   json.key("reachable").beginObject(Layout::kInline);
   const bool any = lint.reachable.fired > 0;
   json.key("min_n");
@@ -82,9 +72,9 @@ base::Result<Output> check(const CheckOptions& options) {
   if (!read) return tl::unexpected(read.error());
   const auto compiled = fuzzy::compile(read->model);
   if (!compiled) return inFile(compiled.error(), options.model);
-  const auto lint = analysis::lint(read->model, *compiled);
-  if (options.json) return Output{asJson(options.model, read->model, lint, read->warnings), {}};
-  return Output{asText(options.model, read->model, lint), read->warnings};
+  const auto found = elicitation::ruleLint(read->model, *compiled);
+  if (options.json) return Output{asJson(options.model, read->model, found, read->warnings), {}};
+  return Output{asText(options.model, read->model, found), read->warnings};
 }
 
 }  // namespace tactus::cli

@@ -53,12 +53,24 @@ struct VoteOptions {
 /// The vote on each force and the terms that follow from it.
 base::Result<Output> vote(const VoteOptions& options);
 
+struct AgreementOptions {
+  std::string file;                  ///< answers.csv, judgements.csv or a table of counts as in Table 2
+  std::string series = "ascending";  ///< of judgements
+  std::string form;                  ///< of answers; empty: the one with the most ratings
+  bool json = false;
+};
+/// How far the raters agree.
+base::Result<Output> agreement(const AgreementOptions& options);
+
 struct BuildOptions {
   std::string study;  ///< folder with the CSV tables
   std::string out;
   std::string weights = "equal";  ///< equal, years, category, column, or a file
   double alpha = elicitation::kDefaultAlpha;
   double trim = 0;
+  elicitation::SpeedCentres centres = elicitation::SpeedCentres::kClusters;
+  elicitation::Averaging averaging = elicitation::Averaging::kMean;
+  std::size_t replicates = 2000;  ///< of the strokes, for intervals; 0: none
   bool own_terms = false;
   bool json = false;
 };

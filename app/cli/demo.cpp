@@ -36,10 +36,11 @@ elicitation::BuildSettings settingsNow(std::uint64_t seed) {
 }
 
 /// S4 alone in one reading of Table A2, with the terms that the whole study gave.
-Result<report::S4Reading> s4In(const questionnaires::TableReading& reading, std::uint64_t seed) {
-  const auto study = session::simulatedNgtStudy(seed, reading.id);
-  if (!study) return tl::unexpected(study.error());
-  const auto built = elicitation::buildModel(*study, session::knownForms(), settingsNow(seed));
+Result<report::S4Reading> s4In(const questionnaires::TableReading& reading, study::Study study, std::uint64_t seed) {
+  auto rules = questionnaires::s4Rules(reading.id);
+  if (!rules) return tl::unexpected(rules.error());
+  study.rules = std::move(*rules);
+  const auto built = elicitation::buildModel(study, session::knownForms(), settingsNow(seed));
   if (!built) return tl::unexpected(built.error());
   auto model = elicitation::expertModel(built->model, "S4");
   if (!model) return tl::unexpected(model.error());
@@ -50,13 +51,15 @@ Result<std::string> demoReport(const study::Study& study, const BuiltModel& buil
                                std::uint64_t seed) {
   std::vector<report::S4Reading> readings;
   for (const auto& one : questionnaires::s4Readings()) {
-    auto s4 = s4In(one, seed);
+    auto s4 = s4In(one, study, seed);
     if (!s4) return tl::unexpected(s4.error());
     readings.push_back(std::move(*s4));
   }
   const report::DemoReportInputs inputs{.study = study,
                                         .built = built,
+                                        .build_settings = settingsNow(seed),
                                         .readings = std::move(readings),
+                                        .forms = session::knownForms(),
                                         .settings = {{"Program", std::string(kGenerator)},
                                                      {"Created (UTC)", built.model.created_utc},
                                                      {"Seed of the simulated data", std::to_string(seed)},

@@ -79,6 +79,28 @@ void addCommands(CLI::App& app, Chosen& chosen) {
         command.add_option("--trim", o.trim, "Drop samples below this share of their stroke's peak speed, in [0, 1)");
         command
             .add_option_function<std::string>(
+                "--centres",
+                [&o](const std::string& word) {
+                  using enum elicitation::SpeedCentres;
+                  o.centres = word == name(kLevelMeans) ? kLevelMeans : kClusters;
+                },
+                "Middles of a participant's speed terms: clusters (default) or level_means")
+            ->check(CLI::IsMember({"clusters", "level_means"}));
+        command
+            .add_option_function<std::string>(
+                "--averaging",
+                [&o](const std::string& word) {
+                  using enum elicitation::Averaging;
+                  o.averaging = word == name(kMedian) ? kMedian : word == name(kWeightedMean) ? kWeightedMean : kMean;
+                },
+                "Of the speed terms over the participants: mean (default), weighted_mean (--weights) or median")
+            ->check(CLI::IsMember({"mean", "weighted_mean", "median"}));
+        command
+            .add_option("--replicates", o.replicates,
+                        "Draws of whole strokes for the intervals of the speeds, 0 for none")
+            ->check(CLI::Range(0, 1000000));
+        command
+            .add_option_function<std::string>(
                 "--terms", [&o](const std::string& terms) { o.own_terms = terms == "own"; },
                 "Speed terms of the experts: averaged or own")
             ->check(CLI::IsMember({"averaged", "own"}));
@@ -98,6 +120,16 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                    ->required()
                    ->check(notEmpty());
                command.add_option("--series", o.series, "Series of stimuli to count")->check(notEmpty());
+               addJson(command, o.json);
+             });
+  addCommand(app, chosen, "agreement", "How far raters agree: answers, judgements or a table of counts", agreement,
+             [](CLI::App& command, AgreementOptions& o) {
+               command.add_option("FILE", o.file, "Table of answers, of judgements, or of vote counts as in Table 2")
+                   ->required()
+                   ->check(notEmpty());
+               command.add_option("--series", o.series, "Series of the judgements to compare")->check(notEmpty());
+               command.add_option("--form", o.form, "Form of the answers to compare; by default the one answered most")
+                   ->check(notEmpty());
                addJson(command, o.json);
              });
   addCommand(app, chosen, "eval", "The force of a model at the points of a CSV file", eval,

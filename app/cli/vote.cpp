@@ -3,6 +3,7 @@
 #include "core/base/json_writer.h"
 #include "core/base/text.h"
 #include "core/study/csv_tables.h"
+#include "elicitation/force_frequency.h"
 #include "elicitation/force_terms.h"
 #include "elicitation/force_voting.h"
 #include "elicitation/ngt_variables.h"
@@ -53,19 +54,14 @@ std::string flags(const VoteStep& step) {
   return text;
 }
 
-std::string asText(const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
-                   const std::vector<std::string>& ids) {
-  std::string text = "force_n  term          reason\n";
-  const auto padded = [](std::string cell, std::size_t width) {
-    cell.resize(std::max(width, cell.size() + 1), ' ');
-    return cell;
-  };
-  for (const auto& step : steps) {
-    text += padded(base::formatNumber(step.force_n), 9) + padded(step.term ? ids[*step.term] : "-", 14) +
-            std::string(name(step.reason)) + flags(step) + '\n';
-  }
-  text += "\nterm          points\n";
-  for (const auto& term : terms.output.terms) {
+std::string padded(std::string cell, std::size_t width) {
+  cell.resize(std::max(width, cell.size() + 1), ' ');
+  return cell;
+}
+
+std::string termsText(const std::vector<fuzzy::Term>& terms) {
+  std::string text;
+  for (const auto& term : terms) {
     text += padded(term.id, 13);
     for (const double point : term.points) text += ' ' + base::formatNumber(point);
     text += '\n';
@@ -73,8 +69,49 @@ std::string asText(const std::vector<VoteStep>& steps, const elicitation::ForceT
   return text;
 }
 
+std::string asText(const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
+                   const elicitation::FrequencyTerms& frequency, const std::vector<std::string>& ids) {
+  std::string text = "force_n  term          reason\n";
+  for (const auto& step : steps) {
+    text += padded(base::formatNumber(step.force_n), 9) + padded(step.term ? ids[*step.term] : "-", 14) +
+            std::string(name(step.reason)) + flags(step) + '\n';
+  }
+  text += "\nterm          points\n" + termsText(terms.output.terms);
+  return text + "\nterm          points of the frequency curve (least squares of the shares, rms error " +
+         base::formatFixed(frequency.rms_error, 3) + ")\n" + termsText(frequency.output.terms);
+}
+
+void writeTerms(JsonWriter& json, const std::vector<fuzzy::Term>& terms) {
+  json.key("terms").beginArray();
+  for (const auto& term : terms) {
+    json.beginObject(JsonWriter::Layout::kInline)
+        .key("id")
+        .value(term.id)
+        .key("points")
+        .values(term.points)
+        .endObject();
+  }
+  json.endArray();
+}
+
+/// The frequency curve as the member `frequency`, to set beside the vote.
+void writeFrequency(JsonWriter& json, const elicitation::FrequencyTerms& frequency) {
+  json.key("frequency").beginObject().key("shares").beginArray();
+  for (const auto& step : frequency.steps) {
+    json.beginObject(JsonWriter::Layout::kInline).key("force_n").value(step.force_n).key("votes").value(step.votes);
+    json.key("shares");
+    step.votes > 0 ? json.values(step.shares) : json.null();
+    json.endObject();
+  }
+  json.endArray();
+  writeTerms(json, frequency.output.terms);
+  json.key("interpolated").values(frequency.interpolated).key("absent").values(frequency.absent);
+  json.key("rms_error").value(frequency.rms_error).endObject();
+}
+
 std::string asJson(const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
-                   const std::vector<std::string>& ids, const std::vector<std::string>& warnings) {
+                   const elicitation::FrequencyTerms& frequency, const std::vector<std::string>& ids,
+                   const std::vector<std::string>& warnings) {
   JsonWriter json;
   json.beginObject().key("steps").beginArray();
   for (const auto& step : steps) {
@@ -86,16 +123,10 @@ std::string asJson(const std::vector<VoteStep>& steps, const elicitation::ForceT
     for (const int votes : step.votes) json.value(votes);
     json.endArray().endObject();
   }
-  json.endArray().key("terms").beginArray();
-  for (const auto& term : terms.output.terms) {
-    json.beginObject(JsonWriter::Layout::kInline)
-        .key("id")
-        .value(term.id)
-        .key("points")
-        .values(term.points)
-        .endObject();
-  }
-  json.endArray().key("interpolated").values(terms.interpolated).key("absent").values(terms.absent);
+  json.endArray();
+  writeTerms(json, terms.output.terms);
+  json.key("interpolated").values(terms.interpolated).key("absent").values(terms.absent);
+  writeFrequency(json, frequency);
   json.key("warnings").values(warnings).endObject();
   return json.text();
 }
@@ -111,10 +142,12 @@ Result<Output> vote(const VoteOptions& options) {
   const auto steps = elicitation::vote(count->steps, count->enrolled);
   const auto terms = elicitation::forceTerms(output, steps);
   if (!terms) return inFile(terms.error(), options.judgements);
+  const auto frequency = elicitation::frequencyTerms(output, count->steps);
+  if (!frequency) return inFile(frequency.error(), options.judgements);
   auto& warnings = count->warnings;
   warnings.insert(warnings.end(), terms->notes.begin(), terms->notes.end());
-  if (options.json) return Output{asJson(steps, *terms, ids, warnings), {}};
-  return Output{asText(steps, *terms, ids), warnings};
+  if (options.json) return Output{asJson(steps, *terms, *frequency, ids, warnings), {}};
+  return Output{asText(steps, *terms, *frequency, ids), warnings};
 }
 
 }  // namespace tactus::cli

@@ -1,12 +1,8 @@
 #include "app/report/claims.h"
 
-#include <cmath>
-
 #include "app/report/claim_parts.h"
 
 namespace tactus::report {
-
-double justNoticeableDifference(double force_n) { return std::hypot(0.04, 0.12 * force_n); }
 
 base::Result<std::vector<Claim>> checkClaims(const fuzzy::ForceModel& model, const ClaimSubjects& subjects) {
   const auto curves = ForceCurves::of(model);

@@ -8,6 +8,7 @@
 #include "app/report/force_curves.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
+#include "elicitation/noticeable_force.h"
 
 namespace tactus::report {
 
@@ -20,9 +21,7 @@ inline constexpr double kVisibleN = 0.01;
 /// Profiles with at least this correlation over the regions count as similar.
 inline constexpr double kSimilarCorrelation = 0.7;
 
-/// The smallest difference of forces around `force_n` >= 0 that a hand feels: sqrt(0.04^2 + (0.12 F)^2) N. Absolute
-/// threshold and Weber fraction: King 2010, Feyzabadi 2013.
-double justNoticeableDifference(double force_n);
+using elicitation::justNoticeableDifference;
 
 /// Why a verdict can be what it is.
 enum class ClaimBasis {

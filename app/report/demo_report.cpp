@@ -5,6 +5,17 @@
 #include "app/report/report_sections.h"
 
 namespace tactus::report {
+namespace {
+
+/// Nothing where there are no speeds, or too few strokes to draw from.
+std::optional<elicitation::StudySpeedIntervals> speedIntervals(const DemoReportInputs& inputs) {
+  auto bootstrap = elicitation::SpeedBootstrap::of(inputs.study, inputs.built, inputs.build_settings);
+  if (!bootstrap) return std::nullopt;
+  bootstrap->add(elicitation::kBootstrapReplicates);
+  return bootstrap->intervals();
+}
+
+}  // namespace
 
 base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
   const auto curves = ForceCurves::of(inputs.built.model);
@@ -13,7 +24,7 @@ base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
   if (!claims) return tl::unexpected(claims.error());
   const auto depth = std::find_if(inputs.built.model.inputs.begin(), inputs.built.model.inputs.end(),
                                   [](const fuzzy::Variable& input) { return input.id == "depth"; });
-  const ReportContext context{inputs, *curves, depthRegions(*depth), std::move(*claims)};
+  const ReportContext context{inputs, *curves, depthRegions(*depth), std::move(*claims), speedIntervals(inputs)};
 
   HtmlPage page(
       "A force model of nasogastric tube insertion",
@@ -25,10 +36,14 @@ base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
   addSpeeds(page, context);
   addClusters(page, context);
   addVotes(page, context);
+  addFrequency(page, context);
   addMembershipFunctions(page, context);
   addSurface(page, context);
   addInfluences(page, context);
   addExperts(page, context);
+  addAgreement(page, context);
+  addFindings(page, context);
+  addWeights(page, context);
   addClaims(page, context);
   addReadings(page, context);
   addReachableRange(page, context);

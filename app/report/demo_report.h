@@ -23,11 +23,13 @@ struct S4Reading {
 
 /// Everything the report shows. It computes curves, claims and summaries itself and reads no file.
 struct DemoReportInputs {
-  const study::Study& study;             ///< with the simulated data
-  const elicitation::BuiltModel& built;  ///< from that study
+  const study::Study& study;                       ///< with the simulated data
+  const elicitation::BuiltModel& built;            ///< from that study
+  elicitation::BuildSettings build_settings = {};  ///< with these
   std::vector<experiments::PublishedSpeed> published_speeds = experiments::publishedSpeeds();  ///< Table 1
   std::vector<experiments::PublishedVotes> published_votes = experiments::publishedVotes();    ///< Table 2
   std::vector<S4Reading> readings;
+  std::vector<study::Form> forms = {};                        ///< those that the answers are about
   std::vector<std::pair<std::string, std::string>> settings;  ///< name and value: versions, seed, parameters
   std::string published_expert = "S4";                        ///< whose rules are published
   std::string highest_peak_expert = "S2";                     ///< whose peak the paper calls the highest

@@ -1,6 +1,7 @@
 // The sections of the demo report, one function each. Internal to the report.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "app/report/force_curves.h"
 #include "app/report/html.h"
 #include "app/report/regions.h"
+#include "elicitation/speed_bootstrap.h"
 
 namespace tactus::report {
 
@@ -17,6 +19,7 @@ struct ReportContext {
   const ForceCurves& curves;  ///< of the averaged model
   std::vector<Region> regions;
   std::vector<Claim> claims;
+  std::optional<elicitation::StudySpeedIntervals> speed_intervals = {};  ///< absent where there are too few strokes
 };
 
 // sections_overview.cpp
@@ -25,8 +28,12 @@ void addOrigin(HtmlPage& page, const ReportContext& context);
 // sections_speed.cpp
 void addSpeeds(HtmlPage& page, const ReportContext& context);
 void addClusters(HtmlPage& page, const ReportContext& context);
+// sections_levels.cpp: the tables of addClusters
+void addClusterTables(HtmlPage& page, const ReportContext& context);
 // sections_votes.cpp
 void addVotes(HtmlPage& page, const ReportContext& context);
+// sections_frequency.cpp
+void addFrequency(HtmlPage& page, const ReportContext& context);
 // sections_model.cpp
 void addMembershipFunctions(HtmlPage& page, const ReportContext& context);
 void addReachableRange(HtmlPage& page, const ReportContext& context);
@@ -35,6 +42,13 @@ void addSurface(HtmlPage& page, const ReportContext& context);
 void addInfluences(HtmlPage& page, const ReportContext& context);
 void addExperts(HtmlPage& page, const ReportContext& context);
 void addReadings(HtmlPage& page, const ReportContext& context);
+// sections_agreement.cpp
+void addAgreement(HtmlPage& page, const ReportContext& context);
+// sections_influence.cpp
+void addInfluence(HtmlPage& page, const ReportContext& context);
+// sections_findings.cpp
+void addFindings(HtmlPage& page, const ReportContext& context);
+void addWeights(HtmlPage& page, const ReportContext& context);
 // sections_claims.cpp
 void addClaims(HtmlPage& page, const ReportContext& context);
 // sections_notes.cpp

@@ -4,7 +4,6 @@
 
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
-#include "core/base/statistics.h"
 #include "core/base/text.h"
 
 namespace tactus::report {
@@ -23,8 +22,18 @@ std::string termLabel(const fuzzy::Variable& speed, std::size_t index) {
   return index < speed.terms.size() ? speed.terms[index].label : "Cluster " + std::to_string(index + 1);
 }
 
-/// Histogram of one participant's samples with the memberships of the clusters.
-std::string clusterPlot(const ReportContext& context, const elicitation::ParticipantSpeeds& subject) {
+/// A level bar with ends from `low` to `high`, at the height `y`.
+void errorBar(SvgPlot& plot, const elicitation::Interval& interval, double y, std::string_view color,
+              std::string_view name) {
+  constexpr double kEnd = 0.03;
+  const LineLook look{.color = color, .width = 2};
+  plot.line({{interval.low, y}, {interval.high, y}}, look, name);
+  for (const double x : {interval.low, interval.high}) plot.line({{x, y - kEnd}, {x, y + kEnd}}, look);
+}
+
+/// Histogram of one participant's samples with the memberships around the centres and the intervals of these.
+std::string clusterPlot(const ReportContext& context, const elicitation::ParticipantSpeeds& subject,
+                        const elicitation::SpeedIntervals* intervals) {
   double max_mm_s = 0;
   for (const study::SpeedSample& sample : context.in.study.speeds) {
     if (sample.participant == subject.participant) max_mm_s = std::max(max_mm_s, sample.speed_mm_s);
@@ -46,12 +55,12 @@ std::string clusterPlot(const ReportContext& context, const elicitation::Partici
                 .x = {.label = "Speed (mm/s)", .min = 0, .max = max_mm_s},
                 .y = {.label = "Membership", .min = 0, .max = 1, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
   plot.bars(edges, counts, "#D5DBE1", "Samples");
-  const std::vector<double>& centres = subject.clusters.centres;
+  const std::vector<double>& centres = subject.centres;
   std::vector<Series> memberships(centres.size());
   std::vector<double> at(centres.size());
   for (int i = 0; i <= kCurvePoints; ++i) {
     const double speed_mm_s = max_mm_s * i / kCurvePoints;
-    elicitation::fcmMemberships(speed_mm_s, centres, subject.clusters.m, at);
+    elicitation::fcmMemberships(speed_mm_s, centres, subject.m, at);
     for (std::size_t k = 0; k < centres.size(); ++k) memberships[k].push_back({speed_mm_s, at[k]});
   }
   constexpr std::array<Dash, 3> kDashes = {Dash::kSolid, Dash::kDashed, Dash::kDashDot};
@@ -60,62 +69,10 @@ std::string clusterPlot(const ReportContext& context, const elicitation::Partici
               termLabel(speedVariable(context), k));
     plot.verticalRule(centres[k], {.color = seriesColor(k), .width = 1, .dash = Dash::kDotted});
   }
+  for (std::size_t k = 0; intervals != nullptr && k < centres.size(); ++k) {
+    errorBar(plot, intervals->centres[k], 0.06, kInk, k == 0 ? "95 % interval of a centre" : "");
+  }
   return plot.svg();
-}
-
-Table clusterTable(const ReportContext& context) {
-  Table table{
-      .caption = strong("Cluster centres and ramps.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-                 " Fuzzy C-Means of each participant’s simulated samples, in mm/s. A ramp falls from 1 at p to 0 "
-                 "at q; the next term rises there.",
-      .head = {{{.text = ""},
-                {.text = "Centres", .columns = 3, .group_start = true},
-                {.text = "Ramp slow, medium", .columns = 2, .group_start = true},
-                {.text = "Ramp medium, fast", .columns = 2, .group_start = true},
-                {.text = "Clusters against levels", .columns = 2, .group_start = true},
-                {.text = "", .group_start = true}},
-               {{.text = "Participant"},
-                numberCell("slow", true),
-                numberCell("medium"),
-                numberCell("fast"),
-                numberCell("p", true),
-                numberCell("q"),
-                numberCell("p", true),
-                numberCell("q"),
-                numberCell("adj. Rand", true),
-                numberCell("accuracy"),
-                numberCell("steps", true)}},
-      .body = {}};
-  std::array<std::vector<double>, 7> columns;
-  for (const elicitation::ParticipantSpeeds& subject : context.in.built.speeds) {
-    if (subject.clusters.centres.size() != 3 || subject.ramps.size() != 2) continue;
-    const std::array<double, 7> values = {
-        subject.clusters.centres[0], subject.clusters.centres[1], subject.clusters.centres[2], subject.ramps[0].p,
-        subject.ramps[0].q,          subject.ramps[1].p,          subject.ramps[1].q};
-    std::vector<Cell> row = {headingCell(subject.participant)};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      columns[i].push_back(values[i]);
-      row.push_back(numberCell(base::formatFixed(values[i], 1), i == 0 || i == 3 || i == 5));
-    }
-    row.push_back(numberCell(base::formatFixed(subject.confusion.adjusted_rand_index, 2), true));
-    row.push_back(numberCell(base::formatFixed(subject.confusion.accuracy, 2)));
-    row.push_back(numberCell(std::to_string(subject.clusters.iterations), true));
-    table.body.push_back(std::move(row));
-  }
-  if (!columns[0].empty()) {
-    std::vector<Cell> row = {headingCell("Mean")};
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      row.push_back(numberCell(strong(base::formatFixed(base::mean(columns[i]), 1)), i == 0 || i == 3 || i == 5));
-    }
-    row.push_back({.text = "", .columns = 2, .group_start = true});
-    row.push_back({.text = "", .group_start = true});
-    table.body.push_back(std::move(row));
-  }
-  table.note =
-      "Clusters know nothing of the level a participant was asked for. Adjusted Rand index and accuracy say how far "
-      "the two "
-      "agree (1 is perfect).";
-  return table;
 }
 
 /// The trapezoids from ramps as one series with gaps between the terms.
@@ -162,6 +119,11 @@ std::string rampPlot(const ReportContext& context) {
     plot.label(core, 1.04, term.label, kInk);
   }
   plot.line(average, {.color = kInk, .width = 3}, "Terms of the model");
+  for (std::size_t k = 0; context.speed_intervals && k < context.speed_intervals->averaged.size(); ++k) {
+    const elicitation::RampInterval& ramp = context.speed_intervals->averaged[k];
+    errorBar(plot, ramp.p, 1, kPurple, k == 0 ? "95 % interval of a corner" : "");
+    errorBar(plot, ramp.q, 1, kPurple, "");
+  }
   return plot.svg();
 }
 
@@ -173,20 +135,22 @@ void addClusters(HtmlPage& page, const ReportContext& context) {
   Figure figure{
       .caption = strong("Fig. 7, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
                  " Clusters of the simulated speeds. Grey: histogram of the samples, scaled to its fullest bin. "
-                 "Lines: membership in each cluster; dotted: its centre.",
+                 "Lines: membership in each cluster; dotted: its centre, with its 95 % interval at the foot.",
       .panels = {},
       .columns = 2};
   char letter = 'a';
-  for (const elicitation::ParticipantSpeeds& subject : context.in.built.speeds) {
-    figure.panels.push_back(
-        {.heading = std::string("(") + letter++ + ") " + subject.participant, .svg = clusterPlot(context, subject)});
+  for (std::size_t who = 0; who < context.in.built.speeds.size(); ++who) {
+    const elicitation::ParticipantSpeeds& subject = context.in.built.speeds[who];
+    const auto* intervals = context.speed_intervals ? &context.speed_intervals->participants[who] : nullptr;
+    figure.panels.push_back({.heading = std::string("(") + letter++ + ") " + subject.participant,
+                             .svg = clusterPlot(context, subject, intervals)});
   }
   page.figure(figure);
-  page.table(clusterTable(context));
+  addClusterTables(page, context);
   page.figure(
       {.caption = strong("Fig. 8 and 3(d), recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
                   " Ramps of each participant and the trapezoids averaged from them, which are the model’s terms "
-                  "of the speed.",
+                  "of the speed. Bars: 95 % intervals of their corners.",
        .panels = {{.svg = rampPlot(context)}}});
 }
 

@@ -59,9 +59,11 @@ std::string tracePlot(const std::string& participant, const std::vector<Series>&
 
 Table table1(const ReportContext& context) {
   Table table{
-      .caption = strong("Table 1, published and simulated.") + " " + badges({Badge::kPublished, Badge::kSimulated}) +
-                 " Insertion speed in mm/s, over all samples of four strokes per cell. The strokes are simulated "
-                 "to have the published means and standard deviations.",
+      .caption =
+          strong("Table 1, published and simulated.") + " " + badges({Badge::kPublished, Badge::kSimulated}) +
+          " Insertion speed in mm/s, over all samples of four strokes per cell. The strokes are simulated "
+          "as the positions of a device, from which the speeds are computed; they are made to have the published "
+          "means and standard deviations.",
       .head = {{{.text = ""},
                 {.text = ""},
                 {.text = "Published", .columns = 2, .group_start = true},

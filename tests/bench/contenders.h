@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/fuzzy/kernels.h"
+
 #include "tests/bench/cases.h"
 #include "tests/bench/interleaved.h"
 
@@ -20,6 +22,8 @@ struct Contender {
 
 /// CompiledModel::evaluate, a point at a time.
 Contender onePoint(const Case& about);
+/// The same with the kernels of one instruction set. They must outlive it, as all kernels do.
+Contender onePoint(const Case& about, const fuzzy::Kernels& kernels);
 /// evaluateBatch over arrays.
 Contender batch(const Case& about);
 /// Scene::evaluate and Scene::evaluateBatch, specialised to the fixed inputs of the case.

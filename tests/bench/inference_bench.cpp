@@ -55,6 +55,11 @@ std::vector<Contender> contendersOf(const Cases& cases) {
     out.push_back(sceneOnePoint(*scene));
     out.push_back(sceneBatch(*scene));
   }
+  // AVX-512 has the same kernel for one point as AVX2.
+  for (const fuzzy::Kernels& kernels : fuzzy::supportedKernels()) {
+    if (kernels.name == "avx512") continue;
+    for (const Case* about : {&cases.clip, &cases.four}) out.push_back(onePoint(*about, kernels));
+  }
   for (const int samples : {50, 100, 200, 500, 1000, 10000}) out.push_back(sampledCentroid(cases.clip, samples));
   for (const int samples : {100, 1000}) out.push_back(sampledCentroid(cases.scale, samples));
   for (const int size : {16, 32, 64, 128, 256, 512, 1024}) out.push_back(lookUpTable(cases.scene, size));

@@ -3,6 +3,7 @@
 
 #include "core/base/check.h"
 #include "core/fuzzy/batch.h"
+#include "core/fuzzy/model_tables.h"
 #include "core/fuzzy/scene.h"
 
 #include "tests/bench/contenders.h"
@@ -42,6 +43,19 @@ Contender onePoint(const Case& about) {
           {about.name + ": exact, one point", about.points.count(), [&about](std::size_t first, std::span<double> out) {
              for (std::size_t i = 0; i < out.size(); ++i)
                out[i] = about.compiled.evaluate(about.points.row(first + i)).force_n;
+           }}};
+}
+
+Contender onePoint(const Case& about, const fuzzy::Kernels& kernels) {
+  const std::string set = kernels.name == "sse2" ? "x86-64" : std::string(kernels.name);
+  const std::string family = "exact, one point, " + set;
+  return {family,
+          0,
+          &about,
+          {about.name + ": " + family, about.points.count(), [&](std::size_t first, std::span<double> out) {
+             for (std::size_t i = 0; i < out.size(); ++i) {
+               out[i] = fuzzy::evaluatePoint(about.compiled.tables(), kernels, about.points.row(first + i)).force_n;
+             }
            }}};
 }
 

@@ -1,6 +1,7 @@
 #include "elicitation/expert_weights.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace tactus::elicitation {
 namespace {
@@ -55,6 +56,42 @@ TEST(ExpertWeights, RefusesMissingAndUselessValues) {
   EXPECT_FALSE(expertWeights(people, settings));
   settings.policy = WeightPolicy::kCategory;
   EXPECT_NE(expertWeights(people, settings).error().message().find("'wizard'"), std::string::npos);
+}
+
+TEST(ExpertWeights, RefusesWhatIsNoWeightWithItsPlace) {
+  auto people = experts();
+  people[0].line = {2};
+  people[1].line = {3};
+  people[0].years_experience = 0;
+  people[1].years_experience = 0;
+  WeightSettings settings;
+  settings.policy = WeightPolicy::kYears;
+  EXPECT_EQ(expertWeights(people, settings).error().message(),
+            "participants.csv: weights: found 0 for every expert, wanted at least one weight above 0");
+  people[1].years_experience = -2;
+  EXPECT_EQ(
+      expertWeights(people, settings).error().message(),
+      "participants.csv: line 3, column 'years_experience': found weight -2, wanted a finite number of 0 or more");
+  settings.policy = WeightPolicy::kTable;
+  settings.table_file = "w.csv";
+  settings.table = {{"A", 1}, {"B", std::numeric_limits<double>::infinity()}};
+  EXPECT_EQ(expertWeights(people, settings).error().message(),
+            "w.csv: participant B: found weight inf, wanted a finite number of 0 or more");
+}
+
+TEST(ExpertWeights, NotesWhoHardlyCountsAndHowMuchIsSimulated) {
+  const auto people = experts();
+  const auto notes = [&](std::vector<double> weights, std::vector<bool> simulated) {
+    return weightNotes(people, weights, simulated);
+  };
+  using Notes = std::vector<std::string>;
+  EXPECT_EQ(notes({1, 3}, {false, false}), Notes{});
+  EXPECT_EQ(notes({1, 3}, {true, true}), Notes{}) << "all simulated is said elsewhere";
+  EXPECT_EQ(notes({1, 0}, {false, false}), Notes{"Participant B has the weight 0 and does not count in the mean."});
+  EXPECT_EQ(notes({1e300, 1e-300}, {false, false}),
+            Notes{"Participant B hardly counts in the mean: the weight 1e-300 is less than 0.1 % of all."});
+  EXPECT_EQ(notes({1e308, 1e308}, {false, true}),
+            Notes{"Simulated experts (B) have 50.0 % of the weight of the mean."});
 }
 
 TEST(ExpertWeights, ReadsATable) {

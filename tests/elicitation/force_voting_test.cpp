@@ -138,9 +138,11 @@ TEST(ForceVoting, ReadsATableOfCounts) {
 }
 
 TEST(ForceVoting, RefusesABrokenTableOfCounts) {
-  for (const char* text : {"force_n,low\n0.1,1\n", "force_n,low,high\n0.1,1,-1\n", "force_n,low,high\n0.1,1,1.5\n",
-                           "force_n,low,high\n0.1,1,1\n0.1,2,0\n", "force_n,low,high\n", "low,high\n1,1\n",
-                           "force_n,low,high\n-0.1,1,1\n", "force_n,low,high\n0.1,1,99999999999\n"}) {
+  for (const char* text :
+       {"force_n,low\n0.1,1\n", "force_n,low,high\n0.1,1,-1\n", "force_n,low,high\n0.1,1,1.5\n",
+        "force_n,low,high\n0.1,1,1\n0.1,2,0\n", "force_n,low,high\n0.3,1,1\n0.30000000000000004,2,0\n",
+        "force_n,low,high\n", "low,high\n1,1\n", "force_n,low,high\n-0.1,1,1\n",
+        "force_n,low,high\n0.1,1,99999999999\n"}) {
     const auto table = base::CsvTable::parse(text, "votes.csv");
     ASSERT_TRUE(table);
     const auto read = readVoteTable(*table, kTerms);

@@ -141,7 +141,7 @@ TEST(ModelBuilder, SpeedTermsAreAveragedOrOwn) {
   EXPECT_EQ(speed.terms[1].points, (std::vector<double>{30, 120, 120, 320}));
   EXPECT_EQ(speed.terms[2].points, (std::vector<double>{120, 320, 500, 500}));
   EXPECT_EQ(built->speeds.size(), 2U);
-  EXPECT_EQ(built->speeds[1].clusters.stop, FcmStop::kExact);
+  EXPECT_EQ(built->speeds[1].clusters->stop, FcmStop::kExact);
 
   settings.terms = SpeedTermsOf::kOwn;
   built = buildModel(study, forms(), settings);

@@ -53,5 +53,14 @@ TEST(NgtVariables, EverySetOfDepthTermsCoversTheDepth) {
   EXPECT_FALSE(findDepthTerms("seven_regions"));
 }
 
+// Fig. 10 of the paper, as its text reads: (a) faster more, (b) the neck not flexed more, (c) less lubrication more.
+TEST(NgtVariables, TheDirectionsThatTheStudyDeclares) {
+  using analysis::Direction;
+  const std::vector<DeclaredDirection> wanted = {
+      {"lubrication", Direction::kFalls}, {"neck_flexion", Direction::kFalls}, {"speed", Direction::kRises}};
+  EXPECT_EQ(ngtDirections(), wanted);
+  EXPECT_EQ(ngtRegionInput(), "depth");
+}
+
 }  // namespace
 }  // namespace tactus::elicitation

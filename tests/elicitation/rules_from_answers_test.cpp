@@ -1,6 +1,7 @@
 #include "elicitation/rules_from_answers.h"
 
 #include <gtest/gtest.h>
+#include <tuple>
 
 namespace tactus::elicitation {
 namespace {
@@ -26,6 +27,46 @@ TEST(RulesFromAnswers, AnItemWithoutAnAnswerIsAnAbsentRule) {
   const fuzzy::Rule first{{{"speed", "slow"}, {"depth", "stomach"}}, "small", 1, true};
   const fuzzy::Rule second{{{"speed", "fast"}}, "large", 1, true};
   EXPECT_EQ(rules->rules, (std::vector<fuzzy::Rule>{first, second}));
+}
+
+TEST(RulesFromAnswers, EveryItemIsARuleOrMissingWithItsReasonAndLine) {
+  auto long_form = form();
+  for (int item = 4; item <= 6; ++item) long_form.items.push_back({item, "", {{"depth", "stomach"}}});
+  const std::vector<study::Answer> answers{{"P1", "f1", 6, "", Status::kCleared, {5}},
+                                           {"P1", "f1", 2, "large", Status::kAnswered, {2}},
+                                           {"P1", "f1", 3, "", Status::kCantTell, {3}},
+                                           {"P1", "f1", 5, "", Status::kSkipped, {4}}};
+  const auto rules = rulesFromAnswers(answers, long_form, kTerms);
+  ASSERT_TRUE(rules);
+  ASSERT_EQ(rules->origins.size(), 1U);
+  EXPECT_EQ(rules->origins[0].form, "f1");
+  EXPECT_EQ(rules->origins[0].item, 2);
+  EXPECT_EQ(rules->origins[0].line.number, 2U);
+  using Reason = MissingItem::Reason;
+  const std::vector<std::tuple<int, Reason, std::uint32_t>> wanted = {{1, Reason::kNoAnswer, 0},
+                                                                      {3, Reason::kCantTell, 3},
+                                                                      {4, Reason::kNoAnswer, 0},
+                                                                      {5, Reason::kSkipped, 4},
+                                                                      {6, Reason::kCleared, 5}};
+  ASSERT_EQ(rules->missing.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const auto& item = rules->missing[i];
+    EXPECT_EQ(std::tuple(item.origin.item, item.reason, item.origin.line.number), wanted[i]);
+  }
+  EXPECT_EQ(rules->missing[0].conditions, (std::vector<fuzzy::Condition>{{"speed", "slow"}, {"depth", "stomach"}}));
+}
+
+TEST(RulesFromAnswers, RefusesAnswersToAnotherFormAndTermsWithoutAnAnswer) {
+  const auto message = [](study::Answer answer) {
+    const auto rules = rulesFromAnswers(std::vector{std::move(answer)}, form(), kTerms);
+    return rules ? std::string("no error") : rules.error().message();
+  };
+  EXPECT_EQ(message({"P1", "f2", 1, "small", Status::kAnswered, {8}}),
+            "answers.csv: line 8, column 'form': found 'f2', wanted an answer to form 'f1'");
+  EXPECT_EQ(message({"P1", "f1", 1, "small", Status::kCleared, {9}}),
+            "answers.csv: line 9, column 'term': found 'small', wanted no term, as the item has no answer (cleared)");
+  EXPECT_EQ(message({"P1", "f1", 1, "", Status::kAnswered, {9}}),
+            "answers.csv: line 9, column 'term': found '', wanted one of small, large");
 }
 
 TEST(RulesFromAnswers, RefusesUnknownItemsTermsAndSecondAnswers) {

@@ -86,6 +86,42 @@ TEST(SpeedTerms, AveragesByHand) {
   EXPECT_EQ(averageRamps(ramps, weights, Averaging::kWeightedMean), (std::vector<Ramp>{{17.5, 35}, {52.5, 72.5}}));
 }
 
+TEST(SpeedTerms, EveryAverageKeepsTheOrder) {
+  base::Random random(4);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::vector<Ramp>> ramps;
+    std::vector<double> weights;
+    for (int who = 0; who < 2 + random.below(4); ++who) {
+      std::vector<double> centres(3);
+      for (double& centre : centres) centre = random.uniform(0, 400);
+      std::sort(centres.begin(), centres.end());
+      ramps.push_back(alphaCutRamps(centres, 2, random.uniform(0.51, 1)).value());
+      weights.push_back(random.uniform(0.1, 3));
+    }
+    for (const auto averaging : {Averaging::kMean, Averaging::kWeightedMean, Averaging::kMedian}) {
+      const auto averaged = averageRamps(ramps, weights, averaging);
+      EXPECT_LT(averaged[0].p, averaged[0].q);
+      EXPECT_LE(averaged[0].q, averaged[1].p);
+      EXPECT_LT(averaged[1].p, averaged[1].q);
+    }
+  }
+}
+
+TEST(SpeedTerms, AveragesOfFourSimulatedParticipants) {
+  // Centres of other traces simulated to Table 1; alpha = 1 reads them as they are. By hand: 127.9 / 4, 434.6 / 4,
+  // 781.2 / 4.
+  std::vector<std::vector<Ramp>> ramps;
+  for (const std::vector<double>& centres : std::vector<std::vector<double>>{
+           {43.7, 145.5, 308.0}, {23.9, 140.9, 226.0}, {54.5, 112.8, 193.9}, {5.8, 35.4, 53.3}}) {
+    ramps.push_back(alphaCutRamps(centres, 2, 1).value());
+  }
+  const auto averaged = averageRamps(ramps, {}, Averaging::kMean);
+  EXPECT_NEAR(averaged[0].p, 31.975, 1e-12);  // rounding of decimal fractions, here and below
+  EXPECT_NEAR(averaged[0].q, 108.65, 1e-12);
+  EXPECT_NEAR(averaged[1].p, 108.65, 1e-12);
+  EXPECT_NEAR(averaged[1].q, 195.3, 1e-12);
+}
+
 TEST(SpeedTerms, TheUniverseGrowsToTheNextHundred) {
   EXPECT_EQ(speedUniverseMax(400, 311, std::vector<Ramp>{{1, 2}}), 400);
   EXPECT_EQ(speedUniverseMax(400, 400, {}), 400);

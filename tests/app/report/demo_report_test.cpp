@@ -30,8 +30,11 @@ const std::string& page() {
     }
     const auto study = session::simulatedNgtStudy(1).value();
     const auto built = elicitation::buildModel(study, session::knownForms(), settings()).value();
-    const DemoReportInputs inputs{
-        .study = study, .built = built, .readings = readings, .settings = {{"Seed <1>", "1 & only"}}};
+    const DemoReportInputs inputs{.study = study,
+                                  .built = built,
+                                  .readings = readings,
+                                  .forms = session::knownForms(),
+                                  .settings = {{"Seed <1>", "1 & only"}}};
     return demoReport(inputs).value();
   }();
   return kPage;
@@ -54,8 +57,8 @@ TEST(DemoReport, HasEverySection) {
   for (const char* title :
        {"At a glance", "What is published and what is simulated", "Insertion speed", "Speed clusters and terms",
         "Insertion force", "Membership functions", "Force over depth and speed",
-        "Influence of lubrication, neck flexion and speed", "Four experts and their mean",
-        "What the paper says, checked", "The published rules in three readings", "Reachable range",
+        "Influence of lubrication, neck flexion and speed", "Four experts and their mean", "How far the experts agree",
+        "What to look at", "What the paper says, checked", "The published rules in three readings", "Reachable range",
         "Where the paper disagrees with itself", "Notes and settings of this build"}) {
     EXPECT_TRUE(has(std::string(">") + title + "</h2>")) << title;
   }
@@ -96,6 +99,28 @@ TEST(DemoReport, ShowsThePublishedNumbersBesideTheSimulatedOnes) {
   EXPECT_TRUE(row(">0.3<", "<strong>Small</strong>"));       // Table 2: the tie at 0.3 N
   EXPECT_TRUE(row(">0.9<", "<strong>Very large</strong>"));  // and the double majority at 0.9 N
   EXPECT_TRUE(has("They are exactly those that the paper prints."));
+}
+
+TEST(DemoReport, SaysHowFarTheExpertsAgree) {
+  // Table 2 by other programs (tests/golden/agreement); W is of one split of its votes.
+  EXPECT_TRUE(has("<strong>0.5515</strong>"));
+  EXPECT_TRUE(has(">0.0932 (1.44)<"));
+  EXPECT_TRUE(has(">0.8938<"));
+  EXPECT_TRUE(has("reconstructed split"));
+  EXPECT_TRUE(has("neck flexion large"));
+  EXPECT_TRUE(has("Change of the mean (N)"));
+  EXPECT_TRUE(has("Frequency curve, least squares"));
+}
+
+TEST(DemoReport, ShowsHowFarTheSpeedsCanBeTrusted) {
+  EXPECT_TRUE(has("<strong>Levels against clusters.</strong>"));
+  EXPECT_TRUE(has("<strong>95 % intervals.</strong>"));
+  EXPECT_TRUE(has("2000 draws of whole strokes"));
+  EXPECT_TRUE(has(">95 % interval of a centre</text>"));
+  EXPECT_TRUE(has("read as slow; with terms of the participant"));  // S4
+  // The best order of 3 times 4 strokes, which the levels of S1 and S3 have: one of 34,650 arrangements.
+  EXPECT_TRUE(has(">48 of 48</td>"));
+  EXPECT_TRUE(has(">below 0.001</td>"));
 }
 
 TEST(DemoReport, MarksTheHoleOfThePrintedReading) {

@@ -1,0 +1,67 @@
+#include "app/cli/findings_text.h"
+
+#include <map>
+
+#include "core/base/text.h"
+
+namespace tactus::cli {
+namespace {
+
+using elicitation::RuleFinding;
+
+// Of one kind; with all kinds at once it still fits on a screen.
+constexpr std::size_t kMostLines = 4;
+
+void writeSources(const RuleFinding& finding, base::JsonWriter& json) {
+  json.key("sources").beginArray(base::JsonWriter::Layout::kInline);
+  for (const auto& [rule, origin] : finding.sources) {
+    json.beginObject(base::JsonWriter::Layout::kInline);
+    if (rule) json.key("rule").value(*rule + 1);
+    if (!origin.form.empty()) json.key("form").value(origin.form);
+    if (origin.item > 0) json.key("item").value(origin.item);
+    if (origin.line.number > 0) json.key("line").value(static_cast<std::size_t>(origin.line.number));
+    json.endObject();
+  }
+  json.endArray();
+}
+
+}  // namespace
+
+std::string findingsAsText(std::span<const RuleFinding> findings, const std::string& unit) {
+  std::map<RuleFinding::Kind, std::size_t> of_kind;
+  for (const auto& finding : findings) ++of_kind[finding.kind];
+  std::map<RuleFinding::Kind, std::size_t> printed;
+  std::string text;
+  for (const auto& finding : findings) {
+    auto& lines = printed[finding.kind];
+    const std::string start = "  " + std::string(name(finding.kind)) + ": ";
+    if (++lines <= kMostLines) {
+      text += start + (finding.experts.empty() ? "mean" : base::joined(finding.experts, " and ")) + ": " + finding.text;
+      if (finding.newtons) {
+        text += " (" + base::formatFixed(*finding.newtons, 4) + ' ' + unit + (finding.at_least ? " or more)" : ")");
+      }
+      text += '\n';
+    } else if (lines == of_kind[finding.kind]) {
+      text += start + "and " + std::to_string(lines - kMostLines) + " more, see --json\n";
+    }
+  }
+  return text;
+}
+
+void writeFindings(std::span<const RuleFinding> findings, base::JsonWriter& json) {
+  json.key("findings").beginArray();
+  for (const auto& finding : findings) {
+    json.beginObject(base::JsonWriter::Layout::kInline).key("kind").value(name(finding.kind)).key("expert");
+    finding.experts.empty() ? json.null() : json.value(finding.experts.front());
+    json.key("experts").values(finding.experts);
+    json.key("place").value(finding.place).key("text").value(finding.text).key("newtons");
+    finding.newtons ? json.value(*finding.newtons) : json.null();
+    json.key("at_least").value(finding.at_least);
+    if (!finding.from.empty()) json.key("from").values(finding.from).key("to").values(finding.to);
+    writeSources(finding, json);
+    json.endObject();
+  }
+  json.endArray();
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,19 @@
+// Findings about rules as `tactus build` and `tactus check` print them.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/base/json_writer.h"
+#include "elicitation/rule_finding.h"
+
+namespace tactus::cli {
+
+/// One line each, by kind, the largest forces of a kind first; of each kind a few, with how many more there are.
+/// `unit` is that of the forces.
+std::string findingsAsText(std::span<const elicitation::RuleFinding> findings, const std::string& unit);
+
+/// All of them, as the member `findings` of the object that `json` is in.
+void writeFindings(std::span<const elicitation::RuleFinding> findings, base::JsonWriter& json);
+
+}  // namespace tactus::cli

@@ -1,0 +1,187 @@
+// How far the experts agree: in words (judgements, answers) and in newtons (leaving one out).
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "app/report/palette.h"
+#include "app/report/report_sections.h"
+#include "core/base/text.h"
+#include "elicitation/agreement.h"
+
+namespace tactus::report {
+
+namespace {
+
+using elicitation::Agreement;
+using elicitation::AgreementData;
+using elicitation::OrReason;
+
+std::vector<std::string> termIds(const ReportContext& context) {
+  std::vector<std::string> ids;
+  for (const auto& term : context.in.built.model.output.terms) ids.push_back(term.id);
+  return ids;
+}
+
+Markup numberOr(const OrReason<double>& value) {
+  return value ? Markup(base::formatFixed(*value, 4)) : muted("none: " + value.error());
+}
+
+std::string meanConsensus(const Agreement& agreement) {
+  double sum = 0;
+  int items = 0;
+  for (const auto& item : agreement.items) {
+    if (!item) continue;
+    sum += item->consensus;
+    ++items;
+  }
+  return items > 0 ? base::formatFixed(sum / items, 3) : "none";
+}
+
+/// One row of the table of measures.
+std::vector<Cell> measures(const Markup& what, const AgreementData& data, const Agreement& agreement) {
+  const auto& kappa = agreement.fleiss_kappa;
+  const auto& w = agreement.kendall_w;
+  return {headingCell(what),
+          numberCell(std::to_string(data.units.size()) + " × " + std::to_string(data.raters.size())),
+          numberCell(strong(numberOr(agreement.alpha_ordinal)), true),
+          numberCell(meanConsensus(agreement)),
+          numberCell(numberOr(agreement.alpha_interval), true),
+          numberCell(numberOr(agreement.alpha_nominal)),
+          numberCell(w ? Markup(base::formatFixed(w->w, 4)) : muted("none: " + w.error())),
+          numberCell(kappa ? base::formatFixed(kappa->kappa, 4) + " (" + base::formatFixed(kappa->z, 2) + ")"
+                           : muted("none: " + kappa.error()))};
+}
+
+/// Consensus of each force as bars.
+std::string consensusPlot(const ReportContext& context, const AgreementData& data, const Agreement& agreement) {
+  constexpr double kHalfBarN = 0.035;
+  const fuzzy::Variable& force = context.in.built.model.output;
+  SvgPlot plot({.title = "Consensus at each force",
+                .description = "1 where all choose the same term.",
+                .width = 460,
+                .height = 240,
+                .x = {.label = "Insertion force (N)", .min = 0, .max = force.max + 2 * kHalfBarN},
+                .y = {.label = "Consensus", .min = 0, .max = 1.05, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
+  for (std::size_t i = 0; i < data.units.size(); ++i) {
+    if (!agreement.items[i]) continue;
+    const double at_n = data.units[i].force_n.value_or(0);
+    plot.bars({at_n - kHalfBarN, at_n + kHalfBarN}, {agreement.items[i]->consensus}, kBlue);
+  }
+  return plot.svg();
+}
+
+/// The label of a term of one of the model's inputs; its id where the model has no such term.
+std::string labelOf(const ReportContext& context, const std::string& input, const std::string& term) {
+  for (const auto& variable : context.in.built.model.inputs) {
+    if (variable.id != input) continue;
+    if (const auto* found = fuzzy::findTerm(variable.terms, term)) return found->label;
+  }
+  return term;
+}
+
+/// Consensus of the answers, condition by region; items of another kind are passed over.
+void addItemTable(HtmlPage& page, const ReportContext& context, const study::Form& form, const AgreementData& data,
+                  const Agreement& agreement) {
+  std::vector<std::string> rows;
+  std::vector<std::string> columns;
+  std::map<std::pair<std::string, std::string>, const elicitation::ItemConsensus*> cells;
+  for (std::size_t i = 0; i < data.units.size(); ++i) {
+    const auto item = std::find_if(form.items.begin(), form.items.end(),
+                                   [&](const study::FormItem& one) { return one.number == data.units[i].item; });
+    if (item == form.items.end() || item->conditions.size() != 2) continue;
+    std::string row;
+    std::string column;
+    for (const auto& condition : item->conditions) {
+      const std::string label = labelOf(context, condition.input, condition.term);
+      if (condition.input == "depth") {
+        column = label;
+      } else {
+        std::string input = condition.input;
+        std::replace(input.begin(), input.end(), '_', ' ');
+        row = input + " " + base::lowered(label);
+      }
+    }
+    if (row.empty() || column.empty()) continue;
+    if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
+    cells[{row, column}] = agreement.items[i] ? &*agreement.items[i] : nullptr;
+  }
+  if (cells.empty()) return;
+  Table table{.caption = strong("Consensus on each item of the form.") + " " +
+                         badges({Badge::kComputed, Badge::kSimulated}) +
+                         " Tastle–Wierman consensus of the answers, and in grey how many terms the answers are apart. "
+                         "Bold: two terms or more.",
+              .head = {{{.text = "Condition"}}},
+              .body = {}};
+  for (const auto& column : columns) table.head.front().push_back(numberCell(column));
+  for (const auto& row : rows) {
+    table.body.push_back({headingCell(row)});
+    for (const auto& column : columns) {
+      const auto cell = cells.find({row, column});
+      if (cell == cells.end() || cell->second == nullptr) {
+        table.body.back().push_back(numberCell(muted("–")));
+        continue;
+      }
+      const Markup consensus(base::formatFixed(cell->second->consensus, 2));
+      const int spread = cell->second->spread_terms;
+      table.body.back().push_back(
+          numberCell((spread >= 2 ? strong(consensus) : consensus) + " " + muted(std::to_string(spread))));
+    }
+  }
+  page.table(table);
+}
+
+}  // namespace
+
+void addAgreement(HtmlPage& page, const ReportContext& context) {
+  page.section("How far the experts agree");
+  const auto ids = termIds(context);
+  const auto judgements = elicitation::agreementData(context.in.study.judgements, "ascending", ids);
+  const auto answers = elicitation::agreementData(context.in.study.answers, {}, context.in.forms, ids);
+  Table table{.caption = strong("Agreement in words.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                         " Ordinal alpha and consensus know that neighbouring terms are close. 1 is full agreement, 0 "
+                         "is what chance gives.",
+              .head = {{{.text = "Ratings"},
+                        numberCell("Units × raters"),
+                        numberCell("Ordinal alpha", true),
+                        numberCell("Mean consensus"),
+                        numberCell("Interval alpha", true),
+                        numberCell("Nominal alpha"),
+                        numberCell("Kendall’s W"),
+                        numberCell("Fleiss’ kappa (z)")}},
+              .body = {},
+              .note = Markup(elicitation::nominalCaution()),
+              .wide = true};
+  if (judgements) {
+    const auto agreement = elicitation::agreement(*judgements);
+    table.body.push_back(measures("Judgements of forces (Table 2)", *judgements, agreement));
+    table.note +=
+        " Table 2 says how many chose a term, not who: its W is that of one reconstructed split of the "
+        "votes over four persons, the other measures need the votes alone.";
+  }
+  if (answers) {
+    table.body.push_back(measures("Answers to the form (simulated)", *answers, elicitation::agreement(*answers)));
+    table.note += " The answers are those of " + base::joined(answers->raters, ", ") + "; " +
+                  context.in.published_expert + "’s rules were given directly and answer no item.";
+  }
+  page.table(table);
+  if (judgements) {
+    page.figure(
+        {.caption =
+             strong("Consensus at each force.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+             " From the votes of Table 2 (Tastle and Wierman 2007): 1 where all choose the same term, 0 where half "
+             "are at each end of the scale.",
+         .panels = {{.svg = consensusPlot(context, *judgements, elicitation::agreement(*judgements))}},
+         .columns = 2});
+  }
+  if (answers) {
+    const auto form = std::find_if(context.in.forms.begin(), context.in.forms.end(),
+                                   [&](const study::Form& one) { return one.id == answers->form; });
+    if (form != context.in.forms.end()) {
+      addItemTable(page, context, *form, *answers, elicitation::agreement(*answers));
+    }
+  }
+  addInfluence(page, context);
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <map>
+
+#include "app/report/report_sections.h"
+#include "core/base/text.h"
+#include "core/fuzzy/compiled_model.h"
+#include "elicitation/expert_weights_compared.h"
+#include "elicitation/rule_lint.h"
+
+namespace tactus::report {
+
+namespace {
+
+using elicitation::RuleFinding;
+
+// Rows of one kind; `tactus build --json` has them all.
+constexpr std::size_t kMostRows = 5;
+
+std::string_view words(RuleFinding::Kind kind) {
+  using Kind = RuleFinding::Kind;
+  switch (kind) {
+    case Kind::kHole:
+      return "Hole";
+    case Kind::kAbstentionJump:
+      return "Jump of the mean";
+    case Kind::kRegionWithoutRule:
+      return "Region without a rule";
+    case Kind::kMissingItem:
+      return "Missing answer";
+    case Kind::kConflict:
+      return "Contradiction";
+    case Kind::kExpertsApart:
+      return "Experts far apart";
+    case Kind::kAgainstDeclaration:
+      return "Against the declared direction";
+    case Kind::kLevelJump:
+      return "Jump between neighbouring answers";
+    case Kind::kDirectionChange:
+      return "Change of direction";
+    case Kind::kDisagreement:
+      return "Opposite direction";
+    case Kind::kRedundantRule:
+      return "Rule without effect";
+    case Kind::kUnreachableRule:
+      return "Rule that never fires";
+    case Kind::kUnreachableTerm:
+      return "Term out of reach";
+    case Kind::kUnusedTerm:
+      return "Unused term";
+  }
+  return "";
+}
+
+/// `text` with the ids of inputs and terms written as words.
+std::string inWords(std::string text, const fuzzy::ForceModel& model) {
+  const auto spell = [&text](const std::string& id) {
+    std::string spaced = id;
+    std::replace(spaced.begin(), spaced.end(), '_', ' ');
+    if (spaced == id) return;
+    for (std::size_t at = text.find(id); at != std::string::npos; at = text.find(id, at + 1)) {
+      text.replace(at, id.size(), spaced);
+    }
+  };
+  const auto spell_all = [&spell](const fuzzy::Variable& variable) {
+    spell(variable.id);
+    for (const auto& term : variable.terms) spell(term.id);
+  };
+  for (const auto& input : model.inputs) spell_all(input);
+  spell_all(model.output);
+  return text;
+}
+
+std::string forceText(const RuleFinding& finding) {
+  if (!finding.newtons) return "";
+  return (finding.at_least ? "≥ " : "") + base::formatFixed(*finding.newtons, 3);
+}
+
+/// `tube lubrication 0.90, neck flexion angle 35 deg, …`
+std::string pointText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const auto& input = model.inputs[i];
+    const int decimals = input.max - input.min > 10 ? 0 : 2;
+    parts.push_back(base::lowered(input.label) + " " + base::formatFixed(point[i], decimals) +
+                    (input.unit == "1" ? "" : " " + input.unit));
+  }
+  return base::joined(parts, ", ");
+}
+
+std::string weightsText(const fuzzy::ForceModel& model) {
+  std::vector<std::string> parts;
+  for (const auto& expert : model.experts) parts.push_back(expert.id + " " + base::formatNumber(expert.weight));
+  return base::joined(parts, ", ");
+}
+
+std::vector<Cell> weightRow(const elicitation::WeightedModel& one) {
+  std::vector<Cell> row = {headingCell(one.table.empty() ? std::string(name(one.policy)) : one.table)};
+  if (!one.model) {
+    row.push_back({.text = muted("not possible: " + one.unavailable), .columns = 4});
+    return row;
+  }
+  row.push_back({.text = weightsText(*one.model)});
+  row.push_back(numberCell(base::formatFixed(one.from_equal.largest_n, 3), true));
+  row.push_back(numberCell(base::formatFixed(one.from_equal.rms_n, 3)));
+  row.push_back(
+      {.text = one.from_equal.largest_n > 0 ? pointText(*one.model, one.from_equal.at) : "", .group_start = true});
+  return row;
+}
+
+}  // namespace
+
+void addFindings(HtmlPage& page, const ReportContext& context) {
+  page.section("What to look at");
+  const auto& model = context.in.built.model;
+  const auto compiled = fuzzy::compile(model);
+  if (!compiled) return;
+  const auto lint = elicitation::ruleLint(model, *compiled, context.in.built.experts);
+  if (lint.findings.empty()) {
+    page.paragraph("The lint found nothing in the rules of this model.");
+    return;
+  }
+  page.paragraph(
+      "Places in the rules to look at together with the expert. None of them is an error, and nothing was changed. The "
+      "force is the one at stake: how far the force jumps there, or how far two experts or two answers are apart; “≥” "
+      "marks the largest one of many settings looked at. The declared directions (better lubrication less force, a "
+      "flexed neck less, more speed more) follow the text of the paper and are no law.");
+  Table table{.caption = strong("Findings.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                         " By kind, the largest force first. Rules of " + context.in.published_expert +
+                         " are published, those of the others simulated.",
+              .head = {{{.text = "Kind"}, {.text = "Expert"}, {.text = "Where"}, numberCell("Force (N)")}},
+              .body = {},
+              .wide = true};
+  std::map<RuleFinding::Kind, std::size_t> of_kind;
+  for (const auto& finding : lint.findings) ++of_kind[finding.kind];
+  std::map<RuleFinding::Kind, std::size_t> shown;
+  for (const auto& finding : lint.findings) {
+    auto& rows = shown[finding.kind];
+    const Cell kind = rows == 0 ? headingCell(std::string(words(finding.kind))) : Cell{};
+    if (++rows <= kMostRows) {
+      const std::string who = finding.experts.empty() ? "mean" : base::joined(finding.experts, ", ");
+      table.body.push_back(
+          {kind, {.text = who}, {.text = inWords(finding.text, model)}, numberCell(forceText(finding))});
+    } else if (rows == of_kind[finding.kind]) {
+      table.body.push_back({kind, {.text = muted("and " + std::to_string(rows - kMostRows) + " more"), .columns = 3}});
+    }
+  }
+  page.table(table);
+}
+
+void addWeights(HtmlPage& page, const ReportContext& context) {
+  const auto compared = elicitation::compareWeights(context.in.built, context.in.study, context.in.build_settings,
+                                                    elicitation::eachCountsTwice(context.in.built));
+  if (!compared) return;
+  page.subsection("The mean under other weights");
+  page.paragraph(
+      "The same experts and the same terms, weighted in every way that the data of the study allow, against equal "
+      "weights as in Eq. 2 of the paper. The paper discusses weights by experience and says only that all four nurses "
+      "have more than ten years. So the last rows show what it would mean to let one of them count twice.");
+  Table table{.caption = strong("Weights.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                         " Difference of the averaged force to equal weights.",
+              .head = {{{.text = "Weights"},
+                        {.text = "Experts"},
+                        numberCell("Largest (N)", true),
+                        numberCell("RMS (N)"),
+                        {.text = "Where it is largest", .group_start = true}}},
+              .body = {},
+              .wide = true};
+  for (const auto& one : *compared) table.body.push_back(weightRow(one));
+  page.table(table);
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,73 @@
+// The frequency curve beside the paper's vote.
+#include <string>
+
+#include "app/report/palette.h"
+#include "app/report/report_sections.h"
+#include "core/base/text.h"
+#include "core/fuzzy/membership.h"
+#include "elicitation/force_frequency.h"
+
+namespace tactus::report {
+
+namespace {
+
+/// A trapezoid or triangle without its vertical edges, which only end the universe.
+Series shapeOf(const fuzzy::Term& term) {
+  const auto m = fuzzy::MembershipFunction::of(term);
+  Series points;
+  if (m.a < m.b) points.push_back({m.a, 0.0});
+  points.push_back({m.b, 1.0});
+  points.push_back({m.c, 1.0});
+  if (m.c < m.d) points.push_back({m.d, 0.0});
+  return points;
+}
+
+/// The shares as dots and `terms` as lines, a colour for each term of the model's output.
+std::string curvePlot(const ReportContext& context, const elicitation::FrequencyTerms& frequency,
+                      const std::vector<fuzzy::Term>& terms, const std::string& title) {
+  const fuzzy::Variable& force = context.in.built.model.output;
+  SvgPlot plot({.title = title,
+                .description = "Dots: share of the answers for each term. Lines: the term's membership function.",
+                .width = 460,
+                .height = 280,
+                .x = {.label = "Insertion force (N)", .min = 0, .max = force.max},
+                .y = {.label = "Share, membership", .min = 0, .max = 1.05, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
+  for (std::size_t k = 0; k < force.terms.size(); ++k) {
+    if (const auto* term = fuzzy::findTerm(terms, force.terms[k].id)) {
+      plot.line(shapeOf(*term), {.color = seriesColor(k), .width = 2}, force.terms[k].label);
+    }
+    Series dots;
+    for (const auto& step : frequency.steps) {
+      if (step.votes > 0 && step.shares[k] > 0) dots.push_back({step.force_n, step.shares[k]});
+    }
+    plot.scatter(dots, seriesColor(k), 3.5);
+  }
+  return plot.svg();
+}
+
+}  // namespace
+
+void addFrequency(HtmlPage& page, const ReportContext& context) {
+  if (!context.in.built.force_terms) return;
+  std::vector<elicitation::VoteCounts> counts;
+  for (const auto& step : context.in.built.votes) counts.push_back({step.force_n, step.votes});
+  const auto frequency = elicitation::frequencyTerms(context.in.built.force_terms->output, counts);
+  if (!frequency) return;
+  page.subsection("Every answer counts: the frequency curve");
+  page.paragraph(
+      "The vote keeps the winner of each force and forgets the rest. The frequency curve keeps all answers: of all "
+      "trapezoids that sum to 1, those closest to the shares of the answers (least squares). It is shown for "
+      "comparison; the model uses the vote.");
+  page.figure({.caption = strong("Shares of the answers and the terms from them.") + " " +
+                          badges({Badge::kComputed, Badge::kSimulated}) +
+                          " Table 2 as shares (dots) and membership functions (lines). Root mean square of membership "
+                          "minus share for the frequency curve: " +
+                          base::formatFixed(frequency->rms_error, 3) + ".",
+               .panels = {{.heading = "(a) Frequency curve, least squares",
+                           .svg = curvePlot(context, *frequency, frequency->output.terms, "Frequency curve")},
+                          {.heading = "(b) The paper’s vote",
+                           .svg = curvePlot(context, *frequency, context.in.built.model.output.terms, "Vote")}},
+               .columns = 2});
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,142 @@
+// What each expert does to the mean, in newtons.
+#include <algorithm>
+#include <string>
+
+#include "app/report/palette.h"
+#include "app/report/report_sections.h"
+#include "core/base/text.h"
+#include "elicitation/expert_influence.h"
+#include "elicitation/noticeable_force.h"
+
+namespace tactus::report {
+
+namespace {
+
+constexpr CurveSetting kSetting{1, 60, 50};
+
+/// The averaged force at one depth without the expert `left_out`; nothing where the others have none.
+std::optional<double> withoutExpert(const ReportContext& context, double depth_mm, std::size_t left_out) {
+  const auto& experts = context.in.built.model.experts;
+  double sum = 0;
+  double weights = 0;
+  for (std::size_t e = 0; e < experts.size(); ++e) {
+    const auto force_n = e == left_out ? std::nullopt : context.curves.force(kSetting, depth_mm, e);
+    if (!force_n) continue;
+    sum += experts[e].weight * *force_n;
+    weights += experts[e].weight;
+  }
+  if (!(weights > 0)) return std::nullopt;
+  return sum / weights;
+}
+
+std::string influencePlot(const ReportContext& context) {
+  const auto& experts = context.in.built.model.experts;
+  const ForceCurve mean = context.curves.curve(kSetting, std::nullopt, 2);
+  Series upper;
+  Series lower;
+  double largest_n = 0.1;
+  for (const auto& point : mean) {
+    std::optional<double> felt_n;
+    if (point.force_n) felt_n = elicitation::justNoticeableDifference(*point.force_n);
+    upper.push_back({point.depth_mm, felt_n});
+    lower.push_back({point.depth_mm, felt_n ? std::optional<double>(-*felt_n) : std::nullopt});
+    largest_n = std::max(largest_n, felt_n.value_or(0));
+  }
+  std::vector<Series> changes;
+  for (std::size_t e = 0; e < experts.size(); ++e) {
+    auto& change = changes.emplace_back();
+    for (const auto& point : mean) {
+      const auto without_n = withoutExpert(context, point.depth_mm, e);
+      std::optional<double> change_n;
+      if (point.force_n && without_n) change_n = *without_n - *point.force_n;
+      largest_n = std::max(largest_n, std::abs(change_n.value_or(0)));
+      change.push_back({point.depth_mm, change_n});
+    }
+  }
+  SvgPlot plot({.title = "Change of the mean when one expert is left out",
+                .description = "Lubrication 1, neck flexion 60 deg, speed 50 mm/s.",
+                .width = 940,
+                .height = 280,
+                .x = depthAxis(context),
+                .y = {.label = "Change of the mean (N)", .min = -1.15 * largest_n, .max = 1.15 * largest_n}});
+  markRegions(plot, context.regions);
+  plot.area(upper, kSky, 0.2, "below one just-noticeable difference");
+  plot.area(lower, kSky, 0.2);
+  for (std::size_t e = 0; e < experts.size(); ++e) plot.line(changes[e], expertLook(e), "without " + experts[e].id);
+  return plot.svg();
+}
+
+std::string newtons(double value_n) { return base::formatFixed(value_n, 3); }
+
+void addLeaveOneOut(HtmlPage& page, const ReportContext& context) {
+  const auto& influences = context.in.built.influences;
+  Table table{.caption = strong("The mean without each expert.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                         " How far the averaged force moves when one expert is left out, over the whole input space.",
+              .head = {{{.text = "Left out"},
+                        numberCell("Root mean square (N)"),
+                        numberCell("Largest (N)", true),
+                        numberCell("in noticeable differences"),
+                        {.text = "Where"},
+                        numberCell("Alone on", true)}},
+              .body = {},
+              .note = "Largest: seen at " + std::to_string(influences.kink_points) +
+                      " combinations of the terms’ vertices and the middles between them and at " +
+                      std::to_string(influences.spread_points) +
+                      " evenly spread points, so a lower bound. Alone on: share of the input space where no other "
+                      "expert has a rule; without the expert the model would have no force there.",
+              .wide = true};
+  for (const auto& expert : influences.experts) {
+    const auto& largest = expert.largest;
+    table.body.push_back(
+        {headingCell(expert.expert),
+         numberCell(newtons(expert.rms_n)),
+         numberCell(largest ? newtons(largest->newtons) : "–", true),
+         numberCell(largest ? base::formatFixed(largest->noticeable, 1) : "–"),
+         {.text = largest ? elicitation::pointText(context.in.built.model, largest->at) : std::string("–")},
+         numberCell(base::formatFixed(100 * expert.share_alone, 1) + " %", true)});
+  }
+  page.table(table);
+}
+
+void addDistances(HtmlPage& page, const ReportContext& context) {
+  const auto& influences = context.in.built.influences;
+  const auto& experts = influences.experts;
+  if (experts.size() < 2) return;
+  Table table{.caption = strong("How far two experts are apart.") + " " +
+                         badges({Badge::kComputed, Badge::kSimulated}) +
+                         " Root mean square over the input space, and in grey the largest difference seen, in newtons.",
+              .head = {{{.text = ""}}},
+              .body = {}};
+  for (std::size_t b = 1; b < experts.size(); ++b) table.head.front().push_back(numberCell(experts[b].expert));
+  std::size_t pair = 0;
+  for (std::size_t a = 0; a + 1 < experts.size(); ++a) {
+    table.body.push_back({headingCell(experts[a].expert)});
+    for (std::size_t b = 1; b < experts.size(); ++b) {
+      if (b <= a) {
+        table.body.back().push_back(numberCell(""));
+        continue;
+      }
+      const auto& distance = influences.pairs[pair++];
+      table.body.back().push_back(numberCell(distance.largest ? Markup(newtons(distance.rms_n)) + " " +
+                                                                    muted(newtons(distance.largest->newtons))
+                                                              : muted("never together")));
+    }
+  }
+  page.table(table);
+}
+
+}  // namespace
+
+void addInfluence(HtmlPage& page, const ReportContext& context) {
+  page.subsection("What each expert does to the mean");
+  addLeaveOneOut(page, context);
+  page.figure(
+      {.caption = strong("The mean without each expert, over depth.") + " " +
+                  badges({Badge::kComputed, Badge::kSimulated}) +
+                  " At the setting of Fig. 11 (50 mm/s, lubrication 1, neck flexion 60 deg). In the blue band a "
+                  "hand would not feel the change.",
+       .panels = {{.svg = influencePlot(context)}}});
+  addDistances(page, context);
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,226 @@
+#include "app/session/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/session/session_state.h"
+#include "core/store/entries.h"
+#include "core/store/persons.h"
+#include "core/store/sessions.h"
+
+namespace tactus::session {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+
+constexpr int kLeastRating = 1;
+constexpr int kMostRating = 7;
+
+tl::unexpected<base::Error> notNow(std::string what, Stage stage) {
+  return fail(ErrorCode::kValue, "session", std::move(what) + " in the stage " + base::quoted(name(stage)),
+              "what the stage asks for");
+}
+
+}  // namespace
+
+SessionTools systemTools() {
+  const auto now = [] {
+    using namespace std::chrono;
+    return study::Moment{duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count(),
+                         duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count()};
+  };
+  return {now, study::RecordIds()};
+}
+
+Session::Session(std::unique_ptr<SessionState> state) : state_(std::move(state)) {}
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start, SessionTools tools) {
+  if (start.consent_version.empty()) {
+    return fail(ErrorCode::kValue, "session", "no consent", "the version of the text that the participant agreed to");
+  }
+  auto settings = start.settings;
+  settings.force.device_friction_n = start.device_friction_n;
+  if (auto ok = validate(settings); !ok) return tl::unexpected(ok.error());
+  const auto persons = store::persons(file);
+  if (!persons) return tl::unexpected(persons.error());
+  const auto person =
+      std::find_if(persons->begin(), persons->end(), [&](const study::Person& p) { return p.id == start.person; });
+  if (person == persons->end()) {
+    return fail(ErrorCode::kReference, "session", "an unknown participant", "a participant of this study");
+  }
+
+  study::SessionRecord record;
+  record.id = tools.ids.next();
+  record.person = start.person;
+  record.kind = start.kind;
+  record.started = tools.now();
+  record.consent_version = start.consent_version;
+  record.seed = start.seed;
+  record.language = start.language;
+  record.station = start.station;
+  record.program = start.program;
+  record.device = start.device;
+  record.device_friction_n = start.device_friction_n;
+  record.settings = toJson(settings);
+  auto state = std::make_unique<SessionState>(file, std::move(tools), record);
+  state->settings = std::move(settings);
+  state->simulated = person->simulated;
+  // Everything that can be refused is refused before the session is in the file.
+  if (auto ok = state->makeProtocols(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = store::append(file, record); !ok) return tl::unexpected(ok.error());
+  if (auto ok = state->log(kBegan); !ok) return tl::unexpected(ok.error());
+  return Session(std::move(state));
+}
+
+Result<Session> Session::resume(store::StudyFile& file, const study::RecordId& session, SessionTools tools) {
+  const auto sessions = store::sessions(file);
+  if (!sessions) return tl::unexpected(sessions.error());
+  const auto record =
+      std::find_if(sessions->begin(), sessions->end(), [&](const study::SessionRecord& s) { return s.id == session; });
+  if (record == sessions->end()) {
+    return fail(ErrorCode::kReference, "session", toText(session), "a session of this study");
+  }
+  const auto persons = store::persons(file);
+  if (!persons) return tl::unexpected(persons.error());
+  auto settings = parseSessionSettings(record->settings);
+  if (!settings) return tl::unexpected(settings.error());
+
+  auto state = std::make_unique<SessionState>(file, std::move(tools), *record);
+  state->settings = std::move(*settings);
+  for (const auto& person : *persons) {
+    if (person.id == record->person) state->simulated = person.simulated;
+  }
+  if (auto ok = state->readBack(); !ok) return tl::unexpected(ok.error());
+  state->announced = state->stage();
+  if (auto ok = state->log(kResumed, detail("stage", name(state->announced))); !ok) return tl::unexpected(ok.error());
+  return Session(std::move(state));
+}
+
+Stage Session::stage() const { return state_->stage(); }
+std::optional<Block> Session::block() const { return state_->block(); }
+const study::SessionRecord& Session::record() const { return state_->record; }
+const SessionSettings& Session::settings() const { return state_->settings; }
+bool Session::isPaused() const { return state_->paused; }
+const experiments::SpeedProtocol* Session::speed() const { return state_->speed ? &*state_->speed : nullptr; }
+const experiments::ForceProtocol* Session::force() const { return state_->force ? &*state_->force : nullptr; }
+const questionnaires::QuestionnaireRun* Session::form() const { return state_->form ? &*state_->form : nullptr; }
+const study::ProfileRecord* Session::profile() const { return state_->profile ? &*state_->profile : nullptr; }
+void Session::setEnteredBy(study::EnteredBy who) { state_->entered_by = who; }
+
+std::size_t Session::blocksDone() const {
+  const auto at = state_->block();
+  const auto& blocks = state_->settings.blocks;
+  if (!at) return blocks.size();
+  return static_cast<std::size_t>(std::find(blocks.begin(), blocks.end(), *at) - blocks.begin());
+}
+
+Result<void> Session::tell(study::ProfileRecord profile) {
+  if (state_->aborted) return notNow("a profile", stage());
+  profile.entry = state_->entry();
+  if (state_->profile) profile.entry.supersedes = state_->profile->entry.id;
+  return state_->store(profile, [&] { state_->profile = profile; });
+}
+
+Result<void> Session::addStroke(const experiments::Stroke& stroke, study::Recording recording,
+                                std::size_t recording_first) {
+  if (stage() != Stage::kSpeed) return notNow("a stroke", stage());
+  auto record = state_->speed->record(stroke, std::move(recording), recording_first);
+  record.entry = state_->entry();
+  auto after = *state_->speed;
+  if (auto ok = after.add(record); !ok) return ok;
+  return state_->store(record, [&] { state_->speed = std::move(after); });
+}
+
+Result<void> Session::rejectStroke(const study::RecordId& stroke, const std::string& reason) {
+  if (!state_->speed || state_->aborted) return notNow("a stroke taken back", stage());
+  const auto strokes = store::strokes(state_->file, {{}, state_->record.id, false});
+  if (!strokes) return tl::unexpected(strokes.error());
+  const auto it = std::find_if(strokes->begin(), strokes->end(),
+                               [&](const study::StrokeRecord& one) { return one.entry.id == stroke; });
+  if (it == strokes->end()) {
+    return fail(ErrorCode::kReference, "session", "stroke " + toText(stroke), "a stroke of this session");
+  }
+  auto record = *it;
+  record.entry = state_->entry();
+  record.entry.supersedes = stroke;
+  record.entry.reason = reason;
+  record.verdict = name(experiments::StrokeVerdict::kRejected);
+  auto after = *state_->speed;
+  if (auto ok = after.add(record); !ok) return ok;
+  return state_->store(record, [&] { state_->speed = std::move(after); });
+}
+
+Result<void> Session::judge(const experiments::ForceAnswer& answer) {
+  if (stage() != Stage::kForce) return notNow("a judgement", stage());
+  auto record = state_->force->record(answer);
+  if (!record) return tl::unexpected(record.error());
+  record->entry = state_->entry();
+  auto after = *state_->force;
+  if (auto ok = after.add(*record); !ok) return ok;
+  return state_->store(*record, [&] { state_->force = std::move(after); });
+}
+
+Result<void> Session::reply(const questionnaires::Reply& reply, double response_s) {
+  if (stage() != Stage::kForm) return notNow("an answer", stage());
+  auto record = state_->form->draft(reply);
+  if (!record) return tl::unexpected(record.error());
+  const auto supersedes = record->entry.supersedes;
+  record->entry = state_->entry();
+  record->entry.supersedes = supersedes;
+  record->response_s = response_s;
+  auto after = *state_->form;
+  if (auto ok = after.add(*record); !ok) return ok;
+  return state_->store(*record, [&] { state_->form = std::move(after); });
+}
+
+void Session::back() {
+  if (state_->form) state_->form->back();
+}
+bool Session::forward() { return state_->form && state_->form->forward(); }
+bool Session::goToFirstOpen() { return state_->form && state_->form->goToFirstOpen(); }
+
+Result<void> Session::rate(int effort, int comfort) {
+  if (stage() != Stage::kRating) return notNow("a rating", stage());
+  for (const int rating : {effort, comfort}) {
+    if (rating < kLeastRating || rating > kMostRating) {
+      return fail(ErrorCode::kValue, "rating", std::to_string(rating), "1 to 7");
+    }
+  }
+  const Block block = *state_->block();
+  const study::RatingRecord record{state_->entry(), std::string(name(block)), effort, comfort};
+  return state_->store(record, [&] { state_->rated.insert(block); });
+}
+
+Result<void> Session::pause(const std::string& reason) {
+  if (stage() == Stage::kAborted || state_->paused) return notNow("a pause", stage());
+  const study::EventRecord event{state_->entry(), kPaused, detail("reason", reason)};
+  return state_->store(event, [&] { state_->paused = true; });
+}
+
+Result<void> Session::unpause() {
+  if (!state_->paused) return notNow("the end of a pause", stage());
+  const study::EventRecord event{state_->entry(), kUnpaused, {}};
+  return state_->store(event, [&] { state_->paused = false; });
+}
+
+Result<void> Session::skipBlock(const std::string& reason) {
+  const auto at = state_->block();
+  if (!at || stage() == Stage::kAborted) return notNow("a block to leave out", stage());
+  study::EventRecord event{state_->entry(), kBlockSkipped, detail("block", name(*at))};
+  event.entry.reason = reason;
+  return state_->store(event, [&] { state_->skipped.insert(*at); });
+}
+
+Result<void> Session::abort(const std::string& reason) {
+  if (stage() == Stage::kAborted) return notNow("a second end", stage());
+  const study::EventRecord event{state_->entry(), kAborted, detail("reason", reason)};
+  return state_->store(event, [&] { state_->aborted = true; });
+}
+
+}  // namespace tactus::session

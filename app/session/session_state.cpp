@@ -1,0 +1,142 @@
+#include "app/session/session_state.h"
+
+#include <nlohmann/json.hpp>
+
+#include "questionnaires/questionnaire.h"
+
+namespace tactus::session {
+
+using base::Result;
+
+std::string detail(const char* key, std::string_view value) { return nlohmann::json{{key, value}}.dump(); }
+
+std::string_view name(Stage stage) noexcept {
+  switch (stage) {
+    case Stage::kProfile:
+      return "profile";
+    case Stage::kSpeed:
+      return "speed";
+    case Stage::kForce:
+      return "force";
+    case Stage::kForm:
+      return "form";
+    case Stage::kRating:
+      return "rating";
+    case Stage::kFinished:
+      return "finished";
+    case Stage::kAborted:
+      return "aborted";
+  }
+  return "";
+}
+
+study::Entry SessionState::entry() {
+  study::Entry entry;
+  entry.id = tools.ids.next();
+  entry.session = record.id;
+  entry.when = tools.now();
+  entry.entered_by = simulated ? study::EnteredBy::kProgram : entered_by;
+  return entry;
+}
+
+bool SessionState::isDone(Block block) const {
+  switch (block) {
+    case Block::kSpeed:
+      return speed->next().finished;
+    case Block::kForce:
+      return force->next().finished;
+    case Block::kForm:
+      return form->isAtEnd() && form->isComplete();
+  }
+  return true;
+}
+
+std::optional<Block> SessionState::block() const {
+  for (const Block block : settings.blocks) {
+    if (!skipped.contains(block) && !(isDone(block) && rated.contains(block))) return block;
+  }
+  return std::nullopt;
+}
+
+Stage SessionState::stage() const {
+  if (aborted) return Stage::kAborted;
+  if (!profile) return Stage::kProfile;
+  const auto at = block();
+  if (!at) return Stage::kFinished;
+  if (isDone(*at)) return Stage::kRating;
+  switch (*at) {
+    case Block::kSpeed:
+      return Stage::kSpeed;
+    case Block::kForce:
+      return Stage::kForce;
+    case Block::kForm:
+      return Stage::kForm;
+  }
+  return Stage::kFinished;
+}
+
+Result<void> SessionState::log(const char* kind, std::string text) {
+  return store::append(file, study::EventRecord{entry(), kind, std::move(text)});
+}
+
+Result<void> SessionState::makeProtocols() {
+  const store::Selection history{{}, record.id, true};
+  for (const Block block : settings.blocks) {
+    const std::uint64_t seed = blockSeed(record.seed, block);
+    if (block == Block::kSpeed) {
+      const auto strokes = store::strokes(file, history, store::Recordings::kLeaveOut);
+      if (!strokes) return tl::unexpected(strokes.error());
+      auto made = experiments::SpeedProtocol::create(settings.speed, seed, *strokes);
+      if (!made) return tl::unexpected(made.error());
+      speed = std::move(*made);
+    } else if (block == Block::kForce) {
+      const auto judgements = store::judgements(file, history);
+      if (!judgements) return tl::unexpected(judgements.error());
+      auto made = experiments::ForceProtocol::create(settings.force, seed, *judgements);
+      if (!made) return tl::unexpected(made.error());
+      force = std::move(*made);
+    } else if (auto ok = makeForm(seed, history); !ok) {
+      return ok;
+    }
+  }
+  return {};
+}
+
+Result<void> SessionState::makeForm(std::uint64_t seed, const store::Selection& history) {
+  auto worded = questionnaires::questionnaire(settings.form, record.language);
+  if (!worded) return tl::unexpected(worded.error());
+  form.emplace(std::move(*worded), settings.item_order, seed);
+  const auto answers = store::answers(file, history);
+  if (!answers) return tl::unexpected(answers.error());
+  for (const auto& answer : *answers) {
+    if (auto ok = form->add(answer); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> SessionState::readBack() {
+  const store::Selection all{{}, record.id, true};
+  const auto profiles = store::profiles(file, {{}, record.id, false});
+  if (!profiles) return tl::unexpected(profiles.error());
+  if (!profiles->empty()) profile = profiles->back();
+  const auto ratings = store::ratings(file, all);
+  if (!ratings) return tl::unexpected(ratings.error());
+  const auto events = store::events(file, all);
+  if (!events) return tl::unexpected(events.error());
+  for (const Block block : settings.blocks) {
+    for (const auto& rating : *ratings) {
+      if (rating.block == name(block)) rated.insert(block);
+    }
+    for (const auto& event : *events) {
+      if (event.kind == kBlockSkipped && event.detail == detail("block", name(block))) skipped.insert(block);
+    }
+  }
+  for (const auto& event : *events) {
+    if (event.kind == kPaused) paused = true;
+    if (event.kind == kUnpaused) paused = false;
+    if (event.kind == kAborted) aborted = true;
+  }
+  return makeProtocols();
+}
+
+}  // namespace tactus::session

@@ -1,0 +1,231 @@
+#include "app/session/study_view.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/store/entries.h"
+#include "core/store/persons.h"
+#include "core/store/sessions.h"
+#include "core/store/study_info.h"
+#include "experiments/speed_from_positions.h"
+#include "experiments/stroke.h"
+
+namespace tactus::session {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using study::RecordId;
+
+/// Which participant a session is of; sessions that elicitation does not read are absent.
+using CodeOfSession = std::map<RecordId, std::string>;
+
+const study::Channel* channel(const study::Recording& recording, std::string_view name) {
+  const auto it = std::find_if(recording.channels.begin(), recording.channels.end(),
+                               [&](const study::Channel& candidate) { return candidate.name == name; });
+  return it == recording.channels.end() ? nullptr : &*it;
+}
+
+/// Time stamps of the samples: recorded ones, or those of the sample rate.
+std::vector<double> times(const study::Recording& recording) {
+  if (const study::Channel* const recorded = channel(recording, "time")) return recorded->values;
+  std::vector<double> stamps(recording.size());
+  for (std::size_t i = 0; i < stamps.size(); ++i) stamps[i] = static_cast<double>(i) / recording.sample_rate_hz;
+  return stamps;
+}
+
+/// Of each block (what `block` calls a participant's part of a kind) the records of the latest session, participant
+/// after participant by code. The records come session after session.
+template <class Record, class Block>
+std::vector<Record> ofLatestSession(std::vector<Record> records, const CodeOfSession& codes, Block block,
+                                    std::vector<std::string>& notes) {
+  std::map<std::pair<std::string, std::string>, RecordId> latest;
+  std::set<std::pair<std::string, std::string>> repeated;
+  const auto key = [&](const Record& record) { return std::pair(codes.at(record.entry.session), block(record)); };
+  std::erase_if(records, [&](const Record& record) { return !codes.contains(record.entry.session); });
+  for (const auto& record : records) {
+    const auto [it, is_new] = latest.try_emplace(key(record), record.entry.session);
+    if (!is_new && it->second != record.entry.session) repeated.insert(it->first);
+    it->second = record.entry.session;
+  }
+  std::erase_if(records, [&](const Record& record) { return latest.at(key(record)) != record.entry.session; });
+  std::stable_sort(records.begin(), records.end(), [&](const Record& a, const Record& b) {
+    return codes.at(a.entry.session) < codes.at(b.entry.session);
+  });
+  for (const auto& [participant, what] : repeated) {
+    notes.push_back(participant + " did " + what + " in more than one session; the latest counts.");
+  }
+  return records;
+}
+
+class Reader {
+ public:
+  explicit Reader(const store::StudyFile& file) : file_(file) {}
+
+  Result<StudyView> read() {
+    const auto info = store::studyInfo(file_);
+    if (!info) return tl::unexpected(info.error());
+    view_.study.name = info->name;
+    using Step = Result<void> (Reader::*)();
+    for (const Step step : {&Reader::addParticipants, &Reader::addSpeeds, &Reader::addJudgements, &Reader::addAnswers,
+                            &Reader::addRules}) {
+      if (auto ok = (this->*step)(); !ok) return tl::unexpected(base::inFile(ok.error(), file_.path()));
+    }
+    return std::move(view_);
+  }
+
+ private:
+  Result<void> addParticipants() {
+    const auto persons = store::persons(file_);
+    if (!persons) return tl::unexpected(persons.error());
+    const auto sessions = store::sessions(file_);
+    if (!sessions) return tl::unexpected(sessions.error());
+    const auto profiles = store::profiles(file_);
+    if (!profiles) return tl::unexpected(profiles.error());
+
+    std::map<RecordId, std::size_t> place_of;
+    for (const auto& person : *persons) {
+      place_of[person.id] = view_.study.participants.size();
+      study::Participant participant;
+      participant.code = person.code;
+      participant.simulated = person.simulated;
+      view_.study.participants.push_back(std::move(participant));
+    }
+    std::map<RecordId, std::size_t> participant_of_session;
+    for (const auto& session : *sessions) {
+      const std::size_t place = place_of.at(session.person);
+      participant_of_session[session.id] = place;
+      if (session.kind != study::SessionKind::kUsability) codes_[session.id] = view_.study.participants[place].code;
+    }
+    for (const auto& profile : *profiles) {  // the latest holds
+      auto& participant = view_.study.participants[participant_of_session.at(profile.entry.session)];
+      participant.years_experience = profile.years_experience;
+      participant.category = profile.category;
+      participant.handedness = profile.handedness;
+      participant.weight = profile.weight;
+    }
+    return {};
+  }
+
+  Result<void> addSpeeds() {
+    auto strokes = store::strokes(file_, {}, store::Recordings::kLeaveOut);
+    if (!strokes) return tl::unexpected(strokes.error());
+    std::erase_if(*strokes, [](const study::StrokeRecord& stroke) {
+      return stroke.practice || stroke.verdict != name(experiments::StrokeVerdict::kAccepted);
+    });
+    const auto level = [](const study::StrokeRecord& stroke) { return "the speed " + base::quoted(stroke.level); };
+    for (auto& stroke : ofLatestSession(std::move(*strokes), codes_, level, view_.notes)) {
+      auto recording = store::recordingOf(file_, stroke.entry.id);
+      if (!recording) return tl::unexpected(recording.error());
+      stroke.recording = std::move(*recording);
+      const auto samples = speedSamples(stroke, codes_.at(stroke.entry.session));
+      if (!samples) return tl::unexpected(samples.error());
+      view_.study.speeds.insert(view_.study.speeds.end(), samples->begin(), samples->end());
+    }
+    return {};
+  }
+
+  Result<void> addJudgements() {
+    auto judgements = store::judgements(file_);
+    if (!judgements) return tl::unexpected(judgements.error());
+    std::erase_if(*judgements,
+                  [](const study::JudgementRecord& judgement) { return !judgement.scored || judgement.catch_trial; });
+    const auto series = [](const study::JudgementRecord& judgement) {
+      return "the series " + base::quoted(judgement.series);
+    };
+    for (auto& judgement : ofLatestSession(std::move(*judgements), codes_, series, view_.notes)) {
+      study::ForceJudgement out;
+      out.participant = codes_.at(judgement.entry.session);
+      out.series = judgement.series;
+      out.step = judgement.step;
+      out.force_n = judgement.commanded_n;
+      out.kind = judgement.kind;
+      out.term = std::move(judgement.term);
+      view_.study.judgements.push_back(std::move(out));
+    }
+    return {};
+  }
+
+  Result<void> addAnswers() {
+    auto answers = store::answers(file_);
+    if (!answers) return tl::unexpected(answers.error());
+    const auto form = [](const study::AnswerRecord& answer) { return "the form " + base::quoted(answer.form); };
+    for (auto& answer : ofLatestSession(std::move(*answers), codes_, form, view_.notes)) {
+      study::Answer out;
+      out.participant = codes_.at(answer.entry.session);
+      out.form = std::move(answer.form);
+      out.item = answer.item;
+      out.term = std::move(answer.value);
+      out.status = answer.status;
+      view_.study.answers.push_back(std::move(out));
+    }
+    return {};
+  }
+
+  Result<void> addRules() {
+    auto rules = store::rules(file_);
+    if (!rules) return tl::unexpected(rules.error());
+    const auto all = [](const study::RuleRecord&) { return std::string("the rules"); };
+    for (auto& record : ofLatestSession(std::move(*rules), codes_, all, view_.notes)) {
+      record.rule.participant = codes_.at(record.entry.session);
+      view_.study.rules.push_back(std::move(record.rule));
+    }
+    return {};
+  }
+
+  const store::StudyFile& file_;
+  CodeOfSession codes_;
+  StudyView view_;
+};
+
+}  // namespace
+
+Result<std::vector<study::SpeedSample>> speedSamples(const study::StrokeRecord& stroke,
+                                                     const std::string& participant) {
+  const auto refuse = [&](const std::string& found, const std::string& wanted) {
+    return fail(ErrorCode::kData, participant + ", " + stroke.level + ", stroke " + std::to_string(stroke.number),
+                found, wanted);
+  };
+  const study::Channel* const depth = channel(stroke.recording, "depth");
+  if (depth == nullptr) return refuse("no recorded depth", "a channel 'depth'");
+  if (stroke.last > depth->values.size() || stroke.first >= stroke.last) {
+    return refuse("samples " + std::to_string(stroke.first) + " to " + std::to_string(stroke.last) + " of " +
+                      std::to_string(depth->values.size()),
+                  "a part of the recording");
+  }
+  const std::vector<double> stamps = times(stroke.recording);
+
+  std::vector<study::SpeedSample> samples;
+  const auto add = [&](double time_s, double depth_mm, double speed_mm_s) {
+    study::SpeedSample sample;
+    sample.participant = participant;
+    sample.level = stroke.level;
+    sample.stroke = stroke.number;
+    sample.time_s = time_s;
+    sample.depth_mm = depth_mm;
+    sample.speed_mm_s = speed_mm_s;
+    samples.push_back(std::move(sample));
+  };
+  if (const study::Channel* const speed = channel(stroke.recording, "speed")) {
+    for (std::size_t i = stroke.first; i < stroke.last; ++i) add(stamps[i], depth->values[i], speed->values[i]);
+    return samples;
+  }
+  // The derivative looks beyond both ends of the stroke where the recording does.
+  const auto motion = experiments::speedFromPositions(stamps, depth->values);
+  if (!motion) return refuse(motion.error().found, motion.error().wanted);
+  const double start_s = stamps[stroke.first];
+  const double end_s = stamps[stroke.last - 1];
+  const double start_mm = depth->values[stroke.first];
+  for (const auto& sample : motion->samples) {
+    if (sample.time_s < start_s || sample.time_s > end_s) continue;
+    add(sample.time_s - start_s, sample.depth_mm - start_mm, sample.speed_mm_s);
+  }
+  return samples;
+}
+
+Result<StudyView> studyForElicitation(const store::StudyFile& file) { return Reader(file).read(); }
+
+}  // namespace tactus::session

@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "core/analysis/coverage.h"
+#include "core/analysis/rule_steps.h"
+#include "core/analysis/rule_table.h"
+#include "core/fuzzy/membership.h"
+#include "elicitation/rule_lint_parts.h"
+#include "elicitation/rule_missing.h"
+
+namespace tactus::elicitation {
+namespace {
+
+using Kind = RuleFinding::Kind;
+using Source = RuleFinding::Source;
+
+Kind kindOf(analysis::Finding::Kind kind) {
+  using From = analysis::Finding::Kind;
+  switch (kind) {
+    case From::kHole:
+      return Kind::kHole;
+    case From::kAbstentionJump:
+      return Kind::kAbstentionJump;
+    case From::kConflict:
+      return Kind::kConflict;
+    case From::kRedundantRule:
+      return Kind::kRedundantRule;
+    case From::kDirectionChange:
+      return Kind::kDirectionChange;
+    case From::kDisagreement:
+      return Kind::kDisagreement;
+    case From::kUnusedTerm:
+      return Kind::kUnusedTerm;
+    case From::kUnreachableTerm:
+      return Kind::kUnreachableTerm;
+    case From::kUnreachableRule:
+      return Kind::kUnreachableRule;
+  }
+  return Kind::kHole;
+}
+
+/// Newtons that come from looking at settings and not from a formula.
+bool isSampled(Kind kind) { return kind != Kind::kConflict && kind != Kind::kRedundantRule; }
+
+class ModelFindings {
+ public:
+  ModelFindings(const RuleContext& context, const analysis::Lint& lint, const ToldSteps& told)
+      : context_(context), model_(context.model), lint_(lint), told_(told) {}
+
+  std::vector<RuleFinding> run() {
+    for (const auto& finding : lint_.findings) add(finding);
+    return std::move(out_);
+  }
+
+ private:
+  void add(const analysis::Finding& from) {
+    RuleFinding finding;
+    finding.kind = kindOf(from.kind);
+    finding.place = from.place;
+    finding.text = from.text;
+    finding.newtons = from.newtons;
+    finding.at_least = from.newtons && isSampled(finding.kind);
+    finding.from = from.from;
+    finding.to = from.to;
+    const auto expert = std::find_if(model_.experts.begin(), model_.experts.end(),
+                                     [&from](const fuzzy::Expert& one) { return one.id == from.expert; });
+    if (expert != model_.experts.end()) {
+      finding.experts = {expert->id};
+      if (told_.contains({expert->id, finding.place})) return;
+      link(finding, static_cast<std::size_t>(expert - model_.experts.begin()));
+    }
+    if (!finding.sources.empty()) {
+      const bool absent = !finding.sources.front().rule;
+      finding.text += (absent ? "; no answer to " : "; ") + describe(finding.sources);
+    }
+    out_.push_back(std::move(finding));
+  }
+
+  void link(RuleFinding& finding, std::size_t expert) {
+    switch (finding.kind) {
+      case Kind::kAbstentionJump:
+        finding.text += "; with this expert " + newtonsText(context_.compiled.evaluate(finding.from).force_n) +
+                        ", without " + newtonsText(context_.compiled.evaluate(finding.to).force_n);
+        [[fallthrough]];
+      case Kind::kHole:
+        finding.sources = missingIn(expert, finding.place);
+        break;
+      case Kind::kConflict:
+      case Kind::kRedundantRule:
+      case Kind::kUnreachableRule:
+        finding.sources = at(byPlace(expert).conditions, finding.place);
+        break;
+      case Kind::kDirectionChange:
+        finding.sources = at(byPlace(expert).steps, finding.place);
+        if (finding.newtons == 0.0) finding.from = finding.to = {};
+        break;
+      case Kind::kDisagreement:
+        finding.sources = rulesAlong(expert, finding.place);
+        break;
+      case Kind::kUnusedTerm:
+        linkRegion(finding, expert);
+        break;
+      default:
+        break;
+    }
+  }
+
+  /// The rules of an expert by what the lint calls their places: their conditions, and the steps between them.
+  struct ByPlace {
+    std::unordered_map<std::string, std::vector<Source>> conditions;
+    std::unordered_map<std::string, std::vector<Source>> steps;
+  };
+
+  const ByPlace& byPlace(std::size_t expert) {
+    const auto found = by_place_.find(expert);
+    if (found != by_place_.end()) return found->second;
+    ByPlace& places = by_place_[expert];
+    const auto& who = model_.experts[expert];
+    for (const auto& rule : analysis::resolveRules(model_, who)) {
+      places.conditions[analysis::describe(who.rules[rule.index].conditions)].push_back(
+          context_.source(expert, rule.index));
+    }
+    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+      for (const auto& step : analysis::neighbourSteps(model_, who, i)) {
+        places.steps[analysis::ruleStep(model_, who, step).text] = {context_.source(expert, step.before),
+                                                                    context_.source(expert, step.after)};
+      }
+    }
+    return places;
+  }
+
+  static std::vector<Source> at(const std::unordered_map<std::string, std::vector<Source>>& places,
+                                const std::string& place) {
+    const auto found = places.find(place);
+    return found == places.end() ? std::vector<Source>{} : found->second;
+  }
+
+  /// Rules of the steps along the input `id` that go in the expert's own direction.
+  std::vector<Source> rulesAlong(std::size_t expert, const std::string& id) const {
+    const auto& who = model_.experts[expert];
+    std::set<std::size_t> rules;
+    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+      if (model_.inputs[i].id != id) continue;
+      const int own = static_cast<int>(analysis::direction(model_, who, model_.inputs[i]).prevailing);
+      for (const auto& step : analysis::neighbourSteps(model_, who, i)) {
+        if (step.levels * own > 0) rules.insert({step.before, step.after});
+      }
+    }
+    std::vector<Source> out;
+    out.reserve(rules.size());
+    for (const std::size_t rule : rules) out.push_back(context_.source(expert, rule));
+    return out;
+  }
+
+  /// Items without an answer that would have given a rule inside the hole called `place`.
+  std::vector<Source> missingIn(std::size_t expert, const std::string& place) {
+    std::vector<Source> out;
+    if (context_.missing(expert).empty()) return out;
+    auto holes = holes_.find(expert);
+    if (holes == holes_.end()) {
+      holes = holes_.emplace(expert, analysis::coverage(model_, std::span(&expert, 1)).holes).first;
+    }
+    for (const auto& hole : holes->second) {
+      if (analysis::describe(hole, model_) != place) continue;
+      for (const auto& item : context_.missing(expert)) {
+        if (wouldFireIn(hole, model_, model_.experts[expert], item.conditions)) out.push_back({{}, item.origin});
+      }
+    }
+    return out;
+  }
+
+  /// A term of the region input without a rule is a region without a rule: with the largest jump at a hole inside it.
+  void linkRegion(RuleFinding& finding, std::size_t expert) const {
+    if (!context_.region_input) return;
+    const auto& input = model_.inputs[*context_.region_input];
+    const std::string start = input.id + ' ';
+    if (!finding.place.starts_with(start)) return;
+    const std::string region = finding.place.substr(start.size());
+    finding.kind = Kind::kRegionWithoutRule;
+    finding.text = "no rule in the " + region;
+    for (const auto& item : context_.missing(expert)) {
+      const bool about = std::find(item.conditions.begin(), item.conditions.end(),
+                                   fuzzy::Condition{input.id, region}) != item.conditions.end();
+      if (about) finding.sources.push_back({{}, item.origin});
+    }
+    const auto membership = fuzzy::MembershipFunction::of(*findTerm(termsFor(model_.experts[expert], input), region));
+    for (const auto& hole : lint_.findings) {
+      const Kind kind = kindOf(hole.kind);
+      const bool jump = kind == Kind::kHole || kind == Kind::kAbstentionJump;
+      if (!jump || hole.expert != model_.experts[expert].id || !hole.newtons) continue;
+      if (membership(hole.to[*context_.region_input]) == 0) continue;
+      if (finding.newtons && *finding.newtons >= *hole.newtons) continue;
+      finding.newtons = hole.newtons;
+      finding.at_least = true;
+      finding.from = hole.from;
+      finding.to = hole.to;
+    }
+  }
+
+  const RuleContext& context_;
+  const fuzzy::ForceModel& model_;
+  const analysis::Lint& lint_;
+  const ToldSteps& told_;
+  std::vector<RuleFinding> out_;
+  std::map<std::size_t, ByPlace> by_place_;
+  std::map<std::size_t, std::vector<analysis::Hole>> holes_;  ///< of experts with missing items
+};
+
+}  // namespace
+
+std::vector<RuleFinding> findingsOfModel(const RuleContext& context, const analysis::Lint& lint,
+                                         const ToldSteps& told) {
+  return ModelFindings(context, lint, told).run();
+}
+
+}  // namespace tactus::elicitation

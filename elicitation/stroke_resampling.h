@@ -1,0 +1,65 @@
+// Whole strokes of one participant drawn anew within each level, in a form that is fast to cluster again.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/study/records.h"
+
+namespace tactus::elicitation {
+
+/// Samples within a stroke are not independent, so an interval must draw strokes, not samples. The strokes are kept as
+/// histograms of kBins bins over the range of all samples, each bin with the mean of what it holds. What that changes
+/// is second order in the width of a bin: for speeds of 0 to 500 mm/s less than 0.001 mm/s of a centre.
+class StrokeResampler {
+ public:
+  static constexpr std::size_t kBins = 512;
+
+  /// `samples` (at least two different speeds, all finite) of one participant, each of a level of `levels`.
+  StrokeResampler(std::span<const study::SpeedSample> samples, std::span<const std::string> levels);
+
+  /// The first level, in order, with fewer than two strokes: its place and their number. Then there is no choice.
+  std::optional<std::pair<std::size_t, std::size_t>> levelWithoutChoice() const;
+
+  /// Draws as many strokes as each level has, with replacement.
+  void draw(base::Random& random);
+  /// Every stroke once.
+  void takeAll();
+
+  /// The samples of the strokes drawn, ascending, scaled to [-1, 1], and how many each stands for.
+  std::span<const double> values() const { return values_; }
+  std::span<const double> weights() const { return weights_; }
+  double toScaled(double speed_mm_s) const { return (speed_mm_s - middle_mm_s_) / half_range_mm_s_; }
+  double toOriginal(double scaled) const { return middle_mm_s_ + half_range_mm_s_ * scaled; }
+
+  /// The mean of each level's samples of the strokes drawn, in mm/s, exact. Every level has strokes.
+  std::vector<double> levelMeans() const;
+
+ private:
+  struct Bin {
+    std::size_t place = 0;
+    double count = 0;
+    double sum = 0;  // of scaled speeds
+  };
+  struct Stroke {
+    double count = 0;
+    double sum = 0;  // of scaled speeds
+    std::vector<Bin> bins;
+  };
+
+  void collect();
+
+  double middle_mm_s_ = 0;
+  double half_range_mm_s_ = 1;
+  std::vector<std::vector<Stroke>> levels_;
+  std::vector<std::vector<double>> times_;   // how often each stroke was drawn
+  std::vector<double> bin_count_, bin_sum_;  // scratch
+  std::vector<double> values_, weights_;
+};
+
+}  // namespace tactus::elicitation

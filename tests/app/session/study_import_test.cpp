@@ -1,0 +1,182 @@
+#include "app/session/study_import.h"
+
+#include <gtest/gtest.h>
+
+#include "app/session/known_forms.h"
+#include "app/session/simulated_study.h"
+#include "app/session/study_view.h"
+#include "core/base/random.h"
+#include "core/store/entries.h"
+#include "core/store/merge.h"
+#include "core/store/persons.h"
+#include "core/store/sessions.h"
+#include "core/store/study_info.h"
+#include "core/store/withdrawal.h"
+
+#include "tests/support/temp_folder.h"
+
+namespace tactus::session {
+namespace {
+
+/// A small study with every kind of row; another for each seed.
+study::Study smallStudy(std::uint64_t seed) {
+  base::Random random(seed);
+  study::Study study;
+  for (const char* code : {"amber-otter", "copper-finch", "quiet-maple"}) {
+    study::Participant participant;
+    participant.code = code;
+    participant.years_experience = random.below(30);
+    participant.category = "expert";
+    participant.handedness = "left";
+    if (random.below(2) == 0) participant.weight = random.uniform(0, 3);
+    study.participants.push_back(participant);
+    for (const char* level : {"slow", "fast"}) {
+      for (int stroke = 1; stroke <= 2; ++stroke) {
+        for (int i = 0; i < 3 + random.below(4); ++i) {
+          study::SpeedSample sample;
+          sample.participant = code;
+          sample.level = level;
+          sample.stroke = stroke;
+          sample.time_s = 0.01 * i;
+          sample.depth_mm = random.uniform(0, 60);
+          sample.speed_mm_s = random.uniform(10, 300);
+          study.speeds.push_back(sample);
+        }
+      }
+    }
+    using Kind = study::ForceJudgement::Kind;
+    for (int step = 1; step <= 5; ++step) {
+      study::ForceJudgement judgement;
+      judgement.participant = code;
+      judgement.series = "ascending";
+      judgement.step = step;
+      judgement.force_n = 0.1 * step;
+      judgement.kind = step < 5 ? Kind::kTerm : Kind::kBeyondPractice;
+      if (step < 5) judgement.term = random.below(2) == 0 ? "small" : "large";
+      study.judgements.push_back(judgement);
+    }
+    for (int item = 1; item <= 4; ++item) {
+      study::Answer answer;
+      answer.participant = code;
+      answer.form = "ngt-force-v1";
+      answer.item = item;
+      answer.status = random.below(3) == 0 ? study::Answer::Status::kCantTell : study::Answer::Status::kAnswered;
+      if (answer.status == study::Answer::Status::kAnswered) answer.term = "medium";
+      study.answers.push_back(answer);
+    }
+  }
+  study::GivenRule rule;
+  rule.participant = "quiet-maple";
+  rule.conditions = {{"lubrication", "well"}, {"depth", "nasal_cavity"}};
+  rule.then = "small";
+  rule.weight = 0.5;
+  study.rules.push_back(rule);
+  return study;
+}
+
+/// The same rows, whatever the name of the study.
+void expectSameRows(const study::Study& a, const study::Study& b) {
+  EXPECT_TRUE(a.participants == b.participants);
+  EXPECT_TRUE(a.speeds == b.speeds);
+  EXPECT_TRUE(a.judgements == b.judgements);
+  EXPECT_TRUE(a.answers == b.answers);
+  EXPECT_TRUE(a.rules == b.rules);
+}
+
+class StudyImportTest : public testing::Test {
+ protected:
+  store::StudyFile create(const std::string& name) {
+    auto file = store::StudyFile::create(folder_.file(name), {ids_.next(), name, 1, "test"});
+    EXPECT_TRUE(file) << file.error().message();
+    return *std::move(file);
+  }
+  support::TempFolder folder_;
+  study::RecordIds ids_{1};
+};
+
+TEST_F(StudyImportTest, EveryRowComesBack) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    auto file = create(std::to_string(seed) + ".tactus");
+    const auto study = smallStudy(seed);
+    const auto imported = importTables(study, file);
+    ASSERT_TRUE(imported) << imported.error().message();
+    EXPECT_EQ(imported->persons, 3U);
+    EXPECT_EQ(imported->sessions, 3U);
+    const auto view = studyForElicitation(file);
+    ASSERT_TRUE(view) << view.error().message();
+    EXPECT_TRUE(view->notes.empty());
+    expectSameRows(view->study, study);
+    EXPECT_TRUE(store::checkStudy(file)->empty());
+  }
+}
+
+TEST_F(StudyImportTest, TheSameRowsAreNeverAddedTwice) {
+  auto file = create("a.tactus");
+  ASSERT_TRUE(importTables(smallStudy(1), file));
+  const auto before = store::studyInfo(file);
+  const auto again = importTables(smallStudy(1), file);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->persons + again->sessions + again->records, 0U);
+  EXPECT_EQ(again->notes.size(), 3U);
+  EXPECT_EQ(store::studyInfo(file)->counts, before->counts);
+}
+
+TEST_F(StudyImportTest, ChangedRowsCountInsteadOfTheEarlierOnes) {
+  auto file = create("a.tactus");
+  ASSERT_TRUE(importTables(smallStudy(1), file));
+  ASSERT_TRUE(importTables(smallStudy(2), file));
+  const auto view = studyForElicitation(file);
+  ASSERT_TRUE(view);
+  expectSameRows(view->study, smallStudy(2));
+  EXPECT_FALSE(view->notes.empty());  // that there are two sessions is said
+  EXPECT_EQ(store::sessions(file)->size(), 6U);
+}
+
+TEST_F(StudyImportTest, TwoStationsThatImportTheSameTablesMergeWithoutConflict) {
+  auto first = create("a.tactus");
+  {
+    auto second = create("b.tactus");
+    ASSERT_TRUE(importTables(smallStudy(1), second));
+    ASSERT_TRUE(second.close());
+  }
+  ASSERT_TRUE(importTables(smallStudy(1), first));
+  const auto merged = store::mergeStudy(first, folder_.file("b.tactus"), ids_.next(), 1);
+  ASSERT_TRUE(merged) << merged.error().message();
+  EXPECT_TRUE(merged->conflicts.empty()) << merged->conflicts.size() << ": " << merged->conflicts.front();
+  expectSameRows(studyForElicitation(first)->study, smallStudy(1));
+}
+
+TEST_F(StudyImportTest, WhoWithdrewDoesNotComeBack) {
+  auto file = create("a.tactus");
+  ASSERT_TRUE(importTables(smallStudy(1), file));
+  const auto person = store::findPerson(file, "amber-otter");
+  ASSERT_TRUE(person && *person);
+  ASSERT_TRUE(store::withdraw(file, (*person)->id, 2));
+  const auto again = importTables(smallStudy(1), file);
+  EXPECT_FALSE(again);
+  EXPECT_FALSE(*store::findPerson(file, "amber-otter"));
+  EXPECT_EQ(store::persons(file)->size(), 2U);  // and the refusal added nothing
+}
+
+TEST_F(StudyImportTest, SimulatedAndRealRowsNeverMix) {
+  auto file = create("a.tactus");
+  ASSERT_TRUE(importTables(smallStudy(1), file));
+  auto simulated = smallStudy(2);
+  for (auto& participant : simulated.participants) participant.simulated = true;
+  const auto mixed = importTables(simulated, file);
+  ASSERT_FALSE(mixed);
+  EXPECT_NE(mixed.error().message().find("amber-otter"), std::string::npos) << mixed.error().message();
+}
+
+TEST_F(StudyImportTest, AWholeStudyGoesThroughTheFileUnchanged) {
+  auto file = create("a.tactus");
+  const auto study = simulatedNgtStudy();
+  ASSERT_TRUE(study);
+  ASSERT_TRUE(importTables(*study, file));
+  const auto view = studyForElicitation(file);
+  ASSERT_TRUE(view);
+  expectSameRows(view->study, *study);
+}
+
+}  // namespace
+}  // namespace tactus::session

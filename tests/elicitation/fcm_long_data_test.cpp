@@ -1,0 +1,111 @@
+// Data too long to be sorted: the histogram, the table of distinct values, and the passes over all samples.
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "core/base/random.h"
+#include "elicitation/fcm.h"
+
+#include "tests/elicitation/fcm_cases.h"
+#include "tests/reference/fcm_reference.h"
+
+namespace tactus::elicitation {
+namespace {
+
+/// Simulated strokes at three speeds, mm/s.
+std::vector<double> strokes(std::size_t count) {
+  base::Random random(11);
+  std::vector<double> out(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t stroke = i * 12 / count;
+    const double phase = std::fmod(static_cast<double>(i) * 12 / static_cast<double>(count), 1.0);
+    out[i] = 60 * static_cast<double>(1 + stroke / 4 * 2) * std::sin(std::numbers::pi * phase) + 3 * random.normal();
+  }
+  return out;
+}
+
+std::vector<double> referenceCentres(const std::vector<double>& samples, const std::vector<double>& weights,
+                                     const FcmSettings& settings, const std::vector<double>& start) {
+  const reference::FcmProblem problem{samples, weights, settings.m};
+  // From a little beside the result, so that the reference has to find its own way.
+  std::vector<long double> centres;
+  for (const double centre : start) centres.push_back(centre * 1.001L);
+  const auto fixed = reference::fcmFixedPoint(problem, centres, 300);
+  return {fixed.centres.begin(), fixed.centres.end()};
+}
+
+double errorOf(const std::vector<double>& samples, const std::vector<double>& weights, const FcmSettings& settings) {
+  const auto result = weights.empty() ? fuzzyCMeans(samples, settings) : fuzzyCMeans(samples, weights, settings);
+  EXPECT_TRUE(result);
+  if (!result) return INFINITY;
+  EXPECT_EQ(result->stop, FcmStop::kConverged);
+  return largestError(result->centres, referenceCentres(samples, weights, settings, result->centres));
+}
+
+// Rounding of sums of 5,000 terms and of centres of some hundreds: a few units in the last place.
+constexpr double kRounding = 2e-13;
+
+TEST(FcmLongData, AgreesWithTheTextbookIterationInLongDouble) {
+  const auto samples = strokes(5000);
+  EXPECT_LE(errorOf(samples, {}, {}), kRounding);
+  EXPECT_LE(errorOf(samples, {}, {.clusters = 2}), kRounding);
+  EXPECT_LE(errorOf(samples, {}, {.clusters = 4}), kRounding);
+  EXPECT_LE(errorOf(samples, {}, {.m = 1.5}), kRounding);
+  EXPECT_LE(errorOf(samples, {}, {.m = 3}), kRounding);
+}
+
+TEST(FcmLongData, FewDistinctValuesNeedNoPassOverAllSamples) {
+  auto samples = strokes(5000);
+  for (double& x : samples) x = std::round(x);
+  const auto result = fuzzyCMeans(samples);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->passes, 0);
+  EXPECT_LE(errorOf(samples, {}, {}), kRounding);
+}
+
+TEST(FcmLongData, AnOutlierTakesNoDigitsFromTheRest) {
+  auto samples = strokes(5000);
+  samples[777] = 1e6;
+  // Three clusters: the outlier has one of its own. The others are as exact as ever.
+  const auto result = fuzzyCMeans(samples);
+  ASSERT_TRUE(result);
+  EXPECT_NEAR(result->centres[2], 1e6, 1);
+  const auto wanted = referenceCentres(samples, {}, {}, result->centres);
+  EXPECT_NEAR(result->centres[0], wanted[0], 1e-12);
+  EXPECT_NEAR(result->centres[1], wanted[1], 1e-12);
+}
+
+TEST(FcmLongData, AnOffsetCostsOnlyTheDigitsOfTheDataThemselves) {
+  auto samples = strokes(5000);
+  for (double& x : samples) x = (x + 1e15) - 1e15;  // multiples of 1/8
+  auto moved = samples;
+  for (double& x : moved) x += 1e15;
+  const auto result = fuzzyCMeans(samples);
+  const auto far = fuzzyCMeans(moved);
+  ASSERT_TRUE(result && far);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(far->centres[k] - 1e15, result->centres[k], 0.0626);
+  EXPECT_NEAR(*far->objective / *result->objective, 1, 1e-12);
+}
+
+TEST(FcmLongData, WeightsAndOddLengthsAreTakenIntoAccount) {
+  base::Random random(5);
+  auto samples = strokes(5003);
+  std::vector<double> weights(samples.size());
+  for (double& weight : weights) weight = random.below(3) == 0 ? 0 : random.uniform(0.1, 4);
+  EXPECT_LE(errorOf(samples, weights, {}), kRounding);
+  EXPECT_LE(errorOf(samples, weights, {.m = 2.5}), kRounding);
+}
+
+TEST(FcmLongData, ASampleWithoutWeightHasNoSay) {
+  auto samples = strokes(5000);
+  std::vector<double> weights(samples.size(), 1.0);
+  const auto plain = fuzzyCMeans(samples);
+  samples.push_back(1e12);
+  weights.push_back(0);
+  const auto result = fuzzyCMeans(samples, weights, {});
+  ASSERT_TRUE(plain && result);
+  EXPECT_LE(largestError(result->centres, plain->centres), kRounding);
+}
+
+}  // namespace
+}  // namespace tactus::elicitation
