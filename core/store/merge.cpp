@@ -84,7 +84,9 @@ class TableMerge {
  private:
   std::string list(const std::string& prefix) const {
     std::string text = prefix + table_.key;  // the key first, wherever it stands in the table
-    for (const auto& column : columns_) text += column == table_.key ? "" : ", " + prefix + column;
+    for (const auto& column : columns_) {
+      if (column != table_.key) text.append(", ").append(prefix).append(column);
+    }
     return text;
   }
   std::string equalities() const {

@@ -150,5 +150,22 @@ TEST(Centroid, AGaussianFarOutsideTheUniverseIsItsTail) {
   EXPECT_NEAR(centroid({{gaussian(-30, 1), 1}}, Implication::kClip, 0, 5), expected, 1e-8);
 }
 
+// All positions are multiples of 1/64, so moving the universe to a million changes none of them. The part of the
+// triangle's ramp below a strength of 3e-13 is shorter than an ulp there.
+TEST(Centroid, BesideAGaussianAWeakTriangleFarFromZeroKeepsItsShape) {
+  for (const auto implication : {Implication::kClip, Implication::kScale}) {
+    for (const double strength : {1.0, 0.25, 3e-13, 1e-100, 1e-300}) {
+      const auto at = [&](double origin) {
+        const double offset = centroid({{trapezoid(origin + .125, origin + .25, origin + .25, origin + .375), strength},
+                                        {gaussian(origin + .75, .015625), strength}},
+                                       implication, origin, origin + 1);
+        return offset - origin;
+      };
+      // An ulp at a million is 1.2e-10.
+      EXPECT_NEAR(at(1e6), at(0), 1.2e-10) << strength;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tactus::fuzzy
