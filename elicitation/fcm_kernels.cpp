@@ -2,8 +2,10 @@
 // standard library's inline functions on the plain instruction set, so none of them can leak into other code.
 #include "elicitation/fcm_kernels.h"
 
+#include <algorithm>
 #include <array>
 
+#include "core/base/vector_unit.h"
 #include "elicitation/fcm.h"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -41,25 +43,15 @@ namespace avx512 {
 constexpr std::array<FcmKernels, 3> kAll = {{{"sse2", plain::products, plain::ratios},
                                              {"avx2", avx2::products, avx2::ratios},
                                              {"avx512", avx512::products, avx512::ratios}}};
-
-std::size_t countSupported() noexcept {
-  __builtin_cpu_init();
-  if (!__builtin_cpu_supports("avx2")) return 1;
-  const bool wide =
-      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  return wide ? 3 : 2;
-}
 #else
 constexpr std::array<FcmKernels, 1> kAll = {{{"portable", plain::products, plain::ratios}}};
-
-std::size_t countSupported() noexcept { return 1; }
 #endif
 
 }  // namespace
 
 std::span<const FcmKernels> supportedFcmKernels() noexcept {
-  static const std::size_t count = countSupported();
-  return std::span(kAll).first(count);
+  static const auto widest = static_cast<std::size_t>(base::widestVectorUnit());
+  return std::span(kAll).first(std::min(widest + 1, kAll.size()));
 }
 
 }  // namespace tactus::elicitation

@@ -2,9 +2,11 @@
 // keeps the standard library's inline functions on the plain instruction set, so none of them can leak into other code.
 #include "core/fuzzy/kernels.h"
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 
+#include "core/base/vector_unit.h"
 #include "core/fuzzy/instruction_set.h"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -39,25 +41,15 @@ namespace avx512 {
 // One point is not wide enough to gain from 512 bits (36 ns with 256, 39 ns with 512 where both were measured).
 constexpr std::array<Kernels, 3> kAll = {
     {{"sse2", plain::point, plain::batch}, {"avx2", avx2::point, avx2::batch}, {"avx512", avx2::point, avx512::batch}}};
-
-std::size_t countSupported() noexcept {
-  __builtin_cpu_init();
-  if (!__builtin_cpu_supports("avx2")) return 1;
-  const bool wide =
-      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  return wide ? 3 : 2;
-}
 #else
 constexpr std::array<Kernels, 1> kAll = {{{"portable", plain::point, plain::batch}}};
-
-std::size_t countSupported() noexcept { return 1; }
 #endif
 
 }  // namespace
 
 std::span<const Kernels> supportedKernels() noexcept {
-  static const std::size_t count = countSupported();
-  return std::span(kAll).first(count);
+  static const auto widest = static_cast<std::size_t>(base::widestVectorUnit());
+  return std::span(kAll).first(std::min(widest + 1, kAll.size()));
 }
 
 const Kernels& activeKernels() noexcept { return supportedKernels().back(); }
