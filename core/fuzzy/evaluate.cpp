@@ -2,17 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
-#include "core/base/check.h"
 #include "core/fuzzy/general_path.h"
 #include "core/fuzzy/kernels.h"
 #include "core/fuzzy/model_tables.h"
 
 namespace tactus::fuzzy {
 namespace {
-
-constexpr Evaluation kNotANumber{std::numeric_limits<double>::quiet_NaN(), false};
 
 constexpr std::size_t kFewExperts = 16;
 
@@ -28,7 +24,11 @@ Outcome outcomeOf(const Program& program, double area, bool ordinary) noexcept {
 Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept {
   std::array<double, kMostInputs> values{};
   if (!tables.clamp(inputs, values)) return kNotANumber;
-  const std::span<const double> clamped(values.data(), inputs.size());
+  return evaluateClamped(tables, kernels, std::span(values).first(inputs.size()));
+}
+
+Evaluation evaluateClamped(const ModelTables& tables, const Kernels& kernels,
+                           std::span<const double> clamped) noexcept {
   const Program& program = tables.program;
   if (!program.usable) return evaluateGenerally(tables, clamped);
   PointOutcome outcome;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -61,6 +62,12 @@ struct ModelTables {
 /// leaves open the general path decides. `kernels`: those of the program, or others that this processor can run.
 /// Thread: any. Real-time safe: yes.
 Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept;
+
+/// The same at a point that is finite and in the universes. Thread: any. Real-time safe: yes.
+Evaluation evaluateClamped(const ModelTables& tables, const Kernels& kernels, std::span<const double> clamped) noexcept;
+
+/// What every evaluation gives where an input is not finite.
+inline constexpr Evaluation kNotANumber{std::numeric_limits<double>::quiet_NaN(), false};
 
 /// The same at many points, by the program of the model or one specialised from it: `varying` holds one array for each
 /// input in `index`, `values` the values of the others. Thread: any. Real-time safe: yes.

@@ -5,6 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/base/text.h"
+#include "core/fuzzy/kernels.h"
 #include "core/fuzzy/model_tables.h"
 
 namespace tactus::fuzzy {
@@ -33,9 +34,15 @@ base::Result<Scene> Scene::specialise(const CompiledModel& model, std::span<cons
 
 Evaluation Scene::evaluate(std::span<const double> free_inputs) const noexcept {
   TACTUS_CHECK(free_inputs.size() == free_.size());
+  const ModelTables& tables = model_.tables();
   std::array<double, kMostInputs> point = point_;
-  for (std::size_t f = 0; f < free_.size(); ++f) point[free_[f]] = free_inputs[f];
-  return model_.evaluate(std::span(point).first(model_.inputCount()));
+  double nothing = 0;
+  for (std::size_t f = 0; f < free_.size(); ++f) {
+    nothing += free_inputs[f] - free_inputs[f];  // NaN where it is NaN or infinite
+    point[free_[f]] = model_.clampInput(free_[f], free_inputs[f]);
+  }
+  if (nothing != 0) return kNotANumber;
+  return evaluateClamped(tables, *tables.program.kernels, std::span(point).first(model_.inputCount()));
 }
 
 void Scene::evaluateBatch(std::span<const std::span<const double>> free_inputs, BatchResult out) const noexcept {
