@@ -123,26 +123,10 @@ TACTUS_INLINE void centroidAlone(const Program& common, const Team& team, const 
   out.mean += offset * team.shares.value[0];
 }
 
-/// A team: for each output term the strengths of all experts, side by side.
-TACTUS_INLINE void centroidsOfTeam(const Program& common, const Team& team, const Fuzzified& at, std::size_t seat,
-                                   PointOutcome& out) noexcept {
-  const PointProgram& program = common.point;
+/// Centroids of a team from its strengths: those of all experts, side by side, for each output term.
+TACTUS_INLINE void centroidsOfTeam(const Program& common, const Team& team, const VT* strengths, std::size_t lanes,
+                                   std::size_t seat, PointOutcome& out) noexcept {
   const ClosedForm& form = common.forms[team.form];
-  const std::size_t lanes = form.terms.size();
-  VT strengths[kMostTerms];
-  // Most models have at most eight output terms; a fixed number of stores beats a call of memset.
-  for (std::size_t k = 0; k < kLanes; ++k) strengths[k] = spread<kTeam>(0);
-  for (std::size_t k = kLanes; k < lanes; ++k) strengths[k] = spread<kTeam>(0);
-  for (const std::uint16_t r : at.rows) {
-    const Stretch& row = program.rows[team.first_row + r];
-    const double pivot = at.slots[at.pivots[r]];
-    const Rest* const rests = program.rests.data() + row.first;
-    const Weights* const weights = program.weights.data() + team.first_weight + (row.first - team.first_rest);
-    for (std::uint32_t k = 0; k < row.count; ++k) {
-      VT& strength = strengths[rests[k].lane];
-      strength = larger(load<kTeam>(weights[k].value) * smaller(at.slots[rests[k].slot], pivot), strength);
-    }
-  }
   VT areas = spread<kTeam>(0);
   VT moments = spread<kTeam>(0);
   for (std::size_t k = 0; k < lanes; ++k) {
@@ -156,6 +140,51 @@ TACTUS_INLINE void centroidsOfTeam(const Program& common, const Team& team, cons
   for (int lane = 0; lane < kWidth; ++lane) out.all_fire = out.all_fire && fires[lane] != 0;
   out.mean += sum(offsets * load<kTeam>(team.shares.value));
 }
+
+/// A team with `lanes` output terms, whose strengths stay in registers.
+template <int lanes>
+void denseTeam(const Program& common, const Team& team, const Fuzzified& at, std::size_t seat,
+               PointOutcome& out) noexcept {
+  const PointProgram& program = common.point;
+  VT strengths[lanes];
+  _Pragma("GCC unroll 8") for (int k = 0; k < lanes; ++k) strengths[k] = spread<kTeam>(0);
+  for (const std::uint16_t r : at.rows) {
+    const Stretch& row = program.rows[team.first_row + r];
+    const double pivot = at.slots[at.pivots[r]];
+    const Rest* const rests = program.rests.data() + row.first;
+    const Weights* weights = program.weights.data() + team.first_weight + lanes * (row.first - team.first_rest);
+    for (std::uint32_t i = 0; i < row.count; ++i, weights += lanes) {
+      const VT rest = spread<kTeam>(smaller(at.slots[rests[i].slot], pivot));
+      _Pragma("GCC unroll 8") for (int k = 0; k < lanes; ++k) {
+        strengths[k] = larger(load<kTeam>(weights[k].value) * rest, strengths[k]);
+      }
+    }
+  }
+  centroidsOfTeam(common, team, strengths, lanes, seat, out);
+}
+
+/// A team with many output terms.
+void sparseTeam(const Program& common, const Team& team, const Fuzzified& at, std::size_t seat,
+                PointOutcome& out) noexcept {
+  const PointProgram& program = common.point;
+  VT strengths[kMostTerms];
+  for (std::size_t k = 0; k < team.lanes; ++k) strengths[k] = spread<kTeam>(0);
+  for (const std::uint16_t r : at.rows) {
+    const Stretch& row = program.rows[team.first_row + r];
+    const double pivot = at.slots[at.pivots[r]];
+    const Rest* const rests = program.rests.data() + row.first;
+    const Weights* const weights = program.weights.data() + team.first_weight + (row.first - team.first_rest);
+    for (std::uint32_t k = 0; k < row.count; ++k) {
+      VT& strength = strengths[rests[k].lane];
+      strength = larger(load<kTeam>(weights[k].value) * smaller(at.slots[rests[k].slot], pivot), strength);
+    }
+  }
+  centroidsOfTeam(common, team, strengths, team.lanes, seat, out);
+}
+
+using DenseTeam = void (*)(const Program&, const Team&, const Fuzzified&, std::size_t, PointOutcome&) noexcept;
+constexpr DenseTeam kDenseTeams[kLanes] = {denseTeam<1>, denseTeam<2>, denseTeam<3>, denseTeam<4>,
+                                           denseTeam<5>, denseTeam<6>, denseTeam<7>, denseTeam<8>};
 
 void point(const Program& common, const double* inputs, PointOutcome& out) noexcept {
   const PointProgram& program = common.point;
@@ -181,8 +210,10 @@ void point(const Program& common, const double* inputs, PointOutcome& out) noexc
     const Fuzzified at{slots, program.pivots.data() + section.first_pivot,
                        rowsAt(program, section, inputs[section.pivot_input])};
     for (const Team& team : in(program.teams, section.teams)) {
-      if (!team.side_by_side) {
-        centroidsOfTeam(common, team, at, seat, out);
+      if (team.layout == Team::Layout::kDense) {
+        kDenseTeams[team.lanes - 1](common, team, at, seat, out);
+      } else if (team.layout == Team::Layout::kSparse) {
+        sparseTeam(common, team, at, seat, out);
       } else if (team.lanes <= 4) {
         centroidAlone<4>(common, team, at, seat, out);
       } else if (kWidth == 2 && team.lanes <= 6) {

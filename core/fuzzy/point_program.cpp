@@ -62,7 +62,11 @@ class Teams {
   void addTeam(std::span<const PlannedExpert> members) {
     const ClosedForm& form = forms_[members.front().form];
     Team team;
-    team.side_by_side = members.size() == 1 && form.fits_side_by_side;
+    if (members.size() == 1 && form.fits_side_by_side) {
+      team.layout = Team::Layout::kAlone;
+    } else if (form.terms.size() <= kLanes) {
+      team.layout = Team::Layout::kDense;
+    }
     team.experts = static_cast<std::uint16_t>(members.size());
     team.lanes = static_cast<std::uint16_t>(form.terms.size());
     team.form = members.front().form;
@@ -75,7 +79,7 @@ class Teams {
     }
     program_.teams.push_back(team);
     sortByRow(members);
-    const std::size_t lanes = team.side_by_side ? 1 : form.terms.size();
+    const std::size_t lanes = team.layout == Team::Layout::kSparse ? form.terms.size() : 1;
     if (place_of_.size() < plan_.slot_count * lanes) place_of_.resize(plan_.slot_count * lanes);
     std::size_t at = 0;
     for (std::size_t row = 0; row < next_in_row_.size(); ++row) {
@@ -85,7 +89,18 @@ class Teams {
     }
   }
 
-  static std::size_t partsOf(const Team& team) { return team.side_by_side ? kLanes / kTeam : 1; }
+  /// How many Weights each rest has.
+  static std::size_t partsOf(const Team& team) {
+    switch (team.layout) {
+      case Team::Layout::kAlone:
+        return kLanes / kTeam;
+      case Team::Layout::kDense:
+        return team.lanes;
+      case Team::Layout::kSparse:
+        return 1;
+    }
+    return 1;
+  }
 
   /// Afterwards next_in_row_ holds the end of each row.
   void sortByRow(std::span<const PlannedExpert> members) {
@@ -102,21 +117,25 @@ class Teams {
     }
   }
 
-  /// Equal rests of a row, in a team also with equal lanes, share an entry.
+  /// Equal rests of a row share an entry; `lanes` > 1: those with equal lanes.
   void addRule(const Team& team, const RuleOfTeam& of, std::size_t lanes, std::uint32_t first_in_row) {
     const PlannedRule& rule = *of.rule;
-    std::uint32_t& place = place_of_[rule.rest * lanes + (team.side_by_side ? 0 : rule.lane)];
+    std::uint32_t& place = place_of_[rule.rest * lanes + (lanes == 1 ? 0 : rule.lane)];
     const std::size_t parts = partsOf(team);
     if (place <= first_in_row) {  // an entry of an earlier row or none; a place is one more than an index
       program_.rests.push_back({rule.rest, rule.lane});
       program_.weights.resize(program_.weights.size() + parts);
       place = sizeOf(program_.rests);
     }
-    const std::size_t part = team.first_weight + (place - 1 - team.first_rest) * parts;
-    const std::size_t lane = team.side_by_side ? rule.lane : of.member;
-    program_.weights[part + lane / kTeam].value[lane % kTeam] = rule.weight;
-    if (team.side_by_side || of.member > 0) return;
-    for (std::size_t empty = team.experts; empty < kTeam; ++empty) program_.weights[part].value[empty] = rule.weight;
+    Weights* const weights = &program_.weights[team.first_weight + (place - 1 - team.first_rest) * parts];
+    if (team.layout == Team::Layout::kAlone) {
+      weights[rule.lane / kTeam].value[rule.lane % kTeam] = rule.weight;
+      return;
+    }
+    auto& of_experts = weights[team.layout == Team::Layout::kDense ? rule.lane : 0].value;
+    of_experts[of.member] = rule.weight;
+    if (of.member > 0) return;
+    for (std::size_t empty = team.experts; empty < kTeam; ++empty) of_experts[empty] = rule.weight;
   }
 
   const SectionPlan& plan_;

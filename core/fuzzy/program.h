@@ -74,18 +74,23 @@ struct TermBlock {
 /// What remains of a rule's conditions without its pivot term: strength = weight * min(pivot, rest).
 struct Rest {
   std::uint16_t slot = 0;
-  std::uint16_t lane = 0;  ///< the output term that it strengthens, where weights stand for experts
+  std::uint16_t lane = 0;  ///< in Layout::kSparse the output term that it strengthens
 };
 
 struct alignas(32) Weights {
   double value[kTeam] = {};
 };
 
-/// Experts with the same terms, at most kTeam. Several of them: each rest has a lane, and a weight for each expert. One
-/// alone: each rest has a weight for each of eight output terms. A weight is 0 where there is no such rule. The first
-/// expert takes the places that are left too, with a share of 0.
+/// Experts with the same terms, at most kTeam. A weight is 0 where there is no such rule. The first expert takes the
+/// places that are left too, with a share of 0.
 struct Team {
-  bool side_by_side = false;  ///< one expert alone, and its closed form fits side by side
+  /// What stands for each rest.
+  enum class Layout : std::uint8_t {
+    kAlone,   ///< one expert: a weight for each of eight output terms
+    kDense,   ///< at most eight output terms: for each of them a weight for each expert
+    kSparse,  ///< the lane of one output term, and a weight for each expert
+  };
+  Layout layout = Layout::kSparse;
   std::uint16_t experts = 1;
   std::uint16_t lanes = 1;  ///< output terms
   std::uint32_t form = 0;
