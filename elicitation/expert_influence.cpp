@@ -16,8 +16,6 @@ namespace {
 
 constexpr std::size_t kMostKinkPoints = 200'000;
 constexpr std::size_t kSpreadPoints = 8'192;
-/// Values per input that the spread points are drawn from: the middles of as many equal cells.
-constexpr int kCells = 256;
 /// Rules and pairs looked at in all, so that a study of a thousand experts ends in seconds.
 constexpr std::size_t kAllowance = 400'000'000;
 constexpr std::size_t kBlock = 1'024;
@@ -79,14 +77,14 @@ void forEachPoint(const std::vector<fuzzy::CompiledModel>& experts, const analys
 }
 
 /// The averaged force, without the expert `left_out` where there is one; nothing where all others abstain.
-std::optional<double> meanForce(const fuzzy::ForceModel& model, const PointForces& at,
+std::optional<double> meanForce(std::span<const double> expert_weights, const PointForces& at,
                                 std::optional<std::size_t> left_out) {
   double sum = 0;
   double weights = 0;
-  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+  for (std::size_t e = 0; e < expert_weights.size(); ++e) {
     if (e == left_out || at.fired[e] == 0) continue;
-    sum += model.experts[e].weight * at.force_n[e];
-    weights += model.experts[e].weight;
+    sum += expert_weights[e] * at.force_n[e];
+    weights += expert_weights[e];
   }
   if (!(weights > 0)) return std::nullopt;
   return sum / weights;
@@ -105,7 +103,12 @@ struct SpreadSums {
 class Comparison {
  public:
   explicit Comparison(const fuzzy::ForceModel& model) : model_(model), expert_sums_(model.experts.size()) {
-    for (const auto& expert : model.experts) out_.experts.emplace_back().expert = expert.id;
+    double heaviest = 0;
+    for (const auto& expert : model.experts) heaviest = std::max(heaviest, expert.weight);
+    for (const auto& expert : model.experts) {
+      out_.experts.emplace_back().expert = expert.id;
+      weights_.push_back(expert.weight / heaviest);
+    }
     for (std::size_t a = 0; a < model.experts.size(); ++a) {
       for (std::size_t b = a + 1; b < model.experts.size(); ++b) {
         auto& pair = out_.pairs.emplace_back();
@@ -139,11 +142,11 @@ class Comparison {
 
  private:
   void takeExperts(const std::vector<double>& point, const PointForces& at, bool spread) {
-    const auto mean_n = meanForce(model_, at, std::nullopt);
+    const auto mean_n = meanForce(weights_, at, std::nullopt);
     if (!mean_n) return;
     for (std::size_t e = 0; e < model_.experts.size(); ++e) {
       auto& expert = out_.experts[e];
-      const auto without_n = meanForce(model_, at, e);
+      const auto without_n = meanForce(weights_, at, e);
       if (!without_n) {
         if (expert.alone_at.empty()) expert.alone_at = point;
         if (spread) ++expert_sums_[e].alone;
@@ -164,10 +167,12 @@ class Comparison {
       for (std::size_t b = a + 1; b < model_.experts.size(); ++b, ++pair) {
         if (at.fired[a] == 0 || at.fired[b] == 0) continue;
         const double newtons = std::abs(at.force_n[a] - at.force_n[b]);
-        const double middle_n = std::abs(at.force_n[a] + at.force_n[b]) / 2;
-        keep(out_.pairs[pair].largest, &SeenDifference::newtons,
-             {newtons, newtons / justNoticeableDifference(middle_n), {}}, point);
         if (spread) add(pair_sums_[pair], newtons);
+        // A study of 200 experts has 20,000 pairs: most points end here.
+        auto& largest = out_.pairs[pair].largest;
+        if (largest && !(largest->newtons < newtons)) continue;
+        const double middle_n = std::abs(at.force_n[a] + at.force_n[b]) / 2;
+        keep(largest, &SeenDifference::newtons, {newtons, newtons / justNoticeableDifference(middle_n), {}}, point);
       }
     }
   }
@@ -186,6 +191,7 @@ class Comparison {
   }
 
   const fuzzy::ForceModel& model_;
+  std::vector<double> weights_;  ///< relative to the largest one: their sum may be beyond the range of double
   ExpertInfluences out_;
   std::vector<SpreadSums> expert_sums_;
   std::vector<SpreadSums> pair_sums_;
@@ -198,32 +204,17 @@ std::size_t costOf(const fuzzy::ForceModel& model) {
   return cost;
 }
 
-std::vector<double> cellMiddles(const fuzzy::Variable& input) {
-  std::vector<double> out;
-  out.reserve(kCells);
-  for (int i = 0; i < kCells; ++i) out.push_back(input.min + (i + 0.5) / kCells * (input.max - input.min));
-  return out;
-}
-
 }  // namespace
 
 base::Result<ExpertInfluences> expertInfluence(const fuzzy::ForceModel& model) {
   const auto experts = compileEach(model);
   if (!experts) return tl::unexpected(experts.error());
-  const auto vertices = analysis::sortedVertices(model);
-  std::vector<std::vector<double>> kinks;
-  std::vector<std::vector<double>> cells;
-  for (std::size_t k = 0; k < model.inputs.size(); ++k) {
-    const auto& input = model.inputs[k];
-    kinks.push_back(analysis::valuesWorthALook(vertices[k], input.min, input.max));
-    cells.push_back(cellMiddles(input));
-  }
   const std::size_t affordable = std::max<std::size_t>(64, kAllowance / costOf(model));
   Comparison comparison(model);
   const std::size_t inputs = model.inputs.size();
-  forEachPoint(*experts, {std::move(kinks), std::min(kMostKinkPoints, affordable)}, inputs,
+  forEachPoint(*experts, analysis::kinkPoints(model, std::min(kMostKinkPoints, affordable)), inputs,
                [&comparison](const auto& point, const auto& at) { comparison.take(point, at, false); });
-  forEachPoint(*experts, {std::move(cells), std::min(kSpreadPoints, affordable)}, inputs,
+  forEachPoint(*experts, analysis::evenPoints(model, std::min(kSpreadPoints, affordable)), inputs,
                [&comparison](const auto& point, const auto& at) { comparison.take(point, at, true); });
   return comparison.result();
 }

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "core/analysis/strongest_term.h"
 #include "core/fuzzy/compiled_model.h"
-#include "core/fuzzy/membership.h"
 #include "elicitation/ngt_variables.h"
 
 namespace tactus::elicitation {
@@ -24,21 +24,14 @@ WeightSettings with(WeightPolicy policy, WeightSettings settings) {
   return settings;
 }
 
-/// The term of the region input with the largest membership at `point`.
+/// The term of the region input with the largest membership at `point`; empty where there is no point.
 std::string regionAt(const fuzzy::ForceModel& model, const std::vector<double>& point) {
   const std::string id = ngtRegionInput();
-  std::string region;
-  double largest = 0;
   for (std::size_t i = 0; i < point.size(); ++i) {
     if (model.inputs[i].id != id) continue;
-    for (const auto& term : model.inputs[i].terms) {
-      const double membership = fuzzy::MembershipFunction::of(term)(point[i]);
-      if (membership <= largest) continue;
-      largest = membership;
-      region = term.id;
-    }
+    if (const auto term = analysis::strongestTerm(model.inputs[i], point[i])) return model.inputs[i].terms[*term].id;
   }
-  return region;
+  return {};
 }
 
 }  // namespace

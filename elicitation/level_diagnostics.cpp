@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/strongest_term.h"
 #include "core/base/text.h"
-#include "core/fuzzy/membership.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -61,16 +61,7 @@ LevelDiagnostics levelDiagnostics(std::span<const study::SpeedSample> samples, s
 }
 
 std::size_t termAt(const fuzzy::Variable& speed, double speed_mm_s) {
-  const double x = std::clamp(speed_mm_s, speed.min, speed.max);
-  std::size_t best = 0;
-  double most = -1;
-  for (std::size_t k = 0; k < speed.terms.size(); ++k) {
-    const double membership = fuzzy::MembershipFunction::of(speed.terms[k])(x);
-    if (membership <= most) continue;
-    most = membership;
-    best = k;
-  }
-  return best;
+  return analysis::strongestTerm(speed, std::clamp(speed_mm_s, speed.min, speed.max)).value_or(0);
 }
 
 std::optional<std::string> sameTermNote(std::span<const LevelSpeeds> levels, const fuzzy::Variable& averaged,

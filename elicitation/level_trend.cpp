@@ -59,8 +59,13 @@ class ExactDistribution {
   /// The number of arrangements for each 2J; empty where that would cost too much.
   std::vector<double> of(const Counts& tie_blocks) {
     std::size_t states = 1;
-    for (const std::size_t size : sizes_) states *= size + 1;
-    if (static_cast<double>(states) * static_cast<double>(width_) > kMostAdditions) return {};
+    for (const std::size_t size : sizes_) {
+      // Asked each time, before the product can overflow.
+      if (static_cast<double>(states) * static_cast<double>(size + 1) * static_cast<double>(width_) > kMostAdditions) {
+        return {};
+      }
+      states *= size + 1;
+    }
     by_state_.assign(states, {});
     by_state_[0].assign(width_, 0.0);
     by_state_[0][0] = 1;

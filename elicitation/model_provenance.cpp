@@ -1,7 +1,10 @@
 #include "elicitation/model_provenance.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,12 +48,16 @@ std::vector<std::string> simulatedParticipants(const study::Study& study) {
 /// Those of `codes` who have a row in `rows`.
 template <class Rows>
 std::vector<std::string> withRows(const Rows& rows, const std::vector<std::string>& codes) {
-  std::vector<std::string> found;
-  for (const auto& code : codes) {
-    const bool any =
-        std::any_of(rows.begin(), rows.end(), [&code](const auto& row) { return row.participant == code; });
-    if (any) found.push_back(code);
+  std::set<std::string_view> present;
+  std::string_view last;  // rows of one participant mostly stand together, a million of them may be samples
+  for (const auto& row : rows) {
+    if (!present.empty() && row.participant == last) continue;
+    last = row.participant;
+    present.insert(last);
   }
+  std::vector<std::string> found;
+  std::copy_if(codes.begin(), codes.end(), std::back_inserter(found),
+               [&present](const std::string& code) { return present.contains(code); });
   return found;
 }
 

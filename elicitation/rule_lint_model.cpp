@@ -1,10 +1,7 @@
 #include <algorithm>
 #include <map>
-#include <unordered_map>
 
 #include "core/analysis/coverage.h"
-#include "core/analysis/rule_steps.h"
-#include "core/analysis/rule_table.h"
 #include "core/fuzzy/membership.h"
 #include "elicitation/rule_lint_parts.h"
 #include "elicitation/rule_missing.h"
@@ -67,8 +64,10 @@ class ModelFindings {
                                      [&from](const fuzzy::Expert& one) { return one.id == from.expert; });
     if (expert != model_.experts.end()) {
       finding.experts = {expert->id};
-      if (told_.contains({expert->id, finding.place})) return;
-      link(finding, static_cast<std::size_t>(expert - model_.experts.begin()));
+      const auto index = static_cast<std::size_t>(expert - model_.experts.begin());
+      if (from.kind == analysis::Finding::Kind::kDirectionChange && told_.contains({index, from.rules})) return;
+      for (const std::size_t rule : from.rules) finding.sources.push_back(context_.source(index, rule));
+      link(finding, index);
     }
     if (!finding.sources.empty()) {
       const bool absent = !finding.sources.front().rule;
@@ -86,17 +85,8 @@ class ModelFindings {
       case Kind::kHole:
         finding.sources = missingIn(expert, finding.place);
         break;
-      case Kind::kConflict:
-      case Kind::kRedundantRule:
-      case Kind::kUnreachableRule:
-        finding.sources = at(byPlace(expert).conditions, finding.place);
-        break;
       case Kind::kDirectionChange:
-        finding.sources = at(byPlace(expert).steps, finding.place);
         if (finding.newtons == 0.0) finding.from = finding.to = {};
-        break;
-      case Kind::kDisagreement:
-        finding.sources = rulesAlong(expert, finding.place);
         break;
       case Kind::kUnusedTerm:
         linkRegion(finding, expert);
@@ -104,53 +94,6 @@ class ModelFindings {
       default:
         break;
     }
-  }
-
-  /// The rules of an expert by what the lint calls their places: their conditions, and the steps between them.
-  struct ByPlace {
-    std::unordered_map<std::string, std::vector<Source>> conditions;
-    std::unordered_map<std::string, std::vector<Source>> steps;
-  };
-
-  const ByPlace& byPlace(std::size_t expert) {
-    const auto found = by_place_.find(expert);
-    if (found != by_place_.end()) return found->second;
-    ByPlace& places = by_place_[expert];
-    const auto& who = model_.experts[expert];
-    for (const auto& rule : analysis::resolveRules(model_, who)) {
-      places.conditions[analysis::describe(who.rules[rule.index].conditions)].push_back(
-          context_.source(expert, rule.index));
-    }
-    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
-      for (const auto& step : analysis::neighbourSteps(model_, who, i)) {
-        places.steps[analysis::ruleStep(model_, who, step).text] = {context_.source(expert, step.before),
-                                                                    context_.source(expert, step.after)};
-      }
-    }
-    return places;
-  }
-
-  static std::vector<Source> at(const std::unordered_map<std::string, std::vector<Source>>& places,
-                                const std::string& place) {
-    const auto found = places.find(place);
-    return found == places.end() ? std::vector<Source>{} : found->second;
-  }
-
-  /// Rules of the steps along the input `id` that go in the expert's own direction.
-  std::vector<Source> rulesAlong(std::size_t expert, const std::string& id) const {
-    const auto& who = model_.experts[expert];
-    std::set<std::size_t> rules;
-    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
-      if (model_.inputs[i].id != id) continue;
-      const int own = static_cast<int>(analysis::direction(model_, who, model_.inputs[i]).prevailing);
-      for (const auto& step : analysis::neighbourSteps(model_, who, i)) {
-        if (step.levels * own > 0) rules.insert({step.before, step.after});
-      }
-    }
-    std::vector<Source> out;
-    out.reserve(rules.size());
-    for (const std::size_t rule : rules) out.push_back(context_.source(expert, rule));
-    return out;
   }
 
   /// Items without an answer that would have given a rule inside the hole called `place`.
@@ -203,7 +146,6 @@ class ModelFindings {
   const analysis::Lint& lint_;
   const ToldSteps& told_;
   std::vector<RuleFinding> out_;
-  std::map<std::size_t, ByPlace> by_place_;
   std::map<std::size_t, std::vector<analysis::Hole>> holes_;  ///< of experts with missing items
 };
 

@@ -31,8 +31,8 @@ struct RuleContext {
   }
 };
 
-/// Expert id and step in words, of steps that a finding tells already.
-using ToldSteps = std::set<std::pair<std::string, std::string>>;
+/// Index of the expert and of the two rules, of steps that a finding tells already.
+using ToldSteps = std::set<std::pair<std::size_t, std::vector<std::size_t>>>;
 
 // rule_lint_model.cpp
 /// The findings of the lint of the model, with the rules and items that they are about; without those about `told`.

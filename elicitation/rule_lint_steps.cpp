@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/directions.h"
 #include "core/analysis/rule_steps.h"
 #include "elicitation/rule_lint_parts.h"
 
@@ -45,12 +46,12 @@ std::vector<RuleFinding> findingsOfSteps(const RuleContext& context, analysis::F
   std::vector<RuleFinding> out;
   for (const auto& [e, step] : steps) {
     const fuzzy::Expert& who = context.model.experts[e];
-    const auto in_words = analysis::ruleStep(context.model, who, step);
+    const std::string in_words = describe(step, context.model, who);
     RuleFinding finding;
     finding.experts = {who.id};
     finding.sources = {context.source(e, step.before), context.source(e, step.after)};
-    finding.place = in_words.text;
-    if (const auto change = analysis::changeAlong(probe, e, in_words, samples)) {
+    finding.place = in_words;
+    if (const auto change = analysis::changeAlong(probe, e, step, samples)) {
       finding.newtons = change->newtons;
       finding.at_least = true;
       // Where other rules outweigh the step everywhere there is no change to point at.
@@ -61,11 +62,11 @@ std::vector<RuleFinding> findingsOfSteps(const RuleContext& context, analysis::F
     }
     const auto add = [&](RuleFinding::Kind kind, const std::string& says) {
       finding.kind = kind;
-      finding.text = says + ": " + in_words.text + "; " + describe(finding.sources);
+      finding.text = says + ": " + in_words + "; " + describe(finding.sources);
       out.push_back(finding);
     };
     if (isAgainst(context, step)) {
-      told.emplace(who.id, in_words.text);
+      told.insert({e, {step.before, step.after}});
       add(RuleFinding::Kind::kAgainstDeclaration, "against the declared direction");
     }
     if (isJump(context, step)) {

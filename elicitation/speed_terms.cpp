@@ -38,11 +38,14 @@ double edge(double inside, double outside, std::size_t cluster, std::span<const 
 double average(const std::vector<double>& values, std::span<const double> weights, Averaging averaging) {
   if (averaging == Averaging::kMedian) return base::median(values);
   if (averaging == Averaging::kMean) return base::mean(values);
+  // Weights of at most 2 add up without overflow; a power of two costs no digit.
+  const int largest = std::ilogb(*std::max_element(weights.begin(), weights.end()));
   double sum = 0;
   double total = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    sum += weights[i] * values[i];
-    total += weights[i];
+    const double weight = std::scalbn(weights[i], -largest);
+    sum += weight * values[i];
+    total += weight;
   }
   return sum / total;
 }

@@ -13,10 +13,10 @@ namespace tactus::elicitation {
 namespace {
 
 constexpr double kTolerance = 1e-9;  // of the gaps between centres; far below any interval
-constexpr int kMostDraws = 100;      // before a replicate takes every stroke once
+constexpr int kMostDraws = 100;      // before a replicate takes the centres of all strokes
 
 bool ascending(const std::vector<double>& centres) {
-  return std::adjacent_find(centres.begin(), centres.end(), std::greater_equal<>()) == centres.end();
+  return std::adjacent_find(centres.begin(), centres.end(), std::not_fn(std::less<>())) == centres.end();
 }
 
 }  // namespace
@@ -41,18 +41,24 @@ base::Result<StrokeBootstrap> StrokeBootstrap::of(std::span<const study::SpeedSa
 
 StrokeBootstrap::StrokeBootstrap(StrokeResampler strokes, std::vector<double> centres, const SpeedSettings& settings,
                                  std::uint64_t seed)
-    : strokes_(std::move(strokes)), start_(std::move(centres)), settings_(settings), random_(seed) {
+    : strokes_(std::move(strokes)),
+      own_mm_s_(std::move(centres)),
+      start_(own_mm_s_),
+      settings_(settings),
+      random_(seed) {
   for (double& centre : start_) centre = strokes_.toScaled(centre);
   settings_.fcm.tolerance = kTolerance;
 }
 
 std::vector<double> StrokeBootstrap::drawnCentres() {
+  strokes_.draw(random_);
   std::vector<double> centres;
   if (settings_.centres == SpeedCentres::kLevelMeans) {
     centres = strokes_.levelMeans();
     std::sort(centres.begin(), centres.end());
     return centres;
   }
+  if (strokes_.values().size() < start_.size()) return {};
   const FcmData data = scaledFcmData(strokes_.values(), strokes_.weights());
   centres = descend(data, start_, FcmBeginning::kNearMinimum, settings_.fcm, {}).centres;
   for (double& centre : centres) centre = strokes_.toOriginal(centre);
@@ -61,16 +67,11 @@ std::vector<double> StrokeBootstrap::drawnCentres() {
 
 void StrokeBootstrap::add(std::size_t replicates) {
   for (std::size_t i = 0; i < replicates; ++i) {
-    std::vector<double> centres;
-    for (int draws = 0; centres.empty() || !ascending(centres); ++draws) {
-      if (draws < kMostDraws) {
-        strokes_.draw(random_);
-      } else {
-        strokes_.takeAll();
-      }
+    std::vector<double> centres = drawnCentres();
+    for (int draws = 1; draws < kMostDraws && (centres.empty() || !ascending(centres)); ++draws) {
       centres = drawnCentres();
-      if (draws >= kMostDraws) break;
     }
+    if (centres.empty() || !ascending(centres)) centres = own_mm_s_;
     auto ramps = alphaCutRamps(centres, settings_.fcm.m, settings_.alpha);
     TACTUS_CHECK(ramps.has_value());
     centres_.push_back(std::move(centres));

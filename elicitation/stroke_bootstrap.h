@@ -46,8 +46,9 @@ struct SpeedIntervals {
 /// matter. One replicate of 24,000 samples takes some tens of microseconds.
 /// Each replicate draws as many strokes as a level has, with replacement, level by level, and computes the centres of
 /// their samples: clusters by going downhill from the participant's own centres (the valley is kept, no other minimum
-/// is looked for), or the means of the levels in ascending order; then the ramps. A draw whose centres coincide is
-/// drawn again.
+/// is looked for), or the means of the levels in ascending order; then the ramps. A draw whose centres coincide, or
+/// that has fewer different speeds than clusters, is drawn again; where that never ends, as with strokes of next to no
+/// variation, the replicate has the participant's own centres.
 /// Thread: any, one at a time.
 class StrokeBootstrap {
  public:
@@ -68,10 +69,12 @@ class StrokeBootstrap {
   StrokeBootstrap(StrokeResampler strokes, std::vector<double> centres, const SpeedSettings& settings,
                   std::uint64_t seed);
 
+  /// Of a new draw; empty where it has fewer different speeds than clusters.
   std::vector<double> drawnCentres();
 
   StrokeResampler strokes_;
-  std::vector<double> start_;  // scaled centres of all strokes
+  std::vector<double> own_mm_s_;  // centres of all strokes
+  std::vector<double> start_;     // the same, scaled
   SpeedSettings settings_;
   base::Random random_;
   std::vector<std::vector<double>> centres_;  // one list per replicate

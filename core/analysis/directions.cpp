@@ -2,43 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "core/analysis/rule_table.h"
 #include "core/analysis/sample_points.h"
-#include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {
 namespace {
 
-using fuzzy::Condition;
-using fuzzy::Term;
-
-double centre(const Term& term) {
-  const auto f = fuzzy::MembershipFunction::of(term);
-  return f.gaussian ? f.mean : (f.a + f.b + f.c + f.d) / 4;
-}
-
-/// A rule along one input: its term there and its consequent.
-struct Stop {
-  const fuzzy::Rule* rule;
-  const Term* along;
-  const Term* then;
-};
-
-/// Rules along one input with the other conditions fixed, by the centre of the input's term.
-using Sequence = std::multimap<double, Stop>;
-
 /// Values of each input at which `conditions` are met in full: one where there is a condition, all that are worth a
 /// look where there is none.
 std::vector<std::vector<double>> valuesFor(const ForceProbe& probe, const fuzzy::Expert& expert,
-                                           const std::vector<Condition>& conditions) {
+                                           const std::vector<fuzzy::Condition>& conditions) {
   const auto& model = probe.model();
   std::vector<std::vector<double>> values;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const auto& input = model.inputs[i];
-    const auto condition =
-        std::find_if(conditions.begin(), conditions.end(), [&](const Condition& c) { return c.input == input.id; });
+    const auto condition = std::find_if(conditions.begin(), conditions.end(),
+                                        [&](const fuzzy::Condition& c) { return c.input == input.id; });
     if (condition == conditions.end()) {
       values.push_back(probe.values(i));
     } else {
@@ -50,64 +31,24 @@ std::vector<std::vector<double>> valuesFor(const ForceProbe& probe, const fuzzy:
 
 }  // namespace
 
-std::string describe(std::vector<Condition> conditions) {
-  std::sort(conditions.begin(), conditions.end(),
-            [](const Condition& x, const Condition& y) { return x.input < y.input; });
-  std::string text;
-  for (const auto& condition : conditions) {
-    if (!text.empty()) text += " and ";
-    text += condition.input + " is " + condition.term;
-  }
-  return text;
-}
-
-ExpertDirection direction(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, const fuzzy::Variable& input) {
-  std::map<std::string, Sequence> sequences;
-  for (const auto& rule : expert.rules) {
-    if (!rule.enabled) continue;
-    std::vector<Condition> others;
-    const Term* along = nullptr;
-    for (const auto& condition : rule.conditions) {
-      if (condition.input == input.id) {
-        along = findTerm(termsFor(expert, input), condition.term);
-      } else {
-        others.push_back(condition);
-      }
-    }
-    if (along == nullptr) continue;
-    const Term* const then = findTerm(termsFor(expert, model.output), rule.then);
-    sequences[describe(others)].emplace(centre(*along), Stop{&rule, along, then});
-  }
-
-  std::vector<RuleStep> up;
-  std::vector<RuleStep> down;
-  for (const auto& [others, sequence] : sequences) {
-    const Stop* before = nullptr;
-    for (const auto& [position, here] : sequence) {
-      if (before != nullptr && before->along != here.along) {
-        const double change = centre(*here.then) - centre(*before->then);
-        const std::string text = input.id + " from " + before->along->id + " to " + here.along->id +
-                                 (others.empty() ? "" : " where " + others) + ", force from " + before->then->id +
-                                 " to " + here.then->id;
-        if (change != 0) {
-          (change > 0 ? up : down).push_back({text, before->rule->conditions, here.rule->conditions, change > 0});
-        }
-      }
-      before = &here;
-    }
+ExpertDirection direction(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, std::size_t input) {
+  std::vector<NeighbourStep> up;
+  std::vector<NeighbourStep> down;
+  for (const auto& step : neighbourSteps(model, expert, input)) {
+    if (step.levels != 0) (step.levels > 0 ? up : down).push_back(step);
   }
   const std::size_t steps = up.size() + down.size();
-  if (steps > 0 && 4 * up.size() >= 3 * steps) return {Direction::kRises, std::move(down)};
-  if (steps > 0 && 4 * down.size() >= 3 * steps) return {Direction::kFalls, std::move(up)};
+  if (steps > 0 && 4 * up.size() >= 3 * steps) return {Direction::kRises, std::move(up), std::move(down)};
+  if (steps > 0 && 4 * down.size() >= 3 * steps) return {Direction::kFalls, std::move(down), std::move(up)};
   return {};
 }
 
-std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, const RuleStep& step,
+std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, const NeighbourStep& step,
                                        std::size_t samples) {
   if (!probe.affords()) return std::nullopt;
   const auto& who = probe.model().experts[expert];
-  const SamplePoints from(valuesFor(probe, who, step.before), samples);
-  const SamplePoints to(valuesFor(probe, who, step.after), samples);
+  const SamplePoints from(valuesFor(probe, who, who.rules[step.before].conditions), samples);
+  const SamplePoints to(valuesFor(probe, who, who.rules[step.after].conditions), samples);
   std::optional<ForceChange> largest;
   SamplePoints::Choice where;
   // The rules differ along one input only, so a choice means the same values of the others at both ends.
@@ -118,7 +59,7 @@ std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, co
     const auto start = probe.expert(expert, before);
     const auto end = probe.expert(expert, after);
     if (!start.fired || !end.fired) return std::nullopt;
-    const double newtons = std::max(0.0, step.rises ? end.force_n - start.force_n : start.force_n - end.force_n);
+    const double newtons = std::max(0.0, step.levels > 0 ? end.force_n - start.force_n : start.force_n - end.force_n);
     if (!largest || newtons > largest->newtons) {
       largest = ForceChange{newtons, std::move(before), std::move(after)};
       where = choice;
@@ -142,6 +83,10 @@ std::vector<std::optional<ForceChange>> differencesAlong(ForceProbe& probe, std:
   std::vector<SamplePoints::Choice> where(model.experts.size());
   std::vector<std::optional<double>> changes(model.experts.size());
   std::vector<std::optional<double>> newtons(model.experts.size());
+  // Relative to the largest one: their sum may be beyond the range of double.
+  double heaviest = 0;
+  for (const auto& expert : model.experts) heaviest = std::max(heaviest, expert.weight);
+  const auto weight = [&](std::size_t e) { return model.experts[e].weight / heaviest; };
   const auto look = [&](const SamplePoints::Choice& choice) {
     std::fill(newtons.begin(), newtons.end(), std::nullopt);
     if (!probe.affords()) return;
@@ -156,11 +101,11 @@ std::vector<std::optional<ForceChange>> differencesAlong(ForceProbe& probe, std:
       changes[e].reset();
       if (!from.fired || !to.fired) continue;
       changes[e] = to.force_n - from.force_n;
-      weights += probe.compiled().weight(e);
-      sum += probe.compiled().weight(e) * *changes[e];
+      weights += weight(e);
+      sum += weight(e) * *changes[e];
     }
     for (std::size_t e = 0; e < changes.size(); ++e) {
-      const double own = probe.compiled().weight(e);
+      const double own = weight(e);
       // Others that weigh less than this are lost in the rounding of the sums.
       const bool others = changes[e] && weights - own > 1e-9 * weights;
       if (!others) continue;

@@ -4,23 +4,10 @@
 #include <tuple>
 #include <utility>
 
-#include "core/fuzzy/membership.h"
+#include "core/analysis/strongest_term.h"
 
 namespace tactus::analysis {
 namespace {
-
-/// Index of the term with the largest membership at `x`, the first of equals; nothing where all are 0.
-std::optional<std::size_t> termAt(const fuzzy::Variable& variable, double x) {
-  std::optional<std::size_t> best;
-  double largest = 0;
-  for (std::size_t t = 0; t < variable.terms.size(); ++t) {
-    const double membership = fuzzy::MembershipFunction::of(variable.terms[t])(x);
-    if (membership <= largest) continue;
-    largest = membership;
-    best = t;
-  }
-  return best;
-}
 
 /// The spread at a point; nothing where fewer than two experts that count fire.
 std::optional<ExpertSpread> spreadAt(ForceProbe& probe, std::vector<double> point,
@@ -53,16 +40,14 @@ std::optional<ExpertSpread> spreadAt(ForceProbe& probe, std::vector<double> poin
 std::vector<ExpertSpread> expertsApart(ForceProbe& probe, std::optional<std::size_t> region_input,
                                        const NoticeableDifference& noticeable, double times, std::size_t samples) {
   const auto& model = probe.model();
-  std::vector<std::vector<double>> values;
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) values.push_back(probe.values(i));
-  const SamplePoints points(std::move(values), samples);
+  const SamplePoints points = kinkPoints(model, samples);
 
   const std::size_t regions = region_input ? model.inputs[*region_input].terms.size() : 1;
   std::vector<std::optional<ExpertSpread>> largest(regions);
   for (std::size_t p = 0; p < points.size() && probe.affords(); ++p) {
     auto point = points[p];
     const auto region =
-        region_input ? termAt(model.inputs[*region_input], point[*region_input]) : std::optional{std::size_t{0}};
+        region_input ? strongestTerm(model.inputs[*region_input], point[*region_input]) : std::optional{std::size_t{0}};
     if (!region) continue;
     auto spread = spreadAt(probe, std::move(point), noticeable);
     if (!spread || spread->high_n - spread->low_n <= times * noticeable(std::abs(spread->mean_n))) continue;

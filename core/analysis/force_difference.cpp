@@ -15,16 +15,6 @@ namespace {
 constexpr std::size_t kMostPoints = 20000;
 constexpr std::size_t kFewestPoints = 100;
 constexpr std::size_t kAllowance = 100'000'000;  // rules looked at
-constexpr std::size_t kEvenValues = 128;         // of one input, at the middles of as many cells
-
-std::vector<double> evenly(const fuzzy::Variable& input) {
-  std::vector<double> values;
-  for (std::size_t k = 0; k < kEvenValues; ++k) {
-    const double share = (static_cast<double>(k) + 0.5) / kEvenValues;
-    values.push_back(input.min + share * (input.max - input.min));
-  }
-  return values;
-}
 
 }  // namespace
 
@@ -36,12 +26,6 @@ ForceDifference forceDifference(const fuzzy::ForceModel& first, const fuzzy::Com
   ForceProbe two(second, compiled_second, kUnbounded);
   const std::size_t most =
       std::clamp(kAllowance / (1 + one.costOfMean() + two.costOfMean()), kFewestPoints, kMostPoints);
-  std::vector<std::vector<double>> worth_a_look;
-  std::vector<std::vector<double>> even;
-  for (std::size_t i = 0; i < first.inputs.size(); ++i) {
-    worth_a_look.push_back(one.values(i));
-    even.push_back(evenly(first.inputs[i]));
-  }
 
   ForceDifference out;
   double squares = 0;
@@ -63,9 +47,9 @@ ForceDifference forceDifference(const fuzzy::ForceModel& first, const fuzzy::Com
     out.first_n = a.force_n;
     out.second_n = b.force_n;
   };
-  const SamplePoints vertices(std::move(worth_a_look), most);
-  for (std::size_t p = 0; p < vertices.size(); ++p) compare(vertices[p], false);
-  const SamplePoints spread(std::move(even), most);
+  const SamplePoints kinks = kinkPoints(first, most);
+  for (std::size_t p = 0; p < kinks.size(); ++p) compare(kinks[p], false);
+  const SamplePoints spread = evenPoints(first, most);
   for (std::size_t p = 0; p < spread.size(); ++p) compare(spread[p], true);
   if (even_points > 0) out.rms_n = std::sqrt(squares / static_cast<double>(even_points));
   return out;

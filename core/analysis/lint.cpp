@@ -9,6 +9,7 @@
 #include "core/analysis/force_probe.h"
 #include "core/analysis/reachable_range.h"
 #include "core/analysis/rule_findings.h"
+#include "core/analysis/rule_steps.h"
 #include "core/analysis/rule_table.h"
 #include "core/fuzzy/membership.h"
 
@@ -53,14 +54,14 @@ class Linter {
 
  private:
   void add(Kind kind, const std::string& who, std::string place, std::string text,
-           std::optional<double> newtons = std::nullopt) {
-    out_.findings.push_back({kind, who, std::move(place), std::move(text), newtons, {}, {}});
+           std::optional<double> newtons = std::nullopt, std::vector<std::size_t> rules = {}) {
+    out_.findings.push_back({kind, who, std::move(place), std::move(text), newtons, {}, {}, std::move(rules)});
   }
 
   template <class Change>
   void addWithPoints(Kind kind, const std::string& who, std::string place, std::string text,
-                     const std::optional<Change>& change) {
-    add(kind, who, std::move(place), std::move(text));
+                     const std::optional<Change>& change, std::vector<std::size_t> rules = {}) {
+    add(kind, who, std::move(place), std::move(text), std::nullopt, std::move(rules));
     if (!change) return;
     auto& finding = out_.findings.back();
     finding.newtons = change->newtons;
@@ -142,7 +143,7 @@ class Linter {
       const auto two = force_alone(rule);
       add(Kind::kConflict, expert.id, key,
           "two rules for " + key + ": " + expert.rules[other].then + " and " + expert.rules[rule].then,
-          one && two ? std::optional(std::abs(*one - *two)) : std::nullopt);
+          one && two ? std::optional(std::abs(*one - *two)) : std::nullopt, {other, rule});
     }
   }
 
@@ -152,7 +153,7 @@ class Linter {
       std::string text = "the rule for ";
       text.append(key).append(" can be removed: ").append(describe(expert.rules[other].conditions));
       text.append(" already gives ").append(expert.rules[rule].then);
-      add(Kind::kRedundantRule, expert.id, key, std::move(text), 0.0);
+      add(Kind::kRedundantRule, expert.id, key, std::move(text), 0.0, {rule});
     }
   }
 
@@ -160,7 +161,8 @@ class Linter {
     for (const auto& rule : rules) {
       if (largestStrength(model_, expert, rule) > 0) continue;
       const std::string key = describe(expert.rules[rule.index].conditions);
-      add(Kind::kUnreachableRule, expert.id, key, "no input inside the universes makes it fire: " + key);
+      add(Kind::kUnreachableRule, expert.id, key, "no input inside the universes makes it fire: " + key, std::nullopt,
+          {rule.index});
     }
   }
 
@@ -189,13 +191,20 @@ class Linter {
     }
   }
 
+  /// In ascending order, each once.
+  static std::vector<std::size_t> rulesOf(const std::vector<NeighbourStep>& steps) {
+    std::set<std::size_t> rules;
+    for (const auto& step : steps) rules.insert({step.before, step.after});
+    return {rules.begin(), rules.end()};
+  }
+
   void addDirections(std::size_t input_index) {
     const Variable& input = model_.inputs[input_index];
     int votes = 0;
     std::size_t steps = 0;
     std::vector<ExpertDirection> directions;
     for (const auto& expert : model_.experts) {
-      directions.push_back(direction(model_, expert, input));
+      directions.push_back(direction(model_, expert, input_index));
       votes += static_cast<int>(directions.back().prevailing);
       steps += directions.back().steps_against.size();
     }
@@ -204,19 +213,20 @@ class Linter {
     std::vector<std::optional<ForceChange>> differences(model_.experts.size());
     if (disagree) differences = differencesAlong(probe_, input_index, settings(model_.inputs.size()));
     for (std::size_t e = 0; e < directions.size(); ++e) {
-      const auto& [prevailing, steps_against] = directions[e];
+      const auto& [prevailing, steps_with, steps_against] = directions[e];
       const std::string& who = model_.experts[e].id;
       for (const auto& step : steps_against) {
-        addWithPoints(Kind::kDirectionChange, who, step.text,
-                      "against the direction of most steps over " + input.id + ": " + step.text,
-                      changeAlong(probe_, e, step, settings(steps)));
+        const std::string place = describe(step, model_, model_.experts[e]);
+        addWithPoints(Kind::kDirectionChange, who, place,
+                      "against the direction of most steps over " + input.id + ": " + place,
+                      changeAlong(probe_, e, step, settings(steps)), {step.before, step.after});
       }
       const bool falls = prevailing == Direction::kFalls;
       if (static_cast<int>(prevailing) * votes < 0) {
         addWithPoints(Kind::kDisagreement, who, input.id,
                       std::string("the force ") + (falls ? "falls" : "rises") + " with " + input.id +
                           ", for most experts it " + (falls ? "rises" : "falls"),
-                      differences[e]);
+                      differences[e], rulesOf(steps_with));
       }
     }
   }

@@ -35,6 +35,9 @@ struct Finding {
   std::optional<double> newtons;
   std::vector<double> from;  ///< two points between which the force changes by `newtons`; empty where it is not so
   std::vector<double> to;
+  /// The rules it is about, by their index in Expert::rules. kConflict: both. kRedundantRule, kUnreachableRule: that
+  /// one. kDirectionChange: from the one to the other. kDisagreement: those of the steps that go the expert's way.
+  std::vector<std::size_t> rules;
 };
 
 /// `hole`, `conflict`, …

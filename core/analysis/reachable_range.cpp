@@ -18,11 +18,8 @@ constexpr std::size_t kAllowance = 100'000'000;
 
 ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled) {
   ForceProbe probe(model, compiled, std::numeric_limits<std::size_t>::max());
-  std::vector<std::vector<double>> values;
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    values.push_back(probe.values(i));
-  }
-  const SamplePoints points(std::move(values), std::clamp(kAllowance / probe.costOfMean(), kFewestPoints, kMostPoints));
+  const SamplePoints points =
+      kinkPoints(model, std::clamp(kAllowance / probe.costOfMean(), kFewestPoints, kMostPoints));
 
   ForceRange range;
   SamplePoints::Choice lowest;

@@ -2,26 +2,29 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "core/analysis/rule_table.h"
+#include "core/base/check.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {
 namespace {
 
-/// For each term its place in the order of the centres, from 0.
+/// For each term its place in the order of the centres, from 0; terms with the same centre share one.
 std::vector<int> places(const std::vector<fuzzy::Term>& terms) {
   std::vector<double> centres;
   for (const auto& term : terms) {
     const auto f = fuzzy::MembershipFunction::of(term);
+    // A quarter of each: their sum may be beyond the range of double.
     centres.push_back(f.gaussian ? f.mean : f.a / 4 + f.b / 4 + f.c / 4 + f.d / 4);
   }
-  std::vector<std::size_t> order(terms.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) { return centres[x] < centres[y]; });
-  std::vector<int> out(terms.size());
-  for (std::size_t k = 0; k < order.size(); ++k) out[order[k]] = static_cast<int>(k);
+  std::vector<double> order = centres;
+  std::sort(order.begin(), order.end());
+  order.erase(std::unique(order.begin(), order.end()), order.end());
+  std::vector<int> out;
+  for (const double centre : centres) {
+    out.push_back(static_cast<int>(std::lower_bound(order.begin(), order.end(), centre) - order.begin()));
+  }
   return out;
 }
 
@@ -56,27 +59,32 @@ std::vector<NeighbourStep> neighbourSteps(const fuzzy::ForceModel& model, const 
   return steps;
 }
 
-RuleStep ruleStep(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, const NeighbourStep& step) {
-  const std::string& input = model.inputs[step.input].id;
+std::string describe(const NeighbourStep& step, const fuzzy::ForceModel& model, const fuzzy::Expert& expert) {
   const auto& before = expert.rules[step.before];
   const auto& after = expert.rules[step.after];
-  std::string from;
-  std::string to;
-  std::vector<fuzzy::Condition> others;
-  for (const auto& condition : before.conditions) {
-    if (condition.input == input) {
-      from = condition.term;
-    } else {
-      others.push_back(condition);
-    }
-  }
+  std::vector<fuzzy::Condition> others = before.conditions;
+  const auto along = std::find_if(others.begin(), others.end(), [&](const fuzzy::Condition& condition) {
+    return condition.input == model.inputs[step.input].id;
+  });
+  TACTUS_CHECK(along != others.end());
+  std::string text = along->input + " from " + along->term + " to ";
+  others.erase(along);
   for (const auto& condition : after.conditions) {
-    if (condition.input == input) to = condition.term;
+    if (condition.input == model.inputs[step.input].id) text += condition.term;
   }
-  std::string text = input + " from " + from + " to " + to;
   if (!others.empty()) text += " where " + describe(std::move(others));
-  text += ", " + model.output.id + " from " + before.then + " to " + after.then;
-  return {std::move(text), before.conditions, after.conditions, step.levels > 0};
+  return text + ", " + model.output.id + " from " + before.then + " to " + after.then;
+}
+
+std::string describe(std::vector<fuzzy::Condition> conditions) {
+  std::sort(conditions.begin(), conditions.end(),
+            [](const fuzzy::Condition& x, const fuzzy::Condition& y) { return x.input < y.input; });
+  std::string text;
+  for (const auto& condition : conditions) {
+    if (!text.empty()) text += " and ";
+    text += condition.input + " is " + condition.term;
+  }
+  return text;
 }
 
 }  // namespace tactus::analysis

@@ -1,9 +1,9 @@
 // Steps from one rule of an expert to the next along an input, and how many levels of the force each takes.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "core/analysis/directions.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::analysis {
@@ -18,12 +18,16 @@ struct NeighbourStep {
 };
 
 /// All steps of `expert` along input number `input`. Terms, of the input and of the output, are taken in the order of
-/// their centres. Of a rule that is given twice with different consequents, each makes its steps. Disabled rules and
-/// rules of weight 0 do not count. `model` must be valid.
+/// their centres; terms with the same centre share a place, so between two of them there is no step and no level. Of a
+/// rule that is given twice with different consequents, each makes its steps. Disabled rules and rules of weight 0 do
+/// not count. `model` must be valid.
 std::vector<NeighbourStep> neighbourSteps(const fuzzy::ForceModel& model, const fuzzy::Expert& expert,
                                           std::size_t input);
 
-/// The step in words, with what `changeAlong` needs.
-RuleStep ruleStep(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, const NeighbourStep& step);
+/// `speed from slow to fast where depth is stomach, force from small to large`
+std::string describe(const NeighbourStep& step, const fuzzy::ForceModel& model, const fuzzy::Expert& expert);
+
+/// `depth is nasopharynx and speed is slow`, sorted by input.
+std::string describe(std::vector<fuzzy::Condition> conditions);
 
 }  // namespace tactus::analysis

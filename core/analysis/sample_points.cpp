@@ -6,19 +6,11 @@
 namespace tactus::analysis {
 namespace {
 
-/// Radical inverse of `index` in base `base` (Halton 1960): in [0, 1).
-double radicalInverse(std::size_t index, std::size_t base) {
-  double share = 1;
-  double value = 0;
-  for (; index > 0; index /= base) {
-    share /= static_cast<double>(base);
-    value += share * static_cast<double>(index % base);
-  }
-  return value;
-}
-
 // More than four experts with own terms have; bounds the memory for a thousand of them.
 constexpr std::size_t kMostVertices = 200;
+
+// Values per input that even points are drawn from: the middles of as many equal cells.
+constexpr int kCells = 256;
 
 void addVertices(const std::vector<fuzzy::Term>& terms, const fuzzy::Variable& input, std::vector<double>& values) {
   for (const auto& term : terms) {
@@ -30,6 +22,18 @@ void addVertices(const std::vector<fuzzy::Term>& terms, const fuzzy::Variable& i
 }
 
 }  // namespace
+
+double halton(std::size_t index, std::size_t dimension) {
+  constexpr std::array<std::size_t, fuzzy::kMostInputs> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19};
+  const std::size_t base = kPrimes[dimension];
+  double share = 1;
+  double value = 0;
+  for (; index > 0; index /= base) {
+    share /= static_cast<double>(base);
+    value += share * static_cast<double>(index % base);
+  }
+  return value;
+}
 
 std::vector<std::vector<double>> sortedVertices(const fuzzy::ForceModel& model) {
   std::vector<std::vector<double>> all;
@@ -66,11 +70,10 @@ SamplePoints::SamplePoints(std::vector<std::vector<double>> values, std::size_t 
 }
 
 SamplePoints::Choice SamplePoints::choice(std::size_t index) const {
-  constexpr std::array<std::size_t, fuzzy::kMostInputs> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19};
   Choice choice;
   std::size_t rest = index;
   for (const auto& list : values_) {
-    const double share = radicalInverse(index + 1, kPrimes[choice.size()]);
+    const double share = halton(index + 1, choice.size());
     const auto drawn = static_cast<std::size_t>(share * static_cast<double>(list.size()));
     choice.push_back(all_ ? rest % list.size() : std::min(drawn, list.size() - 1));
     rest /= list.size();
@@ -106,6 +109,24 @@ void SamplePoints::climb(Choice start, double value,
       start[i] = best;
     }
   }
+}
+
+SamplePoints kinkPoints(const fuzzy::ForceModel& model, std::size_t most) {
+  const auto vertices = sortedVertices(model);
+  std::vector<std::vector<double>> values;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    values.push_back(valuesWorthALook(vertices[i], model.inputs[i].min, model.inputs[i].max));
+  }
+  return {std::move(values), most};
+}
+
+SamplePoints evenPoints(const fuzzy::ForceModel& model, std::size_t most) {
+  std::vector<std::vector<double>> values;
+  for (const auto& input : model.inputs) {
+    auto& middles = values.emplace_back();
+    for (int k = 0; k < kCells; ++k) middles.push_back(input.min + (k + 0.5) / kCells * (input.max - input.min));
+  }
+  return {std::move(values), most};
 }
 
 }  // namespace tactus::analysis

@@ -18,6 +18,10 @@ std::vector<std::vector<double>> sortedVertices(const fuzzy::ForceModel& model);
 /// selection.
 std::vector<double> valuesWorthALook(std::span<const double> vertices, double low, double high);
 
+/// Coordinate number `dimension` (below kMostInputs) of point number `index` (from 1) of the Halton sequence (1960), in
+/// [0, 1).
+double halton(std::size_t index, std::size_t dimension);
+
 /// Every combination of the values given for each input, or, where these are more than `most`, `most` points of a
 /// Halton sequence over them. Deterministic.
 class SamplePoints {
@@ -45,5 +49,11 @@ class SamplePoints {
   std::size_t size_ = 1;
   bool all_ = true;
 };
+
+/// The combinations of all values worth a look over the universes of the inputs; `most` as above.
+SamplePoints kinkPoints(const fuzzy::ForceModel& model, std::size_t most);
+
+/// Points spread evenly over the universes of the inputs, each input in 256 cells; `most` as above.
+SamplePoints evenPoints(const fuzzy::ForceModel& model, std::size_t most);
 
 }  // namespace tactus::analysis

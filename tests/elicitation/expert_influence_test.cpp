@@ -132,5 +132,18 @@ TEST(NoticeableForce, JoinsThresholdAndWeberFraction) {
   EXPECT_NEAR(justNoticeableDifference(0.25), 0.05, 1e-15);  // sides 0.04 and 0.03; rounding only
 }
 
+// The sum of these weights is beyond double; only their ratio counts.
+TEST(ExpertInfluence, OfExpertsWithHugeWeights) {
+  auto model = smallModel();
+  for (const double weight : {1.0, 1.5e308}) {
+    model.experts = {expert("A", {rule("low", "small"), rule("high", "small")}, weight),
+                     expert("B", {rule("low", "small"), rule("high", "large")}, weight)};
+    const auto influences = expertInfluence(model);
+    ASSERT_TRUE(influences) << influences.error().message();
+    ASSERT_TRUE(influences->experts[0].largest);
+    EXPECT_NEAR(influences->experts[0].largest->newtons, 0.3, 1e-12);  // rounding of the centroid
+  }
+}
+
 }  // namespace
 }  // namespace tactus::elicitation

@@ -65,5 +65,18 @@ TEST(LevelTrend, GroupsWithoutValuesArePassedOver) {
   EXPECT_DOUBLE_EQ(found->p, 1.0 / 3);
 }
 
+// As many arrangements as 2^64, which is 0 in 64 bits: the exact distribution must see that it is too large.
+TEST(LevelTrend, ManyGroupsOfOneValue) {
+  Groups groups;
+  for (int i = 0; i < 64; ++i) groups.push_back({static_cast<double>(i)});
+  const auto found = jonckheereTerpstra(groups);
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->exact);
+  EXPECT_EQ(found->j, 64 * 63 / 2);
+  // Kendall's tau of 64 values in their order: 2J has mean 64 * 63 / 2 and variance 64 * 63 * 133 / 18.
+  const double z = 64 * 63 / 2.0 / std::sqrt(64 * 63 * 133 / 18.0);
+  EXPECT_NEAR(found->p, std::erfc(z / std::sqrt(2.0)) / 2, 1e-12 * found->p);  // rounding, far out in the tail
+}
+
 }  // namespace
 }  // namespace tactus::elicitation

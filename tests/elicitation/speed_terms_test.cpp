@@ -141,5 +141,14 @@ TEST(SpeedTerms, TrimmingLooksAtEachStroke) {
   EXPECT_EQ(trimStrokes(samples, 0).size(), 6U);
 }
 
+// Any finite weight may stand in a table of weights; the sum of two of these is beyond double.
+TEST(SpeedTerms, WeightsOfAnySizeAverage) {
+  const std::vector<std::vector<Ramp>> ramps = {{{10, 20}}, {{30, 60}}};
+  for (const double weight : {1e-300, 1.0, 1.5e308}) {
+    EXPECT_EQ(averageRamps(ramps, std::vector<double>{weight, weight}, Averaging::kWeightedMean),
+              (std::vector<Ramp>{{20, 40}}));
+  }
+}
+
 }  // namespace
 }  // namespace tactus::elicitation

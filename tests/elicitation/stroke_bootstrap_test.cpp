@@ -126,6 +126,42 @@ TEST(StrokeBootstrap, LevelMeansByHand) {
   EXPECT_NEAR(bootstrap.intervals(0).centres[0].low, 1, rounding);
 }
 
+/// One sample for each of the two strokes of each level.
+std::vector<study::SpeedSample> singleSamples(const double (&speeds_mm_s)[3][2]) {
+  std::vector<study::SpeedSample> samples;
+  for (std::size_t level = 0; level < 3; ++level) {
+    for (int stroke = 0; stroke < 2; ++stroke) {
+      samples.push_back({"S1", goldenLevels()[level], stroke, 0, 0, speeds_mm_s[level][stroke]});
+    }
+  }
+  return samples;
+}
+
+// A draw of 100 mm/s alone, or of 10 and 100, has no three clusters.
+TEST(StrokeBootstrap, DrawsWithTooFewDifferentSpeedsAreDrawnAgain) {
+  auto bootstrap = bootstrapOf(singleSamples({{10, 100}, {100, 100}, {100, 200}}), {10, 100, 200});
+  bootstrap.add(50);
+  for (const auto& centre : bootstrap.intervals(1).centres) {
+    EXPECT_GE(centre.low, 10 - 1e-12);  // scaled and scaled back
+    EXPECT_LE(centre.high, 200 + 1e-12);
+  }
+  for (const auto& ramps : bootstrap.ramps()) {
+    for (const auto& ramp : ramps) EXPECT_LT(ramp.p, ramp.q);
+  }
+}
+
+// Two levels closer together than a bin of the histograms: every draw has two different speeds.
+TEST(StrokeBootstrap, LevelsThatNoDrawTellsApartKeepTheParticipantsCentres) {
+  auto bootstrap = bootstrapOf(singleSamples({{10, 10}, {10.001, 10.001}, {500, 500}}), {10, 10.001, 500});
+  bootstrap.add(3);
+  const auto found = bootstrap.intervals();
+  const double wanted[] = {10, 10.001, 500};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(found.centres[k].low, wanted[k]);
+    EXPECT_EQ(found.centres[k].high, wanted[k]);
+  }
+}
+
 TEST(StrokeBootstrap, BatchesAndSeeds) {
   const auto samples = goldenStrokes("S3_600.csv");
   const auto centres = centresOf("S3_600.csv");

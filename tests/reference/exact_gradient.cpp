@@ -81,7 +81,8 @@ ExactGradient::ExactGradient(const fuzzy::ForceModel& model, const std::vector<d
     state_.experts.push_back(std::move(made));
   }
   state_.inputs.assign(inputs.begin(), inputs.end());
-  centroids_ = centroids(state_, std::nullopt, nullptr);
+  centroids_ = centroids(state_, nullptr, nullptr);
+  for (std::size_t v = 0; v < variables.size(); ++v) smallest_.push_back(smallestDistance(state_, v));
   force_ = mean(centroids_);
 }
 
@@ -156,29 +157,38 @@ bool ExactGradient::move(State& state, const Parameter& parameter, const mpq_cla
   return t.ordered();
 }
 
+mpq_class ExactGradient::smallestDistance(const State& state, std::size_t variable) const {
+  std::vector<mpq_class> places = {min_[variable], max_[variable]};
+  if (variable < state.inputs.size()) places.push_back(state.inputs[variable]);
+  const auto add_bank = [&](const std::vector<Trapezoid>& bank) {
+    for (const auto& t : bank) places.insert(places.end(), {t.a, t.b, t.c, t.d});
+  };
+  add_bank(state.banks[variable]);
+  for (const auto& own : own_bank_) {
+    if (own[variable] != 0) add_bank(state.banks[own[variable]]);
+  }
+  std::sort(places.begin(), places.end());
+  mpq_class smallest = max_[variable] - min_[variable];
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    if (places[k] > places[k - 1]) smallest = std::min(smallest, mpq_class(places[k] - places[k - 1]));
+  }
+  return smallest;
+}
+
+bool ExactGradient::concerns(const Parameter& parameter, std::size_t e) const {
+  if (parameter.kind == Parameter::Kind::kInput) return true;
+  if (parameter.kind == Parameter::Kind::kWeight) return parameter.expert == e;
+  return state_.experts[e].bank[parameter.variable] == bankOf(parameter);
+}
+
 mpq_class ExactGradient::stepFor(const Parameter& parameter, const State& state,
                                  const std::vector<Centroid>& centroids) const {
-  // The smallest distance that matters: between vertices, ends of the universe and the input of this variable.
   mpq_class smallest = 1;
   if (parameter.kind == Parameter::Kind::kWeight) {
     const auto& weight = state.experts[*parameter.expert].rules[parameter.index].weight;
     if (weight > 0) smallest = weight;
   } else {
-    const std::size_t v = parameter.variable;
-    std::vector<mpq_class> places = {min_[v], max_[v]};
-    if (v < state.inputs.size()) places.push_back(state.inputs[v]);
-    const auto add_bank = [&](const std::vector<Trapezoid>& bank) {
-      for (const auto& t : bank) places.insert(places.end(), {t.a, t.b, t.c, t.d});
-    };
-    add_bank(state.banks[v]);
-    for (const auto& own : own_bank_) {
-      if (own[v] != 0) add_bank(state.banks[own[v]]);
-    }
-    std::sort(places.begin(), places.end());
-    smallest = max_[v] - min_[v];
-    for (std::size_t k = 1; k < places.size(); ++k) {
-      if (places[k] > places[k - 1]) smallest = std::min(smallest, mpq_class(places[k] - places[k - 1]));
-    }
+    smallest = &state == &state_ ? smallest_[parameter.variable] : smallestDistance(state, parameter.variable);
   }
   // Clipping makes corners as close as the strengths are small.
   mpq_class strength = 1;
@@ -190,31 +200,45 @@ mpq_class ExactGradient::stepFor(const Parameter& parameter, const State& state,
   return powerOfTwoBelow(smallest * strength) >> 70;
 }
 
-std::vector<ExactGradient::Centroid> ExactGradient::centroids(const State& state,
-                                                              std::optional<std::size_t> changed_output_bank,
+std::vector<ExactGradient::Centroid> ExactGradient::centroids(const State& state, const Parameter* changed,
                                                               const std::vector<Centroid>* known) const {
   std::vector<Centroid> out(state.experts.size());
   const mpq_class& lo = min_.back();
   const mpq_class& hi = max_.back();
+  std::vector<std::vector<mpq_class>> memberships(state.banks.size());
+  const auto membershipsOf = [&](std::size_t input, std::size_t bank) -> const std::vector<mpq_class>& {
+    if (memberships[bank].empty()) {
+      const mpq_class x = std::clamp(state.inputs[input], min_[input], max_[input]);
+      for (const auto& term : state.banks[bank]) memberships[bank].push_back(term.at(x));
+    }
+    return memberships[bank];
+  };
   for (std::size_t e = 0; e < state.experts.size(); ++e) {
     const Expert& expert = state.experts[e];
     const auto& terms = state.banks[expert.bank.back()];
     Centroid& centroid = out[e];
+    if (known != nullptr && !concerns(*changed, e)) {
+      centroid = (*known)[e];
+      continue;
+    }
     centroid.strengths.resize(terms.size());
     for (const auto& rule : expert.rules) {
       if (!rule.enabled) continue;
       mpq_class strength = 1;
       for (const auto& [input, term] : rule.conditions) {
-        const mpq_class x = std::clamp(state.inputs[input], min_[input], max_[input]);
-        strength = std::min(strength, state.banks[expert.bank[input]][term].at(x));
+        strength = std::min(strength, membershipsOf(input, expert.bank[input])[term]);
+        if (strength == 0) break;
       }
+      if (strength == 0) continue;
       strength *= rule.weight;
       centroid.strengths[rule.then] = std::max(centroid.strengths[rule.then], strength);
     }
     centroid.fired = std::any_of(centroid.strengths.begin(), centroid.strengths.end(),
                                  [](const mpq_class& strength) { return strength > 0; });
     if (!centroid.fired) continue;
-    if (known != nullptr && changed_output_bank != expert.bank.back() && (*known)[e].strengths == centroid.strengths) {
+    const bool same_terms =
+        known != nullptr && (changed->kind != Parameter::Kind::kPoint || changed->variable + 1 != min_.size());
+    if (same_terms && (*known)[e].strengths == centroid.strengths) {
       centroid = (*known)[e];
       continue;
     }
@@ -294,15 +318,19 @@ std::optional<mpq_class> ExactGradient::mean(const std::vector<Centroid>& centro
 
 std::optional<ExactDerivative> ExactGradient::derivative(const Parameter& parameter, int direction,
                                                          double offset) const {
-  const bool point = parameter.kind == Parameter::Kind::kPoint;
-  const auto changed = point && parameter.variable + 1 == min_.size() ? std::optional(bankOf(parameter)) : std::nullopt;
-  State base = state_;
-  if (offset != 0 && !move(base, parameter, mpq_class(offset))) return std::nullopt;
-  const auto before = offset == 0 ? centroids_ : centroids(base, changed, &centroids_);
-  const mpq_class step = stepFor(parameter, base, before);
-  State moved = base;
+  State moved = state_;
+  mpq_class step;
+  std::vector<Centroid> beside;
+  if (offset == 0) {
+    step = stepFor(parameter, state_, centroids_);
+  } else {
+    if (!move(moved, parameter, mpq_class(offset))) return std::nullopt;
+    beside = centroids(moved, &parameter, &centroids_);
+    step = stepFor(parameter, moved, beside);
+  }
+  const auto& before = offset == 0 ? centroids_ : beside;
   if (!move(moved, parameter, step * direction)) return std::nullopt;
-  const auto after = centroids(moved, changed, &before);
+  const auto after = centroids(moved, &parameter, &before);
 
   const auto force = mean(before);
   const auto force_after = mean(after);

@@ -79,9 +79,14 @@ class ExactGradient {
 
   bool move(State& state, const Parameter& parameter, const mpq_class& by) const;
   std::size_t bankOf(const Parameter& parameter) const;
+  /// Smallest distance that matters to a parameter of `variable`: between vertices, ends of the universe and the input.
+  mpq_class smallestDistance(const State& state, std::size_t variable) const;
   mpq_class stepFor(const Parameter& parameter, const State& state, const std::vector<Centroid>& centroids) const;
-  /// Centroids of all experts; those of `known` are taken over where neither strengths nor output terms changed.
-  std::vector<Centroid> centroids(const State& state, std::optional<std::size_t> changed_output_bank,
+  /// Whether `parameter` is one of the numbers that expert `e` is computed from.
+  bool concerns(const Parameter& parameter, std::size_t e) const;
+  /// Centroids of all experts. Where `state` differs from that of `known` in `changed` only, those of the experts that
+  /// it does not concern, or whose strengths and output terms stay, are taken over.
+  std::vector<Centroid> centroids(const State& state, const Parameter* changed,
                                   const std::vector<Centroid>* known) const;
   std::optional<mpq_class> mean(const std::vector<Centroid>& centroids) const;
 
@@ -90,6 +95,7 @@ class ExactGradient {
   std::vector<std::vector<std::size_t>> own_bank_;  ///< of each expert and variable, 0 where there is none
   State state_;
   std::vector<Centroid> centroids_;
+  std::vector<mpq_class> smallest_;  ///< smallestDistance of state_, by variable
   std::optional<mpq_class> force_;
 };
 

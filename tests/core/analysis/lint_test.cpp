@@ -63,7 +63,7 @@ TEST(Lint, SameConditionsWithAnotherConsequentAreAConflict) {
 // Read off Table A2: better lubrication never means more force, a flexed neck and speed never less.
 TEST(Lint, DirectionsOfS4) {
   const ForceModel model = support::s4AsPrinted();
-  const auto of = [&](std::size_t input) { return direction(model, model.experts[0], model.inputs[input]); };
+  const auto of = [&](std::size_t input) { return direction(model, model.experts[0], input); };
   EXPECT_EQ(of(0).prevailing, Direction::kFalls);
   EXPECT_EQ(of(1).prevailing, Direction::kRises);
   EXPECT_EQ(of(2).prevailing, Direction::kMixed);
@@ -87,6 +87,15 @@ TEST(Lint, AnExpertAgainstTheOthersIsNamed) {
   ASSERT_EQ(disagreements.size(), 1);
   EXPECT_EQ(disagreements[0].expert, "S4");
   EXPECT_EQ(disagreements[0].place, "neck_flexion");
+}
+
+TEST(Lint, HugeWeightsChangeNoDifference) {
+  ForceModel model = s4AgainstTwo();
+  const auto newtons = [&model] { return findings(model, Kind::kDisagreement).at(0).newtons; };
+  const auto small = newtons();
+  ASSERT_TRUE(small.has_value());
+  for (auto& expert : model.experts) expert.weight = 1.5e308;
+  EXPECT_EQ(newtons(), small);
 }
 
 TEST(Lint, UnusedTerms) {
@@ -187,7 +196,7 @@ TEST(Lint, RedundantAndUnreachable) {
 
 TEST(Lint, WhatWasSeenLiesWithinTheBounds) {
   base::Random random(51);
-  for (int m = 0; m < 60; ++m) {
+  for (int m = 0; m < 20; ++m) {
     const ForceModel model = support::randomModel(random, {.gaussians = m % 3 == 0});
     const auto result = lint(model, *fuzzy::compile(model));
     if (result.reachable.fired == 0) continue;

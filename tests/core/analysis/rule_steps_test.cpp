@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/analysis/directions.h"
+
 #include "tests/support/ngt_model.h"
 
 namespace tactus::analysis {
@@ -30,12 +32,11 @@ TEST(RuleSteps, LevelsAndWords) {
   const auto& expert = model.experts[0];
   bool found = false;
   for (const auto& step : neighbourSteps(model, expert, 0)) {
-    const auto words = ruleStep(model, expert, step);
-    if (words.text.find("from poor to medium where depth is nasopharynx") == std::string::npos) continue;
+    const std::string text = describe(step, model, expert);
+    if (text.find("from poor to medium where depth is nasopharynx") == std::string::npos) continue;
     found = true;
-    EXPECT_EQ(words.text, "lubrication from poor to medium where depth is nasopharynx, force from very_large to small");
+    EXPECT_EQ(text, "lubrication from poor to medium where depth is nasopharynx, force from very_large to small");
     EXPECT_EQ(step.levels, -3);
-    EXPECT_FALSE(words.rises);
     EXPECT_EQ(expert.rules[step.before].then, "very_large");
     EXPECT_EQ(expert.rules[step.after].then, "small");
   }
@@ -76,6 +77,40 @@ TEST(RuleSteps, TheOrderOfTheTermsInTheFileDoesNotMatter) {
   for (std::size_t k = 0; k < after.size(); ++k) {
     EXPECT_EQ(after[k].before, before[k].before);
     EXPECT_EQ(after[k].levels, before[k].levels);
+  }
+}
+
+// `narrow` and `wide` lie about the same speed, `small` and `wide_small` about the same force: neither is above the
+// other, whatever their order in the file.
+TEST(RuleSteps, TermsWithTheSameCentreShareAPlace) {
+  auto model = support::s4AsPrinted();
+  using fuzzy::Shape;
+  model.inputs[3].terms = {{"narrow", "narrow", Shape::kTriangle, {90, 100, 110}},
+                           {"wide", "wide", Shape::kTriangle, {0, 100, 200}},
+                           {"fast", "fast", Shape::kTriangle, {200, 300, 400}}};
+  model.output.terms = {{"small", "small", Shape::kTriangle, {.25, .5, .75}},
+                        {"wide_small", "wide small", Shape::kTriangle, {0, .5, 1}},
+                        {"large", "large", Shape::kTriangle, {.5, .75, 1}}};
+  model.experts[0].overrides.clear();
+  model.experts[0].rules = {{{{"speed", "narrow"}}, "large", 1, true},
+                            {{{"speed", "wide"}}, "small", 1, true},
+                            {{{"speed", "fast"}}, "wide_small", 1, true}};
+  const auto steps = neighbourSteps(model, model.experts[0], 3);
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].levels, -1);
+  EXPECT_EQ(steps[1].levels, 0);
+  EXPECT_TRUE(steps[0].adjacent && steps[1].adjacent);
+  const auto found = direction(model, model.experts[0], 3);
+  EXPECT_EQ(found.prevailing, Direction::kFalls);
+  EXPECT_EQ(found.steps_with.size(), 1U);
+}
+
+// A rule of weight 0 never fires, so it has no say in the direction either.
+TEST(RuleSteps, RulesThatDoNotCountHaveNoDirection) {
+  auto model = support::s4AsPrinted();
+  for (auto& rule : model.experts[0].rules) rule.weight = 0;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    EXPECT_EQ(direction(model, model.experts[0], i).prevailing, Direction::kMixed);
   }
 }
 

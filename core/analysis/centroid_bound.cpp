@@ -1,0 +1,112 @@
+#include "core/analysis/centroid_bound.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/fuzzy/gaussian_pieces.h"
+
+namespace tactus::analysis {
+namespace {
+
+/// The cuts of a term at the heights up to its largest strength. Their ends, as the universe shows them, are piecewise
+/// linear in a level that rises with the height: the height itself for a trapezoid, the reach from the mean with the
+/// sign turned for a Gaussian.
+class Cuts {
+ public:
+  Cuts(const BoundedTerm& term, double width) : term_(term), width_(width) {
+    if (term.gaussian()) {
+      const double top = -term.reachAt(term.strength);
+      const double bottom = std::min(top, -fuzzy::kGaussianReach * term.sigma);
+      corners_ = {bottom, std::clamp(-term.b, bottom, top), std::clamp(term.b - width, bottom, top), top};
+    } else {
+      corners_ = {0, term.strength, term.strength, term.strength};
+      if (term.a < 0 && term.b > term.a) corners_[1] = std::min(term.strength, -term.a / (term.b - term.a));
+      if (term.d > width && term.d > term.c)
+        corners_[2] = std::min(term.strength, (term.d - width) / (term.d - term.c));
+    }
+    std::sort(corners_.begin(), corners_.end());
+  }
+
+  /// Levels between which the ends are linear, from the lowest to the highest.
+  const std::array<double, 4>& corners() const { return corners_; }
+  double heightAt(double level) const {
+    if (!term_.gaussian()) return level;
+    const double u = level / term_.sigma;
+    return level == corners_.back() ? term_.strength : std::exp(-0.5 * u * u);
+  }
+  double left(double level) const {
+    return std::max(0.0, term_.gaussian() ? term_.b + level : term_.a + level * (term_.b - term_.a));
+  }
+  double right(double level) const {
+    return std::min(width_, term_.gaussian() ? term_.b - level : term_.d - level * (term_.d - term_.c));
+  }
+
+ private:
+  const BoundedTerm& term_;
+  double width_;
+  std::array<double, 4> corners_;
+};
+
+/// The smallest weight of the right-hand side with which the term has no negative moment about `about` at any strength
+/// in (0, largest], clip. The moment as a function of the strength is the integral of that of the cuts, whose sign
+/// changes where a piecewise linear function does, so its minimum lies at a zero of that function, at one of its
+/// corners or at the largest strength; the weight is found by Dinkelbach's iteration (1967) for the largest ratio.
+double weightForClip(const BoundedTerm& term, double about, double width) {
+  const Cuts cuts(term, width);
+  const auto& corners = cuts.corners();
+
+  double weight = 0;
+  const auto consider = [&](double level) {
+    const double strength = cuts.heightAt(level);
+    if (strength > 0) weight = std::max(weight, momentsOf(term, strength, about, width).ratio());
+  };
+  // Strengths towards 0: the whole support, and of a Gaussian also the whole universe.
+  const auto consider_cut = [&](double left, double right) {
+    const double ratio =
+        right > about ? std::max(0.0, about - left) / (right - about) : std::numeric_limits<double>::infinity();
+    weight = std::max(weight, ratio * ratio);
+  };
+  consider_cut(cuts.left(corners[0]), cuts.right(corners[0]));
+  if (term.gaussian()) consider_cut(0, width);
+  for (const double corner : corners) consider(corner);
+  for (int round = 0; round < 50 && weight <= 1; ++round) {
+    const double before = weight;
+    const double root = std::sqrt(weight);
+    const auto sign = [&](double level) { return root * (cuts.right(level) - about) + (cuts.left(level) - about); };
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+      const double y0 = sign(corners[k - 1]);
+      const double y1 = sign(corners[k]);
+      if (y0 < 0 && y1 > 0) consider(corners[k - 1] + (corners[k] - corners[k - 1]) * (y0 / (y0 - y1)));
+    }
+    if (weight <= before * (1 + 1e-14)) break;
+  }
+  return weight;
+}
+
+}  // namespace
+
+double lowerCentroidBound(const std::vector<BoundedTerm>& terms, bool clip, double width) {
+  const auto proved = [&](double about) {
+    double weights = 0;
+    for (const auto& term : terms) {
+      if (std::max(term.a, 0.0) >= about) continue;
+      if (std::min(term.d, width) <= about) return false;  // also where it is too narrow to have a moment
+      weights += clip ? weightForClip(term, about, width) : momentsOf(term, 1, about, width).ratio();
+      if (weights > 1) return false;
+    }
+    return true;
+  };
+  double low = width;
+  for (const auto& term : terms) low = std::min(low, std::max(term.a, 0.0));
+  double high = width;
+  // To an accuracy below the rounding that is taken off in the end.
+  while (high - low > width * (kRounding / 4)) {
+    const double middle = low + (high - low) / 2;
+    if (middle <= low || middle >= high) break;
+    (proved(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace tactus::analysis
