@@ -1,12 +1,12 @@
 #include "experiments/stroke_speeds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "core/base/statistics.h"
-#include "experiments/speed_from_positions.h"
 #include "experiments/stroke.h"
 
 namespace tactus::experiments {
@@ -19,6 +19,19 @@ const std::vector<double>* channel(const study::Recording& recording, std::strin
   return nullptr;
 }
 
+std::string placeOf(const study::StrokeRecord& record) {
+  return record.level + ", stroke " + std::to_string(record.number);
+}
+
+base::Result<void> checkPlace(const study::StrokeRecord& record) {
+  if (record.first < record.last && record.last <= record.recording.size()) return {};
+  return base::fail(base::ErrorCode::kData, placeOf(record), "a stroke outside its recording",
+                    "first < last within it");
+}
+
+/// Far below what a device can tell apart, and short in a table.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
 SpeedStatistics statisticsOf(const std::string& level, int number, std::size_t strokes,
                              std::span<const double> speeds_mm_s) {
   return {level, number, strokes, speeds_mm_s.size(), base::mean(speeds_mm_s), base::standardDeviation(speeds_mm_s)};
@@ -26,34 +39,52 @@ SpeedStatistics statisticsOf(const std::string& level, int number, std::size_t s
 
 }  // namespace
 
-base::Result<std::vector<double>> strokeSpeeds(const study::StrokeRecord& record) {
-  const std::string place = record.level + ", stroke " + std::to_string(record.number);
+base::Result<std::vector<MotionSample>> strokeMotion(const study::StrokeRecord& record) {
+  const std::string place = placeOf(record);
+  if (auto ok = checkPlace(record); !ok) return tl::unexpected(ok.error());
   const auto& recording = record.recording;
-  if (record.first >= record.last || record.last > recording.size()) {
-    return base::fail(base::ErrorCode::kData, place, "a stroke outside its recording", "first < last within it");
-  }
-  if (const auto* const speed = channel(recording, "speed")) {
-    return std::vector<double>(speed->begin() + static_cast<std::ptrdiff_t>(record.first),
-                               speed->begin() + static_cast<std::ptrdiff_t>(record.last));
-  }
   const auto* const depth = channel(recording, "depth");
   if (depth == nullptr) return base::fail(base::ErrorCode::kData, place, "no channel 'depth'", "one");
   std::vector<double> time_s;
   if (const auto* const recorded = channel(recording, "time")) {
     time_s = *recorded;
   } else {
+    time_s.reserve(depth->size());
     for (std::size_t i = 0; i < depth->size(); ++i) time_s.push_back(static_cast<double>(i) / recording.sample_rate_hz);
   }
-  const auto motion = speedFromPositions(time_s, *depth);
-  if (!motion) return tl::unexpected(motion.error());
-  constexpr double kRoundingS = 1e-9;  // time stamps are sums of steps
-  const double from_s = time_s[record.first] - kRoundingS;
-  const double to_s = time_s[record.last - 1] + kRoundingS;
-  std::vector<double> speeds;
-  for (const auto& sample : motion->samples) {
-    if (sample.time_s >= from_s && sample.time_s <= to_s) speeds.push_back(sample.speed_mm_s);
+  std::vector<MotionSample> samples;
+  samples.reserve(record.last - record.first);
+  if (const auto* const speed = channel(recording, "speed")) {
+    for (std::size_t i = record.first; i < record.last; ++i) samples.push_back({time_s[i], (*depth)[i], (*speed)[i]});
+    return samples;
   }
-  if (speeds.empty()) return base::fail(base::ErrorCode::kData, place, "less than a millisecond", "a longer stroke");
+  // The derivative looks beyond both ends of the stroke where the recording does.
+  const auto motion = speedFromPositions(time_s, *depth);
+  if (!motion) return base::fail(base::ErrorCode::kData, place, motion.error().found, motion.error().wanted);
+  constexpr double kRoundingS = 1e-9;  // time stamps are sums of steps
+  const double start_s = time_s[record.first];
+  const double end_s = time_s[record.last - 1];
+  const double start_mm = (*depth)[record.first];
+  for (const auto& sample : motion->samples) {
+    if (sample.time_s < start_s - kRoundingS || sample.time_s > end_s + kRoundingS) continue;
+    samples.push_back(
+        {rounded(sample.time_s - start_s), rounded(sample.depth_mm - start_mm), rounded(sample.speed_mm_s)});
+  }
+  if (samples.empty()) return base::fail(base::ErrorCode::kData, place, "less than a millisecond", "a longer stroke");
+  return samples;
+}
+
+base::Result<std::vector<double>> strokeSpeeds(const study::StrokeRecord& record) {
+  if (auto ok = checkPlace(record); !ok) return tl::unexpected(ok.error());
+  if (const auto* const speed = channel(record.recording, "speed")) {
+    return std::vector<double>(speed->begin() + static_cast<std::ptrdiff_t>(record.first),
+                               speed->begin() + static_cast<std::ptrdiff_t>(record.last));
+  }
+  const auto motion = strokeMotion(record);
+  if (!motion) return tl::unexpected(motion.error());
+  std::vector<double> speeds;
+  speeds.reserve(motion->size());
+  for (const auto& sample : *motion) speeds.push_back(sample.speed_mm_s);
   return speeds;
 }
 

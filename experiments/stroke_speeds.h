@@ -7,12 +7,17 @@
 
 #include "core/base/error.h"
 #include "core/study/session_records.h"
+#include "experiments/speed_from_positions.h"
 
 namespace tactus::experiments {
 
-/// Speeds in mm/s between the first and the last sample of a stroke, each 1 ms: from the channel `speed` as it is, or
-/// else from `depth` (and `time`, where it was recorded) as in speed_from_positions.h. Refused: a recording with
-/// neither, a stroke that lies outside its recording, positions that speedFromPositions refuses.
+/// The motion between the first and the last sample of a stroke, each 1 ms, from `depth` (and `time`, where it was
+/// recorded) as in speed_from_positions.h: time and depth from 0 at the stroke's start, all rounded to a millionth. A
+/// recording with a channel `speed`, as imported tables have it, is taken as it is. Refused: a recording without
+/// `depth`, a stroke that lies outside its recording, positions that speedFromPositions refuses.
+base::Result<std::vector<MotionSample>> strokeMotion(const study::StrokeRecord& record);
+
+/// The speeds of strokeMotion, mm/s. The channel `speed` is enough for them.
 base::Result<std::vector<double>> strokeSpeeds(const study::StrokeRecord& record);
 
 /// Mean and standard deviation of the speeds of one stroke, or of all strokes of a level as in Table 1.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/commands.h"
+#include "app/cli/wrapped_text.h"
 #include "app/session/known_forms.h"
 #include "core/base/csv.h"
 #include "core/base/json_writer.h"
@@ -95,8 +96,8 @@ std::string concordanceText(const OrReason<elicitation::KendallW>& w) {
 }
 
 std::string itemsText(const AgreementData& data, const elicitation::Agreement& agreement) {
-  std::string text =
-      "unit       ratings  consensus  entropy_bits  spread_terms  votes (" + base::joined(data.terms, ", ") + ")\n";
+  std::string text = "votes for " + base::joined(data.terms, ", ") + ":\n" +
+                     "unit       ratings  consensus  entropy_bits  spread_terms  votes\n";
   for (std::size_t i = 0; i < data.units.size(); ++i) {
     const auto& votes = data.counts.units[i];
     const auto& item = agreement.items[i];
@@ -118,10 +119,10 @@ std::string asText(const AgreementData& data, const elicitation::Agreement& agre
                      std::to_string(agreement.ratings) + " ratings\n\n" + itemsText(data, agreement) + '\n';
   text += "interval Krippendorff alpha " + valueOrReason(agreement.alpha_interval) + '\n';
   text += "nominal Krippendorff alpha  " + valueOrReason(agreement.alpha_nominal) + '\n';
-  text += "Kendall's W                 " + concordanceText(agreement.kendall_w) + '\n';
-  text += "Fleiss' kappa               " + kappaText(agreement.fleiss_kappa) + '\n';
-  text += std::string(elicitation::nominalCaution()) + '\n';
-  for (const auto& note : data.notes) text += "note: " + note + '\n';
+  text += wrapped(concordanceText(agreement.kendall_w), "Kendall's W                 ", 28);
+  text += wrapped(kappaText(agreement.fleiss_kappa), "Fleiss' kappa               ", 28);
+  text += wrapped(elicitation::nominalCaution(), "", 0);
+  for (const auto& note : data.notes) text += wrapped(note, "note: ", 6);
   return text;
 }
 

@@ -1,11 +1,11 @@
 #include <chrono>
-#include <filesystem>
 #include <optional>
 
 #include "app/cli/commands.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/speeds_text.h"
 #include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/csv.h"
@@ -13,7 +13,7 @@
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
-#include "core/study/csv_tables.h"
+#include "core/study/table_line.h"
 #include "elicitation/expert_weights_compared.h"
 #include "elicitation/model_builder.h"
 #include "elicitation/ngt_variables.h"
@@ -111,14 +111,9 @@ std::string asJson(const BuildOptions& options, const Results& results) {
 }  // namespace
 
 Result<Output> build(const BuildOptions& options) {
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(options.study, ignored)) {
-    return tl::unexpected(
-        base::Error{base::ErrorCode::kSchema, options.study, {}, "a file", "a folder with the CSV tables of a study"});
-  }
   auto weights = weightSettings(options.weights);
   if (!weights) return tl::unexpected(weights.error());
-  const auto tables = study::readStudyFolder(options.study, elicitation::ngtInputIds());
+  const auto tables = session::readStudy(options.study, elicitation::ngtInputIds());
   if (!tables) return tl::unexpected(tables.error());
 
   elicitation::BuildSettings settings;

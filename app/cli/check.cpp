@@ -29,11 +29,11 @@ std::string asText(const std::string& file, const fuzzy::ForceModel& model, cons
   if (!lint.coverage_complete) text += "  the search for holes was cut off: the model is too finely divided\n";
   if (!lint.bounds) return text + "reachable force: none, no rule fires anywhere\n";
   const auto interval = [&](double min, double max) {
-    return formatFixed(min, 4) + " to " + formatFixed(max, 4) + ' ' + model.output.unit;
+    return formatFixed(min, 3) + " to " + formatFixed(max, 3) + ' ' + model.output.unit;
   };
   text += "reachable force: ";
   text += range.fired > 0 ? interval(range.min_n, range.max_n) : "none";
-  text += ", seen at " + std::to_string(range.points) + " points; proved bounds " +
+  text += ", seen at " + std::to_string(range.points) + " points\n  proved bounds " +
           interval(lint.bounds->min_n, lint.bounds->max_n);
   return text + "; the universe is " + formatNumber(model.output.min) + " to " + formatNumber(model.output.max) + ' ' +
          model.output.unit + '\n';

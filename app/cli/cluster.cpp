@@ -14,6 +14,7 @@ using base::Result;
 struct Column {
   std::vector<double> values;
   std::vector<std::string> warnings;
+  std::string name;  ///< empty in a file without a header
 };
 
 /// The samples of the column, missing values refused with their place.
@@ -26,6 +27,7 @@ Result<Column> readColumn(const ClusterOptions& options) {
     const auto found = table->require(options.column);
     if (!found) return tl::unexpected(found.error());
     index = *found;
+    column.name = options.column;
   } else {
     column.warnings.push_back(options.speeds + ": no header, the first column is taken");
   }
@@ -67,15 +69,27 @@ std::string asJson(const elicitation::FcmResult& result, const elicitation::FcmV
   return json.text();
 }
 
-std::string asText(const elicitation::FcmResult& result, const elicitation::FcmValidity& validity) {
-  std::string text = "cluster  centre           nearest samples\n";
+std::string padded(std::string cell, std::size_t width) {
+  cell.resize(std::max(width, cell.size() + 2), ' ');
+  return cell;
+}
+
+/// `column` is empty for a file without a header.
+std::string asText(const elicitation::FcmResult& result, const elicitation::FcmValidity& validity,
+                   const std::string& column) {
+  const std::string centre = column.empty() ? "centre" : "centre (" + column + ")";
+  std::size_t samples = 0;
+  for (const std::size_t size : validity.sizes) samples += size;
+  std::string text = "cluster  " + padded(centre, 12) + "nearest samples\n";
   for (std::size_t k = 0; k < result.centres.size(); ++k) {
-    std::string centre = base::formatFixed(result.centres[k], 6);
-    centre.resize(std::max<std::size_t>(17, centre.size() + 1), ' ');
-    text += std::to_string(k + 1) + "        " + centre + std::to_string(validity.sizes[k]) + '\n';
+    const double percent = 100 * static_cast<double>(validity.sizes[k]) / static_cast<double>(samples);
+    text += padded(std::to_string(k + 1), 9) +
+            padded(base::formatFixed(result.centres[k], 3), std::max<std::size_t>(12, centre.size() + 2)) +
+            std::to_string(validity.sizes[k]) + " (" + base::formatFixed(percent, 1) + " %)\n";
   }
-  return text + "stopped: " + std::string(name(result.stop)) + " after " + std::to_string(result.iterations) +
-         " iterations; partition coefficient " + base::formatFixed(validity.partition_coefficient, 4) + '\n';
+  return text + std::to_string(samples) + " samples; " + std::string(name(result.stop)) + " after " +
+         std::to_string(result.iterations) + " iterations; partition coefficient " +
+         base::formatFixed(validity.partition_coefficient, 3) + " (1 is clear-cut)\n";
 }
 
 }  // namespace
@@ -96,7 +110,7 @@ Result<Output> cluster(const ClusterOptions& options) {
   auto& warnings = column->warnings;
   warnings.insert(warnings.end(), result->warnings.begin(), result->warnings.end());
   if (options.json) return Output{asJson(*result, validity, warnings), {}};
-  return Output{asText(*result, validity), warnings};
+  return Output{asText(*result, validity, column->name), warnings};
 }
 
 }  // namespace tactus::cli

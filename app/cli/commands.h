@@ -63,7 +63,7 @@ struct AgreementOptions {
 base::Result<Output> agreement(const AgreementOptions& options);
 
 struct BuildOptions {
-  std::string study;  ///< folder with the CSV tables
+  std::string study;  ///< a study file, or a folder with the CSV tables
   std::string out;
   std::string weights = "equal";  ///< equal, years, category, column, or a file
   double alpha = elicitation::kDefaultAlpha;

@@ -1,4 +1,4 @@
-// The main job, end to end: simulated and published data in; study tables, models, export and report out.
+// The main job, end to end: simulated and published data in; study file, tables, models, export and report out.
 #include <chrono>
 #include <filesystem>
 
@@ -6,6 +6,7 @@
 #include "app/report/demo_report.h"
 #include "app/session/known_forms.h"
 #include "app/session/simulated_study.h"
+#include "app/session/study_view.h"
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/csv.h"
@@ -100,6 +101,29 @@ Result<void> takeFolder(const std::string& folder) {
   return base::writeFileAtomically(marker, kMarker);
 }
 
+constexpr std::string_view kStudyFile = "study/ngt-demo.tactus";
+
+/// Lets the simulated nurses go through their sessions into the demo's study file, in the place of an older one, and
+/// reads from it what elicitation needs.
+Result<study::Study> runStudy(const std::string& folder, std::uint64_t seed, const std::string& reading) {
+  if (auto made = base::makeFolder(folder + "/study"); !made) return tl::unexpected(made.error());
+  const std::string path = folder + '/' + std::string(kStudyFile);
+  const std::string unfinished = path + ".unfinished";
+  std::error_code problem;
+  for (const char* tail : {"", "-wal", "-shm"}) std::filesystem::remove(unfinished + tail, problem);
+  auto file = session::makeSimulatedNgtStudy(unfinished, seed, reading, std::string(kGenerator));
+  if (!file) return tl::unexpected(file.error());
+  auto view = session::studyForElicitation(*file);
+  if (!view) return tl::unexpected(view.error());
+  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  std::filesystem::rename(unfinished, path, problem);
+  if (problem) {
+    return tl::unexpected(
+        base::Error{base::ErrorCode::kIo, path, {}, problem.message(), "a place where the study file can be put"});
+  }
+  return std::move(view->study);
+}
+
 constexpr std::string_view kExportReadme =
     "Export of the averaged force model of the simulated nasogastric tube study.\n"
     "\n"
@@ -173,15 +197,16 @@ std::string asJson(const std::string& folder, const std::vector<File>& files, co
 Result<Output> demo(const DemoOptions& options) {
   const std::string reading = options.reading.empty() ? std::string(questionnaires::kDefaultReading) : options.reading;
   const std::uint64_t seed = options.seed.value_or(session::kDefaultSeed);
-  const auto study = session::simulatedNgtStudy(seed, reading);
+  if (auto known = questionnaires::s4Rules(reading); !known) return tl::unexpected(known.error());
+
+  if (auto ok = takeFolder(options.folder); !ok) return tl::unexpected(ok.error());
+  const auto study = runStudy(options.folder, seed, reading);
   if (!study) return tl::unexpected(study.error());
   const auto built = elicitation::buildModel(*study, session::knownForms(), settingsNow(seed));
   if (!built) return tl::unexpected(built.error());
-  // Everything is computed before the first file is written.
   const auto page = demoReport(*study, *built, reading, seed);
   if (!page) return tl::unexpected(page.error());
 
-  if (auto ok = takeFolder(options.folder); !ok) return tl::unexpected(ok.error());
   if (auto ok = study::writeStudyFolder(*study, elicitation::ngtInputIds(), options.folder + "/study"); !ok)
     return tl::unexpected(ok.error());
   auto models = writeModels(*built, options.folder);
@@ -190,7 +215,8 @@ Result<Output> demo(const DemoOptions& options) {
     return tl::unexpected(ok.error());
 
   std::vector<File> files = {{"report.html", "tables, figures and claims of the paper, recomputed"},
-                             {"study/", "the tables of the study (CSV)"}};
+                             {std::string(kStudyFile), "the study: sessions of simulated nurses, record by record"},
+                             {"study/", "what the model is built from, as tables (CSV)"}};
   files.insert(files.end(), models->begin(), models->end());
   return Output{options.json ? asJson(options.folder, files, built->notes) : asText(options.folder, files), {}};
 }

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "app/cli/wrapped_text.h"
 #include "core/base/text.h"
 
 namespace tactus::cli {
@@ -34,15 +35,20 @@ std::string findingsAsText(std::span<const RuleFinding> findings, const std::str
   std::string text;
   for (const auto& finding : findings) {
     auto& lines = printed[finding.kind];
-    const std::string start = "  " + std::string(name(finding.kind)) + ": ";
+    if (lines == 0)
+      text += "  " + std::string(name(finding.kind)) + ": " + std::to_string(of_kind[finding.kind]) + '\n';
     if (++lines <= kMostLines) {
-      text += start + (finding.experts.empty() ? "mean" : base::joined(finding.experts, " and ")) + ": " + finding.text;
+      // Of experts who are apart the sentence itself says who.
+      const bool named = finding.kind == RuleFinding::Kind::kExpertsApart;
+      std::string sentence;
+      if (!named) sentence = (finding.experts.empty() ? "mean" : base::joined(finding.experts, " and ")) + ": ";
+      sentence += finding.text;
       if (finding.newtons) {
-        text += " (" + base::formatFixed(*finding.newtons, 4) + ' ' + unit + (finding.at_least ? " or more)" : ")");
+        sentence += " (" + base::formatFixed(*finding.newtons, 3) + ' ' + unit + (finding.at_least ? " or more)" : ")");
       }
-      text += '\n';
+      text += wrapped(sentence, "    ", 6);
     } else if (lines == of_kind[finding.kind]) {
-      text += start + "and " + std::to_string(lines - kMostLines) + " more, see --json\n";
+      text += "    and " + std::to_string(lines - kMostLines) + " more, see --json\n";
     }
   }
   return text;

@@ -9,8 +9,8 @@
 
 namespace tactus::cli {
 
-/// One line each, by kind, the largest forces of a kind first; of each kind a few, with how many more there are.
-/// `unit` is that of the forces.
+/// By kind, each kind with its number on a line of its own and then a few of its findings, the largest forces first,
+/// and how many more there are. `unit` is that of the forces.
 std::string findingsAsText(std::span<const elicitation::RuleFinding> findings, const std::string& unit);
 
 /// All of them, as the member `findings` of the object that `json` is in.

@@ -3,9 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
-#include <functional>
 #include <ostream>
 
+#include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/version.h"
 #include "core/base/text.h"
@@ -16,28 +16,6 @@ namespace {
 constexpr int kFine = 0;
 constexpr int kWrongInput = 1;
 constexpr int kWrongUsage = 2;
-
-/// The command that the command line chose, with its options bound.
-using Chosen = std::function<base::Result<Output>()>;
-
-/// Adds the subcommand `name`; `define` declares its options, `function` is called with them.
-template <class Options, class Define>
-void addCommand(CLI::App& app, Chosen& chosen, const std::string& name, const std::string& description,
-                base::Result<Output> (*function)(const Options&), Define define) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* const command = app.add_subcommand(name, description);
-  define(*command, *options);
-  command->callback([&chosen, options, function] { chosen = [options, function] { return function(*options); }; });
-}
-
-/// An empty text is most often a shell variable that is not set.
-const CLI::Validator& notEmpty() {
-  static const CLI::Validator validator(
-      [](const std::string& text) { return text.empty() ? std::string("found an empty text") : std::string(); }, "");
-  return validator;
-}
-
-void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
 
 /// `exact`, `midpoint:N` or `linspace:N`; throws what CLI11 takes for wrong usage.
 std::optional<analysis::Sampling> parseMethod(const std::string& text) {
@@ -71,7 +49,9 @@ void addCommands(CLI::App& app, Chosen& chosen) {
   addCommand(
       app, chosen, "build", "Elicitation: from a study to its averaged force model", build,
       [](CLI::App& command, BuildOptions& o) {
-        command.add_option("STUDY", o.study, "Folder with the CSV tables")->required()->check(notEmpty());
+        command.add_option("STUDY", o.study, "Study file, or folder with the CSV tables")
+            ->required()
+            ->check(notEmpty());
         command.add_option("--out", o.out, "Model file to write")->required()->check(notEmpty());
         command.add_option("--weights", o.weights, "equal, years, category, column, or a CSV file participant,weight")
             ->check(notEmpty());
@@ -170,6 +150,7 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   app.require_subcommand(1);
   Chosen chosen;
   addCommands(app, chosen);
+  addStudyCommands(app, chosen);
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
   try {
     app.parse(std::move(arguments));

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "app/cli/commands.h"
 #include "core/base/csv.h"
 #include "core/base/json_writer.h"
@@ -47,11 +49,37 @@ Result<Count> countFile(const VoteOptions& options, const std::vector<std::strin
   return count;
 }
 
-std::string flags(const VoteStep& step) {
+/// Why the step has its term, in words; `--json` has the codes.
+std::string why(const VoteStep& step) {
   std::string text;
-  if (step.monotone_raised) text += ", monotone_raised";
-  if (step.below_quorum) text += ", below_quorum";
+  switch (step.reason) {
+    case elicitation::VoteReason::kMajority:
+      text = "half of the votes or more";
+      break;
+    case elicitation::VoteReason::kTieHigher:
+      text = "two have half each, the higher wins";
+      break;
+    case elicitation::VoteReason::kNextLevel:
+      text = "no half: one above the last winner";
+      break;
+    case elicitation::VoteReason::kClamped:
+      text = "no half: kept within the terms voted for";
+      break;
+    case elicitation::VoteReason::kFirstMedian:
+      text = "no half, no winner before: the median";
+      break;
+    case elicitation::VoteReason::kNoVotes:
+      return "nobody chose a term";
+  }
+  if (step.monotone_raised) text += "; raised, because terms never fall";
+  if (step.below_quorum) text += "; less than half of the participants voted";
   return text;
+}
+
+std::string votesText(const VoteStep& step) {
+  std::vector<std::string> counts;
+  for (const int votes : step.votes) counts.push_back(std::to_string(votes));
+  return base::joined(counts, " ");
 }
 
 std::string padded(std::string cell, std::size_t width) {
@@ -63,7 +91,7 @@ std::string termsText(const std::vector<fuzzy::Term>& terms) {
   std::string text;
   for (const auto& term : terms) {
     text += padded(term.id, 13);
-    for (const double point : term.points) text += ' ' + base::formatNumber(point);
+    for (const double point : term.points) text += ' ' + base::formatNumber(std::round(point * 1e3) / 1e3);
     text += '\n';
   }
   return text;
@@ -71,13 +99,14 @@ std::string termsText(const std::vector<fuzzy::Term>& terms) {
 
 std::string asText(const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
                    const elicitation::FrequencyTerms& frequency, const std::vector<std::string>& ids) {
-  std::string text = "force_n  term          reason\n";
+  std::string text = "votes for " + base::joined(ids, ", ") + ":\n" + padded("force_n", 9) + padded("votes", 14) +
+                     padded("term", 14) + "why\n";
   for (const auto& step : steps) {
-    text += padded(base::formatNumber(step.force_n), 9) + padded(step.term ? ids[*step.term] : "-", 14) +
-            std::string(name(step.reason)) + flags(step) + '\n';
+    text += padded(base::formatNumber(step.force_n), 9) + padded(votesText(step), 14) +
+            padded(step.term ? ids[*step.term] : "-", 14) + why(step) + '\n';
   }
-  text += "\nterm          points\n" + termsText(terms.output.terms);
-  return text + "\nterm          points of the frequency curve (least squares of the shares, rms error " +
+  text += "\nterms of the force from the vote (corners in N)\n" + termsText(terms.output.terms);
+  return text + "\nfor comparison, from all answers (frequency curve, corners in N, rms error " +
          base::formatFixed(frequency.rms_error, 3) + ")\n" + termsText(frequency.output.terms);
 }
 

@@ -145,8 +145,8 @@ Verdict judge(const ClaimContext& context, const OrderStatement& statement, std:
     means_fall = means_fall && (k == 0 || order.means_n[k] < order.means_n[k - 1] - kTieN);
   }
   verdict.holds = means_fall && share >= kEnoughDepths;
-  verdict.numbers = "Mean over depth " + base::joined(means, ", ") + " N for " + statement.setting_text +
-                    ". Never against the statement at " + percent(share) + " of the depths, a clear difference at " +
+  verdict.numbers = "Mean over depth " + base::joined(means, ", ") + " N for " + statement.setting_text + ". At " +
+                    percent(share) + " of the depths no step goes against the statement; every step follows it at " +
                     percent(falling) + '.';
   if (order.worst_n > kTieN) {
     verdict.numbers += " Largest step against it " + newtons(order.worst_n) + " at " +

@@ -42,8 +42,8 @@ base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
   addInfluences(page, context);
   addExperts(page, context);
   addAgreement(page, context);
-  addFindings(page, context);
   addWeights(page, context);
+  addFindings(page, context);
   addClaims(page, context);
   addReadings(page, context);
   addReachableRange(page, context);

@@ -1,6 +1,6 @@
 // A self-contained HTML page: sections with anchors and a table of contents, tables and figures with captions. No
-// scripts, nothing loaded from elsewhere; made for a screen 1280 pixels wide and for paper. Written as XML, so that
-// every tool can check it.
+// scripts, nothing loaded from elsewhere; made for screens from 1280 to 1920 pixels wide and for paper. Written as XML,
+// so that every tool can check it.
 #pragma once
 
 #include <string>

@@ -17,7 +17,10 @@ header .subtitle { margin: 8px 0 0; color: #d3e0ec; max-width: 80ch; }
 .page { display: grid; grid-template-columns: 214px minmax(0, 1fr); gap: 44px; max-width: 1268px; margin: 0 auto; padding: 28px 28px 64px; }
 nav { position: sticky; top: 20px; align-self: start; max-height: calc(100vh - 40px); overflow: auto; font-size: 14px; line-height: 1.35; }
 .nav-title { font-weight: 600; margin-bottom: 6px; }
-nav ol { list-style: none; margin: 0; padding: 0; border-left: 2px solid var(--line); }
+nav ol { list-style: none; margin: 0; padding: 0; border-left: 2px solid var(--line); counter-reset: entry; }
+nav li::before { counter-increment: entry; content: counter(entry) ". "; color: var(--muted); }
+main { counter-reset: section; }
+main h2::before { counter-increment: section; content: counter(section) ". "; }
 nav li { padding: 4px 0 4px 14px; }
 a { color: var(--accent); }
 nav a { text-decoration: none; }
@@ -29,7 +32,6 @@ p, ul { margin: 0 0 14px; max-width: 84ch; }
 ul { padding-left: 22px; }
 li { margin-bottom: 5px; }
 nav li { margin-bottom: 0; }
-code { font: 0.9em ui-monospace, Menlo, Consolas, "DejaVu Sans Mono", monospace; background: var(--soft); padding: 1px 4px; border-radius: 3px; overflow-wrap: anywhere; }
 .muted { color: var(--muted); }
 .notice { border: 1px solid #e3b778; border-left: 5px solid #d9822b; background: #fff8ee; padding: 12px 16px; margin: 0 0 20px; border-radius: 4px; }
 .key-numbers { display: grid; grid-template-columns: repeat(4, 1fr); gap: 12px; margin: 4px 0 22px; }
@@ -67,6 +69,13 @@ figure { margin: 22px 0 30px; }
 .panel-heading .muted { font-weight: 400; margin-left: 4px; }
 .panel svg { display: block; width: 100%; height: auto; }
 figcaption { font-size: 14.5px; line-height: 1.5; margin-top: 8px; max-width: 96ch; }
+@media (min-width: 1700px) {
+  body { font-size: 17px; }
+  header { padding-left: max(28px, calc((100% - 1444px) / 2)); padding-right: max(28px, calc((100% - 1444px) / 2)); }
+  .page { max-width: 1500px; grid-template-columns: 250px minmax(0, 1fr); }
+  nav, .note, .key-numbers .what { font-size: 15px; }
+  table, caption, figcaption, .panel-heading { font-size: 15.5px; }
+}
 @media (max-width: 1000px) {
   .page { display: block; }
   nav { position: static; margin-bottom: 28px; max-height: none; }

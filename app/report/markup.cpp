@@ -108,8 +108,6 @@ Markup badges(std::initializer_list<Badge> list) {
 
 Markup strong(const Markup& text) { return Markup::raw("<strong>" + text.html() + "</strong>"); }
 
-Markup code(std::string_view text) { return Markup::raw("<code>" + escaped(text) + "</code>"); }
-
 Markup muted(const Markup& text) { return Markup::raw("<span class=\"muted\">" + text.html() + "</span>"); }
 
 }  // namespace tactus::report

@@ -59,8 +59,6 @@ Markup badges(std::initializer_list<Badge> list);
 
 /// `text` in bold.
 Markup strong(const Markup& text);
-/// A short name or value as it stands in a file.
-Markup code(std::string_view text);
 /// Secondary text.
 Markup muted(const Markup& text);
 

@@ -50,6 +50,8 @@ void addInfluence(HtmlPage& page, const ReportContext& context);
 void addFindings(HtmlPage& page, const ReportContext& context);
 void addWeights(HtmlPage& page, const ReportContext& context);
 // sections_claims.cpp
+/// Statement by statement: holds for the published expert, and for the mean or all experts.
+void addVerdicts(HtmlPage& page, const ReportContext& context);
 void addClaims(HtmlPage& page, const ReportContext& context);
 // sections_notes.cpp
 void addContradictions(HtmlPage& page, const ReportContext& context);
@@ -60,6 +62,8 @@ PlotAxis depthAxis(const ReportContext& context);
 PlotAxis forceAxis(const ReportContext& context);
 /// Shades every other region and names them along the top.
 void markRegions(SvgPlot& plot, const std::vector<Region>& regions);
+/// `tube lubrication 0.90, neck flexion angle 35 deg, …`: a point of the input space.
+std::string settingText(const fuzzy::ForceModel& model, const std::vector<double>& point);
 /// Line of expert `index`, told apart by colour and dash.
 LineLook expertLook(std::size_t index);
 

@@ -23,7 +23,7 @@ std::vector<std::string> termIds(const ReportContext& context) {
 }
 
 Markup numberOr(const OrReason<double>& value) {
-  return value ? Markup(base::formatFixed(*value, 4)) : muted("none: " + value.error());
+  return value ? Markup(base::formatFixed(*value, 3)) : muted("none: " + value.error());
 }
 
 std::string meanConsensus(const Agreement& agreement) {
@@ -47,8 +47,8 @@ std::vector<Cell> measures(const Markup& what, const AgreementData& data, const 
           numberCell(meanConsensus(agreement)),
           numberCell(numberOr(agreement.alpha_interval), true),
           numberCell(numberOr(agreement.alpha_nominal)),
-          numberCell(w ? Markup(base::formatFixed(w->w, 4)) : muted("none: " + w.error())),
-          numberCell(kappa ? base::formatFixed(kappa->kappa, 4) + " (" + base::formatFixed(kappa->z, 2) + ")"
+          numberCell(w ? Markup(base::formatFixed(w->w, 3)) : muted("none: " + w.error())),
+          numberCell(kappa ? base::formatFixed(kappa->kappa, 3) + " (" + base::formatFixed(kappa->z, 2) + ")"
                            : muted("none: " + kappa.error()))};
 }
 
@@ -65,7 +65,7 @@ std::string consensusPlot(const ReportContext& context, const AgreementData& dat
   for (std::size_t i = 0; i < data.units.size(); ++i) {
     if (!agreement.items[i]) continue;
     const double at_n = data.units[i].force_n.value_or(0);
-    plot.bars({at_n - kHalfBarN, at_n + kHalfBarN}, {agreement.items[i]->consensus}, kBlue);
+    plot.bars({at_n - kHalfBarN, at_n + kHalfBarN}, {agreement.items[i]->consensus}, kMuted);
   }
   return plot.svg();
 }
@@ -109,7 +109,8 @@ void addItemTable(HtmlPage& page, const ReportContext& context, const study::For
   if (cells.empty()) return;
   Table table{.caption = strong("Consensus on each item of the form.") + " " +
                          badges({Badge::kComputed, Badge::kSimulated}) +
-                         " Tastle–Wierman consensus of the answers, and in grey how many terms the answers are apart. "
+                         " Tastle–Wierman consensus of the answers, and in brackets how many terms the answers are "
+                         "apart. "
                          "Bold: two terms or more.",
               .head = {{{.text = "Condition"}}},
               .body = {}};
@@ -125,7 +126,7 @@ void addItemTable(HtmlPage& page, const ReportContext& context, const study::For
       const Markup consensus(base::formatFixed(cell->second->consensus, 2));
       const int spread = cell->second->spread_terms;
       table.body.back().push_back(
-          numberCell((spread >= 2 ? strong(consensus) : consensus) + " " + muted(std::to_string(spread))));
+          numberCell((spread >= 2 ? strong(consensus) : consensus) + " " + muted("(" + std::to_string(spread) + ")")));
     }
   }
   page.table(table);
@@ -154,13 +155,13 @@ void addAgreement(HtmlPage& page, const ReportContext& context) {
               .wide = true};
   if (judgements) {
     const auto agreement = elicitation::agreement(*judgements);
-    table.body.push_back(measures("Judgements of forces (Table 2)", *judgements, agreement));
+    table.body.push_back(measures("Judgements (Table 2)", *judgements, agreement));
     table.note +=
         " Table 2 says how many chose a term, not who: its W is that of one reconstructed split of the "
         "votes over four persons, the other measures need the votes alone.";
   }
   if (answers) {
-    table.body.push_back(measures("Answers to the form (simulated)", *answers, elicitation::agreement(*answers)));
+    table.body.push_back(measures("Answers (simulated)", *answers, elicitation::agreement(*answers)));
     table.note += " The answers are those of " + base::joined(answers->raters, ", ") + "; " +
                   context.in.published_expert + "’s rules were given directly and answer no item.";
   }

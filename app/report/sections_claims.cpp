@@ -30,6 +30,29 @@ Markup subjectName(const std::string& subject) {
 
 }  // namespace
 
+void addVerdicts(HtmlPage& page, const ReportContext& context) {
+  const std::string& published = context.in.published_expert;
+  Table table{
+      .caption = strong("Does the model say what the paper says?") + " " + badge(Badge::kComputed) + " " + published +
+                 "’s rules are published, so that column is a test. The mean holds three simulated nurses "
+                 "who were made to follow the paper’s text: a yes there shows only that the chain works. "
+                 "Numbers and reasons: " +
+                 Markup::raw("<a href=\"#what-the-paper-says-checked\">What the paper says, checked</a>."),
+      .head = {{{.text = "Statement of the paper"}, {.text = published + " alone"}, {.text = "Mean, or all experts"}}},
+      .body = {},
+      .wide = true};
+  for (const Claim& claim : context.claims) {
+    Markup alone = muted("–");
+    Markup together = muted("–");
+    for (const Verdict& verdict : claim.verdicts) {
+      if (verdict.subject == published) alone = verdictBadge(verdict);
+      if (verdict.subject == "mean" || verdict.subject == "all experts") together = verdictBadge(verdict);
+    }
+    table.body.push_back({{.text = claim.id + ". " + claim.statement}, {.text = alone}, {.text = together}});
+  }
+  page.table(table);
+}
+
 void addClaims(HtmlPage& page, const ReportContext& context) {
   page.section("What the paper says, checked");
   page.paragraph(

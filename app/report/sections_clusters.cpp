@@ -65,9 +65,10 @@ std::string clusterPlot(const ReportContext& context, const elicitation::Partici
   }
   constexpr std::array<Dash, 3> kDashes = {Dash::kSolid, Dash::kDashed, Dash::kDashDot};
   for (std::size_t k = 0; k < centres.size(); ++k) {
-    plot.line(memberships[k], {.color = seriesColor(k), .width = 2, .dash = kDashes[k % kDashes.size()]},
+    const std::string color = rampColor(k, centres.size());
+    plot.line(memberships[k], {.color = color, .width = 2, .dash = kDashes[k % kDashes.size()]},
               termLabel(speedVariable(context), k));
-    plot.verticalRule(centres[k], {.color = seriesColor(k), .width = 1, .dash = Dash::kDotted});
+    plot.verticalRule(centres[k], {.color = color, .width = 1, .dash = Dash::kDotted});
   }
   for (std::size_t k = 0; intervals != nullptr && k < centres.size(); ++k) {
     errorBar(plot, intervals->centres[k], 0.06, kInk, k == 0 ? "95 % interval of a centre" : "");
@@ -121,8 +122,8 @@ std::string rampPlot(const ReportContext& context) {
   plot.line(average, {.color = kInk, .width = 3}, "Terms of the model");
   for (std::size_t k = 0; context.speed_intervals && k < context.speed_intervals->averaged.size(); ++k) {
     const elicitation::RampInterval& ramp = context.speed_intervals->averaged[k];
-    errorBar(plot, ramp.p, 1, kPurple, k == 0 ? "95 % interval of a corner" : "");
-    errorBar(plot, ramp.q, 1, kPurple, "");
+    errorBar(plot, ramp.p, 1, kOrange, k == 0 ? "95 % interval of a corner" : "");
+    errorBar(plot, ramp.q, 1, kOrange, "");
   }
   return plot.svg();
 }

@@ -70,13 +70,48 @@ std::string inWords(std::string text, const fuzzy::ForceModel& model) {
   return text;
 }
 
+/// The sentence of a finding without what the column of its kind says already.
+std::string sentenceOf(const RuleFinding& finding, const fuzzy::ForceModel& model) {
+  constexpr std::string_view kKnown = "against the declared direction: ";
+  const bool known = finding.kind == RuleFinding::Kind::kAgainstDeclaration && finding.text.rfind(kKnown, 0) == 0;
+  return inWords(known ? finding.text.substr(kKnown.size()) : finding.text, model);
+}
+
 std::string forceText(const RuleFinding& finding) {
   if (!finding.newtons) return "";
   return (finding.at_least ? "≥ " : "") + base::formatFixed(*finding.newtons, 3);
 }
 
-/// `tube lubrication 0.90, neck flexion angle 35 deg, …`
-std::string pointText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
+/// `1 : 1 : 2 : 1`
+std::string weightsText(const fuzzy::ForceModel& model) {
+  std::vector<std::string> parts;
+  for (const auto& expert : model.experts) parts.push_back(base::formatNumber(expert.weight));
+  return base::joined(parts, " : ");
+}
+
+std::string expertsText(const fuzzy::ForceModel& model) {
+  std::vector<std::string> parts;
+  for (const auto& expert : model.experts) parts.push_back(expert.id);
+  return base::joined(parts, " : ");
+}
+
+std::vector<Cell> weightRow(const elicitation::WeightedModel& one) {
+  std::vector<Cell> row = {headingCell(one.table.empty() ? std::string(name(one.policy)) : one.table)};
+  if (!one.model) {
+    row.push_back({.text = muted("not possible: " + one.unavailable), .columns = 4});
+    return row;
+  }
+  row.push_back(numberCell(weightsText(*one.model)));
+  row.push_back(numberCell(base::formatFixed(one.from_equal.largest_n, 3), true));
+  row.push_back(numberCell(base::formatFixed(one.from_equal.rms_n, 3)));
+  row.push_back(
+      {.text = one.from_equal.largest_n > 0 ? settingText(*one.model, one.from_equal.at) : "", .group_start = true});
+  return row;
+}
+
+}  // namespace
+
+std::string settingText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < point.size(); ++i) {
     const auto& input = model.inputs[i];
@@ -87,30 +122,8 @@ std::string pointText(const fuzzy::ForceModel& model, const std::vector<double>&
   return base::joined(parts, ", ");
 }
 
-std::string weightsText(const fuzzy::ForceModel& model) {
-  std::vector<std::string> parts;
-  for (const auto& expert : model.experts) parts.push_back(expert.id + " " + base::formatNumber(expert.weight));
-  return base::joined(parts, ", ");
-}
-
-std::vector<Cell> weightRow(const elicitation::WeightedModel& one) {
-  std::vector<Cell> row = {headingCell(one.table.empty() ? std::string(name(one.policy)) : one.table)};
-  if (!one.model) {
-    row.push_back({.text = muted("not possible: " + one.unavailable), .columns = 4});
-    return row;
-  }
-  row.push_back({.text = weightsText(*one.model)});
-  row.push_back(numberCell(base::formatFixed(one.from_equal.largest_n, 3), true));
-  row.push_back(numberCell(base::formatFixed(one.from_equal.rms_n, 3)));
-  row.push_back(
-      {.text = one.from_equal.largest_n > 0 ? pointText(*one.model, one.from_equal.at) : "", .group_start = true});
-  return row;
-}
-
-}  // namespace
-
 void addFindings(HtmlPage& page, const ReportContext& context) {
-  page.section("What to look at");
+  page.section("Findings in the rules");
   const auto& model = context.in.built.model;
   const auto compiled = fuzzy::compile(model);
   if (!compiled) return;
@@ -138,8 +151,7 @@ void addFindings(HtmlPage& page, const ReportContext& context) {
     const Cell kind = rows == 0 ? headingCell(std::string(words(finding.kind))) : Cell{};
     if (++rows <= kMostRows) {
       const std::string who = finding.experts.empty() ? "mean" : base::joined(finding.experts, ", ");
-      table.body.push_back(
-          {kind, {.text = who}, {.text = inWords(finding.text, model)}, numberCell(forceText(finding))});
+      table.body.push_back({kind, {.text = who}, {.text = sentenceOf(finding, model)}, numberCell(forceText(finding))});
     } else if (rows == of_kind[finding.kind]) {
       table.body.push_back({kind, {.text = muted("and " + std::to_string(rows - kMostRows) + " more"), .columns = 3}});
     }
@@ -159,7 +171,7 @@ void addWeights(HtmlPage& page, const ReportContext& context) {
   Table table{.caption = strong("Weights.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
                          " Difference of the averaged force to equal weights.",
               .head = {{{.text = "Weights"},
-                        {.text = "Experts"},
+                        numberCell(expertsText(context.in.built.model)),
                         numberCell("Largest (N)", true),
                         numberCell("RMS (N)"),
                         {.text = "Where it is largest", .group_start = true}}},

@@ -47,8 +47,9 @@ std::string familyPlot(const ReportContext& context, const Family& family) {
                 .y = forceAxis(context)});
   markRegions(plot, context.regions);
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
+    const std::string color = rampColor(i, family.curves.size());
     plot.line(toSeries(context.curves.curve(family.curves[i].second, std::nullopt)),
-              {.color = seriesColor(i), .width = 2.2, .dash = kDashes[i % kDashes.size()]}, family.curves[i].first);
+              {.color = color, .width = 2.4, .dash = kDashes[i % kDashes.size()]}, family.curves[i].first);
   }
   return plot.svg();
 }
@@ -90,7 +91,7 @@ void markRegions(SvgPlot& plot, const std::vector<Region>& regions) {
 }
 
 LineLook expertLook(std::size_t index) {
-  return {.color = seriesColor(index), .width = 2, .dash = kDashes[index % kDashes.size()]};
+  return {.color = seriesColor(index), .width = 2.2, .dash = kDashes[index % kDashes.size()]};
 }
 
 void addSurface(HtmlPage& page, const ReportContext& context) {
@@ -179,8 +180,13 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
                  badges({Badge::kPublished, Badge::kComputed, Badge::kSimulated}) + " Rules of " +
                  context.in.published_expert +
                  " alone at 50 mm/s, lubrication 1, neck flexion 60 deg. The rules are published, the terms of "
-                 "the speed come from simulated strokes. Orange: no rule fires.",
+                 "the speed come from simulated strokes. Dark grey: no rule fires.",
       .panels = {}};
+  const auto& experts = context.in.built.model.experts;
+  const auto published = static_cast<std::size_t>(
+      std::find_if(experts.begin(), experts.end(),
+                   [&](const fuzzy::Expert& expert) { return expert.id == context.in.published_expert; }) -
+      experts.begin());
   for (const S4Reading& reading : context.in.readings) {
     const auto curves = ForceCurves::of(reading.model);
     if (!curves || reading.model.experts.empty()) continue;
@@ -194,11 +200,11 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
     markRegions(plot, context.regions);
     std::vector<std::string> texts;
     for (const auto& [from_mm, to_mm] : holesOf(curve)) {
-      plot.band(from_mm, to_mm, kVermilion, 0.3, {});
-      plot.label((from_mm + to_mm) / 2, context.in.built.model.output.max * 0.5, "hole", kVermilion);
+      plot.band(from_mm, to_mm, kMuted, 0.35, {});
+      plot.label((from_mm + to_mm) / 2, context.in.built.model.output.max * 0.5, "hole", kInk);
       texts.push_back(millimetres(from_mm) + " to " + millimetres(to_mm) + " mm");
     }
-    plot.line(toSeries(curve), {.color = kBlue, .width = 2.4});
+    plot.line(toSeries(curve), {.color = seriesColor(published), .width = 2.4});
     figure.panels.push_back(
         {.heading =
              reading.title + Markup::raw(" ") +

@@ -22,6 +22,8 @@ Series shapeOf(const fuzzy::Term& term) {
   return points;
 }
 
+constexpr double kDotStepN = 0.016;
+
 /// The shares as dots and `terms` as lines, a colour for each term of the model's output.
 std::string curvePlot(const ReportContext& context, const elicitation::FrequencyTerms& frequency,
                       const std::vector<fuzzy::Term>& terms, const std::string& title) {
@@ -30,17 +32,20 @@ std::string curvePlot(const ReportContext& context, const elicitation::Frequency
                 .description = "Dots: share of the answers for each term. Lines: the term's membership function.",
                 .width = 460,
                 .height = 280,
-                .x = {.label = "Insertion force (N)", .min = 0, .max = force.max},
+                .x = {.label = "Insertion force (N)", .min = 0, .max = force.max + 0.05},
                 .y = {.label = "Share, membership", .min = 0, .max = 1.05, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
   for (std::size_t k = 0; k < force.terms.size(); ++k) {
+    const std::string color = rampColor(k, force.terms.size());
     if (const auto* term = fuzzy::findTerm(terms, force.terms[k].id)) {
-      plot.line(shapeOf(*term), {.color = seriesColor(k), .width = 2}, force.terms[k].label);
+      plot.line(shapeOf(*term), {.color = color, .width = 2}, force.terms[k].label);
     }
+    // Equal shares of one force would hide each other.
+    const double aside_n = kDotStepN * (static_cast<double>(k) - 0.5 * static_cast<double>(force.terms.size() - 1));
     Series dots;
     for (const auto& step : frequency.steps) {
-      if (step.votes > 0 && step.shares[k] > 0) dots.push_back({step.force_n, step.shares[k]});
+      if (step.votes > 0 && step.shares[k] > 0) dots.push_back({step.force_n + aside_n, step.shares[k]});
     }
-    plot.scatter(dots, seriesColor(k), 3.5);
+    plot.scatter(dots, color, 3);
   }
   return plot.svg();
 }
@@ -60,7 +65,8 @@ void addFrequency(HtmlPage& page, const ReportContext& context) {
       "comparison; the model uses the vote.");
   page.figure({.caption = strong("Shares of the answers and the terms from them.") + " " +
                           badges({Badge::kComputed, Badge::kSimulated}) +
-                          " Table 2 as shares (dots) and membership functions (lines). Root mean square of membership "
+                          " Table 2 as shares (dots, those of one force side by side) and membership functions "
+                          "(lines). Root mean square of membership "
                           "minus share for the frequency curve: " +
                           base::formatFixed(frequency->rms_error, 3) + ".",
                .panels = {{.heading = "(a) Frequency curve, least squares",

@@ -75,11 +75,11 @@ void addLeaveOneOut(HtmlPage& page, const ReportContext& context) {
               .head = {{{.text = "Left out"},
                         numberCell("Root mean square (N)"),
                         numberCell("Largest (N)", true),
-                        numberCell("in noticeable differences"),
+                        numberCell("in JNDs"),
                         {.text = "Where"},
                         numberCell("Alone on", true)}},
               .body = {},
-              .note = "Largest: seen at " + std::to_string(influences.kink_points) +
+              .note = "JND: just-noticeable difference. Largest: seen at " + std::to_string(influences.kink_points) +
                       " combinations of the terms’ vertices and the middles between them and at " +
                       std::to_string(influences.spread_points) +
                       " evenly spread points, so a lower bound. Alone on: share of the input space where no other "
@@ -87,13 +87,12 @@ void addLeaveOneOut(HtmlPage& page, const ReportContext& context) {
               .wide = true};
   for (const auto& expert : influences.experts) {
     const auto& largest = expert.largest;
-    table.body.push_back(
-        {headingCell(expert.expert),
-         numberCell(newtons(expert.rms_n)),
-         numberCell(largest ? newtons(largest->newtons) : "–", true),
-         numberCell(largest ? base::formatFixed(largest->noticeable, 1) : "–"),
-         {.text = largest ? elicitation::pointText(context.in.built.model, largest->at) : std::string("–")},
-         numberCell(base::formatFixed(100 * expert.share_alone, 1) + " %", true)});
+    table.body.push_back({headingCell(expert.expert),
+                          numberCell(newtons(expert.rms_n)),
+                          numberCell(largest ? newtons(largest->newtons) : "–", true),
+                          numberCell(largest ? base::formatFixed(largest->noticeable, 1) : "–"),
+                          {.text = largest ? settingText(context.in.built.model, largest->at) : std::string("–")},
+                          numberCell(base::formatFixed(100 * expert.share_alone, 1) + " %", true)});
   }
   page.table(table);
 }
@@ -102,11 +101,11 @@ void addDistances(HtmlPage& page, const ReportContext& context) {
   const auto& influences = context.in.built.influences;
   const auto& experts = influences.experts;
   if (experts.size() < 2) return;
-  Table table{.caption = strong("How far two experts are apart.") + " " +
-                         badges({Badge::kComputed, Badge::kSimulated}) +
-                         " Root mean square over the input space, and in grey the largest difference seen, in newtons.",
-              .head = {{{.text = ""}}},
-              .body = {}};
+  Table table{
+      .caption = strong("How far two experts are apart.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                 " Root mean square over the input space, and in brackets the largest difference seen, in newtons.",
+      .head = {{{.text = ""}}},
+      .body = {}};
   for (std::size_t b = 1; b < experts.size(); ++b) table.head.front().push_back(numberCell(experts[b].expert));
   std::size_t pair = 0;
   for (std::size_t a = 0; a + 1 < experts.size(); ++a) {
@@ -117,9 +116,10 @@ void addDistances(HtmlPage& page, const ReportContext& context) {
         continue;
       }
       const auto& distance = influences.pairs[pair++];
-      table.body.back().push_back(numberCell(distance.largest ? Markup(newtons(distance.rms_n)) + " " +
-                                                                    muted(newtons(distance.largest->newtons))
-                                                              : muted("never together")));
+      table.body.back().push_back(
+          numberCell(distance.largest
+                         ? Markup(newtons(distance.rms_n)) + " " + muted("(" + newtons(distance.largest->newtons) + ")")
+                         : muted("never together")));
     }
   }
   page.table(table);

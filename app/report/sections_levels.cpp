@@ -114,22 +114,21 @@ Cell markedCell(const std::string& text, bool marked, bool group_start = false) 
 }
 
 std::string pText(const elicitation::LevelTrend& trend) {
-  return trend.p < 0.001 ? "below 0.001" : formatFixed(trend.p, 3);
+  return trend.p < 0.001 ? "< 0.001" : formatFixed(trend.p, 3);
 }
 
 Table levelTable(const ReportContext& context) {
   Table table{.caption = strong("Levels against clusters.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
                          " What was asked for, what was done, and where the samples fall. Speeds in mm/s.",
               .head = {{{.text = "", .columns = 2},
-                        {.text = "Level", .columns = 4, .group_start = true},
-                        {.text = "Samples nearest to the centre (%)", .columns = 3, .group_start = true},
+                        {.text = "Speed", .columns = 3, .group_start = true},
+                        {.text = "% nearest to the centre", .columns = 3, .group_start = true},
                         {.text = "Agreement", .columns = 2, .group_start = true},
                         {.text = "Order of strokes", .columns = 2, .group_start = true},
                         {.text = "", .group_start = true}},
                        {{.text = "Participant"},
                         {.text = "Level"},
-                        numberCell("strokes", true),
-                        numberCell("mean"),
+                        numberCell("mean", true),
                         numberCell("SD"),
                         numberCell("d′ to next"),
                         numberCell("slow", true),
@@ -150,8 +149,7 @@ Table levelTable(const ReportContext& context) {
       const auto& level = found.levels[k];
       std::vector<Cell> row = {headingCell(k == 0 ? subject.participant : ""),
                                {.text = level.level},
-                               numberCell(std::to_string(level.stroke_means_mm_s.size()), true),
-                               numberCell(formatFixed(level.mean_mm_s, 1)),
+                               numberCell(formatFixed(level.mean_mm_s, 1), true),
                                numberCell(formatFixed(level.sd_mm_s, 1))};
       if (k < found.separations.size() && found.separations[k].has_value()) {
         const double separation = found.separations[k].value();

@@ -46,7 +46,9 @@ std::vector<double> ticksFor(const fuzzy::Variable& variable) {
 }
 
 std::string unitText(const fuzzy::Variable& variable) {
-  return variable.unit == "1" || variable.unit.empty() ? variable.label : variable.label + " (" + variable.unit + ")";
+  if (variable.unit != "1" && !variable.unit.empty()) return variable.label + " (" + variable.unit + ")";
+  return variable.label + " (" + base::formatNumber(variable.min) + " to " + base::formatNumber(variable.max) +
+         ", no unit)";
 }
 
 /// Shorter text for a label that would run into its neighbours.
@@ -67,14 +69,15 @@ std::string termPlot(const ReportContext& context, const fuzzy::Variable& variab
        .y = {.label = "Membership", .min = 0, .max = 1.18, .ticks = {0, 0.5, 1}}});
   for (std::size_t i = 0; i < terms.size(); ++i) {
     Series shape = shapeOf(terms[i], variable);
-    plot.area(shape, seriesColor(i), 0.12);
-    plot.line(shape, {.color = seriesColor(i), .width = 2});
+    const std::string color = rampColor(i, terms.size());
+    plot.area(shape, color, 0.1);
+    plot.line(shape, {.color = color, .width = 2});
   }
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const fuzzy::MembershipFunction m = fuzzy::MembershipFunction::of(terms[i]);
     const double middle = m.gaussian ? m.mean : (std::max(m.b, variable.min) + std::min(m.c, variable.max)) / 2;
     const std::string text = variable.id == "depth" ? regionCode(context.regions, terms[i].id) : terms[i].label;
-    plot.label(middle, 1.07, text, seriesColor(i));
+    plot.label(middle, 1.07, text, rampColor(i, terms.size(), kTextLight));
   }
   return plot.svg();
 }

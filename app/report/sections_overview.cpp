@@ -51,8 +51,9 @@ void addOverview(HtmlPage& page, const ReportContext& context) {
                           : std::string("no force"),
                     "what the averaged model can give"},
                    {outOf(verdictsOf(context.claims, published)),
-                    "statements of the paper hold for " + published + " alone; " +
-                        outOf(verdictsOf(context.claims, "mean")) + " for the mean"}});
+                    "statements of the paper hold for " + published + "’s published rules; " +
+                        outOf(verdictsOf(context.claims, "mean")) + " for the mean, by construction"}});
+  addVerdicts(page, context);
 }
 
 void addOrigin(HtmlPage& page, const ReportContext& context) {
@@ -75,7 +76,9 @@ void addOrigin(HtmlPage& page, const ReportContext& context) {
                 "One of many ways to split the votes of Table 2 over four persons. The result of the vote does not "
                 "depend on it."),
             row("Rules of " + context.in.published_expert, Badge::kPublished,
-                "Table A2 of the paper, typed in; the reading of its regions is a choice, see below."),
+                "Table A2 of the paper, typed in; the reading of its regions is a choice: see “The published rules in "
+                "three "
+                "readings”."),
             row("Answers of the other nurses", Badge::kSimulated,
                 "Made with a fixed seed to follow what the text says of the experts. Statements that hold for them "
                 "hold by construction."),

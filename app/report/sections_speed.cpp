@@ -41,7 +41,8 @@ std::vector<Series> traces(const study::Study& study, const std::string& partici
   return strokes;
 }
 
-std::string tracePlot(const std::string& participant, const std::vector<Series>& strokes, double speed_max_mm_s) {
+std::string tracePlot(const std::string& participant, const std::vector<Series>& strokes, std::string_view color,
+                      double speed_max_mm_s) {
   double end_s = 0;
   for (const Series& stroke : strokes) end_s = std::max(end_s, stroke.back().x);
   SvgPlot plot({.title = "Fast strokes of " + participant,
@@ -51,7 +52,7 @@ std::string tracePlot(const std::string& participant, const std::vector<Series>&
                 .x = {.label = "Time from the start of the stroke (s)", .min = 0, .max = end_s > 0 ? end_s : 1},
                 .y = {.label = "Speed (mm/s)", .min = 0, .max = speed_max_mm_s}});
   for (std::size_t i = 0; i < strokes.size(); ++i) {
-    plot.line(strokes[i], {.color = seriesColor(i), .width = 1.6, .dash = kDashes[i % kDashes.size()]},
+    plot.line(strokes[i], {.color = color, .width = 1.6, .dash = kDashes[i % kDashes.size()]},
               "Stroke " + std::to_string(i + 1));
   }
   return plot.svg();
@@ -129,11 +130,13 @@ void addSpeeds(HtmlPage& page, const ReportContext& context) {
       .panels = {},
       .columns = 2};
   char letter = 'a';
-  for (const study::Participant& participant : context.in.study.participants) {
+  for (std::size_t who = 0; who < context.in.study.participants.size(); ++who) {
+    const study::Participant& participant = context.in.study.participants[who];
     const std::vector<Series> strokes = traces(context.in.study, participant.code, "fast");
     if (strokes.empty()) continue;
-    figure.panels.push_back({.heading = std::string("(") + letter++ + ") " + participant.code,
-                             .svg = tracePlot(participant.code, strokes, std::ceil(speed_max_mm_s / 50) * 50)});
+    figure.panels.push_back(
+        {.heading = std::string("(") + letter++ + ") " + participant.code,
+         .svg = tracePlot(participant.code, strokes, seriesColor(who), std::ceil(speed_max_mm_s / 50) * 50)});
   }
   page.figure(figure);
 }

@@ -9,7 +9,26 @@ namespace tactus::report {
 
 namespace {
 
-/// What a reason code means, for the note below the table.
+/// A reason in a word or two, for the table.
+std::string_view words(elicitation::VoteReason reason) {
+  switch (reason) {
+    case elicitation::VoteReason::kMajority:
+      return "majority";
+    case elicitation::VoteReason::kTieHigher:
+      return "tie, higher wins";
+    case elicitation::VoteReason::kNextLevel:
+      return "next level";
+    case elicitation::VoteReason::kClamped:
+      return "next level, limited";
+    case elicitation::VoteReason::kFirstMedian:
+      return "median";
+    case elicitation::VoteReason::kNoVotes:
+      return "no votes";
+  }
+  return "";
+}
+
+/// What a reason means, for the note below the table.
 std::string_view explain(elicitation::VoteReason reason) {
   switch (reason) {
     case elicitation::VoteReason::kMajority:
@@ -68,14 +87,14 @@ void addVotes(HtmlPage& page, const ReportContext& context) {
       row.push_back(numberCell(i == *step.term ? strong(count) : count == "0" ? muted(count) : Markup(count), i == 0));
     }
     row.push_back({.text = strong(*step.term < terms.size() ? terms[*step.term].label : ""), .group_start = true});
-    row.push_back({.text = code(name(step.reason)) + (step.monotone_raised ? Markup(" raised") : Markup()) +
-                           (step.below_quorum ? Markup(" below quorum") : Markup())});
+    row.push_back({.text = Markup(words(step.reason)) + (step.monotone_raised ? Markup(", raised") : Markup()) +
+                           (step.below_quorum ? Markup(", below quorum") : Markup())});
     reasons.insert(step.reason);
     table.body.push_back(std::move(row));
   }
   for (const elicitation::VoteReason reason : reasons) {
     if (!table.note.empty()) table.note += "; ";
-    table.note += code(name(reason)) + " " + Markup(explain(reason));
+    table.note += strong(words(reason)) + ": " + Markup(explain(reason));
   }
   table.note += ".";
   page.table(table);
@@ -85,19 +104,20 @@ void addVotes(HtmlPage& page, const ReportContext& context) {
   origin +=
       same_votes ? "They are exactly those that the paper prints." : "They differ from those that the paper prints!";
   if (without_votes > 0) {
-    origin += " At " + std::to_string(without_votes) +
-              " larger forces everybody said “beyond practice”; they get no term and the universe ends below them.";
+    origin +=
+        " At " +
+        (without_votes == 1 ? std::string("one larger force") : std::to_string(without_votes) + " larger forces") +
+        " everybody said “beyond practice”; no term is given there and the universe ends below.";
   }
   page.paragraph(origin);
 
   Table points{.caption = strong("Terms of the force.") + " " + badge(Badge::kComputed) +
                           " From the published votes: the core of a term runs from the first to the last force it won, "
-                          "ramps join neighbouring cores. In newtons.",
-               .head = {{{.text = "Term"}, {.text = "Shape"}, {.text = "Points"}}},
+                          "ramps join neighbouring cores.",
+               .head = {{{.text = "Term"}, {.text = "Corners (N)"}}},
                .body = {}};
   for (const fuzzy::Term& term : terms) {
-    points.body.push_back(
-        {headingCell(term.label), {.text = std::string(fuzzy::name(term.shape))}, {.text = shortPoints(term)}});
+    points.body.push_back({headingCell(term.label), {.text = shortPoints(term)}});
   }
   page.table(points);
 }

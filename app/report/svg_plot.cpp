@@ -32,7 +32,7 @@ std::string_view dashArray(Dash dash) {
     case Dash::kDashed:
       return "7 4";
     case Dash::kDotted:
-      return "1.5 3.5";
+      return "2.5 2.5";
     case Dash::kDashDot:
       return "8 3.5 1.5 3.5";
   }

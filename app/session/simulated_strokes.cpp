@@ -5,17 +5,19 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
 
-#include "app/session/simulated_recording.h"
+#include "app/session/stroke_capture.h"
 #include "core/base/check.h"
 #include "core/base/random.h"
 #include "core/base/statistics.h"
 #include "experiments/speed_from_positions.h"
+#include "experiments/stroke_speeds.h"
 
 namespace tactus::session {
 namespace {
-
-using experiments::MotionSample;
 
 constexpr std::size_t kStrokes = 4;       // paper, Section 3.1.4: "consecutively four times"
 constexpr double kStrokeLengthMm = 60;    // within the reach of a desktop device; a longer one only lasts longer
@@ -23,14 +25,16 @@ constexpr double kRateHz = 1000;          // the servo's rate
 constexpr double kBetweenStrokes = 0.35;  // variation between strokes as a share of all; the rest lies within strokes
 constexpr double kWander = 0.03;          // amplitude of the wander as a share of the speed
 constexpr double kWanderHz = 1.5;         // slow against a stroke, as a hand that is not a machine
-constexpr double kRounding = 1000;        // per s, mm and mm/s
-constexpr double kMatchMmS = 0.009;       // largest miss of mean and deviation, before speeds are rounded
-constexpr int kMostDraws = 200;           // of strokes for one cell; most cells take one or two
+constexpr double kMatchMmS = 0.04;        // largest miss of mean and deviation
+constexpr int kMostDraws = 50;            // of strokes for one level; most take one
+constexpr double kRestS = 0.4;            // before a stroke, and the pause after it
+constexpr double kReturnS = 0.6;          // of the way back
+constexpr double kShortMm = 18;           // less than half of what counts as a stroke
 
-/// What the hand does in the strokes of one cell, apart from their ramps.
-struct CellPlan {
-  std::vector<std::vector<double>> gain;  // per stroke and tick: 1 + wander
-  std::vector<RecordingNoise> noise;
+/// What the hand does in one stroke, apart from its ramps.
+struct StrokePlan {
+  std::vector<double> gain;  // per tick of the stroke: 1 + wander
+  RecordingNoise noise;      // per tick of the whole stream
 };
 
 /// Four numbers with mean 0 and standard deviation 1.
@@ -43,77 +47,46 @@ std::array<double, kStrokes> standardisedNormals(base::Random& random) {
   return values;
 }
 
-// Squared coefficient of variation of a stroke with minimum-jerk ramps of a share r each: (kRamps r - r^2) / (1 - r)^2.
-// kRamps is twice the integral of the squared ramp.
-constexpr double kRamps = 0.78355;
-double squaredVariation(double r) { return (kRamps * r - r * r) / ((1 - r) * (1 - r)); }
-double squaredVariationSlope(double r) { return (kRamps + kRamps * r - 2 * r) / ((1 - r) * (1 - r) * (1 - r)); }
-
 constexpr double kShortestRamp = 0.005;
 constexpr double kLongestRamp = 0.5;
 
 /// Minimum-jerk step from 0 to 1 for u in [0, 1] (Flash and Hogan 1985).
 double step(double u) { return u * u * u * (10 + u * (-15 + 6 * u)); }
 
-/// The ramps of a hand without wander and tremor.
-double firstRamp(const experiments::PublishedSpeed& target) {
-  const double variation = target.sd_mm_s / target.mean_mm_s;
-  const double within = variation * variation * (1 - kBetweenStrokes * kBetweenStrokes);
-  double low = kShortestRamp;
-  double high = kLongestRamp;
-  for (int round = 0; round < 30; ++round) {
-    const double middle = (low + high) / 2;
-    (squaredVariation(middle) < within ? low : high) = middle;
+constexpr std::size_t ticks(double seconds) { return static_cast<std::size_t>(seconds * kRateHz + 0.5); }
+constexpr std::size_t kTicksAround = 3 * ticks(kRestS) + ticks(kReturnS);
+
+StrokePlan planStroke(std::size_t stroke_ticks, base::Random& random) {
+  StrokePlan plan;
+  const double phase = random.uniform(0, 2 * std::numbers::pi);
+  plan.gain.resize(stroke_ticks);
+  for (std::size_t i = 0; i < stroke_ticks; ++i) {
+    plan.gain[i] = 1 + kWander * std::sin(phase + 2 * std::numbers::pi * kWanderHz * static_cast<double>(i) / kRateHz);
   }
-  return low;
+  plan.noise = RecordingNoise::of(stroke_ticks + kTicksAround, random);
+  return plan;
 }
 
-/// How much longer a recording with ramps of `ramp` lasts than its forward part.
-double lengthening(const experiments::PublishedSpeed& target, double ramp) {
-  const double plateau_mm_s = target.mean_mm_s / (1 - ramp);
-  double low = 0;
-  double high = 1;
-  for (int round = 0; round < 30; ++round) {
-    const double middle = (low + high) / 2;
-    (step(middle) * plateau_mm_s < experiments::kRestSpeedMmS ? low : high) = middle;
-  }
-  return 1 / (1 - 2 * ramp * low);
-}
-
-/// Durations that together give the mean speed of forward parts with ramps of about `ramp`.
-CellPlan planCell(const experiments::PublishedSpeed& target, double ramp, base::Random& random) {
+/// Strokes that differ in their durations, which sum to `all_s`.
+std::vector<StrokePlan> planStrokes(const experiments::PublishedSpeed& target, double all_s, base::Random& random) {
   const double between = kBetweenStrokes * target.sd_mm_s / target.mean_mm_s;
   std::array<double, kStrokes> share{};
   const auto normals = standardisedNormals(random);
   std::transform(normals.begin(), normals.end(), share.begin(), [between](double z) { return 1 / (1 + between * z); });
   const double total = std::accumulate(share.begin(), share.end(), 0.0);
-  const double all_ticks = kStrokes * kStrokeLengthMm / target.mean_mm_s * kRateHz * lengthening(target, ramp);
-
-  CellPlan plan;
-  double shares_so_far = 0;
-  std::size_t ticks_so_far = 0;
-  for (const double part : share) {
-    shares_so_far += part;
-    const auto ticks = static_cast<std::size_t>(std::lround(all_ticks * shares_so_far / total)) - ticks_so_far;
-    ticks_so_far += ticks;
-    const double phase = random.uniform(0, 2 * std::numbers::pi);
-    std::vector<double> gain(ticks);
-    for (std::size_t i = 0; i < ticks; ++i) {
-      gain[i] = 1 + kWander * std::sin(phase + 2 * std::numbers::pi * kWanderHz * static_cast<double>(i) / kRateHz);
-    }
-    plan.gain.push_back(std::move(gain));
-    plan.noise.push_back(RecordingNoise::of(ticks, random));
-  }
-  return plan;
+  std::vector<StrokePlan> plans;
+  for (const double part : share) plans.push_back(planStroke(ticks(all_s * part / total), random));
+  return plans;
 }
 
-/// What sets mean and deviation of a cell's speeds.
+/// What sets mean and deviation of a level's speeds.
 struct StrokeShape {
   double ramp = 0.1;                   // each ramp's share of the duration, (0, 0.5]
   double length_mm = kStrokeLengthMm;  // of each stroke
 };
 
-std::vector<double> handSpeeds(const std::vector<double>& gain, const StrokeShape& shape) {
+/// Tick by tick, without what comes before and after.
+std::vector<double> strokeSpeeds(const std::vector<double>& gain, const StrokeShape& shape) {
   const std::size_t intervals = gain.size() - 1;
   std::vector<double> speeds(gain.size());
   double unscaled_mm = 0;
@@ -126,129 +99,172 @@ std::vector<double> handSpeeds(const std::vector<double>& gain, const StrokeShap
   return speeds;
 }
 
-/// The forward part of one stroke, and its sums for mean and deviation.
-struct Forward {
-  std::vector<MotionSample> samples;
-  double sum_mm_s = 0;  // of speed - target mean
-  double squares = 0;   // of the same
-};
-
-/// Moves, records with the device's steps shifted by `offset` of a step, and computes the speeds from the positions.
-Forward recordStroke(const CellPlan& plan, std::size_t stroke, const StrokeShape& shape, double offset,
-                     double target_mm_s) {
-  const Recording recording = record(handSpeeds(plan.gain[stroke], shape), plan.noise[stroke], offset);
-  const auto motion = experiments::speedFromPositions(recording.time_s, recording.depth_mm);
-  TACTUS_CHECK(motion.has_value());
-  const auto part = experiments::forwardPart(motion->samples);
-  TACTUS_CHECK(!part.empty());
-  Forward out{{part.begin(), part.end()}};
-  for (const MotionSample& sample : part) {
-    out.sum_mm_s += sample.speed_mm_s - target_mm_s;
-    out.squares += (sample.speed_mm_s - target_mm_s) * (sample.speed_mm_s - target_mm_s);
+/// Rest, stroke, pause, the way back in minimum-jerk position, rest.
+std::vector<double> handSpeeds(const std::vector<double>& gain, const StrokeShape& shape) {
+  const auto stroke = strokeSpeeds(gain, shape);
+  std::vector<double> speeds(ticks(kRestS));
+  speeds.insert(speeds.end(), stroke.begin(), stroke.end());
+  speeds.resize(speeds.size() + ticks(kRestS));
+  for (std::size_t i = 0; i < ticks(kReturnS); ++i) {
+    const double u = static_cast<double>(i) / (kReturnS * kRateHz);
+    speeds.push_back(-30 * u * u * (1 - u) * (1 - u) * shape.length_mm / kReturnS);
   }
-  return out;
+  speeds.resize(speeds.size() + ticks(kRestS));
+  return speeds;
 }
 
-/// Mean and deviation of all samples of strokes that are added one by one.
-struct CellSums {
-  double target_mm_s = 0;
+Recording streamOf(const StrokePlan& plan, const StrokeShape& shape, double offset) {
+  return record(handSpeeds(plan.gain, shape), plan.noise, offset);
+}
+
+/// Sums for mean and deviation, of speed - target mean so that they keep their digits.
+struct Sums {
   double count = 0;
   double sum_mm_s = 0;
   double squares = 0;
 
-  void add(const Forward& stroke) {
-    count += static_cast<double>(stroke.samples.size());
-    sum_mm_s += stroke.sum_mm_s;
-    squares += stroke.squares;
+  void add(double above_mean_mm_s) {
+    ++count;
+    sum_mm_s += above_mean_mm_s;
+    squares += above_mean_mm_s * above_mean_mm_s;
   }
-  double mean() const { return target_mm_s + sum_mm_s / count; }
+  void add(const Sums& other) {
+    count += other.count;
+    sum_mm_s += other.sum_mm_s;
+    squares += other.squares;
+  }
+  double meanAbove() const { return sum_mm_s / count; }
   double sd() const { return std::sqrt((squares - sum_mm_s * sum_mm_s / count) / (count - 1)); }
+  /// How far mean and deviation are from the target's.
+  double miss(const experiments::PublishedSpeed& target) const {
+    return std::max(std::abs(meanAbove()), std::abs(sd() - target.sd_mm_s));
+  }
 };
 
-/// Ramps and length that bring mean and deviation near the target's: longer ramps raise the deviation, the length
-/// brings the mean along. Nearer than a few hundredths of a mm/s this cannot come, because the least change of a
-/// stroke moves the steps of the positions, and with them the ends of the forward part.
-StrokeShape shapeFor(const experiments::PublishedSpeed& target, const CellPlan& plan, double ramp) {
-  StrokeShape shape{.ramp = ramp};
-  for (int round = 0; round < 5; ++round) {
-    CellSums sums{.target_mm_s = target.mean_mm_s};
-    for (std::size_t stroke = 0; stroke < kStrokes; ++stroke) {
-      sums.add(recordStroke(plan, stroke, shape, 0, target.mean_mm_s));
+/// A stroke as a session would measure it.
+struct Measured {
+  Recording stream;
+  Sums sums;
+};
+
+/// Finds the stroke in its stream and computes its speeds on the way of a recorded one; nothing where there is not just
+/// one accepted stroke.
+std::optional<Measured> measured(Recording stream, double target_mm_s) {
+  StrokeCapture capture;
+  for (std::size_t i = 0; i < stream.time_s.size(); ++i) capture.add({stream.time_s[i], stream.depth_mm[i]});
+  capture.finish();
+  auto found = capture.take();
+  if (!found || capture.take() || found->stroke.verdict != experiments::StrokeVerdict::kAccepted) return std::nullopt;
+  study::StrokeRecord record;
+  record.first = found->stroke.first - found->recording_first;
+  record.last = found->stroke.last - found->recording_first;
+  record.recording = std::move(found->recording);
+  const auto speeds = experiments::strokeSpeeds(record);
+  if (!speeds) return std::nullopt;
+  Measured out{std::move(stream), {}};
+  for (const double speed : *speeds) out.sums.add(speed - target_mm_s);
+  return out;
+}
+
+/// What a device without steps, tremor and losses would measure of all strokes.
+Sums idealSums(const std::vector<StrokePlan>& plans, const StrokeShape& shape, double target_mm_s) {
+  Sums sums;
+  for (const auto& plan : plans) {
+    for (const double speed : strokeSpeeds(plan.gain, shape)) {
+      if (speed >= experiments::StrokeSettings{}.edge_speed_mm_s) sums.add(speed - target_mm_s);
     }
-    const double factor = target.mean_mm_s / sums.mean();
-    const double slope = target.mean_mm_s * target.mean_mm_s * squaredVariationSlope(shape.ramp) / (2 * target.sd_mm_s);
-    shape.length_mm *= factor;
-    shape.ramp = std::clamp(shape.ramp + (target.sd_mm_s - sums.sd() * factor) / slope, kShortestRamp, kLongestRamp);
+  }
+  return sums;
+}
+
+/// The shape whose ideal sums have this mean and deviation: the length sets the mean, longer ramps raise the deviation.
+StrokeShape idealShape(const experiments::PublishedSpeed& target, const std::vector<StrokePlan>& plans) {
+  StrokeShape shape;
+  double low = kShortestRamp;
+  double high = kLongestRamp;
+  for (int round = 0; round < 16; ++round) {
+    shape.ramp = (low + high) / 2;
+    Sums sums;
+    for (int inner = 0; inner < 4; ++inner) {
+      sums = idealSums(plans, shape, target.mean_mm_s);
+      shape.length_mm *= target.mean_mm_s / (target.mean_mm_s + sums.meanAbove());
+    }
+    (sums.sd() < target.sd_mm_s ? low : high) = shape.ramp;
   }
   return shape;
 }
 
-/// Each stroke is recorded from several places between two steps of the device; of all combinations the one that comes
-/// nearest to the target, if that is near enough.
-std::vector<Forward> matchedStrokes(const experiments::PublishedSpeed& target, const CellPlan& plan, double ramp) {
-  constexpr std::size_t kPlaces = 8;
-  const StrokeShape shape = shapeFor(target, plan, ramp);
-  std::array<std::vector<Forward>, kStrokes> choices;
-  for (std::size_t stroke = 0; stroke < kStrokes; ++stroke) {
-    for (std::size_t place = 0; place < kPlaces; ++place) {
-      const double offset = static_cast<double>(place) / kPlaces;
-      choices[stroke].push_back(recordStroke(plan, stroke, shape, offset, target.mean_mm_s));
+/// The shape whose recorded strokes come near the target: an ideal one that aims beside it by what recording changes.
+/// Nothing where a recorded stroke is not accepted.
+std::optional<StrokeShape> shapeFor(const experiments::PublishedSpeed& target, const std::vector<StrokePlan>& plans) {
+  experiments::PublishedSpeed aim = target;
+  for (int round = 0; round < 2; ++round) {
+    const StrokeShape shape = idealShape(aim, plans);
+    Sums sums;
+    for (const auto& plan : plans) {
+      const auto stroke = measured(streamOf(plan, shape, 0), target.mean_mm_s);
+      if (!stroke) return std::nullopt;
+      sums.add(stroke->sums);
     }
+    aim.mean_mm_s -= sums.meanAbove();
+    aim.sd_mm_s -= sums.sd() - target.sd_mm_s;
   }
-  std::array<std::size_t, kStrokes> best{};
-  double least = kMatchMmS;
-  for (std::size_t combination = 0; combination < kPlaces * kPlaces * kPlaces * kPlaces; ++combination) {
-    std::array<std::size_t, kStrokes> chosen{};
-    CellSums sums{.target_mm_s = target.mean_mm_s};
-    std::size_t rest = combination;
-    for (std::size_t stroke = 0; stroke < kStrokes; ++stroke, rest /= kPlaces) {
-      chosen[stroke] = rest % kPlaces;
-      sums.add(choices[stroke][chosen[stroke]]);
-    }
-    const double miss = std::max(std::abs(sums.mean() - target.mean_mm_s), std::abs(sums.sd() - target.sd_mm_s));
-    if (miss >= least) continue;
-    least = miss;
-    best = chosen;
-  }
-  std::vector<Forward> out;
-  if (least == kMatchMmS) return out;
-  for (std::size_t stroke = 0; stroke < kStrokes; ++stroke) {
-    out.push_back(std::move(choices[stroke][best[stroke]]));
-  }
-  return out;
+  return idealShape(aim, plans);
 }
 
-std::vector<Forward> strokesOf(const experiments::PublishedSpeed& target, base::Random& random) {
-  const double ramp = firstRamp(target);
-  for (int draw = 0; draw < kMostDraws; ++draw) {
-    auto strokes = matchedStrokes(target, planCell(target, ramp, random), ramp);
-    if (!strokes.empty()) return strokes;
+/// Each stroke is recorded from one place after another between two steps of the device, until a combination of their
+/// recordings is near enough to the target. Empty where none is.
+std::vector<Recording> matchedStrokes(const experiments::PublishedSpeed& target, const std::vector<StrokePlan>& plans) {
+  constexpr std::size_t kPlaces = 8;
+  const auto shape = shapeFor(target, plans);
+  if (!shape) return {};
+  std::array<std::vector<Measured>, kStrokes> choices;
+  for (std::size_t place = 0; place < kPlaces; ++place) {
+    for (std::size_t stroke = 0; stroke < kStrokes; ++stroke) {
+      const double offset = static_cast<double>(place) / kPlaces;
+      auto one = measured(streamOf(plans[stroke], *shape, offset), target.mean_mm_s);
+      if (!one) return {};
+      choices[stroke].push_back(std::move(*one));
+    }
+    const std::size_t count = place + 1;
+    for (std::size_t combination = 0; combination < count * count * count * count; ++combination) {
+      std::array<std::size_t, kStrokes> chosen{};
+      Sums sums;
+      std::size_t rest = combination;
+      for (std::size_t stroke = 0; stroke < kStrokes; ++stroke, rest /= count) {
+        chosen[stroke] = rest % count;
+        sums.add(choices[stroke][chosen[stroke]].sums);
+      }
+      if (sums.miss(target) > kMatchMmS) continue;
+      std::vector<Recording> out;
+      for (std::size_t stroke = 0; stroke < kStrokes; ++stroke) {
+        out.push_back(std::move(choices[stroke][chosen[stroke]].stream));
+      }
+      return out;
+    }
   }
-  TACTUS_CHECK(false);
   return {};
 }
 
-double rounded(double value) { return std::round(value * kRounding) / kRounding; }
-
 }  // namespace
 
-std::vector<study::SpeedSample> simulatedStrokes(std::span<const experiments::PublishedSpeed> targets,
-                                                 std::uint64_t seed) {
-  std::vector<study::SpeedSample> samples;
-  for (std::size_t cell = 0; cell < targets.size(); ++cell) {
-    const auto& target = targets[cell];
-    base::Random random(seed * 1000 + cell);
-    int stroke = 0;
-    for (const auto& forward : strokesOf(target, random)) {
-      ++stroke;
-      const double start_s = forward.samples.front().time_s;
-      for (const MotionSample& sample : forward.samples) {
-        samples.push_back({target.participant, target.level, stroke, rounded(sample.time_s - start_s),
-                           rounded(sample.depth_mm), rounded(sample.speed_mm_s)});
-      }
-    }
+SimulatedLevel simulatedLevel(const experiments::PublishedSpeed& target, std::uint64_t seed) {
+  base::Random random(seed);
+  double all_s = kStrokes * kStrokeLengthMm / target.mean_mm_s;
+  SimulatedLevel level;
+  for (int draw = 0; draw < kMostDraws && level.strokes.empty(); ++draw) {
+    // The speeds are given, so a stroke of another length takes another time.
+    auto same_random = random;
+    all_s *= kStrokeLengthMm / idealShape(target, planStrokes(target, all_s, same_random)).length_mm;
+    level.strokes = matchedStrokes(target, planStrokes(target, all_s, random));
   }
-  return samples;
+  TACTUS_CHECK(!level.strokes.empty());
+  const auto others = planStrokes(target, all_s, random);
+  const auto shape = idealShape(target, others);
+  level.practice = {streamOf(others[0], shape, 0), streamOf(others[1], shape, 0.5)};
+  const auto part = planStroke(ticks(all_s / kStrokes * kShortMm / kStrokeLengthMm), random);
+  level.too_short = streamOf(part, {shape.ramp, kShortMm}, 0);
+  return level;
 }
 
 }  // namespace tactus::session

@@ -9,33 +9,17 @@
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
-#include "experiments/speed_from_positions.h"
 #include "experiments/stroke.h"
+#include "experiments/stroke_speeds.h"
 
 namespace tactus::session {
 namespace {
 
-using base::ErrorCode;
-using base::fail;
 using base::Result;
 using study::RecordId;
 
 /// Which participant a session is of; sessions that elicitation does not read are absent.
 using CodeOfSession = std::map<RecordId, std::string>;
-
-const study::Channel* channel(const study::Recording& recording, std::string_view name) {
-  const auto it = std::find_if(recording.channels.begin(), recording.channels.end(),
-                               [&](const study::Channel& candidate) { return candidate.name == name; });
-  return it == recording.channels.end() ? nullptr : &*it;
-}
-
-/// Time stamps of the samples: recorded ones, or those of the sample rate.
-std::vector<double> times(const study::Recording& recording) {
-  if (const study::Channel* const recorded = channel(recording, "time")) return recorded->values;
-  std::vector<double> stamps(recording.size());
-  for (std::size_t i = 0; i < stamps.size(); ++i) stamps[i] = static_cast<double>(i) / recording.sample_rate_hz;
-  return stamps;
-}
 
 /// Of each block (what `block` calls a participant's part of a kind) the records of the latest session, participant
 /// after participant by code. The records come session after session.
@@ -185,43 +169,16 @@ class Reader {
 
 Result<std::vector<study::SpeedSample>> speedSamples(const study::StrokeRecord& stroke,
                                                      const std::string& participant) {
-  const auto refuse = [&](const std::string& found, const std::string& wanted) {
-    return fail(ErrorCode::kData, participant + ", " + stroke.level + ", stroke " + std::to_string(stroke.number),
-                found, wanted);
-  };
-  const study::Channel* const depth = channel(stroke.recording, "depth");
-  if (depth == nullptr) return refuse("no recorded depth", "a channel 'depth'");
-  if (stroke.last > depth->values.size() || stroke.first >= stroke.last) {
-    return refuse("samples " + std::to_string(stroke.first) + " to " + std::to_string(stroke.last) + " of " +
-                      std::to_string(depth->values.size()),
-                  "a part of the recording");
+  const auto motion = experiments::strokeMotion(stroke);
+  if (!motion) {
+    auto error = motion.error();
+    error.place = participant + ", " + error.place;
+    return tl::unexpected(std::move(error));
   }
-  const std::vector<double> stamps = times(stroke.recording);
-
   std::vector<study::SpeedSample> samples;
-  const auto add = [&](double time_s, double depth_mm, double speed_mm_s) {
-    study::SpeedSample sample;
-    sample.participant = participant;
-    sample.level = stroke.level;
-    sample.stroke = stroke.number;
-    sample.time_s = time_s;
-    sample.depth_mm = depth_mm;
-    sample.speed_mm_s = speed_mm_s;
-    samples.push_back(std::move(sample));
-  };
-  if (const study::Channel* const speed = channel(stroke.recording, "speed")) {
-    for (std::size_t i = stroke.first; i < stroke.last; ++i) add(stamps[i], depth->values[i], speed->values[i]);
-    return samples;
-  }
-  // The derivative looks beyond both ends of the stroke where the recording does.
-  const auto motion = experiments::speedFromPositions(stamps, depth->values);
-  if (!motion) return refuse(motion.error().found, motion.error().wanted);
-  const double start_s = stamps[stroke.first];
-  const double end_s = stamps[stroke.last - 1];
-  const double start_mm = depth->values[stroke.first];
-  for (const auto& sample : motion->samples) {
-    if (sample.time_s < start_s || sample.time_s > end_s) continue;
-    add(sample.time_s - start_s, sample.depth_mm - start_mm, sample.speed_mm_s);
+  samples.reserve(motion->size());
+  for (const auto& at : *motion) {
+    samples.push_back({participant, stroke.level, stroke.number, at.time_s, at.depth_mm, at.speed_mm_s});
   }
   return samples;
 }

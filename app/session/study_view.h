@@ -24,9 +24,7 @@ struct StudyView {
 /// is.
 base::Result<StudyView> studyForElicitation(const store::StudyFile& file);
 
-/// The samples of one accepted stroke, between its first and last; times and depths from 0 at its start unless the
-/// recording has its own speeds. Refused: a recording without the channel
-/// `depth` and with none called `speed`, positions that speedFromPositions refuses.
+/// The samples of one accepted stroke, as experiments::strokeMotion gives them. Errors name the participant too.
 base::Result<std::vector<study::SpeedSample>> speedSamples(const study::StrokeRecord& stroke,
                                                            const std::string& participant);
 

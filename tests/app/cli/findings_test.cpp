@@ -47,12 +47,14 @@ class Findings : public testing::Test {
 TEST_F(Findings, BuildListsAFewOfEachKind) {
   const ProgramRun run = build();
   ASSERT_EQ(run.status, 0) << run.err;
-  EXPECT_NE(run.out.find("missing_item: B: no rule for depth is nasal_cavity and lubrication is poor: item 1 "
-                         "(answers.csv, line 47), skipped ("),
+  const std::string text = unwrapped(run.out);
+  EXPECT_NE(text.find("missing_item: 10 B: no rule for depth is nasal_cavity and lubrication is poor: item 1 "
+                      "(answers.csv, line 47), skipped ("),
             std::string::npos)
       << run.out;
-  EXPECT_NE(run.out.find("missing_item: and 6 more, see --json"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("experts_apart: A and B: A gives 0.350 N by item "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\n    and 6 more, see --json\n"), std::string::npos) << run.out;
+  EXPECT_NE(text.find(" A gives 0.350 N by item "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\n  experts_apart: "), std::string::npos) << run.out;
 }
 
 TEST_F(Findings, BuildHasAllOfThemAndTheModelUnderEachWeightAsJson) {
@@ -114,9 +116,9 @@ TEST(FindingsOfAModel, CheckKnowsTheDeclarationsOfTheKnownInputs) {
   ASSERT_EQ(run.status, 0) << run.err;
   // Table A2: large flexion gives more force than medium in the laryngopharynx, the esophagus and the stomach.
   for (const char* region : {"laryngopharynx", "esophagus", "stomach"}) {
-    EXPECT_NE(run.out.find(std::string("against_declaration: S4: against the declared direction: neck_flexion from "
-                                       "medium to large where depth is ") +
-                           region),
+    EXPECT_NE(unwrapped(run.out).find(std::string("S4: against the declared direction: neck_flexion from medium to "
+                                                  "large where depth is ") +
+                                      region),
               std::string::npos)
         << run.out;
   }
@@ -138,7 +140,7 @@ TEST(FindingsOfAModel, CheckKnowsTheDeclarationsOfTheKnownInputs) {
   EXPECT_EQ(ProgramRun({"check", file}).out.find("against_declaration"), std::string::npos);
 }
 
-TEST(FindingsText, OneLineEachAndAFewOfAKind) {
+TEST(FindingsText, AFewOfAKindUnderTheirKind) {
   using elicitation::RuleFinding;
   RuleFinding finding;
   finding.kind = RuleFinding::Kind::kConflict;
@@ -146,13 +148,13 @@ TEST(FindingsText, OneLineEachAndAFewOfAKind) {
   finding.text = "two rules";
   finding.newtons = 0.25;
   EXPECT_EQ(findingsAsText(std::vector(4, finding), "N"),
-            "  conflict: A: two rules (0.2500 N)\n  conflict: A: two rules (0.2500 N)\n"
-            "  conflict: A: two rules (0.2500 N)\n  conflict: A: two rules (0.2500 N)\n");
+            "  conflict: 4\n    A: two rules (0.250 N)\n    A: two rules (0.250 N)\n"
+            "    A: two rules (0.250 N)\n    A: two rules (0.250 N)\n");
   const std::string many = findingsAsText(std::vector(9, finding), "N");
-  EXPECT_NE(many.find("  conflict: and 5 more, see --json\n"), std::string::npos) << many;
+  EXPECT_NE(many.find("\n    and 5 more, see --json\n"), std::string::npos) << many;
   finding.at_least = true;
   finding.experts.clear();
-  EXPECT_EQ(findingsAsText(std::vector(1, finding), "N"), "  conflict: mean: two rules (0.2500 N or more)\n");
+  EXPECT_EQ(findingsAsText(std::vector(1, finding), "N"), "  conflict: 1\n    mean: two rules (0.250 N or more)\n");
   EXPECT_EQ(findingsAsText({}, "N"), "");
 }
 

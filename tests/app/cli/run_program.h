@@ -30,6 +30,19 @@ inline std::string readText(const std::string& path) {
   return text.str();
 }
 
+/// `text` with the line breaks inside of sentences (those before spaces) taken out.
+inline std::string unwrapped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == ' ' && !out.empty() && (out.back() == '\n' || out.back() == ' ')) {
+      out.back() = ' ';
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
 inline void writeText(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }

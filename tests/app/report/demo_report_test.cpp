@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "app/session/known_forms.h"
-#include "app/session/simulated_study.h"
+#include "core/base/text.h"
 #include "questionnaires/published_rules.h"
 
+#include "tests/support/simulated_ngt_study.h"
 #include "tests/support/well_formed.h"
 
 namespace tactus::report {
@@ -19,16 +20,22 @@ elicitation::BuildSettings settings() {
   return out;
 }
 
+const study::Study& demoStudy() {
+  static const study::Study kStudy = support::simulatedNgtStudy(1);
+  return kStudy;
+}
+
 /// The report of the demo study, made once for all tests.
 const std::string& page() {
   static const std::string kPage = [] {
     std::vector<S4Reading> readings;
+    const auto& study = demoStudy();
     for (const auto& reading : questionnaires::s4Readings()) {
-      const auto study = session::simulatedNgtStudy(1, reading.id);
-      const auto built = elicitation::buildModel(study.value(), session::knownForms(), settings());
+      auto in_reading = study;
+      in_reading.rules = questionnaires::s4Rules(reading.id).value();
+      const auto built = elicitation::buildModel(in_reading, session::knownForms(), settings());
       readings.push_back({reading.title, reading.assumes, elicitation::expertModel(built->model, "S4").value()});
     }
-    const auto study = session::simulatedNgtStudy(1).value();
     const auto built = elicitation::buildModel(study, session::knownForms(), settings()).value();
     const DemoReportInputs inputs{.study = study,
                                   .built = built,
@@ -58,8 +65,8 @@ TEST(DemoReport, HasEverySection) {
        {"At a glance", "What is published and what is simulated", "Insertion speed", "Speed clusters and terms",
         "Insertion force", "Membership functions", "Force over depth and speed",
         "Influence of lubrication, neck flexion and speed", "Four experts and their mean", "How far the experts agree",
-        "What to look at", "What the paper says, checked", "The published rules in three readings", "Reachable range",
-        "Where the paper disagrees with itself", "Notes and settings of this build"}) {
+        "Findings in the rules", "What the paper says, checked", "The published rules in three readings",
+        "Reachable range", "Where the paper disagrees with itself", "Notes and settings of this build"}) {
     EXPECT_TRUE(has(std::string(">") + title + "</h2>")) << title;
   }
 }
@@ -95,7 +102,12 @@ TEST(DemoReport, ShowsThePublishedNumbersBesideTheSimulatedOnes) {
       return each.find(a) != std::string::npos && each.find(b) != std::string::npos;
     });
   };
-  EXPECT_TRUE(row(">256.7<", ">256.70<"));                   // Table 1, S1 fast
+  // Table 1, S1 fast: the simulated strokes promise it to 0.04 mm/s.
+  bool near = false;
+  for (int hundredths = -4; hundredths <= 4; ++hundredths) {
+    near = near || row(">256.7<", '>' + base::formatFixed(256.7 + hundredths / 100.0, 2) + '<');
+  }
+  EXPECT_TRUE(near);
   EXPECT_TRUE(row(">0.3<", "<strong>Small</strong>"));       // Table 2: the tie at 0.3 N
   EXPECT_TRUE(row(">0.9<", "<strong>Very large</strong>"));  // and the double majority at 0.9 N
   EXPECT_TRUE(has("They are exactly those that the paper prints."));
@@ -103,9 +115,9 @@ TEST(DemoReport, ShowsThePublishedNumbersBesideTheSimulatedOnes) {
 
 TEST(DemoReport, SaysHowFarTheExpertsAgree) {
   // Table 2 by other programs (tests/golden/agreement); W is of one split of its votes.
-  EXPECT_TRUE(has("<strong>0.5515</strong>"));
-  EXPECT_TRUE(has(">0.0932 (1.44)<"));
-  EXPECT_TRUE(has(">0.8938<"));
+  EXPECT_TRUE(has("<strong>0.551</strong>"));
+  EXPECT_TRUE(has(">0.093 (1.44)<"));
+  EXPECT_TRUE(has(">0.894<"));
   EXPECT_TRUE(has("reconstructed split"));
   EXPECT_TRUE(has("neck flexion large"));
   EXPECT_TRUE(has("Change of the mean (N)"));
@@ -120,7 +132,15 @@ TEST(DemoReport, ShowsHowFarTheSpeedsCanBeTrusted) {
   EXPECT_TRUE(has("read as slow; with terms of the participant"));  // S4
   // The best order of 3 times 4 strokes, which the levels of S1 and S3 have: one of 34,650 arrangements.
   EXPECT_TRUE(has(">48 of 48</td>"));
-  EXPECT_TRUE(has(">below 0.001</td>"));
+  EXPECT_TRUE(has(">&lt; 0.001</td>"));
+}
+
+TEST(DemoReport, LeadsWithTheVerdictsAndLinksToTheirReasons) {
+  const auto summary = page().find("Does the model say what the paper says?");
+  ASSERT_NE(summary, std::string::npos);
+  EXPECT_LT(summary, page().find("<h2 id=\"what-is-published-and-what-is-simulated\">"));
+  EXPECT_TRUE(has("href=\"#what-the-paper-says-checked\">What the paper says, checked</a>."));
+  EXPECT_TRUE(has("<h2 id=\"what-the-paper-says-checked\">"));
 }
 
 TEST(DemoReport, MarksTheHoleOfThePrintedReading) {
@@ -129,7 +149,7 @@ TEST(DemoReport, MarksTheHoleOfThePrintedReading) {
 }
 
 TEST(DemoReport, AModelWithoutThePublishedExpertIsRefused) {
-  const auto study = session::simulatedNgtStudy(1).value();
+  const auto& study = demoStudy();
   auto built = elicitation::buildModel(study, session::knownForms(), settings()).value();
   std::erase_if(built.model.experts, [](const fuzzy::Expert& expert) { return expert.id == "S4"; });
   const DemoReportInputs inputs{.study = study, .built = built, .readings = {}, .settings = {}};

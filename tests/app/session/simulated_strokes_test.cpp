@@ -3,81 +3,81 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "experiments/speed_from_positions.h"
-#include "experiments/speed_summary.h"
+#include "app/session/stroke_capture.h"
+#include "core/base/statistics.h"
+#include "experiments/stroke_speeds.h"
 
 namespace tactus::session {
 namespace {
 
-TEST(SimulatedStrokes, MatchTable1) {
+CapturedStroke captured(const Recording& stream) {
+  StrokeCapture capture;
+  for (std::size_t i = 0; i < stream.time_s.size(); ++i) capture.add({stream.time_s[i], stream.depth_mm[i]});
+  capture.finish();
+  auto found = capture.take();
+  EXPECT_TRUE(found);
+  EXPECT_FALSE(capture.take());  // the way back is no stroke
+  return found.value_or(CapturedStroke{});
+}
+
+std::vector<double> speedsOf(const Recording& stream) {
+  auto found = captured(stream);
+  study::StrokeRecord record;
+  record.first = found.stroke.first - found.recording_first;
+  record.last = found.stroke.last - found.recording_first;
+  record.recording = std::move(found.recording);
+  return experiments::strokeSpeeds(record).value_or(std::vector<double>{});
+}
+
+// All cells of Table 1 are in simulated_study_test.cpp; here the slowest, the fastest, and the ones with the least and
+// the largest deviation, with seeds of their own.
+TEST(SimulatedStrokes, AreMeasuredAsTable1) {
   const auto table = experiments::publishedSpeeds();
-  for (const std::uint64_t seed : {0ULL, 1ULL, 2ULL, 3ULL, 77ULL, 123456789ULL}) {
-    const auto summaries = experiments::summariseSpeeds(simulatedStrokes(table, seed));
-    ASSERT_EQ(summaries.size(), table.size());
-    for (std::size_t i = 0; i < table.size(); ++i) {
-      EXPECT_EQ(summaries[i].participant, table[i].participant);
-      EXPECT_EQ(summaries[i].level, table[i].level);
-      EXPECT_EQ(summaries[i].strokes, 4U);
-      // Half of the table's last digit is 0.05; the header promises 0.01.
-      EXPECT_NEAR(summaries[i].mean_mm_s, table[i].mean_mm_s, 0.01);
-      EXPECT_NEAR(summaries[i].sd_mm_s, table[i].sd_mm_s, 0.01);
+  for (const std::size_t cell : {2U, 5U, 7U, 9U}) {
+    std::vector<double> speeds;
+    const auto level = simulatedLevel(table[cell], 100 + cell);
+    for (const auto& stream : level.strokes) {
+      const auto own = speedsOf(stream);
+      speeds.insert(speeds.end(), own.begin(), own.end());
     }
+    // Half of the table's last digit; the header promises 0.04.
+    EXPECT_NEAR(base::mean(speeds), table[cell].mean_mm_s, 0.05) << cell;
+    EXPECT_NEAR(base::standardDeviation(speeds), table[cell].sd_mm_s, 0.05) << cell;
   }
 }
 
-TEST(SimulatedStrokes, AreForwardPartsOfAboutSixtyMillimetresAtOneKilohertz) {
-  const auto samples = simulatedStrokes(experiments::publishedSpeeds(), 5);
-  double start_mm = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto& sample = samples[i];
-    const bool first = i == 0 || samples[i - 1].stroke != sample.stroke;
-    const bool last = i + 1 == samples.size() || samples[i + 1].stroke != sample.stroke;
-    if (first) {
-      EXPECT_EQ(sample.time_s, 0);
-      start_mm = sample.depth_mm;
-      EXPECT_LT(start_mm, 1);
-    } else {
-      EXPECT_NEAR(sample.time_s - samples[i - 1].time_s, 0.001, 1e-12);  // rounding of decimal fractions
+TEST(SimulatedStrokes, AreOfAboutSixtyMillimetresAndTheBadOneIsShort) {
+  const auto table = experiments::publishedSpeeds();
+  for (const std::size_t cell : {3U, 7U, 9U}) {
+    const auto level = simulatedLevel(table[cell], cell);
+    ASSERT_EQ(level.strokes.size(), 4U);
+    ASSERT_EQ(level.practice.size(), 2U);
+    for (const auto* streams : {&level.strokes, &level.practice}) {
+      for (const auto& stream : *streams) {
+        const auto stroke = captured(stream).stroke;
+        EXPECT_EQ(stroke.verdict, experiments::StrokeVerdict::kAccepted);
+        EXPECT_NEAR(stroke.lengthMm(), 60, 5) << cell;  // "about", as the header says
+      }
     }
-    if (first || last) {
-      EXPECT_GT(sample.speed_mm_s, experiments::kRestSpeedMmS - 0.001);  // rounded to 0.001
-    }
-    if (last) {
-      EXPECT_NEAR(sample.depth_mm - start_mm, 60, 5);  // "about", as the header says
-    }
+    EXPECT_EQ(captured(level.too_short).stroke.verdict, experiments::StrokeVerdict::kTooShort) << cell;
   }
 }
 
-TEST(SimulatedStrokes, SpeedsComeFromPositionsInStepsOfADevice) {
-  // The depths between missed ticks are multiples of 0.055 mm, and the derivative of the depths gives the speeds again
-  // in the middle of each forward part, where the window has the same samples: depths are rounded to 0.001 mm, so by
-  // at most 0.0005 * 240 / 2480 * 1000 mm/s, and speeds to 0.001.
-  const auto samples = simulatedStrokes(experiments::publishedSpeeds(), 4);
-  std::size_t on_steps = 0;
-  for (std::size_t begin = 0; begin < samples.size();) {
-    std::vector<double> time_s, depth_mm;
-    std::size_t end = begin;
-    for (; end < samples.size() && samples[end].stroke == samples[begin].stroke; ++end) {
-      time_s.push_back(samples[end].time_s);
-      depth_mm.push_back(samples[end].depth_mm);
-      const double steps = samples[end].depth_mm / 0.055;
-      on_steps += std::abs(steps - std::round(steps)) < 0.0006 / 0.055 ? 1 : 0;
+TEST(SimulatedStrokes, AreDepthsInStepsOfADevice) {
+  const auto level = simulatedLevel({"S3", "slow", 57.9, 18.1}, 3);
+  for (const auto& stream : level.strokes) {
+    for (const double depth_mm : stream.depth_mm) {
+      const double steps = depth_mm / 0.055;
+      EXPECT_NEAR(steps, std::round(steps), 1e-6);
     }
-    const auto motion = experiments::speedFromPositions(time_s, depth_mm);
-    ASSERT_TRUE(motion);
-    ASSERT_EQ(motion->samples.size(), end - begin);
-    for (std::size_t i = 15; i + 15 < end - begin; ++i) {
-      EXPECT_NEAR(motion->samples[i].speed_mm_s, samples[begin + i].speed_mm_s, 0.0495);
-    }
-    begin = end;
   }
-  EXPECT_GT(static_cast<double>(on_steps), 0.99 * static_cast<double>(samples.size()));
 }
 
 TEST(SimulatedStrokes, FollowFromTheSeed) {
-  const auto table = experiments::publishedSpeeds();
-  EXPECT_EQ(simulatedStrokes(table, 8), simulatedStrokes(table, 8));
-  EXPECT_NE(simulatedStrokes(table, 8), simulatedStrokes(table, 9));
+  const experiments::PublishedSpeed target{"S3", "slow", 57.9, 18.1};
+  const auto depths = [&](std::uint64_t seed) { return simulatedLevel(target, seed).strokes[0].depth_mm; };
+  EXPECT_EQ(depths(8), depths(8));
+  EXPECT_NE(depths(8), depths(9));
 }
 
 }  // namespace

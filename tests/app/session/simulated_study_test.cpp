@@ -1,55 +1,166 @@
 #include "app/session/simulated_study.h"
 
-#include <filesystem>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
+#include "app/session/study_view.h"
+#include "core/store/entries.h"
+#include "core/store/persons.h"
+#include "core/store/sessions.h"
+#include "core/store/study_info.h"
 #include "core/study/csv_tables.h"
+#include "experiments/published_tables.h"
+#include "experiments/speed_summary.h"
+
+#include "tests/support/temp_folder.h"
 
 namespace tactus::session {
 namespace {
 
-TEST(SimulatedStudy, SaysThatItIsSimulated) {
-  const auto study = simulatedNgtStudy();
-  ASSERT_TRUE(study);
-  EXPECT_NE(study->name.find("simulated"), std::string::npos);
-  ASSERT_EQ(study->participants.size(), 4U);
-  for (const auto& participant : study->participants) {
+/// The study of one seed, made once for all tests.
+class SimulatedStudy : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new support::TempFolder;
+    auto made = makeSimulatedNgtStudy(folder_->file("study.tactus"), 3, "ngt-a2-shifted", "test");
+    ASSERT_TRUE(made) << made.error().message();
+    file_ = new store::StudyFile(*std::move(made));
+    auto view = studyForElicitation(*file_);
+    ASSERT_TRUE(view) << view.error().message();
+    view_ = new StudyView(*std::move(view));
+  }
+  static void TearDownTestSuite() {
+    delete view_;
+    delete file_;
+    delete folder_;
+  }
+
+  static support::TempFolder* folder_;
+  static store::StudyFile* file_;
+  static StudyView* view_;
+};
+
+support::TempFolder* SimulatedStudy::folder_ = nullptr;
+store::StudyFile* SimulatedStudy::file_ = nullptr;
+StudyView* SimulatedStudy::view_ = nullptr;
+
+TEST_F(SimulatedStudy, SaysThatItIsSimulated) {
+  EXPECT_NE(view_->study.name.find("simulated"), std::string::npos);
+  ASSERT_EQ(view_->study.participants.size(), 4U);
+  for (const auto& participant : view_->study.participants) {
     EXPECT_TRUE(participant.simulated);
     EXPECT_FALSE(participant.years_experience.has_value());  // the paper says "more than 10" only
   }
+  EXPECT_EQ(store::studyInfo(*file_)->simulated_persons, 4);
+  const auto strokes = store::strokes(*file_, {}, store::Recordings::kLeaveOut).value();
+  for (const auto& stroke : strokes) {
+    EXPECT_EQ(stroke.entry.entered_by, study::EnteredBy::kProgram);
+  }
 }
 
-TEST(SimulatedStudy, S4GivesRulesAndTheOthersAnswers) {
-  const auto study = simulatedNgtStudy(4, "ngt-a2-shifted");
-  ASSERT_TRUE(study);
-  std::set<std::string> answered;
-  for (const auto& answer : study->answers) answered.insert(answer.participant);
-  EXPECT_EQ(answered, (std::set<std::string>{"S1", "S2", "S3"}));
-  EXPECT_EQ(study->rules.size(), 45U);
-  for (const auto& rule : study->rules) {
+TEST_F(SimulatedStudy, IsWholeAndItsSessionsAreFinished) {
+  EXPECT_EQ(store::checkStudy(*file_).value(), std::vector<std::string>{});
+  EXPECT_EQ(view_->notes, std::vector<std::string>{});
+  const auto sessions = store::sessions(*file_);
+  ASSERT_EQ(sessions->size(), 4U);
+  for (const auto& session : *sessions) {
+    const auto events = store::events(*file_, {{}, session.id, false});
+    EXPECT_EQ(events->back().detail, R"({"stage":"finished"})");
+    EXPECT_EQ(session.consent_version, "simulated");
+  }
+}
+
+TEST_F(SimulatedStudy, HasTheSpeedsOfTable1) {
+  const auto table = experiments::publishedSpeeds();
+  const auto summaries = experiments::summariseSpeeds(view_->study.speeds);
+  ASSERT_EQ(summaries.size(), table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    EXPECT_EQ(summaries[i].participant, table[i].participant);
+    EXPECT_EQ(summaries[i].level, table[i].level);
+    EXPECT_EQ(summaries[i].strokes, 4U);
+    EXPECT_NEAR(summaries[i].mean_mm_s, table[i].mean_mm_s, 0.05);  // half of the table's last digit
+    EXPECT_NEAR(summaries[i].sd_mm_s, table[i].sd_mm_s, 0.05);
+  }
+}
+
+TEST_F(SimulatedStudy, HasTheVotesOfTable2) {
+  const auto terms = experiments::publishedVoteTerms();
+  std::map<std::pair<int, std::string>, int> votes;
+  for (const auto& judgement : view_->study.judgements) {
+    EXPECT_EQ(judgement.series, "ascending");
+    EXPECT_NEAR(judgement.force_n, 0.1 * judgement.step, 1e-12);
+    if (judgement.kind == study::ForceJudgement::Kind::kTerm) ++votes[{judgement.step, judgement.term}];
+    // "the upper bound of insertion force experienced" is 1.1 N; the series ends at the first force beyond it.
+    EXPECT_EQ(judgement.kind == study::ForceJudgement::Kind::kBeyondPractice, judgement.step == 12);
+    EXPECT_LE(judgement.step, 12);
+  }
+  const auto table = experiments::publishedVotes();
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    for (std::size_t term = 0; term < terms.size(); ++term) {
+      EXPECT_EQ((votes[{static_cast<int>(row) + 1, terms[term]}]), table[row].votes[term]) << row << ' ' << terms[term];
+    }
+  }
+}
+
+TEST_F(SimulatedStudy, S4GivesRulesAndTheOthersAnswers) {
+  std::map<std::string, std::set<int>> answered;
+  for (const auto& answer : view_->study.answers) {
+    EXPECT_EQ(answer.status, study::Answer::Status::kAnswered);
+    answered[answer.participant].insert(answer.item);
+  }
+  ASSERT_EQ(answered.size(), 3U);
+  for (const char* code : {"S1", "S2", "S3"}) EXPECT_EQ(answered[code].size(), 45U);
+  EXPECT_EQ(view_->study.answers.size(), 135U);
+  EXPECT_EQ(view_->study.rules.size(), 45U);
+  for (const auto& rule : view_->study.rules) {
     EXPECT_EQ(rule.participant, "S4");
     EXPECT_EQ(rule.form, "ngt-a2-shifted");
   }
 }
 
-TEST(SimulatedStudy, FollowsFromTheSeed) {
-  EXPECT_EQ(simulatedNgtStudy(3).value(), simulatedNgtStudy(3).value());
-  EXPECT_NE(simulatedNgtStudy(3)->answers, simulatedNgtStudy(4)->answers);
+TEST_F(SimulatedStudy, HoldsWhatGoesWrongInARealOne) {
+  std::set<std::string> verdicts;
+  const auto strokes = store::strokes(*file_, {}, store::Recordings::kLeaveOut).value();
+  for (const auto& stroke : strokes) {
+    verdicts.insert(stroke.verdict);
+  }
+  EXPECT_EQ(verdicts, (std::set<std::string>{"accepted", "too_short"}));
+  const auto judgements = store::judgements(*file_);
+  EXPECT_TRUE(std::any_of(judgements->begin(), judgements->end(), [](const study::JudgementRecord& record) {
+    return record.series == "ascending" && !record.scored;
+  }));
+  EXPECT_GT(store::answers(*file_, {{}, {}, true})->size(), 135U);  // corrected ones
 }
 
-TEST(SimulatedStudy, UnknownReadingIsRefused) { EXPECT_FALSE(simulatedNgtStudy(1, "another")); }
+TEST_F(SimulatedStudy, FollowsFromItsArguments) {
+  const auto again = makeSimulatedNgtStudy(folder_->file("again.tactus"), 3, "ngt-a2-shifted", "test");
+  ASSERT_TRUE(again) << again.error().message();
+  const store::Selection all{{}, {}, true};
+  EXPECT_EQ(store::persons(*again).value(), store::persons(*file_).value());
+  EXPECT_EQ(store::sessions(*again).value(), store::sessions(*file_).value());
+  EXPECT_EQ(store::events(*again, all).value(), store::events(*file_, all).value());
+  EXPECT_EQ(store::strokes(*again, all).value(), store::strokes(*file_, all).value());
+  EXPECT_EQ(store::judgements(*again, all).value(), store::judgements(*file_, all).value());
+  EXPECT_EQ(store::answers(*again, all).value(), store::answers(*file_, all).value());
+  EXPECT_EQ(store::ratings(*again, all).value(), store::ratings(*file_, all).value());
+  EXPECT_EQ(store::rules(*again, all).value(), store::rules(*file_, all).value());
+}
 
-TEST(SimulatedStudy, SurvivesItsTables) {
-  auto study = simulatedNgtStudy().value();
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "tactus-simulated-study";
+TEST_F(SimulatedStudy, SurvivesItsTables) {
   const std::vector<std::string> inputs = {"lubrication", "neck_flexion", "depth", "speed"};
-  ASSERT_TRUE(study::writeStudyFolder(study, inputs, folder.string()));
-  const auto read = study::readStudyFolder(folder.string(), inputs);
-  std::filesystem::remove_all(folder);
+  const std::string tables = folder_->file("tables");
+  ASSERT_TRUE(study::writeStudyFolder(view_->study, inputs, tables));
+  auto read = study::readStudyFolder(tables, inputs);
   ASSERT_TRUE(read) << read.error().message();
-  study.name = read->study.name;
-  EXPECT_EQ(read->study, study);
+  read->study.name = view_->study.name;
+  EXPECT_EQ(read->study, view_->study);
+}
+
+TEST(SimulatedStudyRefuses, AnUnknownReadingAndAFileThatIsThere) {
+  const support::TempFolder folder;
+  EXPECT_FALSE(makeSimulatedNgtStudy(folder.file("a.tactus"), 1, "another"));
+  EXPECT_TRUE(folder.isEmpty());
 }
 
 }  // namespace

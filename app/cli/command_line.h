@@ -1,0 +1,37 @@
+// How a command is declared on the command line; for program.cpp and its parts.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/cli/commands.h"
+
+namespace tactus::cli {
+
+/// The command that the command line chose, with its options bound.
+using Chosen = std::function<base::Result<Output>()>;
+
+/// Adds the subcommand `name`; `define` declares its options, `function` is called with them.
+template <class Options, class Define>
+void addCommand(CLI::App& app, Chosen& chosen, const std::string& name, const std::string& description,
+                base::Result<Output> (*function)(const Options&), Define define) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* const command = app.add_subcommand(name, description);
+  define(*command, *options);
+  command->callback([&chosen, options, function] { chosen = [options, function] { return function(*options); }; });
+}
+
+/// An empty text is most often a shell variable that is not set.
+inline CLI::Validator notEmpty() {
+  return CLI::Validator(
+      [](const std::string& text) { return text.empty() ? std::string("found an empty text") : std::string(); }, "");
+}
+
+inline void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
+
+/// `study` with its subcommands (study_commands.h).
+void addStudyCommands(CLI::App& app, Chosen& chosen);
+
+}  // namespace tactus::cli

@@ -1,0 +1,63 @@
+// The command line of `tactus study`.
+#include "app/cli/command_line.h"
+#include "app/cli/study_commands.h"
+
+namespace tactus::cli {
+namespace {
+
+void addFile(CLI::App& command, std::string& file) {
+  command.add_option("FILE", file, "Study file")->required()->check(notEmpty());
+}
+
+}  // namespace
+
+void addStudyCommands(CLI::App& app, Chosen& chosen) {
+  CLI::App& study = *app.add_subcommand("study", "Study files: make, look into, check, merge, import, export");
+  study.require_subcommand(1);
+  addCommand(study, chosen, "new", "Make a study file", studyNew, [](CLI::App& command, StudyNewOptions& o) {
+    addFile(command, o.file);
+    command.add_option("--name", o.name, "Name of the study; by default the file's")->check(notEmpty());
+  });
+  addCommand(study, chosen, "info", "What a study file holds", studyInfo, [](CLI::App& command, StudyInfoOptions& o) {
+    addFile(command, o.file);
+    addJson(command, o.json);
+  });
+  addCommand(study, chosen, "check", "Look for damaged, lost and contradicting records", studyCheck,
+             [](CLI::App& command, StudyCheckOptions& o) {
+               addFile(command, o.file);
+               addJson(command, o.json);
+             });
+  addCommand(study, chosen, "merge", "Add the records of other study files", studyMerge,
+             [](CLI::App& command, StudyMergeOptions& o) {
+               addFile(command, o.file);
+               command.add_option("OTHER", o.others, "Study files to read from")->required()->check(notEmpty());
+               addJson(command, o.json);
+             });
+  addCommand(study, chosen, "import", "Add the CSV tables of a folder, or a full export", studyImport,
+             [](CLI::App& command, StudyImportOptions& o) {
+               addFile(command, o.file);
+               command.add_option("FOLDER", o.folder, "Folder with the CSV tables")->required()->check(notEmpty());
+               addJson(command, o.json);
+             });
+  addCommand(study, chosen, "export", "Write everything as CSV tables with a codebook", studyExport,
+             [](CLI::App& command, StudyExportOptions& o) {
+               addFile(command, o.file);
+               command.add_option("FOLDER", o.folder, "New or empty folder, or an earlier export, which is replaced")
+                   ->required()
+                   ->check(notEmpty());
+               command.add_flag("--shareable", o.shareable, "Only what counts now, without identifying details");
+               command.add_flag("--bom", o.mark, "Begin each table with a byte order mark, for spreadsheet programs");
+               addJson(command, o.json);
+             });
+  addCommand(study, chosen, "withdraw", "Remove everything of a participant for good", studyWithdraw,
+             [](CLI::App& command, StudyWithdrawOptions& o) {
+               addFile(command, o.file);
+               command.add_option("CODE", o.code, "Code of the participant")->required()->check(notEmpty());
+               command
+                   .add_flag_callback(
+                       "--yes", [] {}, "Needed, because it cannot be undone")
+                   ->required();
+             });
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,144 @@
+#include <filesystem>
+
+#include "app/cli/study_commands.h"
+#include "app/cli/study_text.h"
+#include "app/version.h"
+#include "core/base/clock.h"
+#include "core/base/json_writer.h"
+#include "core/store/merge.h"
+#include "core/store/persons.h"
+#include "core/store/study_info.h"
+#include "core/store/withdrawal.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::ErrorCode;
+using base::Result;
+using Layout = base::JsonWriter::Layout;
+
+std::string utcText(std::int64_t utc_ms) {
+  return base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(utc_ms)));
+}
+
+std::string infoAsText(const std::string& file, const store::StudyInfo& info) {
+  std::string text = file + ": " + base::oneLine(info.name) + "\n  made " + utcText(info.created_utc_ms) + " with " +
+                     base::oneLine(info.program) + "\n  version of the file " + std::to_string(info.version) +
+                     "\n  id " + toText(info.id) + '\n';
+  for (const auto& count : info.counts) text += "  " + count.table + ' ' + std::to_string(count.rows) + '\n';
+  if (info.simulated_persons > 0) {
+    text += "  simulated: " + std::to_string(info.simulated_persons) + " of the persons\n";
+  }
+  return text;
+}
+
+std::string infoAsJson(const std::string& file, const store::StudyInfo& info) {
+  base::JsonWriter json;
+  json.beginObject().key("file").value(file).key("id").value(toText(info.id)).key("name").value(info.name);
+  json.key("created_utc").value(utcText(info.created_utc_ms)).key("program").value(info.program);
+  json.key("version").value(info.version).key("simulated_persons").value(info.simulated_persons);
+  json.key("rows");
+  writeCounts(info.counts, json);
+  json.endObject();
+  return json.text();
+}
+
+struct NamedMerge {
+  std::string file;
+  store::Merge merge;
+};
+
+std::string mergesAsText(const std::vector<NamedMerge>& merges) {
+  std::string text;
+  for (const auto& [file, merge] : merges) text += file + ": " + mergeAsText(merge);
+  return text;
+}
+
+std::string mergesAsJson(const std::string& file, const std::vector<NamedMerge>& merges) {
+  base::JsonWriter json;
+  json.beginObject().key("file").value(file).key("merged").beginArray();
+  for (const auto& [other, merge] : merges) {
+    json.beginObject().key("file").value(other);
+    writeMerge(merge, json);
+    json.endObject();
+  }
+  json.endArray().endObject();
+  return json.text();
+}
+
+}  // namespace
+
+Result<Output> studyNew(const StudyNewOptions& options) {
+  const std::string name = options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name;
+  auto file = newStudy(options.file, name);
+  if (!file) return tl::unexpected(file.error());
+  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  return Output{"Made the study " + base::oneLine(name) + " in " + options.file + '\n', {}};
+}
+
+Result<Output> studyInfo(const StudyInfoOptions& options) {
+  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
+  if (!file) return tl::unexpected(file.error());
+  const auto info = store::studyInfo(*file);
+  if (!info) return tl::unexpected(info.error());
+  return Output{options.json ? infoAsJson(options.file, *info) : infoAsText(options.file, *info), {}};
+}
+
+Result<Output> studyCheck(const StudyCheckOptions& options) {
+  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
+  if (!file) return tl::unexpected(file.error());
+  const auto findings = store::checkStudy(*file);
+  if (!findings) return tl::unexpected(findings.error());
+  if (options.json) {
+    base::JsonWriter json;
+    json.beginObject().key("file").value(options.file).key("findings").values(*findings).endObject();
+    return Output{json.text(), {}};
+  }
+  std::string text = options.file + ": findings " + std::to_string(findings->size()) + '\n';
+  for (const auto& finding : *findings) text += "  " + finding + '\n';
+  return Output{std::move(text), {}};
+}
+
+Result<Output> studyMerge(const StudyMergeOptions& options) {
+  auto file = store::StudyFile::open(options.file);
+  if (!file) return tl::unexpected(file.error());
+  study::RecordIds ids;
+  std::vector<NamedMerge> merges;
+  for (const auto& other : options.others) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(other, options.file, ignored)) {
+      return tl::unexpected(base::Error{ErrorCode::kIo, other, {}, "the study itself", "another study file"});
+    }
+    auto merge = store::mergeStudy(*file, other, ids.next(), utcNowMs());
+    if (!merge) return tl::unexpected(merge.error());
+    merges.push_back({other, std::move(*merge)});
+  }
+  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  return Output{options.json ? mergesAsJson(options.file, merges) : mergesAsText(merges), {}};
+}
+
+Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
+  auto file = store::StudyFile::open(options.file);
+  if (!file) return tl::unexpected(file.error());
+  const auto person = store::findPerson(*file, options.code);
+  if (!person) return tl::unexpected(person.error());
+  if (!*person) {
+    return tl::unexpected(base::Error{ErrorCode::kReference,
+                                      options.file,
+                                      {},
+                                      "no participant " + base::quoted(options.code),
+                                      "a participant's code"});
+  }
+  const auto withdrawal = store::withdraw(*file, (*person)->id, utcNowMs());
+  if (!withdrawal) return tl::unexpected(withdrawal.error());
+  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  Output output;
+  output.text = "Removed " + std::to_string(withdrawal->records) + " records of " + options.code + " from " +
+                options.file + ". Backups and exports made before still hold them.\n";
+  for (const auto& copy : withdrawal->copies) {
+    output.warnings.push_back(copy + ": a copy made before, which may hold the data; withdraw there too, or delete it");
+  }
+  return output;
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,41 @@
+#include "app/session/study_export.h"
+
+#include <random>
+
+#include "app/cli/study_commands.h"
+#include "core/base/json_writer.h"
+
+namespace tactus::cli {
+namespace {
+
+/// A seed that nobody can repeat, so that the order of the participants stays secret.
+std::uint64_t secretSeed() {
+  std::random_device device;
+  return (static_cast<std::uint64_t>(device()) << 32U) | device();
+}
+
+}  // namespace
+
+base::Result<Output> studyExport(const StudyExportOptions& options) {
+  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
+  if (!file) return tl::unexpected(file.error());
+  session::ExportOptions settings;
+  settings.shareable = options.shareable;
+  settings.seed = secretSeed();
+  settings.mark = options.mark ? store::ByteOrderMark::kWrite : store::ByteOrderMark::kNone;
+  auto done = session::exportStudy(*file, options.folder, settings);
+  if (!done) return tl::unexpected(done.error());
+  const std::string profile = options.shareable ? "shareable" : "full";
+  if (options.json) {
+    base::JsonWriter json;
+    json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
+    json.key("profile").value(profile).key("participants").value(done->participants);
+    json.key("notes").values(done->notes).endObject();
+    return Output{json.text(), {}};
+  }
+  return Output{"Wrote the " + profile + " export of " + std::to_string(done->participants) + " participants to " +
+                    options.folder + "; codebook.md says what the tables hold\n",
+                std::move(done->notes)};
+}
+
+}  // namespace tactus::cli

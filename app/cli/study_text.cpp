@@ -1,0 +1,39 @@
+#include "app/cli/study_text.h"
+
+#include <chrono>
+
+#include "app/version.h"
+
+namespace tactus::cli {
+
+std::int64_t utcNowMs() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+base::Result<store::StudyFile> newStudy(const std::string& path, const std::string& name) {
+  return store::StudyFile::create(path, {study::RecordIds().next(), name, utcNowMs(), std::string(kGenerator)});
+}
+
+void writeCounts(const std::vector<store::TableCount>& counts, base::JsonWriter& json) {
+  json.beginObject(base::JsonWriter::Layout::kInline);
+  for (const auto& count : counts) json.key(count.table).value(count.rows);
+  json.endObject();
+}
+
+std::string mergeAsText(const store::Merge& merge) {
+  std::string text = merge.added.empty() ? "nothing new" : "added";
+  for (const auto& count : merge.added) text += ' ' + count.table + ' ' + std::to_string(count.rows);
+  text +=
+      ", withdrawn " + std::to_string(merge.withdrawn) + ", conflicts " + std::to_string(merge.conflicts.size()) + '\n';
+  for (const auto& conflict : merge.conflicts) text += "  " + conflict + '\n';
+  return text;
+}
+
+void writeMerge(const store::Merge& merge, base::JsonWriter& json) {
+  json.key("added");
+  writeCounts(merge.added, json);
+  json.key("withdrawn").value(merge.withdrawn).key("conflicts").values(merge.conflicts);
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,29 @@
+// What the subcommands of `tactus study` share: new files, the time, merges as text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/json_writer.h"
+#include "core/store/merge.h"
+#include "core/store/study_file.h"
+
+namespace tactus::cli {
+
+/// Wall clock, milliseconds since 1970-01-01 UTC.
+std::int64_t utcNowMs();
+
+/// Makes the study file `path` and opens it.
+base::Result<store::StudyFile> newStudy(const std::string& path, const std::string& name);
+
+/// `{"person": 3, …}` on one line.
+void writeCounts(const std::vector<store::TableCount>& counts, base::JsonWriter& json);
+
+/// What a merge added, one line, and its conflicts, a line each.
+std::string mergeAsText(const store::Merge& merge);
+/// The keys `added`, `withdrawn` and `conflicts` of the open object.
+void writeMerge(const store::Merge& merge, base::JsonWriter& json);
+
+}  // namespace tactus::cli

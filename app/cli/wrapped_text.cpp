@@ -1,0 +1,38 @@
+#include "app/cli/wrapped_text.h"
+
+#include <algorithm>
+
+namespace tactus::cli {
+namespace {
+
+/// Characters on the screen, one for each code point.
+std::size_t width(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string wrapped(std::string_view text, std::string_view first, std::size_t indent) {
+  std::string out(first);
+  std::size_t column = width(first);
+  bool line_start = true;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::size_t needed = width(word) + (line_start ? 0 : 1);
+    if (!line_start && column + needed > kTextColumns) {
+      out += '\n' + std::string(indent, ' ');
+      column = indent;
+      line_start = true;
+    }
+    if (!line_start) out += ' ';
+    out += word;
+    column += width(word) + (line_start ? 0 : 1);
+    line_start = false;
+  }
+  return out + '\n';
+}
+
+}  // namespace tactus::cli

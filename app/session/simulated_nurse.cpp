@@ -1,0 +1,203 @@
+#include "app/session/simulated_nurse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "app/session/stroke_capture.h"
+#include "core/base/check.h"
+#include "experiments/forward_motion.h"
+#include "experiments/published_tables.h"
+
+namespace tactus::session {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using experiments::PositionSample;
+
+constexpr double kRateHz = 1000;
+constexpr double kTremorMm = 0.1;
+constexpr double kTremorHz = 9;
+
+/// A hand that moves at `speed_mm_s` for `length_s` while it feels a force; one that rests trembles only.
+experiments::ForwardMotion motionOf(double speed_mm_s, double length_s, double least_mm_s) {
+  experiments::ForwardMotion motion(least_mm_s);
+  const int ticks = static_cast<int>(length_s * kRateHz);
+  for (int i = 0; i < ticks; ++i) {
+    const double time_s = i / kRateHz;
+    motion.add({time_s, speed_mm_s * time_s + kTremorMm * std::sin(2 * std::numbers::pi * kTremorHz * time_s)});
+  }
+  return motion;
+}
+
+/// The choice beside `value`.
+std::string neighbour(const questionnaires::Questionnaire& form, const std::string& value) {
+  const auto at = std::find_if(form.choices.begin(), form.choices.end(),
+                               [&](const questionnaires::Choice& choice) { return choice.value == value; });
+  TACTUS_CHECK(at != form.choices.end() && form.choices.size() > 1);
+  return at == form.choices.begin() ? std::next(at)->value : std::prev(at)->value;
+}
+
+/// The item whose last reply is not what the nurse thinks, or nothing.
+template <class ReplyTo>
+std::optional<int> itemToCorrect(const questionnaires::QuestionnaireRun& form, ReplyTo reply_to) {
+  for (const auto& question : form.form().questions) {
+    const auto history = form.history(question.number);
+    if (history.empty()) continue;
+    const questionnaires::Reply wanted = reply_to(question.number);
+    if (history.back().status != wanted.status || history.back().value != wanted.value) return question.number;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SimulatedNurse::SimulatedNurse(NurseTraits traits, std::uint64_t seed, PassTime pass_time,
+                               std::span<const study::JudgementRecord> judged)
+    : traits_(std::move(traits)),
+      seed_(seed),
+      pass_time_(pass_time ? std::move(pass_time) : [](double) {}),
+      responder_(traits_.responder, experiments::publishedVoteTerms()) {
+  for (const auto& record : judged) {
+    auto random =
+        randomFor("judge " + record.series + ' ' + std::to_string(record.step) + ' ' + std::to_string(record.attempt));
+    responder_.judge(record.felt_n.value_or(record.commanded_n), random);
+  }
+}
+
+base::Random SimulatedNurse::randomFor(const std::string& step) const {
+  std::uint64_t hash = 0xCBF29CE484222325U ^ seed_;  // FNV-1a (Fowler, Noll, Vo)
+  for (const char c : step) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+  return base::Random(hash);
+}
+
+Result<void> SimulatedNurse::doNext(Session& session) {
+  switch (session.stage()) {
+    case Stage::kProfile:
+      pass_time_(60);
+      return session.tell(traits_.profile);
+    case Stage::kSpeed:
+      return doStroke(session);
+    case Stage::kForce:
+      return doJudgement(session);
+    case Stage::kForm:
+      return doAnswer(session);
+    case Stage::kRating:
+      return doRating(session);
+    case Stage::kFinished:
+    case Stage::kAborted:
+      break;
+  }
+  return fail(ErrorCode::kValue, "session", "its end", "a session that asks for something");
+}
+
+Result<void> SimulatedNurse::finish(Session& session) {
+  while (session.stage() != Stage::kFinished) {
+    if (auto ok = doNext(session); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> SimulatedNurse::doStroke(Session& session) const {
+  const auto plan = session.speed()->next();
+  const auto level = traits_.levels.find(plan.level);
+  if (level == traits_.levels.end()) {
+    return fail(ErrorCode::kReference, "simulated nurse", "the speed " + base::quoted(plan.level), "one with strokes");
+  }
+  auto random = randomFor("stroke " + plan.level + (plan.practice ? " practice " : " ") + std::to_string(plan.number));
+  const bool too_short = plan.attempt == 1 && random.uniform() < traits_.stops_early;
+  const auto& good = plan.practice ? level->second.practice : level->second.strokes;
+  const auto place = static_cast<std::size_t>(plan.number - 1) % good.size();
+  const Recording& stream = too_short ? level->second.too_short : good[place];
+
+  StrokeCapture capture(session.settings().speed.stroke);
+  for (std::size_t i = 0; i < stream.time_s.size(); ++i) capture.add({stream.time_s[i], stream.depth_mm[i]});
+  capture.finish();
+  pass_time_(3 + stream.time_s.back());
+  auto found = capture.take();
+  if (!found) return fail(ErrorCode::kData, "simulated nurse", "no stroke in its recording", "one");
+  return session.addStroke(found->stroke, std::move(found->recording), found->recording_first);
+}
+
+Response SimulatedNurse::responseTo(const experiments::ForceStep& step, int attempt, const Session& session) {
+  auto random = randomFor("judge " + step.series + ' ' + std::to_string(step.step) + ' ' + std::to_string(attempt));
+  return responder_.judge(step.force_n + session.settings().force.device_friction_n.value_or(0), random);
+}
+
+Result<void> SimulatedNurse::doJudgement(Session& session) {
+  const auto plan = session.force()->next();
+  const auto response = responseTo(plan.step, plan.attempt, session);
+  auto random = randomFor("feel " + plan.step.series + ' ' + std::to_string(plan.step.step));
+  const double length_s = random.uniform(1, 2);
+  const double speed_mm_s = random.uniform(30, 80);
+  const bool still = plan.attempt == 1 && random.uniform() < traits_.holds_still;
+  const auto motion = motionOf(still ? 0 : speed_mm_s, length_s, plan.forward_least_mm_s);
+
+  experiments::ForceAnswer answer;
+  answer.forward_mm = motion.wayMm();
+  answer.forward_speed_mm_s = motion.speedMmS();
+  answer.response_s = length_s;
+  if (!plan.question.answers.empty()) {
+    answer.kind = response.kind;
+    answer.term = response.term;
+  }
+  pass_time_(plan.pause_before_s + plan.ramp_s + length_s);
+  return session.judge(answer);
+}
+
+questionnaires::Reply SimulatedNurse::replyTo(int item) const {
+  const auto answer = std::find_if(traits_.answers.begin(), traits_.answers.end(),
+                                   [item](const study::Answer& one) { return one.item == item; });
+  if (answer == traits_.answers.end()) return {};
+  return {answer->status, answer->term};
+}
+
+/// Goes back to an answer that was another choice at first, at most one a call. Returns whether there was one.
+Result<bool> SimulatedNurse::correct(Session& session) const {
+  const auto& form = *session.form();
+  const auto item = itemToCorrect(form, [this](int number) { return replyTo(number); });
+  if (!item) return false;
+  do {
+    session.back();
+  } while (form.page()->question->number != *item && form.page()->position > 1);
+  pass_time_(4);
+  const auto replied = session.reply(replyTo(*item), 4);
+  if (!replied) return tl::unexpected(replied.error());
+  return true;
+}
+
+Result<void> SimulatedNurse::doAnswer(Session& session) const {
+  const auto corrected = correct(session);
+  if (!corrected) return tl::unexpected(corrected.error());
+  if (*corrected) return {};
+  const auto page = session.form()->page();
+  if (!page) return fail(ErrorCode::kValue, "simulated nurse", "a form without a page", "an open page");
+  const int item = page->question->number;
+  auto random = randomFor("item " + std::to_string(item));
+  const double response_s = random.uniform(3, 9);
+  auto reply = replyTo(item);
+  const bool otherwise = random.uniform() < traits_.second_thoughts;
+  if (otherwise && page->last_answer == nullptr && reply.status == study::Answer::Status::kAnswered) {
+    reply.value = neighbour(session.form()->form(), reply.value);
+  }
+  pass_time_(response_s);
+  return session.reply(reply, response_s);
+}
+
+Result<void> SimulatedNurse::doRating(Session& session) const {
+  if (session.block() == Block::kForm) {
+    const auto corrected = correct(session);
+    if (!corrected) return tl::unexpected(corrected.error());
+    if (*corrected) return {};
+  }
+  auto random = randomFor("rating " + std::string(name(*session.block())));
+  const int effort = 1 + random.below(4);
+  const int comfort = 4 + random.below(4);
+  pass_time_(15);
+  return session.rate(effort, comfort);
+}
+
+}  // namespace tactus::session

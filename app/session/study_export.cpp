@@ -1,0 +1,173 @@
+#include "app/session/study_export.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "app/session/codebook.h"
+#include "app/session/export_folder.h"
+#include "app/session/shareable.h"
+#include "app/session/study_view.h"
+#include "core/base/csv.h"
+#include "core/base/file.h"
+#include "core/study/csv_tables.h"
+#include "elicitation/ngt_variables.h"
+
+namespace tactus::session {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Result;
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 31U;
+
+/// The inputs of the study's rules: those of the tube model, then further ones.
+std::vector<std::string> inputsOf(const study::Study& study) {
+  std::vector<std::string> inputs = elicitation::ngtInputIds();
+  for (const auto& rule : study.rules) {
+    for (const auto& condition : rule.conditions) {
+      if (std::find(inputs.begin(), inputs.end(), condition.input) == inputs.end()) inputs.push_back(condition.input);
+    }
+  }
+  return inputs;
+}
+
+/// Adds the column of the bands of experience to the table of participants.
+Result<void> addBands(const std::string& path, const std::vector<std::string>& bands) {
+  const auto table = base::CsvTable::read(path);
+  if (!table) return tl::unexpected(table.error());
+  auto columns = table->columns();
+  columns.emplace_back("years_experience_band");
+  base::CsvWriter csv{std::span<const std::string>(columns)};
+  for (std::size_t row = 0; row < table->rowCount(); ++row) {
+    for (std::size_t column = 0; column < table->columns().size(); ++column) csv.cell(table->cell(row, column));
+    csv.cell(std::string_view(bands[row])).endRow();
+  }
+  return base::writeFileAtomically(path, csv.text());
+}
+
+Result<void> addMark(const std::string& path) {
+  const auto text = base::readFile(path, kMostBytes);
+  if (!text) return tl::unexpected(text.error());
+  return base::writeFileAtomically(path, std::string(store::kByteOrderMark) + *text);
+}
+
+/// The tables tell participants apart by their codes.
+Result<StudyView> requireDistinctCodes(StudyView view) {
+  std::set<std::string> codes;
+  for (const auto& participant : view.study.participants) {
+    if (!codes.insert(participant.code).second) {
+      return base::fail(base::ErrorCode::kData, {}, "two participants with the code " + base::quoted(participant.code),
+                        "each code once");
+    }
+  }
+  return view;
+}
+
+std::string simulatedNote(const study::Study& study) {
+  const auto count = std::count_if(study.participants.begin(), study.participants.end(),
+                                   [](const study::Participant& participant) { return participant.simulated; });
+  if (count == 0) return {};
+  return "Simulated by a program, not measured: the data of " + std::to_string(count) + " of " +
+         std::to_string(study.participants.size()) + " participants (column `simulated`).";
+}
+
+class Exporter {
+ public:
+  Exporter(const store::StudyFile& file, std::string folder, const ExportOptions& options)
+      : file_(file), folder_(std::move(folder)), options_(options) {}
+
+  Result<StudyExport> write() {
+    codebook_.shareable = options_.shareable;
+    auto view = studyForElicitation(file_).and_then(requireDistinctCodes);
+    if (view) {
+      if (auto ok = writeView(*view); !ok) return tl::unexpected(ok.error());
+    } else if (options_.shareable) {
+      return base::inFile(view.error(), file_.path());
+    } else {
+      done_.notes.push_back("The five tables for elicitation are left out: " + view.error().message() + '.');
+    }
+    if (auto ok = options_.shareable ? noteWhatIsMissing() : writeRecords(); !ok) return tl::unexpected(ok.error());
+    for (const auto& [name, text] :
+         {std::pair("codebook.json", asJson(codebook_)), std::pair("codebook.md", asMarkdown(codebook_))}) {
+      if (auto ok = base::writeFileAtomically(path(name), text); !ok) return tl::unexpected(ok.error());
+    }
+    return std::move(done_);
+  }
+
+ private:
+  std::string path(std::string_view name) const { return (fs::path(folder_) / name).string(); }
+
+  Result<void> writeView(StudyView& view) {
+    done_.notes = std::move(view.notes);
+    done_.participants = view.study.participants.size();
+    if (auto note = simulatedNote(view.study); !note.empty()) codebook_.notes.push_back(std::move(note));
+    std::vector<std::string> bands;
+    if (options_.shareable) {
+      auto anonymous = shareable(view.study, options_.seed);
+      view.study = std::move(anonymous.study);
+      bands = std::move(anonymous.bands);
+    }
+    inputs_ = inputsOf(view.study);
+    if (auto ok = study::writeStudyFolder(view.study, inputs_, folder_); !ok) return ok;
+    if (options_.shareable) {
+      if (auto ok = addBands(path(study::kParticipantsTable), bands); !ok) return ok;
+    }
+    view_tables_ = viewTables(inputs_, options_.shareable);
+    for (const auto& table : view_tables_) {
+      codebook_.tables.push_back({std::string(table.file), &table});
+      if (options_.mark == store::ByteOrderMark::kNone) continue;
+      if (auto ok = addMark(path(table.file)); !ok) return ok;
+    }
+    codebook_.notes.emplace_back(
+        "The tables at the top hold what counts now: no corrected records, no practice, no strokes that were not "
+        "accepted, no judgements that are not scored; of a block that was done again, the latest session.");
+    return {};
+  }
+
+  Result<void> noteWhatIsMissing() {
+    for (const char* note :
+         {"For sharing: without codes, dates and times of day, place, device, notes, log and records.",
+          "The participants have new codes in a random order.",
+          "Years of experience are given as bands; weights, and categories and hands in other than the usual words, "
+          "are "
+          "left out."}) {
+      codebook_.notes.emplace_back(note);
+    }
+    return {};
+  }
+
+  Result<void> writeRecords() {
+    codebook_.notes.emplace_back(
+        "The tables below `records` hold everything that was recorded, corrected records too; `tactus study import` "
+        "makes the same study of them.");
+    codebook_.notes.emplace_back(
+        "`sequence` counts all records of a session; a missing number would be a lost record.");
+    for (const auto& table : store::recordTables()) {
+      codebook_.tables.push_back({"records/" + std::string(table.file), &table});
+    }
+    return store::writeRecords(file_, path("records"), options_.mark);
+  }
+
+  const store::StudyFile& file_;
+  std::string folder_;
+  const ExportOptions& options_;
+  Codebook codebook_;
+  std::vector<std::string> inputs_;
+  std::vector<store::RecordTable> view_tables_;
+  StudyExport done_;
+};
+
+}  // namespace
+
+Result<StudyExport> exportStudy(const store::StudyFile& file, const std::string& folder, const ExportOptions& options) {
+  auto place = ExportFolder::beside(folder);
+  if (!place) return tl::unexpected(place.error());
+  auto done = Exporter(file, place->path(), options).write();
+  if (!done) return done;
+  if (auto placed = place->place(); !placed) return tl::unexpected(placed.error());
+  return done;
+}
+
+}  // namespace tactus::session

@@ -1,0 +1,21 @@
+#include "app/session/study_source.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "app/session/study_view.h"
+#include "core/store/study_file.h"
+
+namespace tactus::session {
+
+base::Result<study::StudyTables> readStudy(const std::string& path, const std::vector<std::string>& input_ids) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return study::readStudyFolder(path, input_ids);
+  const auto file = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
+  if (!file) return tl::unexpected(file.error());
+  auto view = studyForElicitation(*file);
+  if (!view) return tl::unexpected(view.error());
+  return study::StudyTables{std::move(view->study), std::move(view->notes)};
+}
+
+}  // namespace tactus::session

@@ -1,0 +1,114 @@
+#include "core/store/record_import.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "core/store/backup.h"
+#include "core/store/record_rows.h"
+#include "core/store/schema.h"
+
+namespace tactus::store {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+
+/// A folder beside a study file for what is made on the way; removed with all it holds.
+class WorkFolder {
+ public:
+  static Result<WorkFolder> beside(const std::string& path) {
+    std::string pattern = path + ".import-XXXXXX";
+    if (mkdtemp(pattern.data()) == nullptr) {
+      std::error_code ignored;
+      const auto parent = fs::absolute(path, ignored).parent_path().string();
+      return tl::unexpected(Error{ErrorCode::kIo, parent, {}, "a folder that cannot be written into", "one that can"});
+    }
+    return WorkFolder(std::move(pattern));
+  }
+  WorkFolder(WorkFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  WorkFolder& operator=(WorkFolder&&) = delete;
+  ~WorkFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+
+  std::string file(const std::string& name) const { return (fs::path(path_) / name).string(); }
+
+ private:
+  explicit WorkFolder(std::string path) : path_(std::move(path)) {}
+
+  std::string path_;
+};
+
+/// The name of the folder itself, which import_log keeps.
+std::string nameOf(const std::string& folder) {
+  std::error_code ignored;
+  auto path = fs::weakly_canonical(folder, ignored);
+  if (path.filename() == "records") path = path.parent_path();
+  return path.filename().empty() ? "tables" : path.filename().string();
+}
+
+/// The first record of the new study.
+NewStudy studyIn(const std::string& folder) {
+  const RecordTable& table = recordTables().front();
+  const RecordRows rows(table, folder);
+  const base::CsvTable& csv = rows.csv();
+  if (csv.rowCount() != 1) {
+    throw Refusal{{ErrorCode::kData, csv.file(), {}, std::to_string(csv.rowCount()) + " rows", "one row"}};
+  }
+  const auto text = [&](const char* column) { return std::string(csv.cell(0, *csv.find(column))); };
+  const auto version = orRefuse(csv.integer(0, *csv.find("schema_version")));
+  if (version != schemaSteps().back().version) {
+    throw Refusal{csv.refuse(0, *csv.find("schema_version"), ErrorCode::kVersion,
+                             "version " + std::to_string(schemaSteps().back().version) + ", which this program knows")
+                      .value()};
+  }
+  const auto id = study::parseRecordId(text("id"));
+  if (!id || id->isNil()) rows.refuseCell(0, table.columns.front(), "an id of 32 hexadecimal digits");
+  return {*id, text("name"), orRefuse(csv.integer(0, *csv.find("created_utc_ms"))), text("program")};
+}
+
+/// The tables as a study file of their own at `path`.
+Result<StudyFile> studyFromTables(const std::string& folder, const std::string& path) {
+  std::optional<NewStudy> first;
+  try {
+    first = studyIn(folder);
+  } catch (const Refusal& refusal) {
+    return tl::unexpected(refusal.error);
+  }
+  auto file = StudyFile::create(path, *first);
+  if (!file) return file;
+  Connection& connection = file->connection();
+  auto filled = inTransaction(connection, [&] {
+    for (const auto& table : recordTables().subspan(1)) RecordRows(table, folder).insert(connection);
+  });
+  if (!filled) return tl::unexpected(filled.error());
+  return file;
+}
+
+}  // namespace
+
+Result<void> restoreRecords(const std::string& folder, const std::string& target) {
+  auto work = WorkFolder::beside(target);
+  if (!work) return tl::unexpected(work.error());
+  auto made = studyFromTables(folder, work->file(nameOf(folder)));
+  if (!made) return tl::unexpected(made.error());
+  return backUp(*made, target);
+}
+
+Result<Merge> importRecords(StudyFile& file, const std::string& folder, const study::RecordId& log_id,
+                            std::int64_t utc_ms) {
+  auto work = WorkFolder::beside(file.path());
+  if (!work) return tl::unexpected(work.error());
+  const std::string path = work->file(nameOf(folder));
+  auto made = studyFromTables(folder, path);
+  if (!made) return tl::unexpected(made.error());
+  if (auto closed = made->close(); !closed) return tl::unexpected(closed.error());
+  return mergeStudy(file, path, log_id, utc_ms);
+}
+
+}  // namespace tactus::store

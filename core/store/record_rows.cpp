@@ -1,0 +1,246 @@
+#include "core/store/record_rows.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sqlite3.h>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/base/file.h"
+#include "core/base/sha256.h"
+#include "core/base/text.h"
+#include "core/store/recording_codec.h"
+
+namespace tactus::store {
+namespace {
+
+namespace fs = std::filesystem;
+using base::ErrorCode;
+using study::RecordId;
+
+constexpr std::size_t kMostModelBytes = std::size_t{256} << 20U;
+
+/// Columns that stand in the study file, in the order of the description.
+std::string insertion(const RecordTable& table) {
+  std::string columns;
+  std::string marks;
+  for (const auto& column : table.columns) {
+    if (column.kind == ColumnKind::kChannels) continue;
+    columns.append(columns.empty() ? "" : ", ").append(column.name);
+    marks += marks.empty() ? "?" : ", ?";
+  }
+  return "INSERT INTO " + std::string(table.name) + " (" + columns + ") VALUES (" + marks + ")";
+}
+
+const RecordColumn& columnOf(const RecordTable& table, std::string_view name) {
+  const auto it = std::find_if(table.columns.begin(), table.columns.end(),
+                               [name](const RecordColumn& column) { return column.name == name; });
+  TACTUS_CHECK(it != table.columns.end());
+  return *it;
+}
+
+const RecordTable& tableCalled(std::string_view name) {
+  const auto tables = recordTables();
+  const auto it = std::find_if(tables.begin(), tables.end(), [name](const auto& table) { return table.name == name; });
+  TACTUS_CHECK(it != tables.end());
+  return *it;
+}
+
+/// Whether `text` names the column as a whole word.
+bool names(const std::string& text, std::string_view column) {
+  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (auto at = text.find(column); at != std::string::npos; at = text.find(column, at + 1)) {
+    const auto end = at + column.size();
+    if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]))) return true;
+  }
+  return false;
+}
+
+std::vector<study::Channel> channelsIn(const std::string& text) {
+  std::vector<study::Channel> channels;
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  bool fits = json.is_array();
+  for (std::size_t i = 0; fits && i < json.size(); ++i) {
+    const auto& pair = json[i];
+    fits = pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string();
+    if (fits) channels.push_back({pair[0].get<std::string>(), pair[1].get<std::string>(), {}});
+  }
+  if (!fits) refuse(ErrorCode::kSchema, {}, base::quoted(text), "a list of [name, unit]");
+  return channels;
+}
+
+}  // namespace
+
+RecordRows::RecordRows(const RecordTable& table, const std::string& folder)
+    : table_(table), folder_(folder), csv_(orRefuse(base::CsvTable::read((fs::path(folder) / table.file).string()))) {
+  for (const auto& column : table.columns) orRefuse(csv_.require(column.name));
+  for (const auto& found : csv_.columns()) {
+    const bool known = std::any_of(table.columns.begin(), table.columns.end(),
+                                   [&](const RecordColumn& column) { return column.name == found; });
+    if (!known) {
+      throw Refusal{{ErrorCode::kSchema, csv_.file(), "header", "a column " + base::quoted(found),
+                     "the columns of a full export only"}};
+    }
+  }
+}
+
+void RecordRows::insert(Connection& connection) {
+  const auto own = std::find_if(table_.columns.begin(), table_.columns.end(),
+                                [&](const RecordColumn& column) { return column.refers_to == table_.name; });
+  Query query(connection, insertion(table_));
+  std::set<RecordId> done;
+  std::vector<std::size_t> waiting;
+  for (std::size_t row = 0; row < csv_.rowCount(); ++row) waiting.push_back(row);
+  // Each round inserts the rows that correct nothing or what is there already.
+  while (!waiting.empty()) {
+    std::vector<std::size_t> later;
+    for (const std::size_t row : waiting) {
+      const auto before = own == table_.columns.end() ? std::nullopt : idIn(row, *own);
+      if (before && !done.contains(*before)) {
+        later.push_back(row);
+        continue;
+      }
+      insertRow(connection, query, row);
+      if (own != table_.columns.end()) done.insert(*idIn(row, keyOf(table_)));
+    }
+    if (later.size() == waiting.size()) refuseCell(later.front(), *own, "the id of another row of this table");
+    waiting = std::move(later);
+  }
+}
+
+void RecordRows::insertRow(Connection& connection, Query& query, std::size_t row) {
+  requireReferences(connection, row);
+  try {
+    for (const auto& column : table_.columns) putCell(query, row, column);
+    query.run();
+  } catch (const SQLite::Exception& exception) {
+    if ((exception.getErrorCode() & 0xFF) != SQLITE_CONSTRAINT) throw;  // the low byte of an extended code
+    const std::string what = exception.what();
+    if (what.ends_with("this record is there already")) refuseCell(row, keyOf(table_), "each record once");
+    for (const auto& column : table_.columns) {
+      if (what.starts_with("CHECK") && names(what, column.name))
+        refuseCell(row, column, "a value of the study (" + what + ")");
+    }
+    throw Refusal{{ErrorCode::kData, csv_.file(), "line " + std::to_string(csv_.line(row)),
+                   "a row that a study refuses (" + what + ")", "a row as it was exported"}};
+  }
+}
+
+void RecordRows::requireReferences(Connection& connection, std::size_t row) const {
+  for (const auto& column : table_.columns) {
+    if (column.refers_to.empty() || column.refers_to == table_.name) continue;
+    const auto id = idIn(row, column);
+    const RecordTable& target = tableCalled(column.refers_to);
+    Query there(connection,
+                "SELECT 1 FROM " + std::string(target.name) + " WHERE " + std::string(keyOf(target).name) + " = ?");
+    if (!id || !there.put(*id).next()) {
+      throw Refusal{
+          csv_.refuse(row, *csv_.find(column.name), ErrorCode::kReference, "an id of " + std::string(target.file))
+              .value()};
+    }
+  }
+}
+
+void RecordRows::putCell(Query& query, std::size_t row, const RecordColumn& column) {
+  const std::string text = cell(row, column);
+  const std::size_t at = *csv_.find(column.name);
+  switch (column.kind) {
+    case ColumnKind::kId:
+      query.put(idIn(row, column));
+      return;
+    case ColumnKind::kText:
+    case ColumnKind::kJson:
+      if (text.find('\0') != std::string::npos) refuseCell(row, column, "text without a byte 0");
+      if (column.kind == ColumnKind::kJson && !text.empty() && !nlohmann::json::accept(text))
+        refuseCell(row, column, "JSON text, or none");
+      query.put(text);
+      return;
+    case ColumnKind::kInteger:
+    case ColumnKind::kFlag:
+      query.put(integerIn(row, column));
+      return;
+    case ColumnKind::kNumber:
+      query.put(column.optional && text.empty() ? std::nullopt : std::optional(orRefuse(csv_.number(row, at))));
+      return;
+    case ColumnKind::kChannels:
+      return;  // with the recording
+    case ColumnKind::kRecording:
+      putRecording(query, row, column);
+      return;
+    case ColumnKind::kModel: {
+      const auto model = orRefuse(base::readFile(ownFile(row, column, kModelsFolder, ".json"), kMostModelBytes));
+      const RecordColumn& hash = columnOf(table_, "sha256");
+      if (base::sha256(model) != cell(row, hash)) refuseCell(row, hash, "the SHA-256 of the model's file");
+      query.put(model);
+      return;
+    }
+  }
+}
+
+void RecordRows::putRecording(Query& query, std::size_t row, const RecordColumn& column) {
+  const auto samples = orRefuse(base::CsvTable::read(ownFile(row, column, kRecordingsFolder, ".csv")));
+  study::Recording recording;
+  recording.sample_rate_hz = orRefuse(csv_.number(row, *csv_.find("sample_rate_hz")));
+  const RecordColumn& list = columnOf(table_, "channel_list");
+  try {
+    recording.channels = channelsIn(cell(row, list));
+  } catch (const Refusal&) {
+    refuseCell(row, list, "a list of [name, unit]");
+  }
+  if (samples.columns().size() != recording.channels.size() + 1) {
+    throw Refusal{
+        {ErrorCode::kSchema, samples.file(), "header", std::to_string(samples.columns().size()) + " columns",
+         "the column sample and one for each of the " + std::to_string(recording.channels.size()) + " channels"}};
+  }
+  for (std::size_t sample = 0; sample < samples.rowCount(); ++sample) {
+    if (orRefuse(samples.integer(sample, 0)) != static_cast<long long>(sample)) {
+      throw Refusal{samples.refuse(sample, 0, ErrorCode::kValue, "sample " + std::to_string(sample)).value()};
+    }
+    for (std::size_t i = 0; i < recording.channels.size(); ++i) {
+      recording.channels[i].values.push_back(orRefuse(samples.number(sample, i + 1)));
+    }
+  }
+  const RecordColumn& count = columnOf(table_, "samples");
+  if (cell(row, count) != std::to_string(recording.size()))
+    refuseCell(row, count, std::to_string(recording.size()) + ", as in the table of samples");
+  const auto bytes = encodeRecording(recording);
+  if (!bytes) throw Refusal{base::inFile(bytes.error(), samples.file()).value()};
+  query.putBlob(*bytes);
+}
+
+std::string RecordRows::ownFile(std::size_t row, const RecordColumn& column, std::string_view below,
+                                std::string_view ending) const {
+  const fs::path path = fs::path(below) / (study::toText(*idIn(row, keyOf(table_))) + std::string(ending));
+  if (cell(row, column) != path.generic_string()) refuseCell(row, column, path.generic_string());
+  return (fs::path(folder_) / path).string();
+}
+
+std::string RecordRows::cell(std::size_t row, const RecordColumn& column) const {
+  return std::string(csv_.cell(row, *csv_.find(column.name)));
+}
+
+std::optional<RecordId> RecordRows::idIn(std::size_t row, const RecordColumn& column) const {
+  const std::string text = cell(row, column);
+  if (text.empty() && column.optional) return std::nullopt;
+  const auto id = study::parseRecordId(text);
+  if (!id || id->isNil()) refuseCell(row, column, "an id of 32 hexadecimal digits");
+  return id;
+}
+
+std::int64_t RecordRows::integerIn(std::size_t row, const RecordColumn& column) const {
+  const std::int64_t value = orRefuse(csv_.integer(row, *csv_.find(column.name)));
+  const bool is_time = column.unit == "ms" || column.unit == "ns";
+  if (!is_time && std::abs(value) > std::numeric_limits<int>::max()) refuseCell(row, column, "a number of 32 bits");
+  return value;
+}
+
+void RecordRows::refuseCell(std::size_t row, const RecordColumn& column, std::string wanted) const {
+  throw Refusal{csv_.refuse(row, *csv_.find(column.name), ErrorCode::kValue, std::move(wanted)).value()};
+}
+
+}  // namespace tactus::store

@@ -1,0 +1,54 @@
+// Puts the rows of one CSV table of a full export into its table. Private to core/store.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "core/base/csv.h"
+#include "core/store/connection.h"
+#include "core/store/query.h"
+#include "core/store/record_tables.h"
+
+namespace tactus::store {
+
+/// Throws SQLite::Exception where the file fails, and Refusal, with table, line and column, for what the study refuses.
+class RecordRows {
+ public:
+  /// Reads the table in `folder`.
+  RecordRows(const RecordTable& table, const std::string& folder);
+
+  const base::CsvTable& csv() const { return csv_; }
+
+  /// Inserts all rows within the open transaction. Rows that correct others come after them, whatever their order in
+  /// the table.
+  void insert(Connection& connection);
+
+  [[noreturn]] void refuseCell(std::size_t row, const RecordColumn& column, std::string wanted) const;
+
+ private:
+  void insertRow(Connection& connection, Query& query, std::size_t row);
+  void putCell(Query& query, std::size_t row, const RecordColumn& column);
+  void putRecording(Query& query, std::size_t row, const RecordColumn& column);
+  void requireReferences(Connection& connection, std::size_t row) const;
+  std::string cell(std::size_t row, const RecordColumn& column) const;
+  std::optional<study::RecordId> idIn(std::size_t row, const RecordColumn& column) const;
+  std::int64_t integerIn(std::size_t row, const RecordColumn& column) const;
+  /// The row's file below the folder; the cell must hold just this name.
+  std::string ownFile(std::size_t row, const RecordColumn& column, std::string_view below,
+                      std::string_view ending) const;
+
+  const RecordTable& table_;
+  std::string folder_;
+  base::CsvTable csv_;
+};
+
+/// What `result` holds; its error is thrown as a Refusal.
+template <class Value>
+Value orRefuse(base::Result<Value> result) {
+  if (!result) throw Refusal{std::move(result.error())};
+  if constexpr (!std::is_void_v<Value>) return *std::move(result);
+}
+
+}  // namespace tactus::store

@@ -1,0 +1,213 @@
+#include "core/store/record_tables.h"
+
+#include <algorithm>
+
+#include "core/base/check.h"
+
+namespace tactus::store {
+namespace {
+
+using Kind = ColumnKind;
+using Columns = std::vector<RecordColumn>;
+
+constexpr std::string_view kBySession =
+    "(SELECT started_utc_ms FROM session WHERE session.id = session_id), session_id, sequence, id";
+
+/// The columns that every kind of session record begins with, and then `more`.
+Columns entryColumns(std::string_view table, const Columns& more) {
+  Columns columns = {
+      {"id", Kind::kId, "", "The record"},
+      {"session_id", Kind::kId, "", "The session that it belongs to", "session"},
+      {"sequence", Kind::kInteger, "", "Counts 1, 2, 3, … through the session over all kinds of record"},
+      {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
+      {"monotonic_ns", Kind::kInteger, "ns",
+       "When, by a clock that never jumps; only differences within a session mean something"},
+      {"entered_by", Kind::kText, "",
+       "participant, researcher (for the participant) or program (a simulation or an import)"},
+      {"supersedes", Kind::kId, "", "The record of this table that this one corrects, which no longer counts", table,
+       true},
+      {"reason", Kind::kText, "", "Reason of the correction", "", true},
+  };
+  columns.insert(columns.end(), more.begin(), more.end());
+  return columns;
+}
+
+RecordTable entryTable(std::string_view name, std::string_view file, std::string_view meaning, const Columns& more) {
+  return {name, file, meaning, kBySession, entryColumns(name, more)};
+}
+
+std::vector<RecordTable> makeTables() {
+  std::vector<RecordTable> tables;
+  tables.push_back({"study",
+                    "study.csv",
+                    "The study itself, one row",
+                    "id",
+                    {{"id", Kind::kId, "", "The study"},
+                     {"name", Kind::kText, "", "Its name"},
+                     {"created_utc_ms", Kind::kInteger, "ms", "When the study file was made, since 1970-01-01 UTC"},
+                     {"program", Kind::kText, "", "Program and version that made the study file"},
+                     {"schema_version", Kind::kInteger, "", "Version of the study file's tables"}}});
+  tables.push_back({"tombstone",
+                    "tombstones.csv",
+                    "A participant who withdrew; nothing else of them is left",
+                    "utc_ms, person_id",
+                    {{"person_id", Kind::kId, "", "The participant"},
+                     {"utc_ms", Kind::kInteger, "ms", "When they withdrew, since 1970-01-01 UTC"}}});
+  tables.push_back({"person",
+                    "persons.csv",
+                    "A participant",
+                    "code, id",
+                    {{"id", Kind::kId, "", "The participant"},
+                     {"code", Kind::kText, "", "Random code, never a name"},
+                     {"simulated", Kind::kFlag, "", "1 where a program made all data of this participant"}}});
+  tables.push_back(
+      {"session",
+       "sessions.csv",
+       "One visit of one participant",
+       "started_utc_ms, id",
+       {{"id", Kind::kId, "", "The session"},
+        {"person_id", Kind::kId, "", "The participant", "person"},
+        {"kind", Kind::kText, "", "elicitation, usability or import (tables that were read from files)"},
+        {"started_utc_ms", Kind::kInteger, "ms",
+         "Beginning, since 1970-01-01 UTC; counts the imports in a session of the kind import"},
+        {"started_monotonic_ns", Kind::kInteger, "ns", "Beginning, by a clock that never jumps"},
+        {"consent_version", Kind::kText, "", "Version of the text that the participant agreed to", "", true},
+        {"seed", Kind::kText, "", "Seed of every random order of the session, a whole number below 2^64"},
+        {"language", Kind::kText, "", "Language of the forms", "", true},
+        {"station", Kind::kText, "", "Place of recording", "", true},
+        {"program", Kind::kText, "", "Program and version"},
+        {"device", Kind::kText, "", "Haptic device and its serial number", "", true},
+        {"device_friction_n", Kind::kNumber, "N", "The device's own friction against forward motion", "", true},
+        {"settings", Kind::kJson, "", "Settings of the protocols", "", true}}});
+  tables.push_back(entryTable(
+      "profile", "profiles.csv", "What a participant told of themselves",
+      {{"years_experience", Kind::kNumber, "years", "Experience", "", true},
+       {"insertions_per_month", Kind::kNumber, "1/month", "Tubes placed in a month", "", true},
+       {"category", Kind::kText, "", "For example beginner, intermediate, expert", "", true},
+       {"handedness", Kind::kText, "", "left, right or both", "", true},
+       {"gloves", Kind::kText, "", "Gloves that are usually worn", "", true},
+       {"tube_size", Kind::kText, "", "Usual size of the tube", "", true},
+       {"haptic_experience", Kind::kText, "", "Experience with haptic devices", "", true},
+       {"weight", Kind::kNumber, "", "Weight in the mean of the experts, given by the researcher", "", true}}));
+  tables.push_back(entryTable("event", "events.csv", "A line of a session's log",
+                              {{"kind", Kind::kText, "", "What happened, for example stage_entered, paused"},
+                               {"detail", Kind::kJson, "", "More about it", "", true}}));
+  tables.push_back(entryTable(
+      "stroke", "strokes.csv", "An insertion movement of the speed experiment",
+      {{"level", Kind::kText, "", "The speed that was asked for"},
+       {"number", Kind::kInteger, "", "From 1 within the level and session; a repeated stroke keeps its number"},
+       {"attempt", Kind::kInteger, "", "From 1"},
+       {"practice", Kind::kFlag, "", "1 for practice"},
+       {"verdict", Kind::kText, "", "accepted, or why the stroke is not used", "", true},
+       {"first_sample", Kind::kInteger, "samples", "First sample of the forward movement in the recording, from 0"},
+       {"end_sample", Kind::kInteger, "samples", "One past its last sample"}}));
+  tables.push_back(
+      {"recording",
+       "recordings.csv",
+       "What was recorded during a stroke; the samples stand in a table of their own",
+       "place",
+       {{"place", Kind::kInteger, "", "Counts the recordings of the study file"},
+        {"stroke_id", Kind::kId, "", "The stroke", "stroke"},
+        {"session_id", Kind::kId, "", "The session", "session"},
+        {"sample_rate_hz", Kind::kNumber, "Hz", "Samples per second"},
+        {"samples", Kind::kInteger, "samples", "Number of samples of each channel"},
+        {"channels", Kind::kText, "", "The recorded channels with their units, for reading"},
+        {"channel_list", Kind::kChannels, "",
+         "The same as a list of [name, unit], in the order of the columns of the table of samples"},
+        {"data", Kind::kRecording, "",
+         "The table of samples: sample counts from 0, then a column for each channel, named after channel and unit"}}});
+  tables.push_back(entryTable(
+      "judgement", "judgements.csv", "A force stimulus and what was said of it",
+      {{"series", Kind::kText, "", "ascending, descending or random"},
+       {"step", Kind::kInteger, "", "Place in the series, from 1"},
+       {"attempt", Kind::kInteger, "", "From 1; another where the step was repeated"},
+       {"commanded_n", Kind::kNumber, "N", "Force of the stimulus"},
+       {"felt_n", Kind::kNumber, "N", "Estimate of the force that was felt: the device's friction added", "", true},
+       {"kind", Kind::kText, "", "term, not_felt, beyond_practice (larger than in real placements) or no_answer"},
+       {"term", Kind::kText, "", "The answer, where the kind is term", "", true},
+       {"scored", Kind::kFlag, "", "0 for an attempt without forward motion and for practice"},
+       {"catch_trial", Kind::kFlag, "", "1 for a blank of 0 N or a hidden repeat"},
+       {"feel_again", Kind::kInteger, "", "How often the participant asked to feel it again"},
+       {"forward_mm", Kind::kNumber, "mm", "Way forward while judging"},
+       {"forward_speed_mm_s", Kind::kNumber, "mm/s", "Mean speed on that way"},
+       {"response_s", Kind::kNumber, "s", "From the full force to the answer"}}));
+  tables.push_back(entryTable(
+      "answer", "answers.csv", "The answer to one item of a form",
+      {{"form", Kind::kText, "", "Id of the form"},
+       {"form_version", Kind::kInteger, "", "Its version"},
+       {"item", Kind::kInteger, "", "The form's number of the item"},
+       {"position", Kind::kInteger, "", "Place in the order in which the items were shown, from 1"},
+       {"status", Kind::kText, "", "answered, skipped, cant_tell or cleared (answered, then taken back)"},
+       {"value", Kind::kText, "", "Id of a term, or a number on a rating scale; empty unless answered", "", true},
+       {"response_s", Kind::kNumber, "s", "From showing the item to the answer"}}));
+  tables.push_back(entryTable("rating", "ratings.csv", "How a participant felt after a block",
+                              {{"block", Kind::kText, "", "speed, force, questionnaire, …"},
+                               {"effort", Kind::kInteger, "", "1 (none) to 7 (very much)"},
+                               {"comfort", Kind::kInteger, "", "1 (very uncomfortable) to 7 (very comfortable)"}}));
+  tables.push_back(entryTable("rule", "rules.csv", "A rule given directly instead of through answers",
+                              {{"form", Kind::kText, "", "Form or reading whose depth terms the rule uses", "", true},
+                               {"conditions", Kind::kJson, "", "List of [input, term]"},
+                               {"then_term", Kind::kText, "", "Term of the force"},
+                               {"weight", Kind::kNumber, "", "Weight of the rule"}}));
+  tables.push_back({"model_version",
+                    "model_versions.csv",
+                    "A state of a force model",
+                    "place",
+                    {{"place", Kind::kInteger, "", "Counts the versions of the study file"},
+                     {"id", Kind::kId, "", "The version"},
+                     {"sequence", Kind::kInteger, "", "Orders the versions"},
+                     {"parent", Kind::kId, "", "The version that this one was made from", "model_version", true},
+                     {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
+                     {"author", Kind::kText, "", "By whom", "", true},
+                     {"label", Kind::kText, "", "What for", "", true},
+                     {"sha256", Kind::kText, "", "SHA-256 of the model's file, hexadecimal"},
+                     {"text", Kind::kModel, "", "The model's file"}}});
+  tables.push_back({"import_log",
+                    "import_log.csv",
+                    "What was read into the study file",
+                    "utc_ms, id",
+                    {{"id", Kind::kId, "", "The import"},
+                     {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
+                     {"kind", Kind::kText, "", "merge (another study file or a full export) or tables"},
+                     {"source", Kind::kText, "", "Name of what was read, without its folder"},
+                     {"detail", Kind::kJson, "", "Rows that were new, by table", "", true}}});
+  return tables;
+}
+
+}  // namespace
+
+std::string_view name(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::kId:
+      return "id";
+    case ColumnKind::kText:
+      return "text";
+    case ColumnKind::kJson:
+    case ColumnKind::kChannels:
+      return "JSON text";
+    case ColumnKind::kInteger:
+      return "integer";
+    case ColumnKind::kFlag:
+      return "0 or 1";
+    case ColumnKind::kNumber:
+      return "number";
+    case ColumnKind::kRecording:
+    case ColumnKind::kModel:
+      return "file name";
+  }
+  return {};
+}
+
+std::span<const RecordTable> recordTables() {
+  static const std::vector<RecordTable> tables = makeTables();
+  return tables;
+}
+
+const RecordColumn& keyOf(const RecordTable& table) {
+  const auto key = std::find_if(table.columns.begin(), table.columns.end(),
+                                [](const RecordColumn& column) { return column.kind == ColumnKind::kId; });
+  TACTUS_CHECK(key != table.columns.end());
+  return *key;
+}
+
+}  // namespace tactus::store
