@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/speeds_text.h"
+#include "app/cli/wrapped_text.h"
 #include "app/session/known_forms.h"
 #include "app/session/study_source.h"
 #include "app/version.h"
@@ -64,7 +65,7 @@ std::string summary(const BuildOptions& options, const Results& results) {
             base::formatNumber(expert.weight) + '\n';
   }
   text += speedsAsText(built, results.speed_intervals);
-  for (const auto& note : built.notes) text += "note: " + note + '\n';
+  for (const auto& note : built.notes) text += wrapped(note, "note: ", 6);
   text += "findings " + std::to_string(results.lint.findings.size()) + '\n';
   return text + findingsAsText(results.lint.findings, built.model.output.unit);
 }

@@ -36,7 +36,7 @@ class BuildMessages : public testing::Test {
   void expectNote(const std::string& note) const {
     const ProgramRun run = build();
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_NE(run.out.find("note: " + note), std::string::npos) << run.out;
+    EXPECT_NE(unwrapped(run.out).find("note: " + note), std::string::npos) << run.out;
   }
 
   const std::string kRules = "participant,lubrication,neck_flexion,depth,speed,then,weight,form\n";

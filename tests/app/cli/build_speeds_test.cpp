@@ -109,8 +109,9 @@ TEST_F(BuildSpeeds, TooFewStrokesForIntervalsAreANote) {
   writeSpeeds(1);
   const ProgramRun run = build();
   ASSERT_EQ(run.status, 0) << run.err;
-  EXPECT_NE(run.out.find("note: There are no intervals of the speeds: speeds of participant S4, level slow: found 1 "
-                         "stroke, wanted at least 2 strokes of each level for an interval."),
+  EXPECT_NE(unwrapped(run.out).find(
+                "note: There are no intervals of the speeds: speeds of participant S4, level slow: found 1 "
+                "stroke, wanted at least 2 strokes of each level for an interval."),
             std::string::npos)
       << run.out;
   EXPECT_EQ(run.out.find("in brackets"), std::string::npos);
