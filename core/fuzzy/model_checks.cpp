@@ -34,7 +34,9 @@ Result<void> checkPoints(const Term& term, const Place& place) {
                 std::to_string(pointCount(term.shape)) + " for a " + shape());
   }
   for (std::size_t i = 0; i < term.points.size(); ++i) {
-    if (auto ok = checkNumber(term.points[i], -kLargest, kLargest, place[i]); !ok) return ok;
+    if (!isWithin(term.points[i], -kLargest, kLargest)) {
+      return checkNumber(term.points[i], -kLargest, kLargest, place[i]);
+    }
   }
   if (term.shape == Shape::kGaussian) {
     if (term.points[1] >= kNarrowest) return {};
@@ -64,7 +66,7 @@ Result<void> checkMeetsUniverse(const Term& term, const Variable& output, const 
 }  // namespace
 
 Result<void> checkNumber(double value, double min, double max, const Place& place) {
-  if (std::isfinite(value) && value >= min && value <= max) return {};
+  if (isWithin(value, min, max)) return {};
   return fail(ErrorCode::kValue, place.text(), formatNumber(value),
               "a number in [" + formatNumber(min) + ", " + formatNumber(max) + "]");
 }

@@ -17,6 +17,9 @@ namespace tactus::fuzzy {
 inline constexpr double kLargest = 1e150;
 inline constexpr double kNarrowest = 1e-150;
 
+/// Whether `value` lies in [min, max]; NaN does not.
+inline bool isWithin(double value, double min, double max) noexcept { return value >= min && value <= max; }
+
 /// The number is finite and in [min, max].
 base::Result<void> checkNumber(double value, double min, double max, const Place& place);
 

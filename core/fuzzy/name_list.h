@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -13,28 +14,45 @@ namespace tactus::fuzzy {
 class NameList {
  public:
   void reserve(std::size_t count) { entries_.reserve(count); }
-  void add(std::string_view id) { entries_.push_back({tagOf(id), id}); }
+  void add(std::string_view id) { entries_.push_back({Ends(id), id}); }
 
   std::optional<std::size_t> find(std::string_view id) const noexcept {
-    const std::uint64_t tag = tagOf(id);
+    const Ends ends(id);
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      if (entries_[i].tag == tag && entries_[i].id == id) return i;
+      if (entries_[i].ends == ends && (id.size() <= Ends::kWhole || entries_[i].id == id)) return i;
     }
     return std::nullopt;
   }
 
  private:
+  /// Length, first and last eight bytes (four of a short one): the whole id, where it is no longer than kWhole.
+  struct Ends {
+    static constexpr std::size_t kWord = sizeof(std::uint64_t);
+    static constexpr std::size_t kWhole = 2 * kWord;
+    std::size_t size;
+    std::uint64_t head = 0;
+    std::uint64_t tail = 0;
+
+    explicit Ends(std::string_view id) noexcept : size(id.size()) {
+      if (size >= kWord) {
+        std::memcpy(&head, id.data(), kWord);
+        std::memcpy(&tail, id.data() + size - kWord, kWord);
+        return;
+      }
+      constexpr std::size_t kHalf = kWord / 2;
+      if (size >= kHalf) {
+        std::memcpy(&head, id.data(), kHalf);
+        std::memcpy(&tail, id.data() + size - kHalf, kHalf);
+        return;
+      }
+      for (const char c : id) head = head << 8U | static_cast<unsigned char>(c);
+    }
+    bool operator==(const Ends&) const = default;
+  };
   struct Entry {
-    std::uint64_t tag;
+    Ends ends;
     std::string_view id;
   };
-
-  /// A few characters and the length: mostly enough to tell the ids of a list apart.
-  static std::uint64_t tagOf(std::string_view id) noexcept {
-    const auto at = [&id](std::size_t i) { return std::uint64_t{static_cast<unsigned char>(id[i])}; };
-    const std::size_t size = id.size();
-    return size == 0 ? 0 : size << 24U | at(0) << 16U | at(size / 2) << 8U | at(size - 1);
-  }
 
   std::vector<Entry> entries_;
 };

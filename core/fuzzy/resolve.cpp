@@ -2,7 +2,9 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/fuzzy/flat_map.h"
@@ -63,7 +65,7 @@ class ExpertResolver {
     FlatMap seen(count);
     for (std::size_t i = 0; i < count; ++i) {
       std::uint64_t key = 0;
-      if (auto ok = addRule(expert_.rules[i], rules[i], table, key); !ok) return ok;
+      if (!addRule(expert_.rules[i], rules[i], table, key)) return tl::unexpected(std::move(*error_));
       if (seen.findOrAdd(key, static_cast<std::uint32_t>(i)) != i) {
         return fail(ErrorCode::kSchema, rules[i].text(),
                     "a rule with the conditions and the consequent of an earlier one", "each rule once");
@@ -91,45 +93,54 @@ class ExpertResolver {
   }
 
   /// `key` becomes a number that no other rule has: seven bits for the term of each input, and the output term.
-  Result<void> addRule(const Rule& rule, const Place& place, RuleTable& table, std::uint64_t& key) {
-    const Place conditions = place["if"];
+  /// Returns false and sets `error_` where something is wrong: rules are many, and a Result is large.
+  bool addRule(const Rule& rule, const Place& place, RuleTable& table, std::uint64_t& key) {
     if (rule.conditions.empty()) {
-      return fail(ErrorCode::kSchema, conditions.text(), "a rule without a condition", "one condition or more");
+      return refuse(ErrorCode::kSchema, place["if"], "a rule without a condition", "one condition or more");
     }
     const std::size_t first_condition = table.conditions.size();
     for (const Condition& condition : rule.conditions) {
-      const Place at = conditions[condition.input];
       const auto input = names_.variables.find(condition.input);
       if (!input || *input == output_) {
-        return fail(ErrorCode::kReference, at.text(), quoted(condition.input), "the id of an input of the model");
+        return refuse(ErrorCode::kReference, place["if"][condition.input], quoted(condition.input),
+                      "the id of an input of the model");
       }
       if ((key >> 7U * *input & 0x7FU) != 0) {
-        return fail(ErrorCode::kSchema, at.text(), quoted(condition.input) + " twice", "each input once in a rule");
+        return refuse(ErrorCode::kSchema, place["if"][condition.input], quoted(condition.input) + " twice",
+                      "each input once in a rule");
       }
       const auto term = terms_[*input]->find(condition.term);
-      if (!term) return unknownTerm(*input, condition.term, at);
+      if (!term) return refuseTerm(*input, condition.term, place["if"][condition.input]);
       key |= (*term + std::uint64_t{1}) << 7U * *input;
       table.conditions.push_back({static_cast<std::uint8_t>(*input), static_cast<std::uint8_t>(*term)});
     }
     const auto then = terms_[output_]->find(rule.then);
-    if (!then) return unknownTerm(output_, rule.then, place["then"]);
+    if (!then) return refuseTerm(output_, rule.then, place["then"]);
     key |= std::uint64_t{*then} << 7U * kMostInputs;
-    if (auto ok = checkNumber(rule.weight, 0, 1, place["weight"]); !ok) return ok;
+    if (!isWithin(rule.weight, 0, 1)) {
+      error_ = checkNumber(rule.weight, 0, 1, place["weight"]).error();
+      return false;
+    }
     if (!rule.enabled || rule.weight == 0) {
       table.conditions.resize(first_condition);
-      return {};
+      return true;
     }
     table.rules.push_back({static_cast<std::uint32_t>(first_condition),
                            static_cast<std::uint16_t>(rule.conditions.size()), static_cast<std::uint16_t>(*then),
                            rule.weight});
-    return {};
+    return true;
   }
 
-  Result<void> unknownTerm(std::size_t index, const std::string& id, const Place& place) const {
+  bool refuse(ErrorCode code, const Place& place, std::string found, std::string wanted) {
+    error_ = base::Error{code, {}, place.text(), std::move(found), std::move(wanted)};
+    return false;
+  }
+
+  bool refuseTerm(std::size_t index, const std::string& id, const Place& place) {
     const Variable& variable = ModelNames::variableOf(model_, index);
     std::string known;
     for (const Term& term : termsFor(expert_, variable)) known += (known.empty() ? "" : ", ") + term.id;
-    return fail(ErrorCode::kReference, place.text(), quoted(id), "a term of " + quoted(variable.id) + ": " + known);
+    return refuse(ErrorCode::kReference, place, quoted(id), "a term of " + quoted(variable.id) + ": " + known);
   }
 
   const ForceModel& model_;
@@ -138,6 +149,7 @@ class ExpertResolver {
   const std::size_t output_;
   std::array<const NameList*, kMostInputs + 1> terms_{};  ///< as this expert understands them
   std::array<NameList, kMostInputs + 1> own_terms_;
+  std::optional<base::Error> error_;
 };
 
 }  // namespace
