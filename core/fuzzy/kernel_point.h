@@ -85,16 +85,18 @@ struct Fuzzified {
 template <int count>
 TACTUS_INLINE void centroidAlone(const Program& common, const Team& team, const Fuzzified& at, std::size_t seat,
                                  PointOutcome& out) noexcept {
+  constexpr std::size_t kParts = kLanes / kTeam;  // Weights of a rest
   const PointProgram& program = common.point;
   Pack<count> s = spread<count>(0);
   for (const std::uint16_t r : at.rows) {
     const Stretch& row = program.rows[team.first_row + r];
     const double pivot = at.slots[at.pivots[r]];
     const Rest* const rests = program.rests.data() + row.first;
-    const double* const weights = program.weights[team.first_weight + 2 * (row.first - team.first_rest)].value;
+    // An empty row may stand at the end of the tables.
+    const Weights* const weights = program.weights.data() + team.first_weight + kParts * (row.first - team.first_rest);
     Pack<count> best = spread<count>(0);
     for (std::uint32_t k = 0; k < row.count; ++k) {
-      best = larger(load<count>(weights + k * kLanes) * smaller(at.slots[rests[k].slot], pivot), best);
+      best = larger(load<count>(weights[kParts * k].value) * smaller(at.slots[rests[k].slot], pivot), best);
     }
     s = larger(best, s);
   }
