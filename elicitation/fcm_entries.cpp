@@ -112,9 +112,10 @@ FcmEntries histogram(const FcmData& data) {
   const Bins bins(linearPart(data), std::clamp(n / kSamplesPerBin, kFewestBins, kMostBins));
   std::vector<Bin> list(bins.count());
   const auto add = [&](std::size_t i) {
+    const double weight = data.weight(i);
+    if (weight == 0) return;  // may lie outside all bins
     const double x = data.scaled(data.values[i]);
     Bin& bin = list[bins.of(x)];
-    const double weight = data.weight(i);
     bin.weight += weight;
     bin.sum += weight * x;
   };
