@@ -139,14 +139,17 @@ Result<void> Session::addStroke(const experiments::Stroke& stroke, study::Record
 
 Result<void> Session::rejectStroke(const study::RecordId& stroke, const std::string& reason) {
   if (!state_->speed || state_->aborted) return notNow("a stroke taken back", stage());
-  const auto strokes = store::strokes(state_->file, {{}, state_->record.id, false});
+  const auto strokes = store::strokes(state_->file, {{}, state_->record.id, false}, store::Recordings::kLeaveOut);
   if (!strokes) return tl::unexpected(strokes.error());
   const auto it = std::find_if(strokes->begin(), strokes->end(),
                                [&](const study::StrokeRecord& one) { return one.entry.id == stroke; });
   if (it == strokes->end()) {
     return fail(ErrorCode::kReference, "session", "stroke " + toText(stroke), "a stroke of this session");
   }
+  auto recording = store::recordingOf(state_->file, stroke);
+  if (!recording) return tl::unexpected(recording.error());
   auto record = *it;
+  record.recording = std::move(*recording);
   record.entry = state_->entry();
   record.entry.supersedes = stroke;
   record.entry.reason = reason;

@@ -97,7 +97,7 @@ class Session {
   /// Stores what came of the stroke that `speed()->next()` asked for; arguments as in SpeedProtocol::record.
   base::Result<void> addStroke(const experiments::Stroke& stroke, study::Recording recording,
                                std::size_t recording_first);
-  /// Takes the last accepted stroke back, which is then asked for again.
+  /// Takes an accepted stroke of this session back, which is then asked for again.
   base::Result<void> rejectStroke(const study::RecordId& stroke, const std::string& reason);
   base::Result<void> judge(const experiments::ForceAnswer& answer);
   base::Result<void> reply(const questionnaires::Reply& reply, double response_s);
