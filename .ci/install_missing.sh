@@ -41,6 +41,7 @@ quietly() {
 }
 
 # What every build needs.
-build_packages=(g++ cmake ninja-build nlohmann-json3-dev libexpected-dev libcli11-dev libsqlitecpp-dev)
+build_packages=(g++ cmake ninja-build pkgconf nlohmann-json3-dev libexpected-dev libcli11-dev libsqlitecpp-dev
+                libhidapi-dev)
 # What the workbench needs on top.
 workbench_packages=(qt6-base-dev qt6-svg-dev libqcustomplot-dev fonts-dejavu-core)

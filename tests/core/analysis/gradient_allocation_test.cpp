@@ -4,8 +4,8 @@
 #include "core/analysis/gradient.h"
 #include "core/base/random.h"
 
-#include "tests/support/allocation_counter.h"
 #include "tests/support/random_model.h"
+#include "tests/support/real_time_trap.h"
 
 namespace tactus::analysis {
 namespace {

@@ -6,8 +6,8 @@
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/scene.h"
 
-#include "tests/support/allocation_counter.h"
 #include "tests/support/random_model.h"
+#include "tests/support/real_time_trap.h"
 
 namespace tactus::fuzzy {
 namespace {

@@ -1,53 +1,48 @@
 // The renderer in a loop with simulated hands: what the hand may never feel.
 #include <cmath>
 #include <gtest/gtest.h>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "core/base/random.h"
+#include "core/haptics/simulated/hand_plan.h"
+#include "core/haptics/simulated/simulated_body.h"
 
 #include "tests/core/render/rendered_loop.h"
-#include "tests/support/simulated_hand.h"
+#include "tests/support/loop_measures.h"
 
 namespace tactus::render {
 namespace {
 
+using haptics::HandPlan;
+using haptics::SimulatedHand;
 using support::Disturbance;
-using support::Hand;
-using support::Plan;
-using support::Wish;
+using support::simulateLoop;
 
 struct Scenario {
   std::string name;
-  Plan plan;
+  HandPlan plan;
   double duration_s;
   int most_transitions;
   double largest_step_n = 0.03;
   double most_ripple_n = 0.02;
 };
 
-Plan reversals() {
-  return [](double time_s) -> Wish {
-    const double omega = 2 * std::numbers::pi * 0.8;
-    return {15 * std::sin(omega * time_s), 15 * omega * std::cos(omega * time_s)};
-  };
-}
+HandPlan reversals() { return haptics::swing(15, 0.8); }
 
 /// The limits: 6 transitions in a monotone stroke, 20 in 4 s of reversals; 10 Hz of tremor pass the middle 80 times.
 /// A device that nobody holds springs back at 140 mm/s and swings: three counts a tick are 0.041 N, damping comes
 /// beside.
 std::vector<Scenario> scenarios() {
-  return {{"stroke 0.4 s", support::stroke(60, 0.4), 0.9, 6},
-          {"stroke 0.8 s", support::stroke(60, 0.8), 1.3, 6},
-          {"stroke 2 s", support::stroke(60, 2), 2.5, 6},
-          {"slow push", support::push(5), 4, 6, 0.03, 0.01},
-          {"hold with tremor", support::both(support::tremor(0.3, 10), support::stroke(5, 1)), 4, 80},
+  return {{"stroke 0.4 s", haptics::stroke(60, 0.4), 0.9, 6},
+          {"stroke 0.8 s", haptics::stroke(60, 0.8), 1.3, 6},
+          {"stroke 2 s", haptics::stroke(60, 2), 2.5, 6},
+          {"slow push", haptics::push(5), 4, 6, 0.03, 0.01},
+          {"hold with tremor", haptics::both(haptics::swing(0.3, 10), haptics::stroke(5, 1)), 4, 80},
           {"reversals", reversals(), 4, 20},
-          {"let go while sliding", support::lettingGo(support::stroke(60, 0.8), 0.4), 1.3, 10, 0.05}};
+          {"let go while sliding", haptics::lettingGo(haptics::stroke(60, 0.8), 0.4), 1.3, 10, 0.05}};
 }
 
-const Hand kHands[] = {support::kPinch, support::kArm, support::kFiveParameters};
+const SimulatedHand kHands[] = {haptics::kPinch, haptics::kArm, haptics::kFiveParameters};
 
 struct Model {
   ForceAt force_at;
@@ -67,9 +62,9 @@ constexpr double kCertificateRounding = -1e-9;
 
 TEST(ClosedLoop, IsQuietAndPassiveUnderEveryHand) {
   for (const Scenario& scenario : scenarios()) {
-    for (const Hand& hand : kHands) {
+    for (const SimulatedHand& hand : kHands) {
       for (const Model& model : models()) {
-        SCOPED_TRACE(scenario.name + ", " + hand.name);
+        SCOPED_TRACE(scenario.name + ", " + std::string(hand.name));
         RenderedLoop loop;
         loop.force_at = model.force_at;
         loop.state.depth_mm = 100;
@@ -87,8 +82,8 @@ TEST(ClosedLoop, IsQuietAndPassiveUnderEveryHand) {
 TEST(ClosedLoop, SurvivesDroppedTicksAndStalls) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     for (const Scenario& scenario : scenarios()) {
-      const Hand& hand = kHands[seed % 3];
-      SCOPED_TRACE(scenario.name + ", " + hand.name + ", seed " + std::to_string(seed));
+      const SimulatedHand& hand = kHands[seed % 3];
+      SCOPED_TRACE(scenario.name + ", " + std::string(hand.name) + ", seed " + std::to_string(seed));
       RenderedLoop loop;
       loop.state.depth_mm = 100;
       const Disturbance disturbance{0.001, 2, seed};
@@ -103,22 +98,22 @@ TEST(ClosedLoop, SurvivesDroppedTicksAndStalls) {
 }
 
 TEST(ClosedLoop, NoLimitCycleOnceTheHandRests) {
-  for (const Hand& hand : {support::kPinch, support::kArm}) {
+  for (const SimulatedHand& hand : {haptics::kPinch, haptics::kArm}) {
     RenderedLoop loop;
-    const auto ticks = simulateLoop(hand, {}, support::stroke(60, 0.8), 2.5, loop.servo());
+    const auto ticks = simulateLoop(hand, {}, haptics::stroke(60, 0.8), 2.5, loop.servo());
     EXPECT_LT(lastSpeedMmS(ticks), 5) << hand.name;
   }
 }
 
 TEST(ClosedLoop, PinchedStrokeCountsMostOfThePlan) {
   RenderedLoop loop;
-  simulateLoop(support::kPinch, {}, support::stroke(60, 0.8), 1.3, loop.servo());
+  simulateLoop(haptics::kPinch, {}, haptics::stroke(60, 0.8), 1.3, loop.servo());
   EXPECT_NEAR(loop.state.depth_mm, 60, 0.15 * 60);
 }
 
 TEST(ClosedLoop, SlowPushEndsWhereStaticsPutsIt) {
   RenderedLoop loop;
-  simulateLoop(support::kPinch, {}, support::push(5), 4, loop.servo());
+  simulateLoop(haptics::kPinch, {}, haptics::push(5), 4, loop.servo());
   // The hand's spring of 0.1 N/mm carries friction, device friction and device damping; the tube's spring the friction.
   const double friction_n = 0.35 + 0.0015 * 5;
   const double hand_mm = (friction_n + 0.05 + 0.2e-3 * 5) / 0.1;
@@ -131,13 +126,8 @@ TEST(ClosedLoop, SixHundredMillimetresInTenStrokes) {
   RenderedLoop loop;
   loop.enabled = [=](double time_s) { return std::fmod(time_s, stroke_s + back_s) < stroke_s; };
   // Pushes for 0.8 s, holds, lets the tube go, and comes back for the next stroke.
-  const Plan plan = [=](double time_s) -> Wish {
-    const double t = std::fmod(time_s, stroke_s + back_s);
-    if (t < stroke_s) return support::stroke(60, 0.8)(t);
-    const Wish back = support::stroke(60, 0.6)(t - stroke_s);
-    return {60 - back.position_mm, -back.speed_mm_s};
-  };
-  const auto ticks = simulateLoop(support::kPinch, {}, plan, 10 * (stroke_s + back_s), loop.servo());
+  const HandPlan plan = haptics::strokes({.count = 10, .length_mm = 60, .settle_s = 0, .hold_s = 0.4});
+  const auto ticks = simulateLoop(haptics::kPinch, {}, plan, 10 * (stroke_s + back_s), loop.servo());
   EXPECT_EQ(loop.state.stroke.number, 10U);
   EXPECT_NEAR(loop.state.depth_mm, 600, 0.15 * 600);
   EXPECT_LE(largestStepN(ticks), 0.03);
@@ -149,7 +139,7 @@ TEST(ClosedLoop, SixHundredMillimetresInTenStrokes) {
 TEST(ClosedLoop, ReleaseUnderForceIsOverAfterThirtyMilliseconds) {
   RenderedLoop loop;
   loop.enabled = [](double time_s) { return time_s < 0.5; };
-  const auto ticks = simulateLoop(support::kPinch, {}, support::stroke(60, 0.8), 1.0, loop.servo());
+  const auto ticks = simulateLoop(haptics::kPinch, {}, haptics::stroke(60, 0.8), 1.0, loop.servo());
   EXPECT_GT(ticks[500].force_n, 0.3);
   for (std::size_t i = 532; i < ticks.size(); ++i) ASSERT_EQ(ticks[i].force_n, 0) << i;  // one tick of delay
 }
@@ -157,7 +147,7 @@ TEST(ClosedLoop, ReleaseUnderForceIsOverAfterThirtyMilliseconds) {
 TEST(ClosedLoop, PressAtSpeedDoesNotGrab) {
   RenderedLoop loop;
   loop.enabled = [](double time_s) { return time_s > 0.25; };  // at 220 mm/s
-  const auto ticks = simulateLoop(support::kPinch, {}, support::stroke(60, 0.5), 1.0, loop.servo());
+  const auto ticks = simulateLoop(haptics::kPinch, {}, haptics::stroke(60, 0.5), 1.0, loop.servo());
   EXPECT_LE(largestStepN(ticks), 0.25 * 5 * 0.055 + 0.01);  // five counts a tick at 225 mm/s, damping beside
   EXPECT_GE(lowestEnergyMj(ticks), kEnergyLimitMj);
 }
@@ -166,7 +156,7 @@ TEST(ClosedLoop, SameRunSameBits) {
   std::vector<support::LoopTick> runs[2];
   for (auto& run : runs) {
     RenderedLoop loop;
-    run = simulateLoop(support::kArm, {}, reversals(), 2, loop.servo(), {0.001, 2, 7});
+    run = simulateLoop(haptics::kArm, {}, reversals(), 2, loop.servo(), {0.001, 2, 7});
   }
   for (std::size_t i = 0; i < runs[0].size(); ++i) {
     ASSERT_EQ(runs[0][i].position_mm, runs[1][i].position_mm);

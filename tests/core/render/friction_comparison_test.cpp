@@ -5,17 +5,23 @@
 // Two details are inferred, because that study does not state them: 0.3 s of rest before each slow push (without it the
 // renderer counts 14.5 mm, as statics demands, not 13.0; with it Karnopp's 640 changes come out as well), and a Karnopp
 // that is stuck exactly below a speed (one that leaves by force changes state 20 times, not 640).
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <vector>
+
+#include "core/haptics/simulated/hand_plan.h"
 
 #include "tests/core/render/friction_variants.h"
 #include "tests/core/render/rendered_loop.h"
-#include "tests/support/simulated_hand.h"
+#include "tests/support/loop_measures.h"
 
 namespace tactus::render {
 namespace {
 
+using haptics::HandPlan;
+using haptics::stroke;
+using haptics::swing;
 using support::LoopTick;
+using support::simulateLoop;
 
 struct Outcome {
   int transitions = 0;
@@ -29,21 +35,19 @@ Outcome outcome(const std::vector<LoopTick>& ticks, int transitions, double dept
   return {transitions, largestStepN(ticks), rippleN(ticks), depth_mm, lowestEnergyMj(ticks)};
 }
 
-support::Plan slowPush() {
-  return [](double time_s) -> support::Wish { return {5 * std::max(0.0, time_s - 0.3), time_s > 0.3 ? 5.0 : 0.0}; };
-}
-support::Plan strokeOf60Mm() { return support::stroke(60, 0.8); }
-support::Plan shakyStroke() { return support::both(support::tremor(0.3, 10), support::stroke(5, 1)); }
+HandPlan slowPush() { return haptics::after(0.3, haptics::push(5)); }
+HandPlan strokeOf60Mm() { return stroke(60, 0.8); }
+HandPlan shakyStroke() { return both(swing(0.3, 10), stroke(5, 1)); }
 
-Outcome rendered(const support::Plan& plan, double duration_s) {
+Outcome rendered(const HandPlan& plan, double duration_s) {
   RenderedLoop loop;
-  const auto ticks = simulateLoop(support::kPinch, {}, plan, duration_s, loop.servo());
+  const auto ticks = simulateLoop(haptics::kPinch, {}, plan, duration_s, loop.servo());
   return outcome(ticks, loop.transitions, loop.state.depth_mm);
 }
 
 template <typename V>
-Outcome variant(V model, const support::Plan& plan, double duration_s) {
-  const auto ticks = simulateLoop(support::kPinch, {}, plan, duration_s,
+Outcome variant(V model, const HandPlan& plan, double duration_s) {
+  const auto ticks = simulateLoop(haptics::kPinch, {}, plan, duration_s,
                                   [&](double, double x, double dt_s) { return model.tick(x, dt_s); });
   return outcome(ticks, model.transitions(), model.depthMm());
 }
@@ -113,7 +117,7 @@ TEST(FrictionComparison, CoulombBuzzesAndNeverHolds) {
 
 TEST(FrictionComparison, DahlDriftsWhereTheRendererHolds) {
   // A push of 0.2 N, half the friction, with tremor: a stuck tube must not creep.
-  const auto leaning = support::both(support::tremor(0.5, 10), support::stroke(3, 0.5));
+  const auto leaning = both(swing(0.5, 10), stroke(3, 0.5));
   EXPECT_EQ(rendered(leaning, 4).depth_mm, 0);
   EXPECT_GT(variant(Dahl(25), leaning, 4).depth_mm, 0.2);
 }

@@ -7,7 +7,7 @@
 
 #include "core/render/insertion_renderer.h"
 
-#include "tests/support/simulated_hand.h"
+#include "tests/support/simulated_loop.h"
 
 namespace tactus::render {
 

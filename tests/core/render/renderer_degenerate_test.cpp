@@ -7,7 +7,7 @@
 #include "core/render/insertion_renderer.h"
 
 #include "tests/core/render/scripted_tube.h"
-#include "tests/support/allocation_counter.h"
+#include "tests/support/real_time_trap.h"
 
 namespace tactus::render {
 namespace {

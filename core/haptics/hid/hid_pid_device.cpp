@@ -1,0 +1,199 @@
+#include "core/haptics/hid/hid_pid_device.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <utility>
+
+namespace tactus::haptics {
+namespace {
+
+constexpr int kReadTimeoutMs = 5;
+constexpr int kMostWaiting = 256;         // reports per round of the reader; the kernel keeps 64
+constexpr std::int64_t kNapNs = 200'000;  // the writer looks for a new command this often
+constexpr std::int64_t kAfterFailureNs = 2'000'000;
+constexpr std::int64_t kProofOfLifeNs = 20'000'000;  // a write so recent shows that a silent device is still there
+constexpr double kUsbDelayS = 0.0025;                // full-speed interrupt transfers there and back, and a tick
+
+/// Signals are for the threads of the program: here they would interrupt a poll.
+template <class Work>
+std::thread startThread(Work work) {
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  std::thread thread(std::move(work));
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return thread;
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<HidPidDevice>> HidPidDevice::open(std::unique_ptr<HidTransport> transport,
+                                                               const HidIdentity& identity,
+                                                               const std::optional<DeviceCalibration>& calibration,
+                                                               HidPidTiming timing) {
+  if (calibration) {
+    if (auto checked = checkCalibration(*calibration); !checked) return tl::unexpected(checked.error());
+  }
+  const auto bytes = transport->descriptor();
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto descriptor = ReportDescriptor::parse(*bytes);
+  if (!descriptor) return base::inFile(descriptor.error(), identity.id);
+  auto layout = PidLayout::find(*descriptor);
+  if (!layout) return base::inFile(layout.error(), identity.id);
+  std::unique_ptr<HidPidDevice> device(new HidPidDevice(std::move(transport), *std::move(layout), std::move(timing)));
+  device->describe(identity, calibration);
+  return device;
+}
+
+HidPidDevice::HidPidDevice(std::unique_ptr<HidTransport> transport, PidLayout layout, HidPidTiming timing)
+    : transport_(std::move(transport)), layout_(std::move(layout)), timing_(std::move(timing)) {
+  if (!timing_.now_ns) {
+    timing_.now_ns = [] {
+      const auto since = std::chrono::steady_clock::now().time_since_epoch();
+      return static_cast<std::int64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(since).count());
+    };
+  }
+  if (!timing_.pause)
+    timing_.pause = [](std::int64_t ns) { std::this_thread::sleep_for(std::chrono::nanoseconds(ns)); };
+}
+
+HidPidDevice::~HidPidDevice() { stop(); }
+
+void HidPidDevice::describe(const HidIdentity& identity, const std::optional<DeviceCalibration>& calibration) {
+  calibrated_ = calibration.has_value();
+  if (calibration) {
+    calibration_ = *calibration;
+  } else {
+    calibration_.full_scale_n = 1;
+    calibration_.mm_per_count = 1;
+  }
+  info_.id = identity.id;
+  info_.name = identity.name;
+  info_.serial = identity.serial;
+  info_.backend = "hid-pid";
+  const auto has = [](const auto& slot) { return slot.has_value(); };
+  info_.position_axes = static_cast<int>(std::count_if(layout_.axes.begin(), layout_.axes.end(), has));
+  info_.force_axes = layout_.force_axes;
+  info_.buttons = static_cast<int>(std::count_if(layout_.buttons.begin(), layout_.buttons.end(), has));
+  info_.max_force_n = calibration_.full_scale_n;
+  info_.delay_s = kUsbDelayS;
+  info_.quiet_after_s = PidSession::kDurationS;
+  if (!calibration) return;
+  info_.count_mm = calibration->mm_per_count;
+  info_.friction_in_n = calibration->friction_in_n;
+  info_.friction_out_n = calibration->friction_out_n;
+}
+
+base::Result<void> HidPidDevice::start() {
+  stop();
+  samples_.put({});
+  lost_.store(false, std::memory_order_relaxed);
+  written_ns_.store(0, std::memory_order_relaxed);
+  session_.emplace(*transport_, layout_, [this](int ms) { timing_.pause(std::int64_t{ms} * 1'000'000); });
+  if (auto begun = session_->begin(timing_.now_ns()); !begun) {
+    session_.reset();
+    return base::inFile(begun.error(), info_.id);
+  }
+  writer_.emplace(*session_, calibration_);
+  reader_ends_.store(false, std::memory_order_relaxed);
+  writer_ends_.store(false, std::memory_order_relaxed);
+  reader_ = startThread([this] { readerLoop(); });
+  writer_thread_ = startThread([this] { writerLoop(); });
+  return {};
+}
+
+void HidPidDevice::stop() noexcept {
+  writer_ends_.store(true, std::memory_order_release);
+  if (writer_thread_.joinable()) writer_thread_.join();
+  reader_ends_.store(true, std::memory_order_release);
+  if (reader_.joinable()) reader_.join();
+  // The box of commands stays: the servo may still write into it while it is told to end.
+}
+
+DeviceState HidPidDevice::read(std::int64_t /*now_ns*/) noexcept {
+  const PidSample& sample = samples_.take();
+  DeviceState state;
+  state.number = sample.number;
+  state.time_ns = sample.time_ns;
+  state.position_mm = calibration_.mm_per_count * fromHidAxes(sample.counts);
+  state.buttons = sample.buttons;
+  state.written_ns = written_ns_.load(std::memory_order_acquire);
+  if (lost_.load(std::memory_order_acquire)) {
+    state.fault = DeviceFault::kLost;
+  } else if (sample.forces_held_back) {
+    state.fault = DeviceFault::kSwitchedOff;
+  } else if (!calibrated_) {
+    state.fault = DeviceFault::kNotCalibrated;
+  }
+  return state;
+}
+
+void HidPidDevice::write(const Vector3& force_n, std::int64_t now_ns) noexcept {
+  if (writer_) writer_->commands().put({force_n, now_ns, true});
+}
+
+HidPidCounters HidPidDevice::counters() const noexcept {
+  return {reports_.load(std::memory_order_relaxed), rounds_.load(std::memory_order_relaxed),
+          failed_rounds_.load(std::memory_order_relaxed), longest_round_ns_.load(std::memory_order_relaxed)};
+}
+
+void HidPidDevice::readerLoop() {
+  PidInput input(layout_);
+  std::array<std::uint8_t, 8193> room{};
+  while (!reader_ends_.load(std::memory_order_acquire)) {
+    if (!drain(input, room)) {
+      lost_.store(true, std::memory_order_release);
+      return;
+    }
+  }
+}
+
+bool HidPidDevice::drain(PidInput& input, std::span<std::uint8_t> room) {
+  // The kernel keeps old reports and drops new ones, so everything that waits is taken at once.
+  bool changed = false;
+  for (int i = 0; i < kMostWaiting; ++i) {
+    const auto length = transport_->readTimeout(room, i == 0 ? kReadTimeoutMs : 0);
+    if (!length) return false;
+    if (*length == 0) break;
+    reports_.fetch_add(1, std::memory_order_relaxed);
+    changed = input.take(room.first(std::min(*length, room.size())), timing_.now_ns()) || changed;
+  }
+  if (!changed && calibration_.silent_when_still && input.sample().number > 0) {
+    const std::int64_t now = timing_.now_ns();
+    changed = now - written_ns_.load(std::memory_order_acquire) < kProofOfLifeNs;
+    if (changed) input.renew(now);
+  }
+  if (changed) samples_.put(input.sample());
+  return true;
+}
+
+void HidPidDevice::writerLoop() {
+  std::int64_t last_ns = 0;
+  while (!writer_ends_.load(std::memory_order_acquire)) {
+    if (lost_.load(std::memory_order_acquire)) return;  // nothing is left to be made quiet
+    const std::int64_t now = timing_.now_ns();
+    if (!writer_->commands().fresh() && now - last_ns < PidSession::kRefreshNs) {
+      timing_.pause(kNapNs);
+      continue;
+    }
+    last_ns = now;
+    if (!writerRound()) timing_.pause(kAfterFailureNs);
+  }
+  session_->leave();
+}
+
+bool HidPidDevice::writerRound() {
+  const std::int64_t begin = timing_.now_ns();
+  const bool through = writer_->step(begin).has_value();
+  const std::int64_t end = timing_.now_ns();
+  if (through) written_ns_.store(end, std::memory_order_release);
+  (through ? rounds_ : failed_rounds_).fetch_add(1, std::memory_order_relaxed);
+  longest_round_ns_.store(std::max(longest_round_ns_.load(std::memory_order_relaxed), end - begin),
+                          std::memory_order_relaxed);
+  return through;
+}
+
+}  // namespace tactus::haptics

@@ -1,0 +1,99 @@
+// A force-feedback joystick, board or wheel (HID PID) as a haptic device.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "core/haptics/device.h"
+#include "core/haptics/device_calibration.h"
+#include "core/haptics/hid/hid_transport.h"
+#include "core/haptics/hid/newest_value.h"
+#include "core/haptics/hid/pid_input.h"
+#include "core/haptics/hid/pid_layout.h"
+#include "core/haptics/hid/pid_session.h"
+#include "core/haptics/hid/pid_writer.h"
+
+namespace tactus::haptics {
+
+/// Who a device is, from the list of HID devices.
+struct HidIdentity {
+  std::string id;  ///< `hid:1209:ffb0`, and `:serial` where there is one
+  std::string name;
+  std::string serial;
+};
+
+/// What the device does in time; for tests.
+struct HidPidTiming {
+  std::function<std::int64_t()> now_ns;        ///< the clock that the loop passes to `read`; default: monotonic
+  std::function<void(std::int64_t ns)> pause;  ///< default: sleeps
+};
+
+/// What went over the wire so far.
+struct HidPidCounters {
+  std::uint64_t reports = 0;        ///< input reports
+  std::uint64_t rounds = 0;         ///< rounds of the writer that got through
+  std::uint64_t failed_rounds = 0;  ///< rounds in which a report did not
+  std::int64_t longest_round_ns = 0;
+};
+
+/// The servo thread touches atomics only. A reader thread keeps the newest sample, a writer thread sends the newest
+/// force; neither is hurried by the servo, nor does it wait for them. Without a calibration positions are counts, 1 N
+/// is full scale, and the state says kNotCalibrated.
+class HidPidDevice final : public HapticDevice {
+ public:
+  /// Reads the descriptor. Refused: a device that is no PID device, or lacks what is needed.
+  static base::Result<std::unique_ptr<HidPidDevice>> open(std::unique_ptr<HidTransport> transport,
+                                                          const HidIdentity& identity,
+                                                          const std::optional<DeviceCalibration>& calibration = {},
+                                                          HidPidTiming timing = {});
+  ~HidPidDevice() override;
+
+  const DeviceInfo& info() const noexcept override { return info_; }
+  const PidLayout& layout() const noexcept { return layout_; }
+
+  base::Result<void> start() override;
+  /// Blocks while a write to the device blocks; the effects have run out long before then.
+  void stop() noexcept override;
+
+  DeviceState read(std::int64_t now_ns) noexcept override;
+  void write(const Vector3& force_n, std::int64_t now_ns) noexcept override;
+
+  /// Thread: any.
+  HidPidCounters counters() const noexcept;
+
+ private:
+  HidPidDevice(std::unique_ptr<HidTransport> transport, PidLayout layout, HidPidTiming timing);
+  void describe(const HidIdentity& identity, const std::optional<DeviceCalibration>& calibration);
+  void readerLoop();
+  void writerLoop();
+  bool drain(PidInput& input, std::span<std::uint8_t> room);
+  bool writerRound();
+
+  std::unique_ptr<HidTransport> transport_;
+  const PidLayout layout_;
+  HidPidTiming timing_;
+  DeviceInfo info_;
+  DeviceCalibration calibration_;
+  bool calibrated_ = false;
+
+  std::optional<PidSession> session_;  ///< touched by the owner, and by the writer between start and stop
+  std::optional<PidWriter> writer_;    ///< the same, but for its command box
+  NewestValue<PidSample> samples_;     ///< reader to servo
+  std::atomic<bool> lost_{false};
+  std::atomic<bool> reader_ends_{false};
+  std::atomic<bool> writer_ends_{false};
+  std::atomic<std::int64_t> written_ns_{0};
+  std::atomic<std::uint64_t> reports_{0};
+  std::atomic<std::uint64_t> rounds_{0};
+  std::atomic<std::uint64_t> failed_rounds_{0};
+  std::atomic<std::int64_t> longest_round_ns_{0};
+  std::thread reader_;
+  std::thread writer_thread_;
+};
+
+}  // namespace tactus::haptics

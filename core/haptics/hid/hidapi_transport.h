@@ -1,0 +1,43 @@
+// A HID device through hidapi (hidraw on Linux).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/haptics/hid/hid_transport.h"
+
+struct hid_device_;
+
+namespace tactus::haptics {
+
+/// Opens the same path twice: hidapi promises no more than one reading and one writing thread, and before 0.15 both
+/// write the error text of their handle.
+class HidapiTransport final : public HidTransport {
+ public:
+  /// `path` as the system names it, e.g. /dev/hidraw3. Refused: a device that is gone, or may not be opened.
+  static base::Result<std::unique_ptr<HidTransport>> open(const std::string& path);
+  ~HidapiTransport() override;
+
+  base::Result<std::vector<std::uint8_t>> descriptor() override;
+  base::Result<void> write(std::span<const std::uint8_t> report) override;
+  base::Result<void> sendFeature(std::span<const std::uint8_t> report) override;
+  base::Result<std::size_t> getFeature(std::span<std::uint8_t> report) override;
+  base::Result<std::size_t> readTimeout(std::span<std::uint8_t> room, int timeout_ms) override;
+
+ private:
+  HidapiTransport(std::string path, hid_device_* reads, hid_device_* writes)
+      : path_(std::move(path)), reads_(reads), writes_(writes) {}
+  tl::unexpected<base::Error> failed(hid_device_* handle, const char* what) const;
+
+  std::string path_;
+  hid_device_* reads_;
+  hid_device_* writes_;
+};
+
+/// The report descriptor that the system keeps for a hidraw node; no permission for the node itself is needed.
+/// `system_folder`: /sys/class/hidraw.
+base::Result<std::vector<std::uint8_t>> descriptorOfNode(const std::string& path,
+                                                         const std::string& system_folder = "/sys/class/hidraw");
+
+}  // namespace tactus::haptics

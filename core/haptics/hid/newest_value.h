@@ -1,0 +1,40 @@
+// Hands copies of the newest value from one thread to another; neither ever waits nor allocates.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace tactus::haptics {
+
+/// A triple buffer: one slot belongs to the writer, one to the reader, the third changes hands. One writer, one reader.
+template <typename T>
+class NewestValue {
+ public:
+  /// Thread: writer. Real-time safe: yes.
+  void put(const T& value) noexcept {
+    slots_[back_] = value;
+    back_ = middle_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
+  }
+
+  /// Whether `take` would bring another value. Thread: reader. Real-time safe: yes.
+  bool fresh() const noexcept { return (middle_.load(std::memory_order_relaxed) & kFresh) != 0; }
+
+  /// The newest value; a default one before the first. Stays valid until the next call.
+  /// Thread: reader. Real-time safe: yes.
+  const T& take() noexcept {
+    if (fresh()) front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;
+    return slots_[front_];
+  }
+
+ private:
+  static constexpr std::uint8_t kIndex = 3;
+  static constexpr std::uint8_t kFresh = 4;
+
+  alignas(64) std::uint8_t back_ = 0;                ///< Touched by the writer alone.
+  alignas(64) std::atomic<std::uint8_t> middle_{1};  ///< Touched by both; release and acquire carry the slot's content.
+  alignas(64) std::uint8_t front_ = 2;               ///< Touched by the reader alone.
+  std::array<T, 3> slots_{};
+};
+
+}  // namespace tactus::haptics

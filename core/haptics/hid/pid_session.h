@@ -1,0 +1,66 @@
+// Constant forces on a PID device: how they begin, run and end, report by report.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/haptics/hid/hid_transport.h"
+#include "core/haptics/hid/pid_layout.h"
+
+namespace tactus::haptics {
+
+/// One effect per axis of force. Each has a duration of 100 ms and is started again every 40 ms, so a host that dies
+/// leaves no force behind. Time is passed in. Thread: writer. Real-time safe: no (a write may block for seconds).
+class PidSession {
+ public:
+  static constexpr double kDurationS = 0.1;
+  static constexpr std::int64_t kRestartNs = 40'000'000;  ///< longer than half of the duration would forgive no miss
+  static constexpr std::int64_t kRefreshNs = 10'000'000;  ///< a value that did not change is sent again after this
+  static constexpr int kLoadPolls = 60;                   ///< 1 ms apart, as the Linux kernel does
+
+  /// `transport` must outlive the session. `pause(ms)` waits.
+  PidSession(HidTransport& transport, PidLayout layout, std::function<void(int)> pause);
+
+  /// Reset, actuators on, full gain, effects created and started with force 0. On an error what was begun is ended.
+  base::Result<void> begin(std::int64_t now_ns);
+
+  /// The force as shares of full scale, -1..1, x and y; beyond is clamped, not a number is 0. Sends what changed or is
+  /// old, and restarts effects that are due. An error: one of the writes failed; the next call sends anew.
+  base::Result<void> send(const std::array<double, 2>& shares, std::int64_t now_ns);
+
+  /// Force 0, effects stopped and freed, actuators off. Goes on after a failed write, gives up after two in a row.
+  /// Returns whether everything was written.
+  bool leave() noexcept;
+
+  const PidLayout& layout() const { return layout_; }
+
+ private:
+  using Done = base::Result<void>;
+
+  struct Effect {
+    std::int64_t block = 0;
+    std::optional<std::int64_t> sent;  ///< raw magnitude in the device; nothing: not known
+    bool turned = false;               ///< direction + 180 degrees
+    std::int64_t sent_ns = 0;
+    std::int64_t started_ns = 0;
+  };
+
+  Done control(const std::optional<PidChoice> PidLayout::Control::*what);
+  Done createEffect(std::size_t axis, std::int64_t now_ns);
+  base::Result<std::int64_t> loadedBlock();
+  Done setEffect(std::size_t axis, bool turned);
+  Done setMagnitude(Effect& effect, std::int64_t raw, std::int64_t now_ns);
+  Done operate(const Effect& effect, const PidChoice& what);
+  Done sendAxis(std::size_t axis, double share, std::int64_t now_ns);
+
+  HidTransport& transport_;
+  PidLayout layout_;
+  std::function<void(int)> pause_;
+  std::vector<Effect> effects_;
+};
+
+}  // namespace tactus::haptics

@@ -1,0 +1,51 @@
+// What the writer thread of a PID device does: newtons of the newest command into reports.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "core/haptics/device_calibration.h"
+#include "core/haptics/hid/newest_value.h"
+#include "core/haptics/hid/pid_session.h"
+#include "core/haptics/vector3.h"
+
+namespace tactus::haptics {
+
+/// A force as the servo asked for it.
+struct PidCommand {
+  Vector3 force_n;
+  std::int64_t time_ns = 0;
+  bool valid = false;  ///< false: there was none yet
+};
+
+/// The HID axes in the device's frame: X points right, Y towards the person, Z down (HID 1.11, 5.9).
+constexpr std::array<double, 3> hidAxesOf(const Vector3& v) noexcept { return {v.x, v.z, -v.y}; }
+constexpr Vector3 fromHidAxes(const std::array<double, 3>& axes) noexcept { return {axes[0], -axes[2], axes[1]}; }
+
+/// Sends only the newest command; a command older than kCommandLifeNs means that the servo is gone: no force.
+/// Thread: writer, but for the command box.
+class PidWriter {
+ public:
+  static constexpr std::int64_t kCommandLifeNs = 50'000'000;  ///< as the write watchdog of the limits
+
+  PidWriter(PidSession& session, const DeviceCalibration& calibration)
+      : session_(session), full_scale_n_(calibration.full_scale_n), sign_(calibration.force_sign) {}
+
+  /// The servo puts its commands here.
+  NewestValue<PidCommand>& commands() { return commands_; }
+
+  /// One round. An error: a report did not get through; the next round sends anew.
+  base::Result<void> step(std::int64_t now_ns);
+
+  /// The force of the command as shares of full scale, clamped; not finite means none.
+  std::array<double, 2> sharesOf(const Vector3& force_n) const;
+
+ private:
+  NewestValue<PidCommand> commands_;
+  PidSession& session_;
+  double full_scale_n_;
+  Vector3 sign_;
+};
+
+}  // namespace tactus::haptics

@@ -1,0 +1,22 @@
+// Which limits acted in a tick.
+#pragma once
+
+#include <cstdint>
+
+namespace tactus::haptics {
+
+/// Bits of Sample::limited and LimitedForce::limited.
+enum LimitBit : std::uint32_t {
+  kLimitedByCap = 1u << 0,
+  kLimitedBySlew = 1u << 1,
+  kLimitedByFadeIn = 1u << 2,
+  kLimitedByThermal = 1u << 3,
+  kLimitedByPassivity = 1u << 4,
+  kLimitedByStaleDevice = 1u << 5,
+  kLimitedByGui = 1u << 6,
+  kLimitedByRelease = 1u << 7,  ///< not enabled
+  kLimitedByTrip = 1u << 8,
+  kLimitedByStiffness = 1u << 9,  ///< the rendered stiffness is below the model's
+};
+
+}  // namespace tactus::haptics

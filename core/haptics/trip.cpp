@@ -1,0 +1,60 @@
+#include "core/haptics/trip.h"
+
+#include "core/base/text.h"
+
+namespace tactus::haptics {
+
+std::string_view describe(TripCause cause) noexcept {
+  switch (cause) {
+    case TripCause::kNone:
+      return "no trip";
+    case TripCause::kForceNotFinite:
+      return "the force was not a finite number";
+    case TripCause::kPositionNotFinite:
+      return "the position was not a finite number";
+    case TripCause::kTooFastInwards:
+      return "the hand moved inwards too fast";
+    case TripCause::kTooFastOutwards:
+      return "the hand moved outwards too fast";
+    case TripCause::kDeviceSilent:
+      return "the device sent no sample for too long";
+    case TripCause::kWriteStuck:
+      return "no force reached the device for too long";
+    case TripCause::kServoLate:
+      return "the servo missed ticks for too long";
+    case TripCause::kDeviceLost:
+      return "the device is gone";
+    case TripCause::kDeviceFault:
+      return "the device reports a fault";
+    case TripCause::kRenderer:
+      return "the renderer let go";
+    case TripCause::kStopped:
+      return "Stop was pressed";
+  }
+  return "unknown trip";
+}
+
+std::string_view unitOf(TripCause cause) noexcept {
+  switch (cause) {
+    case TripCause::kTooFastInwards:
+    case TripCause::kTooFastOutwards:
+      return "mm/s";
+    case TripCause::kDeviceSilent:
+    case TripCause::kWriteStuck:
+    case TripCause::kServoLate:
+      return "s";
+    default:
+      return "";
+  }
+}
+
+std::string sentence(const Trip& trip) {
+  std::string text(describe(trip.cause));
+  const std::string_view unit = unitOf(trip.cause);
+  if (unit.empty()) return trip.value == 0 ? text : text + " (" + base::formatNumber(trip.value) + ")";
+  const int decimals = unit == "s" ? 3 : 0;
+  text += ": " + base::formatFixed(trip.value, decimals) + ' ' + std::string(unit);
+  return text + ", allowed " + base::formatFixed(trip.limit, decimals) + ' ' + std::string(unit);
+}
+
+}  // namespace tactus::haptics

@@ -1,0 +1,325 @@
+#include "core/haptics/calibration_procedure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tactus::haptics {
+namespace {
+
+using Step = CalibrationStep;
+
+constexpr double kTickS = 0.001;
+
+/// A handle of 0.15 kg on a device whose numbers the procedure has to find.
+struct SimulatedDevice {
+  double full_scale_n = 8;
+  double mm_per_count = 0.02;
+  Vector3 sign{1, 1, 1};
+  double friction_in_n = 0.30;   ///< for motion in direction -z
+  double friction_out_n = 0.45;  ///< for motion in direction +z
+  double friction_x_n = 0.2;
+  double weight_n = 0;   ///< pulls along -z
+  bool blocked = false;  ///< held by a person or a spring scale
+  bool silent = false;
+  int noise_counts = 0;
+  bool no_power = false;
+
+  Vector3 position_mm{3, 0, 10};
+  Vector3 speed_mm_s;
+  Vector3 last_share;
+  double largest_share = 0;
+  std::uint64_t number = 1;
+  std::int64_t now_ns = 0;
+
+  double counts(double mm) const {
+    const int noise = noise_counts == 0 ? 0 : static_cast<int>(number % static_cast<std::uint64_t>(noise_counts + 1));
+    return std::round(mm / mm_per_count) + noise;
+  }
+  DeviceState state() const {
+    DeviceState out;
+    out.number = number;
+    out.time_ns = now_ns;
+    out.position_mm = {counts(position_mm.x), 0, counts(position_mm.z)};
+    out.fault = DeviceFault::kNotCalibrated;
+    return out;
+  }
+  static void slide(double& position_mm, double& speed_mm_s, double force_n, double friction_neg_n,
+                    double friction_pos_n) {
+    constexpr double kMassKg = 0.15;
+    constexpr double kDampingNSMm = 0.02;  // so that a push does not throw the handle away
+    if (speed_mm_s == 0 && force_n <= friction_pos_n && force_n >= -friction_neg_n) return;
+    const bool positive = speed_mm_s > 0 || (speed_mm_s == 0 && force_n > 0);
+    const double net_n = force_n - (positive ? friction_pos_n : -friction_neg_n) - kDampingNSMm * speed_mm_s;
+    const double next = speed_mm_s + net_n / kMassKg * kTickS * 1000;
+    speed_mm_s = next * (positive ? 1 : -1) <= 0 ? 0 : next;
+    position_mm += speed_mm_s * kTickS;
+  }
+  void step(const Vector3& share) {
+    last_share = share;
+    largest_share = std::max(largest_share, std::sqrt(dot(share, share)));
+    const double before = state().position_mm.z + state().position_mm.x;
+    if (!blocked) {
+      const double scale = no_power ? 0 : full_scale_n;
+      slide(position_mm.x, speed_mm_s.x, sign.x * share.x * scale, friction_x_n, friction_x_n);
+      slide(position_mm.z, speed_mm_s.z, sign.z * share.z * scale - weight_n, friction_in_n, friction_out_n);
+    } else {
+      speed_mm_s = {};
+    }
+    if (position_mm.z < -60) position_mm.z = -60;  // the end of the travel
+    now_ns += 1'000'000;
+    if (!silent || state().position_mm.z + state().position_mm.x != before) ++number;
+  }
+  /// What a spring scale that holds it against moving outwards reads.
+  double springScaleN() const { return sign.z * last_share.z * full_scale_n; }
+};
+
+/// A person who does what the procedure says.
+class Person {
+ public:
+  Person(CalibrationPlan plan, SimulatedDevice simulated) : device(simulated), procedure(std::move(plan)) {}
+
+  void ticks(int count) {
+    for (int i = 0; i < count; ++i) device.step(procedure.tick(device.state(), device.now_ns));
+  }
+  void untilNotIn(Step step) {
+    for (int i = 0; i < 100'000 && procedure.step() == step; ++i) ticks(1);
+  }
+  void proceed() {
+    ticks(2);
+    procedure.proceed();
+    ticks(1);
+  }
+  void enter(double value) {
+    const auto entered = procedure.enter(value);
+    EXPECT_TRUE(entered) << entered.error().message();
+    ticks(1);
+  }
+  void hold(double z_mm) {
+    device.blocked = true;
+    device.position_mm.z = z_mm;
+    ticks(5);
+  }
+  void letGo() { device.blocked = false; }
+
+  /// Up to the friction, both directions.
+  void measureAllButTheScale() {
+    EXPECT_EQ(procedure.step(), Step::kLetGo);
+    proceed();
+    untilNotIn(Step::kRest);
+    untilNotIn(Step::kSign);
+    ASSERT_EQ(procedure.step(), Step::kOuterEnd) << procedure.instruction();
+    hold(20);
+    proceed();
+    ASSERT_EQ(procedure.step(), Step::kInnerEnd);
+    hold(-40);
+    proceed();
+    ASSERT_EQ(procedure.step(), Step::kRuler) << procedure.instruction();
+    enter(60);
+    ASSERT_EQ(procedure.step(), Step::kLetGoAgain);
+    hold(0);
+    letGo();
+    proceed();
+    untilNotIn(Step::kFrictionIn);
+    untilNotIn(Step::kFrictionOut);
+  }
+
+  SimulatedDevice device;
+  CalibrationProcedure procedure;
+};
+
+CalibrationPlan plan(ScaleMethod method = ScaleMethod::kSpringScale, bool both_axes = false) {
+  return {"hid:1209:ffb0:7", "7", {both_axes, false, true}, method};
+}
+
+// A rising push of 2 % of full scale per second goes on for at most the ticks until 4 counts are seen.
+constexpr double kFrictionToleranceN = 0.03;
+
+TEST(CalibrationProcedure, FindsTheNumbersOfADevice) {
+  for (const double sign : {1.0, -1.0}) {
+    SimulatedDevice device;
+    device.sign = {1, 1, sign};
+    Person person(plan(), device);
+    person.measureAllButTheScale();
+    ASSERT_EQ(person.procedure.step(), Step::kScaleReady) << person.procedure.instruction();
+    person.hold(0);
+    person.proceed();
+    ASSERT_EQ(person.procedure.step(), Step::kScaleLow);
+    person.ticks(600);
+    person.enter(person.device.springScaleN() - 0.1);
+    ASSERT_EQ(person.procedure.step(), Step::kScaleHigh);
+    person.ticks(600);
+    person.enter(person.device.springScaleN() - 0.1);
+    ASSERT_EQ(person.procedure.step(), Step::kDone);
+    const auto result = person.procedure.result("2026-11-21T08:00:00Z");
+    ASSERT_TRUE(result) << result.error().message();
+    EXPECT_NEAR(result->full_scale_n, 8, 1e-9) << "a constant error of the scale cancels";
+    EXPECT_NEAR(result->mm_per_count, 0.02, 1e-9);
+    EXPECT_EQ(result->force_sign, (Vector3{1, 1, sign}));
+    EXPECT_EQ(result->inwards, (Vector3{0, 0, -1}));
+    EXPECT_NEAR(result->origin_mm.z, 20, 0.02);
+    EXPECT_NEAR(*result->friction_in_n, 0.30, kFrictionToleranceN);
+    EXPECT_NEAR(*result->friction_out_n, 0.45, kFrictionToleranceN);
+    EXPECT_FALSE(result->silent_when_still);
+    EXPECT_EQ(result->procedure, "guided 1, spring scale");
+    EXPECT_LE(person.device.largest_share, CalibrationProcedure::kHighShare + 1e-12);
+    EXPECT_EQ(person.device.last_share, (Vector3{})) << "no force after the end";
+  }
+}
+
+TEST(CalibrationProcedure, AKnownWeightServesInPlaceOfASpringScale) {
+  Person person(plan(ScaleMethod::kKnownWeight), {});
+  person.measureAllButTheScale();
+  ASSERT_EQ(person.procedure.step(), Step::kWeight) << person.procedure.instruction();
+  person.device.weight_n = 0.981;
+  person.ticks(3000);
+  person.enter(0.981);
+  person.untilNotIn(Step::kLift);
+  ASSERT_EQ(person.procedure.step(), Step::kDone) << person.procedure.instruction();
+  // The push at the first motion is seen a little late: 0.2 % of full scale twice, of a lift of 12 %.
+  EXPECT_NEAR(person.procedure.result("")->full_scale_n, 8, 0.3);
+}
+
+TEST(CalibrationProcedure, TheSignOfEveryAxisIsFoundWithASmallShortPush) {
+  SimulatedDevice device;
+  device.sign = {-1, 1, -1};
+  Person person(plan(ScaleMethod::kSpringScale, true), device);
+  person.proceed();
+  person.untilNotIn(Step::kRest);
+  double pushed_s = 0;
+  while (person.procedure.step() == Step::kSign) {
+    person.ticks(1);
+    pushed_s += person.device.last_share == Vector3{} ? 0 : kTickS;
+  }
+  EXPECT_EQ(person.procedure.step(), Step::kOuterEnd);
+  EXPECT_LE(person.device.largest_share, 0.10 + 1e-12) << "5 % does not overcome the friction of 0.45 N of 8 N along z";
+  EXPECT_LE(pushed_s, 3 * CalibrationProcedure::kSignS + 2 * kTickS);
+}
+
+TEST(CalibrationProcedure, NoiseIsNotTakenForMotion) {
+  SimulatedDevice device;
+  device.noise_counts = 5;
+  device.silent = false;
+  Person person(plan(), device);
+  person.measureAllButTheScale();
+  ASSERT_EQ(person.procedure.step(), Step::kScaleReady);
+  person.hold(0);
+  person.proceed();
+  person.ticks(600);
+  person.enter(0.8);
+  person.ticks(600);
+  person.enter(1.6);
+  const auto result = person.procedure.result("");
+  ASSERT_TRUE(result);
+  // Three times the noise of 5 counts have to be passed: the push is seen later.
+  EXPECT_NEAR(*result->friction_in_n, 0.30, 2 * kFrictionToleranceN);
+}
+
+TEST(CalibrationProcedure, ADeviceWithoutPowerIsToldApart) {
+  SimulatedDevice device;
+  device.no_power = true;
+  Person person(plan(), device);
+  person.proceed();
+  person.untilNotIn(Step::kRest);
+  person.untilNotIn(Step::kSign);
+  EXPECT_EQ(person.procedure.step(), Step::kFailed);
+  EXPECT_EQ(person.procedure.instruction(),
+            "The handle did not move along z at 15 % of full scale. Is the motor power on, and is the handle free?");
+  EXPECT_FALSE(person.procedure.result(""));
+}
+
+TEST(CalibrationProcedure, ASilentDeviceIsNoticed) {
+  SimulatedDevice device;
+  device.silent = true;
+  Person person(plan(), device);
+  person.measureAllButTheScale();
+  person.hold(0);
+  person.proceed();
+  person.ticks(600);
+  person.enter(0.8);
+  person.ticks(600);
+  person.enter(1.6);
+  ASSERT_TRUE(person.procedure.result(""));
+  EXPECT_TRUE(person.procedure.result("")->silent_when_still);
+}
+
+TEST(CalibrationProcedure, AHandleThatMovesAtRestIsAskedForAgain) {
+  Person person(plan(), {});
+  person.proceed();
+  person.ticks(100);
+  person.device.position_mm.z += 30;
+  person.ticks(2);
+  EXPECT_EQ(person.procedure.step(), Step::kLetGo);
+  EXPECT_EQ(person.procedure.instruction(), "The handle moved. Let it come to rest, keep clear of it, then continue.");
+}
+
+TEST(CalibrationProcedure, AHandleThatSlipsFromTheScaleIsNotPushedOn) {
+  Person person(plan(), {});
+  person.measureAllButTheScale();
+  person.hold(0);
+  person.proceed();
+  person.ticks(600);
+  EXPECT_NE(person.device.last_share, (Vector3{}));
+  person.letGo();
+  person.device.friction_out_n = 0;
+  for (int i = 0; i < 5000 && person.procedure.step() == Step::kScaleLow; ++i) person.ticks(1);
+  EXPECT_EQ(person.procedure.step(), Step::kScaleReady);
+  person.ticks(1);
+  EXPECT_EQ(person.device.last_share, (Vector3{}));
+}
+
+TEST(CalibrationProcedure, ReadingsThatCannotBeAreRefused) {
+  Person person(plan(), {});
+  EXPECT_FALSE(person.procedure.enter(3)) << "nothing was asked";
+  person.measureAllButTheScale();
+  person.hold(0);
+  person.proceed();
+  EXPECT_EQ(person.procedure.enter(0.8).error().message(),
+            "measurement: found a reading while the push still rises, wanted one after it has settled");
+  person.ticks(600);
+  EXPECT_FALSE(person.procedure.enter(-1));
+  EXPECT_FALSE(person.procedure.enter(std::nan("")));
+  person.enter(0.8);
+  person.ticks(600);
+  EXPECT_EQ(person.procedure.enter(0.7).error().message(),
+            "measurement: found 0.8 N and then 0.7 N, wanted about twice as much at the second push");
+  person.enter(1.6);
+  EXPECT_EQ(person.procedure.step(), Step::kDone);
+}
+
+TEST(CalibrationProcedure, AFaultOrTheEndOfPatienceStopsTheForce) {
+  Person person(plan(), {});
+  person.measureAllButTheScale();
+  person.hold(0);
+  person.proceed();
+  person.ticks(600);
+  ASSERT_NE(person.device.last_share, (Vector3{}));
+  Person other = person;
+  person.procedure.cancel();
+  EXPECT_EQ(person.procedure.tick(person.device.state(), person.device.now_ns + 1), (Vector3{}));
+  EXPECT_EQ(person.procedure.step(), Step::kFailed);
+  auto lost = other.device.state();
+  lost.fault = DeviceFault::kLost;
+  EXPECT_EQ(other.procedure.tick(lost, other.device.now_ns + 1), (Vector3{}));
+  EXPECT_EQ(other.procedure.step(), Step::kFailed);
+  EXPECT_EQ(other.procedure.tick(other.device.state(), other.device.now_ns + 2), (Vector3{}));
+}
+
+TEST(CalibrationProcedure, AnAxisWithoutAMotorIsRefused) {
+  CalibrationPlan along_x = plan();
+  along_x.driven = {true, false, false};
+  Person person(along_x, {});
+  person.proceed();
+  person.untilNotIn(Step::kRest);
+  person.untilNotIn(Step::kSign);
+  person.hold(20);
+  person.proceed();
+  person.hold(-40);
+  person.proceed();
+  EXPECT_EQ(person.procedure.step(), Step::kFailed);
+  EXPECT_EQ(person.procedure.instruction(),
+            "The device cannot push along this way. Choose a direction in which it has a motor.");
+}
+
+}  // namespace
+}  // namespace tactus::haptics

@@ -1,0 +1,82 @@
+#include "core/haptics/hid/pid_input.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/fake_pid_device.h"
+
+namespace tactus::haptics {
+namespace {
+
+using support::FakePidDevice;
+using support::PidModel;
+
+PidLayout layoutOf(PidModel model) {
+  return *PidLayout::find(*ReportDescriptor::parse(support::reportDescriptor(model)));
+}
+
+TEST(PidInput, ReadsPositionAndButtonsOfEveryModel) {
+  for (const PidModel model : support::kPidModels) {
+    const FakePidDevice device(model);
+    const PidLayout layout = layoutOf(model);
+    PidInput input(layout);
+    EXPECT_EQ(input.sample().number, 0U);
+    ASSERT_TRUE(input.take(device.inputReport({-1234, 567}, 0b101), 42)) << name(model);
+    EXPECT_EQ(input.sample().counts[0], -1234) << name(model);
+    if (device.forceAxes() == 2) {
+      EXPECT_EQ(input.sample().counts[1], 567) << name(model);
+    }
+    EXPECT_EQ(input.sample().buttons, 0b101U) << name(model);
+    EXPECT_EQ(input.sample().number, 1U);
+    EXPECT_EQ(input.sample().time_ns, 42);
+    ASSERT_TRUE(input.take(device.inputReport({32767, -32767}, 0), 43));
+    EXPECT_EQ(input.sample().counts[0], 32767);
+    EXPECT_EQ(input.sample().buttons, 0U);
+  }
+}
+
+TEST(PidInput, CutReportsMoveNothing) {
+  const FakePidDevice device(PidModel::kSketch);
+  const PidLayout layout = layoutOf(PidModel::kSketch);
+  PidInput input(layout);
+  auto report = device.inputReport({100, 200}, 1);
+  ASSERT_TRUE(input.take(report, 1));
+  report.resize(3);
+  input.take(report, 2);
+  EXPECT_EQ(input.sample().number, 1U);
+  EXPECT_EQ(input.sample().counts[0], 100);
+  EXPECT_FALSE(input.take({}, 3));
+  EXPECT_FALSE(input.take(std::vector<std::uint8_t>{99, 1, 2, 3}, 3));
+}
+
+TEST(PidInput, AnOpenSwitchOrActuatorsOffHoldForcesBack) {
+  FakePidDevice device(PidModel::kBoard);
+  const PidLayout layout = layoutOf(PidModel::kBoard);
+  PidInput input(layout);
+  device.output(std::vector<std::uint8_t>{0x0C, 1}, 0);
+  ASSERT_TRUE(input.take(device.stateReport(), 1));
+  EXPECT_FALSE(input.sample().forces_held_back);
+  EXPECT_EQ(input.sample().number, 0U) << "it says nothing of the position";
+  device.pressSafetySwitch(true, 2);
+  input.take(device.stateReport(), 2);
+  EXPECT_TRUE(input.sample().forces_held_back);
+  device.pressSafetySwitch(false, 3);
+  input.take(device.stateReport(), 3);
+  EXPECT_FALSE(input.sample().forces_held_back);
+  device.output(std::vector<std::uint8_t>{0x0C, 2}, 4);
+  input.take(device.stateReport(), 4);
+  EXPECT_TRUE(input.sample().forces_held_back);
+}
+
+TEST(PidInput, SwitchesThatTheFirmwareNeverSetsDoNotCount) {
+  const PidLayout layout = layoutOf(PidModel::kBoard);
+  PidInput input(layout);
+  const std::vector<std::uint8_t> only_actuators_on = {0x02, 0x02};
+  input.take(only_actuators_on, 1);
+  EXPECT_FALSE(input.sample().forces_held_back);
+  const std::vector<std::uint8_t> paused = {0x02, 0x03};
+  input.take(paused, 2);
+  EXPECT_TRUE(input.sample().forces_held_back);
+}
+
+}  // namespace
+}  // namespace tactus::haptics
