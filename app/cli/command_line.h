@@ -34,4 +34,9 @@ inline void addJson(CLI::App& command, bool& json) { command.add_flag("--json", 
 /// `study` with its subcommands (study_commands.h).
 void addStudyCommands(CLI::App& app, Chosen& chosen);
 
+struct Terminal;
+/// `devices` with its subcommands (device_commands.h). `terminal`: where they talk; `aside`: where they talk when
+/// standard output is for JSON.
+void addDeviceCommands(CLI::App& app, Chosen& chosen, const Terminal& terminal, const Terminal& aside);
+
 }  // namespace tactus::cli

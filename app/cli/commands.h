@@ -77,6 +77,15 @@ struct BuildOptions {
 /// Elicitation: from a study to the averaged model file.
 base::Result<Output> build(const BuildOptions& options);
 
+struct SimulateOptions {
+  std::string model;
+  std::string scenario;  ///< docs/scenario.md
+  std::string out;       ///< CSV file of the trace
+  bool json = false;
+};
+/// The servo on a simulated device with a simulated hand, in simulated time.
+base::Result<Output> simulate(const SimulateOptions& options);
+
 struct DemoOptions {
   std::string folder;
   std::optional<std::uint64_t> seed;

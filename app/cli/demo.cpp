@@ -7,6 +7,7 @@
 #include "app/session/known_forms.h"
 #include "app/session/simulated_study.h"
 #include "app/session/study_view.h"
+#include "app/simulation/scenario.h"
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/csv.h"
@@ -167,6 +168,21 @@ Result<std::vector<File>> writeModels(const BuiltModel& built, const std::string
   return files;
 }
 
+/// The scenarios of the report's figures, to be run again and changed.
+Result<std::vector<File>> writeScenarios(const std::string& folder) {
+  if (auto made = base::makeFolder(folder + "/scenarios"); !made) return tl::unexpected(made.error());
+  const std::pair<File, std::string_view> all[] = {
+      {{"scenarios/one_stroke.json", "one stroke for tactus simulate (Fig. 13)"}, simulation::oneStrokeScenarioJson()},
+      {{"scenarios/placement.json", "a whole placement for tactus simulate (Fig. 18)"},
+       simulation::placementScenarioJson()}};
+  std::vector<File> files;
+  for (const auto& [file, text] : all) {
+    if (auto ok = base::writeFileAtomically(folder + '/' + file.path, text); !ok) return tl::unexpected(ok.error());
+    files.push_back(file);
+  }
+  return files;
+}
+
 std::string asText(const std::string& folder, const std::vector<File>& files) {
   std::string text = "Wrote the demo study (simulated, except for S4's published rules) to " + folder + ":\n";
   for (const auto& file : files) {
@@ -211,6 +227,8 @@ Result<Output> demo(const DemoOptions& options) {
     return tl::unexpected(ok.error());
   auto models = writeModels(*built, options.folder);
   if (!models) return tl::unexpected(models.error());
+  const auto scenarios = writeScenarios(options.folder);
+  if (!scenarios) return tl::unexpected(scenarios.error());
   if (auto ok = base::writeFileAtomically(options.folder + "/report.html", *page); !ok)
     return tl::unexpected(ok.error());
 
@@ -218,6 +236,7 @@ Result<Output> demo(const DemoOptions& options) {
                              {std::string(kStudyFile), "the study: sessions of simulated nurses, record by record"},
                              {"study/", "what the model is built from, as tables (CSV)"}};
   files.insert(files.end(), models->begin(), models->end());
+  files.insert(files.end(), scenarios->begin(), scenarios->end());
   return Output{options.json ? asJson(options.folder, files, built->notes) : asText(options.folder, files), {}};
 }
 

@@ -3,10 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
-#include <ostream>
+#include <iostream>
 
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
+#include "app/cli/device_commands.h"
 #include "app/version.h"
 #include "core/base/text.h"
 
@@ -128,6 +129,17 @@ void addCommands(CLI::App& app, Chosen& chosen) {
     command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
     addJson(command, o.json);
   });
+  addCommand(app, chosen, "simulate", "The insertion renderer on a model, with a simulated hand and device", simulate,
+             [](CLI::App& command, SimulateOptions& o) {
+               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               command.add_option("--scenario", o.scenario, "Scenario file: hand, device, what happens when")
+                   ->required()
+                   ->check(notEmpty());
+               command.add_option("--out", o.out, "CSV file of the trace, one row per millisecond")
+                   ->required()
+                   ->check(notEmpty());
+               addJson(command, o.json);
+             });
 }
 
 int report(const base::Result<Output>& result, std::ostream& out, std::ostream& err) {
@@ -145,12 +157,17 @@ int report(const base::Result<Output>& result, std::ostream& out, std::ostream& 
 }  // namespace
 
 int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err) {
+  return run(std::move(arguments), std::cin, out, err);
+}
+
+int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out, std::ostream& err) {
   CLI::App app("Tactus turns what experts know by feel into a force model.", "tactus");
   app.set_version_flag("--version", std::string(kGenerator));
   app.require_subcommand(1);
   Chosen chosen;
   addCommands(app, chosen);
   addStudyCommands(app, chosen);
+  addDeviceCommands(app, chosen, {&in, &out}, {&in, &err});
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
   try {
     app.parse(std::move(arguments));

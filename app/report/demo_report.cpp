@@ -41,6 +41,7 @@ base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
   addSurface(page, context);
   addInfluences(page, context);
   addExperts(page, context);
+  addFeel(page, context);
   addAgreement(page, context);
   addWeights(page, context);
   addFindings(page, context);

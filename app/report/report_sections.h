@@ -42,6 +42,9 @@ void addSurface(HtmlPage& page, const ReportContext& context);
 void addInfluences(HtmlPage& page, const ReportContext& context);
 void addExperts(HtmlPage& page, const ReportContext& context);
 void addReadings(HtmlPage& page, const ReportContext& context);
+// sections_feel.cpp
+/// Fig. 13 and 18: what a simulated hand feels of the averaged model. Nothing where the model cannot be rendered.
+void addFeel(HtmlPage& page, const ReportContext& context);
 // sections_agreement.cpp
 void addAgreement(HtmlPage& page, const ReportContext& context);
 // sections_influence.cpp

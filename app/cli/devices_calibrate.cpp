@@ -1,0 +1,76 @@
+// `tactus devices calibrate`: the guided calibration of a HID device.
+#include <chrono>
+#include <filesystem>
+#include <ostream>
+
+#include "app/cli/device_commands.h"
+#include "app/cli/typed_line.h"
+#include "app/cli/wrapped_text.h"
+#include "app/devices/calibration_run.h"
+#include "app/devices/open_device.h"
+#include "core/base/clock.h"
+#include "core/base/text.h"
+
+namespace tactus::cli {
+namespace {
+
+class TerminalGuide final : public devices::CalibrationGuide {
+ public:
+  explicit TerminalGuide(const Terminal& terminal) : terminal_(terminal) {}
+
+  void instruct(const std::string& sentence) override { say(wrapped(sentence, "> ", 2)); }
+  void refuse(const std::string& sentence) override { say(wrapped(sentence, "! ", 2)); }
+  std::optional<std::string> answer() override {
+    bool ended = false;
+    const auto line = typedLine(*terminal_.in, ended);
+    return ended ? "stop" : line;
+  }
+
+  void say(const std::string& text) { *terminal_.out << text << std::flush; }
+
+ private:
+  Terminal terminal_;
+};
+
+/// The folder of the file of calibrations may not be there yet.
+base::Result<void> makeFolderOf(const std::string& file) {
+  const auto folder = std::filesystem::path(file).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (!error) return {};
+  return base::fail(base::ErrorCode::kIo, folder.string(), error.message(), "a folder that can be made");
+}
+
+base::Result<Output> byDriver(const DeviceCalibrateOptions& options, const devices::DeviceSettings& settings) {
+  const auto opened = devices::open(options.id, settings);
+  if (!opened) return tl::unexpected(opened.error());
+  TerminalGuide guide(options.terminal);
+  if (const auto done = devices::calibrateByDriver(*opened->device, guide); !done) return tl::unexpected(done.error());
+  return Output{options.id + ": calibrated by its driver\nTest it: tactus devices test " + options.id + '\n', {}};
+}
+
+}  // namespace
+
+base::Result<Output> calibrateDevice(const DeviceCalibrateOptions& options) {
+  const auto settings = devices::settingsOfProcess();
+  if (!options.id.starts_with("hid:")) return byDriver(options, settings);
+  const auto opened = devices::openRaw(options.id);
+  if (!opened) return tl::unexpected(opened.error());
+  if (const auto made = makeFolderOf(settings.calibrations); !made) return tl::unexpected(made.error());
+
+  auto plan = devices::planFor(opened->device->info());
+  if (options.method == "weight") plan.method = haptics::ScaleMethod::kKnownWeight;
+  TerminalGuide guide(options.terminal);
+  guide.say(wrapped("Press Enter to continue, type a number where one is asked for, or stop.", "", 0));
+  const std::string now = base::formatUtc(std::chrono::system_clock::now());
+  const auto calibration = devices::runCalibration(*opened->device, plan, now, guide);
+  if (!calibration) return tl::unexpected(calibration.error());
+  if (const auto stored = haptics::storeCalibration(settings.calibrations, *calibration); !stored)
+    return tl::unexpected(stored.error());
+  return Output{options.id + ": full scale " + base::formatFixed(calibration->full_scale_n, 2) + " N, " +
+                    base::formatFixed(calibration->mm_per_count, 4) + " mm per count; stored in " +
+                    settings.calibrations + "\nTest it: tactus devices test " + options.id + '\n',
+                {}};
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,92 @@
+#include <filesystem>
+
+#include "app/cli/commands.h"
+#include "app/cli/wrapped_text.h"
+#include "app/simulation/scenario_run.h"
+#include "app/simulation/trace_table.h"
+#include "core/base/file.h"
+#include "core/base/json_writer.h"
+#include "core/base/text.h"
+#include "core/model_io/model_file.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::formatFixed;
+using base::Result;
+using simulation::RunSummary;
+
+std::string count(std::uint64_t number) { return std::to_string(number); }
+
+std::string asText(const SimulateOptions& options, const RunSummary& run) {
+  std::string text =
+      options.out + ": simulated, " + base::formatNumber(run.duration_s) + " s, " + count(run.ticks) + " ticks\n";
+  text += "  strokes " + std::to_string(run.strokes) + ", tube at " + formatFixed(run.depth_mm, 2) + " mm: advanced " +
+          formatFixed(run.depth_mm - run.start_depth_mm, 2) + " of " + formatFixed(run.planned_mm, 2) +
+          " mm that the hand wanted to push\n";
+  text += "  largest force " + formatFixed(run.largest_force_n, 3) + " N, mean while sliding in " +
+          formatFixed(run.mean_sliding_n, 3) + " N, largest step in 1 ms " + formatFixed(run.largest_step_n, 3) +
+          " N\n";
+  text += "  changes between stuck and sliding " + std::to_string(run.transitions) + ", ticks without a rule " +
+          count(run.held_ticks) + '\n';
+  text += "  model asked in " + count(run.scene.asked) + " ticks; not needed in " + count(run.scene.released) +
+          " released and " + count(run.scene.unchanged) + " unchanged\n";
+  for (const auto& seen : run.trips) {
+    text += wrapped("at " + base::formatNumber(seen.at_s) + " s: " + haptics::sentence(seen.trip), "  trip: ", 8);
+  }
+  return text;
+}
+
+std::string asJson(const SimulateOptions& options, const RunSummary& run) {
+  base::JsonWriter json;
+  json.beginObject().key("trace").value(options.out).key("simulated").value(true);
+  json.key("duration_s").value(run.duration_s).key("ticks").value(std::size_t{run.ticks});
+  json.key("strokes")
+      .value(run.strokes)
+      .key("start_depth_mm")
+      .value(run.start_depth_mm)
+      .key("depth_mm")
+      .value(run.depth_mm);
+  json.key("planned_mm").value(run.planned_mm).key("largest_force_n").value(run.largest_force_n);
+  json.key("mean_sliding_n").value(run.mean_sliding_n).key("largest_step_n").value(run.largest_step_n);
+  json.key("transitions").value(run.transitions).key("held_ticks").value(std::size_t{run.held_ticks});
+  json.key("inference").beginObject(base::JsonWriter::Layout::kInline);
+  json.key("asked").value(std::size_t{run.scene.asked}).key("released").value(std::size_t{run.scene.released});
+  json.key("unchanged").value(std::size_t{run.scene.unchanged}).endObject();
+  json.key("trips").beginArray();
+  for (const auto& seen : run.trips) {
+    json.beginObject(base::JsonWriter::Layout::kInline).key("at_s").value(seen.at_s);
+    json.key("cause").value(haptics::describe(seen.trip.cause)).key("value").value(seen.trip.value);
+    json.key("limit").value(seen.trip.limit).endObject();
+  }
+  return json.endArray().endObject().text();
+}
+
+}  // namespace
+
+Result<Output> simulate(const SimulateOptions& options) {
+  auto read = model_io::readModel(options.model);
+  if (!read) return tl::unexpected(read.error());
+  const auto scenario = simulation::readScenario(options.scenario);
+  if (!scenario) return tl::unexpected(scenario.error());
+
+  Output output{{}, std::move(read->warnings)};
+  const auto folder = std::filesystem::path(options.scenario).parent_path();
+  const auto read_other = [&](const std::string& path) -> Result<fuzzy::ForceModel> {
+    auto other = model_io::readModel((folder / path).string());
+    if (!other) return tl::unexpected(other.error());
+    output.warnings.insert(output.warnings.end(), other->warnings.begin(), other->warnings.end());
+    return std::move(other->model);
+  };
+  simulation::TraceTable trace(scenario->conditions);
+  const auto run = simulation::runScenario(*scenario, read->model, read_other,
+                                           [&trace](const simulation::TraceTick& tick) { trace.add(tick); });
+  if (!run) return base::inFile(run.error(), options.scenario);
+  if (auto written = base::writeFileAtomically(options.out, trace.text()); !written) {
+    return tl::unexpected(written.error());
+  }
+  output.text = options.json ? asJson(options, *run) : asText(options, *run);
+  return output;
+}
+
+}  // namespace tactus::cli

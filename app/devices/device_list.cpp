@@ -1,0 +1,128 @@
+#include "app/devices/device_list.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/haptics/openhaptics/openhaptics_device.h"
+
+namespace tactus::devices {
+namespace {
+
+using haptics::HidDevice;
+using haptics::HidDeviceKind;
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+std::string defaultCalibrations() {
+  std::filesystem::path folder = variable("XDG_CONFIG_HOME");
+  if (folder.empty()) folder = std::filesystem::path(variable("HOME")) / ".config";
+  return (folder / "tactus" / "calibrations.json").string();
+}
+
+/// A Touch has no HID reports that are public; OpenHaptics is the way to it.
+bool isTouch(const HidDevice& device) {
+  constexpr std::uint16_t kVendor = 0x2988;
+  return device.kind == HidDeviceKind::kKnown && (device.vendor == kVendor || device.product == kVendor);
+}
+
+ListedDevice listed(const HidDevice& found, const std::vector<haptics::DeviceCalibration>& calibrations) {
+  ListedDevice device;
+  device.id = found.identity.id;
+  device.name = found.identity.name;
+  device.serial = found.identity.serial;
+  device.backend = found.kind == HidDeviceKind::kPid ? "hid-pid" : "none";
+  device.usable = found.problem.empty();
+  device.reason = found.problem;
+  device.advice = found.advice;
+  if (found.kind != HidDeviceKind::kPid) return device;
+  device.calibrated = findCalibration(calibrations, device.id, device.serial) != nullptr;
+  if (device.usable && !*device.calibrated) device.advice = "calibrate it: tactus devices calibrate " + device.id;
+  return device;
+}
+
+ListedDevice listed(const OpenHapticsLook& look) {
+  ListedDevice device;
+  device.id = look.info->id;
+  device.name = look.info->name;
+  device.serial = look.info->serial;
+  device.backend = look.info->backend;
+  device.usable = true;
+  device.calibrated = look.calibrated;
+  if (!look.calibrated) device.advice = look.calibration_advice;
+  return device;
+}
+
+ListedDevice virtualDevice() {
+  ListedDevice device;
+  device.id = "virtual";
+  device.name = "Virtual device (simulated)";
+  device.backend = "virtual";
+  device.simulated = true;
+  device.usable = true;
+  device.calibrated = true;
+  return device;
+}
+
+}  // namespace
+
+DeviceSettings settingsOfProcess() {
+  DeviceSettings settings;
+  settings.hd_library = variable("TACTUS_LIBHD");
+  settings.calibrations = variable("TACTUS_CALIBRATIONS");
+  if (settings.calibrations.empty()) settings.calibrations = defaultCalibrations();
+  return settings;
+}
+
+OpenHapticsLook lookAtOpenHaptics(const std::string& hd_library) {
+  OpenHapticsLook look;
+  const auto refused = [&](const base::Error& error) {
+    look.reason = error.place + ": " + error.found;
+    look.advice = "it needs " + error.wanted;
+    return look;
+  };
+  const auto library = haptics::HdLibrary::load(hd_library);
+  if (!library) return refused(library.error());
+  const auto device = haptics::OpenHapticsDevice::open(*library);
+  if (!device) return refused(device.error());
+  look.info = (*device)->info();
+  look.calibrated = (*device)->calibrated();
+  look.calibration_advice = (*device)->calibrationAdvice();
+  return look;
+}
+
+DeviceList listOf(const std::vector<HidDevice>& hid, const OpenHapticsLook& openhaptics,
+                  const std::vector<haptics::DeviceCalibration>& calibrations) {
+  DeviceList list;
+  if (openhaptics.info) list.devices.push_back(listed(openhaptics));
+  bool touch = false;
+  for (const HidDevice& found : hid) {
+    if (!isTouch(found)) {
+      list.devices.push_back(listed(found, calibrations));
+      continue;
+    }
+    touch = true;
+    if (openhaptics.info) continue;
+    ListedDevice device = listed(found, calibrations);
+    device.backend = "openhaptics";
+    device.reason = openhaptics.reason;
+    device.advice = openhaptics.advice;
+    list.devices.push_back(std::move(device));
+  }
+  if (!openhaptics.info && !touch)
+    list.notes.push_back("OpenHaptics is not in use: " + openhaptics.reason + "; " + openhaptics.advice);
+  list.devices.push_back(virtualDevice());
+  return list;
+}
+
+DeviceList listDevices(const DeviceSettings& settings) {
+  const auto calibrations = haptics::readCalibrations(settings.calibrations);
+  DeviceList list = listOf(haptics::listHidDevices(), lookAtOpenHaptics(settings.hd_library),
+                           calibrations.value_or(std::vector<haptics::DeviceCalibration>()));
+  if (!calibrations) list.notes.push_back(calibrations.error().message());
+  return list;
+}
+
+}  // namespace tactus::devices

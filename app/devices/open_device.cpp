@@ -1,0 +1,89 @@
+#include "app/devices/open_device.h"
+
+#include <string_view>
+
+#include "core/haptics/hid/hidapi_transport.h"
+#include "core/haptics/openhaptics/openhaptics_device.h"
+#include "core/haptics/simulated/virtual_device.h"
+
+namespace tactus::devices {
+namespace {
+
+using base::Result;
+
+constexpr std::string_view kOpenHaptics = "openhaptics";
+
+std::string calibrateAdvice(const std::string& id) { return "calibrate it: tactus devices calibrate " + id; }
+
+Result<OpenedDevice> openVirtual() {
+  auto device = haptics::VirtualDevice::make();
+  if (!device) return tl::unexpected(device.error());
+  return OpenedDevice{std::move(*device), {}, {}};
+}
+
+Result<OpenedDevice> openOpenHaptics(const std::string& id, const DeviceSettings& settings) {
+  const auto library = haptics::HdLibrary::load(settings.hd_library);
+  if (!library) return tl::unexpected(library.error());
+  haptics::OpenHapticsSettings chosen;
+  if (id.size() > kOpenHaptics.size()) chosen.name = id.substr(kOpenHaptics.size() + 1);
+  auto device = haptics::OpenHapticsDevice::open(*library, std::move(chosen));
+  if (!device) return tl::unexpected(device.error());
+  OpenedDevice opened;
+  opened.calibration_advice = (*device)->calibrationAdvice();
+  opened.device = std::move(*device);
+  return opened;
+}
+
+Result<haptics::HidDevice> findHid(const std::string& id) {
+  const auto devices = haptics::listHidDevices();
+  for (const auto& device : devices) {
+    if (device.identity.id != id) continue;
+    if (device.problem.empty()) return device;
+    return base::fail(base::ErrorCode::kIo, id, device.problem, device.advice);
+  }
+  return base::fail(base::ErrorCode::kReference, id, "no such device", "one that `tactus devices` lists");
+}
+
+Result<OpenedDevice> openHid(const std::string& id, const haptics::DeviceCalibration* calibration,
+                             const haptics::HidDevice& found) {
+  auto transport = haptics::HidapiTransport::open(found.path);
+  if (!transport) return tl::unexpected(transport.error());
+  auto device = haptics::HidPidDevice::open(std::move(*transport), found.identity,
+                                            calibration == nullptr ? std::nullopt : std::optional(*calibration));
+  if (!device) return tl::unexpected(device.error());
+  return OpenedDevice{std::move(*device), {}, calibrateAdvice(id)};
+}
+
+}  // namespace
+
+Result<OpenedDevice> open(const std::string& id, const DeviceSettings& settings) {
+  if (id == "virtual") return openVirtual();
+  const bool openhaptics = id == kOpenHaptics || id.starts_with(std::string(kOpenHaptics) + ':');
+  if (!openhaptics && !id.starts_with("hid:"))
+    return base::fail(base::ErrorCode::kReference, "device", base::quoted(id),
+                      "an id that `tactus devices` lists: virtual, hid:…, openhaptics");
+  const auto calibrations = haptics::readCalibrations(settings.calibrations);
+  if (!calibrations) return tl::unexpected(calibrations.error());
+
+  Result<OpenedDevice> opened;
+  const haptics::DeviceCalibration* calibration = nullptr;
+  if (openhaptics) {
+    opened = openOpenHaptics(id, settings);
+    if (opened) calibration = findCalibration(*calibrations, id, opened->device->info().serial);
+  } else {
+    const auto found = findHid(id);
+    if (!found) return tl::unexpected(found.error());
+    calibration = findCalibration(*calibrations, id, found->identity.serial);
+    opened = openHid(id, calibration, *found);
+  }
+  if (opened && calibration != nullptr) opened->axis = axisOf(*calibration);
+  return opened;
+}
+
+Result<OpenedDevice> openRaw(const std::string& id) {
+  const auto found = findHid(id);
+  if (!found) return tl::unexpected(found.error());
+  return openHid(id, nullptr, *found);
+}
+
+}  // namespace tactus::devices

@@ -1,0 +1,27 @@
+// Opens a haptic device by the id that the list of devices gives it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/devices/device_list.h"
+#include "core/base/error.h"
+#include "core/haptics/axis_mapping.h"
+#include "core/haptics/device.h"
+
+namespace tactus::devices {
+
+struct OpenedDevice {
+  std::unique_ptr<haptics::HapticDevice> device;  ///< not started
+  haptics::AxisMapping axis;                      ///< where the insertion axis lies, from its calibration if it has one
+  std::string calibration_advice;                 ///< what to do when it says that it is not calibrated
+};
+
+/// `virtual`, `hid:VVVV:PPPP[:SERIAL]`, `openhaptics[:NAME]`. Refused, with what to do: an id that is none, a device
+/// that is not there or cannot be opened, a file of calibrations that cannot be read.
+base::Result<OpenedDevice> open(const std::string& id, const DeviceSettings& settings);
+
+/// A HID device as it is without a calibration: positions are counts and 1 N is its full scale. For calibrating it.
+base::Result<OpenedDevice> openRaw(const std::string& id);
+
+}  // namespace tactus::devices

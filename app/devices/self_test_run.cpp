@@ -1,0 +1,166 @@
+#include "app/devices/self_test_run.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "core/haptics/servo.h"
+#include "core/haptics/servo_clock.h"
+#include "core/haptics/servo_thread.h"
+
+namespace tactus::devices {
+namespace {
+
+constexpr std::int64_t kTickNs = 1'000'000;
+constexpr std::int64_t kSilentNs = 1'000'000'000;  ///< without a tick for so long, the loop is gone
+constexpr std::chrono::milliseconds kLook{5};      ///< between two looks at the samples
+
+/// What the guide has been told already.
+class Conversation {
+ public:
+  explicit Conversation(SelfTestGuide& guide) : guide_(guide) {}
+
+  void follow(const SelfTest& test) {
+    for (; told_ < test.results().size(); ++told_) guide_.tell(test.results()[told_]);
+    const std::string sentence = test.instruction();
+    const bool question = test.stage() == SelfTest::Stage::kAsk;
+    if (sentence == last_ || sentence.empty() || question) return;
+    last_ = sentence;
+    guide_.instruct(sentence);
+  }
+
+ private:
+  SelfTestGuide& guide_;
+  std::size_t told_ = 0;
+  std::string last_;
+};
+
+/// Samples to the test, orders to the servo, and what the guide should hear. Returns how many samples there were.
+std::size_t advance(SelfTest& test, haptics::Servo& servo, Conversation& conversation) {
+  std::array<haptics::Sample, 256> room;
+  std::size_t seen = 0;
+  for (auto samples = servo.drain(room); !samples.empty(); samples = servo.drain(room)) {
+    seen += samples.size();
+    for (const auto& sample : samples) {
+      if (auto orders = test.takeOrders()) test.posted(servo.post(std::move(*orders)));
+      test.feed(sample);
+    }
+  }
+  if (const auto record = servo.takeFlightRecord()) test.tripped(record->trip);
+  if (auto orders = test.takeOrders()) test.posted(servo.post(std::move(*orders)));
+  conversation.follow(test);
+  return seen;
+}
+
+/// What a person does at the device, played on a virtual one.
+class SimulatedPerson {
+ public:
+  explicit SimulatedPerson(haptics::VirtualDevice& device) : device_(device) {}
+
+  void act(SelfTest& test) {
+    if (test.stage() != stage_) ticks_ = 0;
+    stage_ = test.stage();
+    ++ticks_;
+    switch (stage_) {
+      case SelfTest::Stage::kMotion:
+        return device_.setTarget(ticks_ < 1000 ? 50 : 0);
+      case SelfTest::Stage::kButton:
+        return device_.setButton(ticks_ > 1000 && ticks_ < 1300);
+      case SelfTest::Stage::kForceOff:
+      case SelfTest::Stage::kPulse:
+        return device_.setButton(ticks_ > 300 || stage_ == SelfTest::Stage::kPulse);
+      case SelfTest::Stage::kAsk:
+        device_.setButton(false);
+        return test.answer(felt(test));
+      default:
+        return;
+    }
+  }
+
+ private:
+  static Felt felt(const SelfTest& test) {
+    const double shift_mm = test.shiftMm();
+    const double least_mm = SelfTestSettings{}.smallest_shift_mm;
+    if (std::abs(shift_mm) < least_mm) return Felt::kNothing;
+    return shift_mm < 0 ? Felt::kToward : Felt::kAway;
+  }
+
+  haptics::VirtualDevice& device_;
+  SelfTest::Stage stage_ = SelfTest::Stage::kSamples;
+  int ticks_ = 0;
+};
+
+/// Ticks, until the test has ended and its last orders are in force.
+SelfTest inRealTime(haptics::Servo& servo, const SelfTestSettings& settings, SelfTestGuide& guide) {
+  SelfTest test(settings);
+  Conversation conversation(guide);
+  test.posted(servo.post(*test.takeOrders()));
+  std::int64_t alive_ns = haptics::monotonicNs();
+  while (!test.finished()) {
+    const std::int64_t now_ns = haptics::monotonicNs();
+    servo.heartbeat(now_ns);
+    if (advance(test, servo, conversation) > 0) alive_ns = now_ns;
+    if (now_ns - alive_ns > kSilentNs)
+      test.tripped({haptics::TripCause::kServoLate, static_cast<double>(now_ns - alive_ns) * 1e-9,
+                    settings.limits.servo_trip_s, now_ns});
+    if (test.stage() == SelfTest::Stage::kAsk) {
+      test.answer(guide.ask(test.instruction()));
+      alive_ns = haptics::monotonicNs();
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  advance(test, servo, conversation);
+  return test;
+}
+
+}  // namespace
+
+SelfTestSettings settingsFor(const haptics::DeviceInfo& info) {
+  SelfTestSettings settings;
+  settings.limits = haptics::LimitSettings::forDevice(info);
+  settings.smallest_shift_mm = std::max(settings.smallest_shift_mm, 2 * info.count_mm.value_or(0));
+  settings.calibration_advice = "calibrate it: tactus devices calibrate " + info.id;
+  return settings;
+}
+
+base::Result<SelfTest> runSelfTest(haptics::HapticDevice& device, const SelfTestSettings& settings,
+                                   SelfTestGuide& guide) {
+  if (const auto started = device.start(); !started) return tl::unexpected(started.error());
+  haptics::Servo servo(device);
+  haptics::ServoThread thread(servo);
+  if (const auto started = thread.start(); !started) {
+    device.stop();
+    return tl::unexpected(started.error());
+  }
+  SelfTest test = inRealTime(servo, settings, guide);
+  thread.stop();
+  device.stop();
+  return test;
+}
+
+base::Result<SelfTest> simulateSelfTest(haptics::VirtualDevice& device, const SelfTestSettings& settings,
+                                        SelfTestGuide& guide) {
+  if (const auto started = device.start(); !started) return tl::unexpected(started.error());
+  haptics::Servo servo(device);
+  SelfTest test(settings);
+  Conversation conversation(guide);
+  SimulatedPerson person(device);
+  test.posted(servo.post(*test.takeOrders()));
+  for (std::int64_t now_ns = kTickNs; !test.finished(); now_ns += kTickNs) {
+    servo.tick(now_ns);
+    advance(test, servo, conversation);
+    person.act(test);
+  }
+  conversation.follow(test);
+  device.stop();
+  return test;
+}
+
+base::Result<SelfTest> selfTest(haptics::HapticDevice& device, const SelfTestSettings& settings, SelfTestGuide& guide) {
+  auto* const simulated = dynamic_cast<haptics::VirtualDevice*>(&device);
+  return simulated != nullptr ? simulateSelfTest(*simulated, settings, guide) : runSelfTest(device, settings, guide);
+}
+
+}  // namespace tactus::devices

@@ -1,0 +1,94 @@
+// What the self-test says: to the person, and about what ended it.
+#include "app/devices/self_test.h"
+#include "core/base/text.h"
+
+namespace tactus::devices {
+namespace {
+
+using base::formatFixed;
+using base::formatNumber;
+using haptics::DeviceFault;
+using haptics::TripCause;
+
+std::string mm(double value_mm) { return formatFixed(value_mm, 2) + " mm"; }
+
+std::string faultWords(double value) {
+  switch (static_cast<DeviceFault>(static_cast<int>(value))) {
+    case DeviceFault::kNotCalibrated:
+      return "the device is not calibrated";
+    case DeviceFault::kSwitchedOff:
+      return "a switch or the device itself holds the forces back";
+    case DeviceFault::kWarmMotors:
+      return "the motors are too warm";
+    case DeviceFault::kForceLimited:
+      return "the device refused a force";
+    default:
+      return "the device reports a fault";
+  }
+}
+
+std::string faultAdvice(double value) {
+  switch (static_cast<DeviceFault>(static_cast<int>(value))) {
+    case DeviceFault::kSwitchedOff:
+      return "switch the forces on at the device";
+    case DeviceFault::kWarmMotors:
+      return "let it cool down for some minutes";
+    default:
+      return "unplug it, plug it in again, and repeat the test";
+  }
+}
+
+}  // namespace
+
+std::string_view describe(Check check) noexcept {
+  constexpr std::string_view kTexts[kChecks] = {"samples arrive", "calibrated",  "position follows the hand", "button",
+                                                "no force",       "small force", "direction of the force"};
+  return kTexts[static_cast<int>(check)];
+}
+
+std::string SelfTest::instruction() const {
+  switch (stage_) {
+    case Stage::kMotion:
+      return "Move the handle about 5 cm away from you, then back.";
+    case Stage::kButton:
+      return "Press a button of the handle and let it go.";
+    case Stage::kForceOff:
+      return "Hold the handle loosely and still. Press the button and keep it pressed.";
+    case Stage::kPulse:
+      return "Keep the button pressed. You will feel " + std::to_string(settings_.pulses) + " soft pulls of " +
+             formatNumber(settings_.pulse_n) + " N.";
+    case Stage::kAsk:
+      return "Did it pull toward you, push away from you, or did you feel nothing?";
+    default:
+      return {};
+  }
+}
+
+void SelfTest::tripped(const haptics::Trip& trip) {
+  if (finished()) return;
+  const bool fault = trip.cause == TripCause::kDeviceFault;
+  if (fault && trip.value == static_cast<double>(DeviceFault::kNotCalibrated))
+    return fail(Check::kCalibration, faultWords(trip.value), settings_.calibration_advice);
+  if (fault) return fail(current(), faultWords(trip.value), faultAdvice(trip.value));
+  fail(current(), haptics::sentence(trip), "look at cable and supply of the device, then repeat the test");
+}
+
+void SelfTest::lostPatience() {
+  const std::string waited = " within " + formatNumber(settings_.patience_s) + " s";
+  switch (stage_) {
+    case Stage::kMotion:
+      return fail(Check::kMotion,
+                  "moved by " + mm(seen_.inwards_mm) + " inwards and " + mm(seen_.outwards_mm) + " outwards" + waited,
+                  "move it at least " + formatNumber(settings_.move_mm) + " mm away from you and back");
+    case Stage::kButton:
+      return fail(Check::kButton, (seen_.button_up ? "no press and release" : "a button that stays down") + waited,
+                  "press a button of the device; without one it cannot be used");
+    case Stage::kForceOff:
+      return fail(Check::kForceOff, "the button was not held for 1.3 s" + waited,
+                  "press the button and keep it pressed");
+    default:
+      return fail(current(), "no end" + waited, "press the button and keep it pressed");
+  }
+}
+
+}  // namespace tactus::devices

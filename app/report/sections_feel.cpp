@@ -1,0 +1,158 @@
+// What a hand feels of the averaged model: one stroke (Fig. 13) and a whole placement (Fig. 18), both simulated.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/report/palette.h"
+#include "app/report/report_sections.h"
+#include "app/simulation/scenario_run.h"
+#include "core/base/text.h"
+#include "core/render/printed_friction.h"
+
+namespace tactus::report {
+
+namespace {
+
+using simulation::TraceTick;
+
+struct FeltRun {
+  std::vector<TraceTick> ticks;
+  simulation::RunSummary summary;
+};
+
+std::optional<FeltRun> feel(std::string_view scenario_json, const fuzzy::ForceModel& model) {
+  const auto scenario = simulation::parseScenario(scenario_json);
+  if (!scenario) return std::nullopt;
+  FeltRun run;
+  const auto summary = simulation::runScenario(
+      *scenario, model,
+      [](const std::string& path) -> base::Result<fuzzy::ForceModel> {
+        return base::fail(base::ErrorCode::kReference, path, "another model", "none");
+      },
+      [&run](const TraceTick& tick) { run.ticks.push_back(tick); });
+  if (!summary) return std::nullopt;
+  run.summary = *summary;
+  return run;
+}
+
+double secondsOf(const TraceTick& tick) { return static_cast<double>(tick.sample.time_ns) / 1e9; }
+
+/// A multiple of 0.1 N above `force_n`, with room for a text.
+double axisTop(double force_n) { return std::ceil(1.15 * force_n * 10) / 10; }
+
+PlotAxis axisTo(double max, std::string label) {
+  PlotAxis axis;
+  axis.label = std::move(label);
+  axis.max = max;
+  return axis;
+}
+
+/// Force over the way of the hand since the press.
+std::string strokePlot(const FeltRun& run, const fuzzy::RendererParameters& friction) {
+  Series felt, model, printed;
+  std::optional<double> start_mm;
+  bool slipped = false;
+  double largest_mm = 0;
+  const std::uint32_t last_stroke = run.ticks.back().sample.stroke;
+  for (const auto& tick : run.ticks) {
+    const auto& s = tick.sample;
+    if (s.phase == render::Phase::kReleased || s.stroke != last_stroke) continue;
+    if (!start_mm) start_mm = tick.true_position_mm;
+    const double way_mm = tick.true_position_mm - *start_mm;
+    if (way_mm < largest_mm) continue;  // forwards only: the paper's sketch shows no return
+    largest_mm = way_mm;
+    slipped = slipped || s.phase == render::Phase::kSlidingIn;
+    felt.push_back({way_mm, s.force_n});
+    if (slipped) model.push_back({way_mm, s.model_force_n});
+    const double static_n =
+        render::printedStaticFriction(friction.stiffness_n_mm, way_mm, friction.damping_n_s_mm, tick.true_speed_mm_s);
+    printed.push_back({way_mm, slipped ? std::nullopt : std::optional(static_n)});
+  }
+  SvgPlot plot({.title = "Static and dynamic friction during one stroke",
+                .description = "Resistance over the way of the hand since the press.",
+                .width = 940,
+                .height = 320,
+                .x = axisTo(std::max(1.0, largest_mm), "Way of the hand since the press (mm)"),
+                .y = axisTo(axisTop(run.summary.largest_force_n), "Resistance (N)")});
+  plot.line(model, {.color = kSky, .width = 4}, "Fuzzy force F_d");
+  plot.line(felt, {.color = kInk, .width = 1.8}, "Felt by the hand");
+  plot.line(printed, {.color = kVermilion, .width = 1.8, .dash = Dash::kDashed}, "Eq. 3 as printed, kX − μV");
+  return plot.svg();
+}
+
+std::string placementForcePlot(const FeltRun& run) {
+  Series felt, sliding;
+  for (const auto& tick : run.ticks) {
+    const double time_s = secondsOf(tick);
+    felt.push_back({time_s, tick.sample.force_n});
+    const bool slides = tick.sample.phase == render::Phase::kSlidingIn;
+    sliding.push_back({time_s, slides ? std::optional(tick.sample.force_n) : std::nullopt});
+  }
+  SvgPlot plot({.title = "Force over a whole placement",
+                .description = "Resistance over time.",
+                .width = 940,
+                .height = 280,
+                .x = axisTo(run.summary.duration_s, "Time (s)"),
+                .y = axisTo(axisTop(run.summary.largest_force_n), "Resistance (N)")});
+  plot.line(felt, {.color = kMuted, .width = 1.2}, "Tube stuck, or let go");
+  plot.line(sliding, {.color = kBlue, .width = 1.6}, "Tube slides in");
+  return plot.svg();
+}
+
+/// Depth of the tube over time, the regions along the axis.
+std::string placementDepthPlot(const FeltRun& run, const ReportContext& context) {
+  Series depth;
+  for (const auto& tick : run.ticks) depth.push_back({secondsOf(tick), tick.sample.depth_mm});
+  SvgPlot plot({.title = "Depth of the tube over a whole placement",
+                .description = "Depth over time; the horizontal lines are the ends of the regions.",
+                .width = 940,
+                .height = 260,
+                .x = axisTo(run.summary.duration_s, "Time (s)"),
+                .y = depthAxis(context)});
+  for (const Region& region : context.regions) {
+    plot.line({{0, region.from_mm}, {run.summary.duration_s, region.from_mm}}, {.color = kGrid, .width = 1});
+    plot.label(run.summary.duration_s * 0.995, (region.from_mm + region.to_mm) / 2, region.label, kMuted,
+               TextAnchor::kEnd);
+  }
+  plot.line(depth, {.color = kInk, .width = 2}, "Depth of the tube");
+  return plot.svg();
+}
+
+}  // namespace
+
+void addFeel(HtmlPage& page, const ReportContext& context) {
+  const auto& model = context.in.built.model;
+  const auto stroke = feel(simulation::oneStrokeScenarioJson(), model);
+  const auto placement = feel(simulation::placementScenarioJson(), model);
+  if (!stroke || !placement) return;
+  const auto friction = model.renderer.value_or(fuzzy::RendererParameters{});
+  page.section("What the hand feels");
+  page.paragraph(
+      "The averaged model on the renderer and servo that a real device gets, with a simulated device and a simulated "
+      "hand. Distances and forces are along the insertion axis.");
+  page.figure(
+      {.caption = strong("Fig. 13, computed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                  " One stroke: static friction rises to F_m = (1 + τ) F_d, the tube slips, and the friction falls "
+                  "to the fuzzy force F_d. Eq. 3 as printed lowers the resistance while the hand moves (negative "
+                  "damping, which feeds energy into the hand); it is drawn here and never rendered. The renderer "
+                  "resists with kz + μv. With μ = " +
+                  base::formatFixed(friction.damping_n_s_mm, 4) + " N s/mm the two differ little.",
+       .panels = {{.svg = strokePlot(*stroke, friction)}}});
+  const auto& felt = placement->summary;
+  page.figure({.caption = strong("Fig. 18, computed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+                          " A whole placement in " + std::to_string(felt.strokes) +
+                          " strokes at lubrication 0.8; after 4.5 s the neck is flexed from 20 to 80 deg within a "
+                          "second. The tube advanced " +
+                          base::formatFixed(felt.depth_mm, 0) + " mm of the " + base::formatFixed(felt.planned_mm, 0) +
+                          " mm that the hand wanted to push: the rest is the give of tube and hand before each slip. "
+                          "Largest resistance " +
+                          base::formatFixed(felt.largest_force_n, 2) + " N, mean while sliding " +
+                          base::formatFixed(felt.mean_sliding_n, 2) + " N. Of " + std::to_string(felt.ticks) +
+                          " ticks " + std::to_string(felt.scene.asked) + " needed the model.",
+               .panels = {{.heading = "(a) Resistance", .svg = placementForcePlot(*placement)},
+                          {.heading = "(b) Depth", .svg = placementDepthPlot(*placement, context)}}});
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,171 @@
+#include "app/simulation/scenario_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/haptics/simulated/virtual_device.h"
+
+namespace tactus::simulation {
+namespace {
+
+using haptics::Sample;
+using haptics::ServoOrders;
+using render::Phase;
+
+constexpr std::int64_t kTickNs = 1'000'000;
+/// The program lives; it gives a sign of life this often, as the workbench does.
+constexpr std::int64_t kHeartbeatNs = 50 * kTickNs;
+
+/// The orders in force, and how events change them.
+class Orders {
+ public:
+  Orders(const Scenario& scenario, const haptics::DeviceInfo& device, const fuzzy::ForceModel& model,
+         const ReadModel& read_model)
+      : conditions_(scenario.conditions), model_(&model), read_model_(read_model) {
+    orders_.source = haptics::ForceSource::kInsertion;
+    orders_.armed = true;
+    orders_.placement = 1;
+    orders_.start_depth_mm = scenario.start_depth_mm;
+    orders_.enable = scenario.enable;
+    orders_.limits = haptics::LimitSettings::forDevice(device, scenario.expert_limits);
+    orders_.limits.guard_velocity = scenario.guard_velocity;
+  }
+
+  base::Result<void> takeScene(double fade_s) {
+    haptics::SceneSettings settings;
+    settings.fade_s = fade_s;
+    settings.largest_cost_s = std::numeric_limits<double>::infinity();  // nothing may depend on this machine's clock
+    auto scene = haptics::ServoScene::make(*model_, conditions_, settings);
+    if (!scene) return tl::unexpected(std::move(scene.error()));
+    orders_.scene = std::move(*scene);
+    ++number_;
+    return {};
+  }
+
+  base::Result<void> take(const ScenarioEvent& event) {
+    if (!event.model.empty()) {
+      auto read = read_model_(event.model);
+      if (!read) return tl::unexpected(std::move(read.error()));
+      other_ = std::move(*read);
+      model_ = &other_;
+    }
+    for (const auto& [id, value] : event.conditions) conditions_[id] = value;
+    if (event.source) orders_.source = *event.source;
+    if (event.armed) orders_.armed = *event.armed;
+    if (event.placement) ++orders_.placement;
+    if (event.stimulus_n) {
+      ++orders_.stimulus.number;
+      orders_.stimulus.force_n = *event.stimulus_n;
+    }
+    ++number_;
+    if (event.model.empty() && event.conditions.empty()) return {};
+    return takeScene(event.fade_s);
+  }
+
+  const ServoOrders& now() const noexcept { return orders_; }
+  std::uint64_t number() const noexcept { return number_; }
+  const haptics::Conditions& conditions() const noexcept { return conditions_; }
+
+ private:
+  ServoOrders orders_;
+  std::uint64_t number_ = 0;
+  haptics::Conditions conditions_;
+  const fuzzy::ForceModel* model_;
+  fuzzy::ForceModel other_;
+  const ReadModel& read_model_;
+};
+
+/// Adds up what a run did.
+class Watch {
+ public:
+  RunSummary summary;
+
+  void see(const TraceTick& tick, const haptics::Trip& trip) {
+    const Sample& sample = tick.sample;
+    ++summary.ticks;
+    summary.depth_mm = sample.depth_mm;
+    summary.largest_force_n = std::max(summary.largest_force_n, sample.force_n);
+    summary.largest_step_n = std::max(summary.largest_step_n, std::abs(sample.force_n - last_.force_n));
+    summary.held_ticks += sample.held ? 1 : 0;
+    if (sample.stroke != last_.stroke) slid_ = false;
+    if (sample.phase == Phase::kSlidingIn && !slid_) {
+      slid_ = true;
+      ++summary.strokes;
+    }
+    const bool rubbed = last_.phase != Phase::kReleased && sample.phase != Phase::kReleased;
+    if (rubbed && last_.phase != sample.phase) ++summary.transitions;
+    if (sample.phase == Phase::kSlidingIn) {
+      sliding_sum_n_ += sample.force_n;
+      ++sliding_;
+      summary.mean_sliding_n = sliding_sum_n_ / sliding_;
+    }
+    if (tick.wish.button && wished_.button) summary.planned_mm += tick.wish.position_mm - wished_.position_mm;
+    if (trip && !tripped_) summary.trips.push_back({static_cast<double>(sample.time_ns) / 1e9, trip});
+    tripped_ = static_cast<bool>(trip);
+    wished_ = tick.wish;
+    last_ = sample;
+  }
+
+ private:
+  Sample last_;
+  haptics::HandWish wished_;
+  bool slid_ = false;  ///< in this stroke
+  bool tripped_ = false;
+  double sliding_sum_n_ = 0;
+  int sliding_ = 0;
+};
+
+}  // namespace
+
+base::Result<RunSummary> runScenario(const Scenario& scenario, const fuzzy::ForceModel& model,
+                                     const ReadModel& read_model, const std::function<void(const TraceTick&)>& each) {
+  const auto plan = handPlan(scenario);
+  auto settings = scenario.device;
+  settings.plan = plan;
+  auto device = haptics::VirtualDevice::make(std::move(settings));
+  if (!device) return tl::unexpected(std::move(device.error()));
+  if (auto started = (*device)->start(); !started) return tl::unexpected(std::move(started.error()));
+
+  Orders orders(scenario, (*device)->info(), model, read_model);
+  if (auto taken = orders.takeScene(0); !taken) return tl::unexpected(std::move(taken.error()));
+  haptics::ServoCore core((*device)->info());
+  Watch watch;
+  bool alive = true;
+  std::int64_t heartbeat_ns = 0;
+  auto event = scenario.events.begin();
+  const auto ticks = static_cast<std::int64_t>(std::llround(1000 * scenario.duration_s));
+  for (std::int64_t i = 0; i < ticks; ++i) {
+    const std::int64_t now_ns = (i + 1) * kTickNs;
+    const double time_s = static_cast<double>(i) / 1e3;
+    bool stop = false;
+    for (; event != scenario.events.end() && event->at_s <= time_s; ++event) {
+      if (auto taken = orders.take(*event); !taken) return tl::unexpected(std::move(taken.error()));
+      alive = event->program_alive.value_or(alive);
+      stop = stop || event->stop;
+    }
+    if (alive && now_ns - heartbeat_ns >= kHeartbeatNs) heartbeat_ns = now_ns;
+
+    TraceTick tick;
+    haptics::ServoTick input{now_ns,      (*device)->read(now_ns), &orders.now(), orders.number(), false, stop,
+                             heartbeat_ns};
+    tick.sample = core.tick(input);
+    (*device)->write(orders.now().axis.forceOnHand(tick.sample.force_n), now_ns);
+    tick.sample.time_ns = now_ns - kTickNs;
+    tick.wish = plan(time_s);
+    tick.true_position_mm = (*device)->truePositionMm();
+    tick.true_speed_mm_s = (*device)->trueSpeedMmS();
+    tick.device_force_n = (*device)->trueForceN();
+    tick.conditions = &orders.conditions();
+    watch.see(tick, core.tripped());
+    each(tick);
+  }
+  watch.summary.start_depth_mm = scenario.start_depth_mm;
+  watch.summary.duration_s = static_cast<double>(ticks) / 1e3;
+  watch.summary.scene = core.counters();
+  return watch.summary;
+}
+
+}  // namespace tactus::simulation

@@ -1,0 +1,58 @@
+// Runs a scenario: the servo's own tick on a simulated device, in simulated time.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/simulation/scenario.h"
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
+#include "core/haptics/sample.h"
+#include "core/haptics/servo_core.h"
+
+namespace tactus::simulation {
+
+/// One tick: what the servo did, and what was true.
+struct TraceTick {
+  haptics::Sample sample;  ///< its time counts from the start of the run
+  haptics::HandWish wish;
+  double true_position_mm = 0;
+  double true_speed_mm_s = 0;
+  double device_force_n = 0;                        ///< resistance as it acted, delayed and cut by the device
+  const haptics::Conditions* conditions = nullptr;  ///< in force at this tick; valid during the call only
+};
+
+struct TripSeen {
+  double at_s = 0;
+  haptics::Trip trip;
+};
+
+/// What came out of a run.
+struct RunSummary {
+  double duration_s = 0;
+  std::uint64_t ticks = 0;
+  int strokes = 0;               ///< in which the tube slid in
+  double start_depth_mm = 0;     ///< of the tube
+  double depth_mm = 0;           ///< of the tube at the end
+  double planned_mm = 0;         ///< way inwards that the hand wanted to push with the button down
+  double largest_force_n = 0;    ///< resistance
+  double mean_sliding_n = 0;     ///< mean resistance while the tube slid in; 0 where it never did
+  double largest_step_n = 0;     ///< of the resistance between two ticks
+  int transitions = 0;           ///< between stuck and sliding
+  std::uint64_t held_ticks = 0;  ///< no rule fired, the last force was held
+  haptics::SceneCounters scene;
+  std::vector<TripSeen> trips;
+};
+
+/// A model file as an event names it.
+using ReadModel = std::function<base::Result<fuzzy::ForceModel>(const std::string& path)>;
+
+/// Runs `scenario` on `model` at 1 kHz; `each` is called once per tick. The same arguments give the same bits, on every
+/// machine. Refused: a model that is refused by ServoScene::make, whatever `read_model` refuses.
+base::Result<RunSummary> runScenario(const Scenario& scenario, const fuzzy::ForceModel& model,
+                                     const ReadModel& read_model, const std::function<void(const TraceTick&)>& each);
+
+}  // namespace tactus::simulation

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+#include <string>
+
+#include "app/simulation/scenario.h"
+
+namespace tactus::simulation {
+namespace {
+
+std::string with(const std::string& members) {
+  return R"({ "format": "tactus-scenario", "version": 1, )" + members + " }";
+}
+
+const std::string kMotion = R"("motion": [ { "do": "rest", "duration_s": 2 } ])";
+
+std::string refusal(const std::string& text) {
+  const auto scenario = parseScenario(text);
+  return scenario ? "taken" : scenario.error().message();
+}
+
+TEST(ScenarioFile, ReadsEveryMember) {
+  const auto scenario = parseScenario(with(R"(
+    "name": "all", "seed": 7, "conditions": { "lubrication": 0.5 }, "start_depth_mm": 30, "duration_s": 9,
+    "hand": { "preset": "arm", "stiffness_n_m": 200, "tremor_mm": 0.3, "tremor_hz": 9 },
+    "device": { "mass_kg": 0.1, "count_mm": 0, "delay_s": 0.002, "dropped_share": 0.001, "longest_stall_ms": 9 },
+    "enable": { "by": "latch", "release_zone_mm": -5, "start_zone_mm": 3 },
+    "limits": { "expert": true, "guard_velocity": false },
+    "motion": [ { "do": "press" }, { "do": "swing", "amplitude_mm": 15, "frequency_hz": 0.8, "duration_s": 4 },
+                { "do": "strokes", "count": 2 } ],
+    "events": [ { "at_s": 3, "fault": "stalled", "duration_s": 0.01 },
+                { "at_s": 1, "conditions": { "lubrication": 1 }, "fade_s": 1, "model": "b.json" },
+                { "at_s": 2, "source": "stimulus", "stimulus_n": 0.6, "armed": false, "stop": true,
+                  "placement": true, "program_alive": false } ])"));
+  ASSERT_TRUE(scenario) << scenario.error().message();
+  EXPECT_EQ(scenario->name, "all");
+  EXPECT_EQ(scenario->device.seed, 7u);
+  EXPECT_EQ(scenario->conditions.at("lubrication"), 0.5);
+  EXPECT_EQ(scenario->duration_s, 9);
+  EXPECT_EQ(scenario->start_depth_mm, 30);
+  EXPECT_EQ(scenario->device.hand.mass_kg, haptics::kArm.mass_kg);
+  EXPECT_EQ(scenario->device.hand.stiffness_n_m, 200);
+  EXPECT_EQ(scenario->tremor_hz, 9);
+  EXPECT_EQ(scenario->device.mechanics.mass_kg, 0.1);
+  EXPECT_EQ(scenario->device.count_mm, 0);
+  EXPECT_EQ(scenario->device.delay_s, 0.002);
+  EXPECT_EQ(scenario->enable.kind, haptics::EnableKind::kLatch);
+  EXPECT_EQ(scenario->enable.start_zone_mm, 3);
+  EXPECT_TRUE(scenario->expert_limits);
+  EXPECT_FALSE(scenario->guard_velocity);
+  EXPECT_EQ(scenario->motion.size(), 2u + 2 * 7);
+
+  ASSERT_EQ(scenario->events.size(), 3u);
+  EXPECT_EQ(scenario->events[0].model, "b.json");
+  EXPECT_EQ(scenario->events[0].fade_s, 1);
+  EXPECT_EQ(scenario->events[1].source, haptics::ForceSource::kStimulus);
+  EXPECT_EQ(scenario->events[1].stimulus_n, 0.6);
+  EXPECT_EQ(scenario->events[1].armed, false);
+  EXPECT_EQ(scenario->events[1].program_alive, false);
+  EXPECT_TRUE(scenario->events[1].stop && scenario->events[1].placement);
+  ASSERT_EQ(scenario->device.faults.size(), 1u);
+  EXPECT_EQ(scenario->device.faults[0].fault, haptics::InjectedFault::kStalled);
+  EXPECT_EQ(scenario->device.faults[0].start_s, 3);
+  EXPECT_EQ(scenario->device.faults[0].duration_s, 0.01);
+}
+
+TEST(ScenarioFile, TheDefaultsAreThoseOfTheVirtualDevice) {
+  const auto scenario = parseScenario(with(kMotion));
+  ASSERT_TRUE(scenario);
+  const haptics::VirtualDeviceSettings device;
+  EXPECT_EQ(scenario->device.hand.name, device.hand.name);
+  EXPECT_EQ(scenario->device.count_mm, device.count_mm);
+  EXPECT_EQ(scenario->duration_s, 2);
+  EXPECT_EQ(scenario->events.size(), 0u);
+}
+
+TEST(ScenarioFile, SaysWhatWhereFoundAndWanted) {
+  EXPECT_EQ(refusal("{ \"format\":\n \"tactus"),
+            "line 2: found text that is not JSON, wanted a scenario as in docs/scenario.md");
+  EXPECT_EQ(refusal("[]"), "found '[]', wanted an object");
+  EXPECT_EQ(refusal(R"({ "format": "tactus-model", "version": 1, "motion": [] })"),
+            R"(/format: found '"tactus-model"', wanted tactus-scenario)");
+  EXPECT_EQ(refusal(R"({ "format": "tactus-scenario", "version": 2, "motion": [] })"), "/version: found '2', wanted 1");
+  EXPECT_EQ(refusal(with(R"("name": "no motion")")), "found no member 'motion', wanted the member 'motion'");
+  EXPECT_EQ(
+      refusal(with(R"("motion": [ { "do": "jump" } ])")),
+      R"(/motion/0/do: found '"jump"', wanted one of rest, stroke, go_to, push, swing, press, release, let_go, hold, strokes)");
+  EXPECT_EQ(refusal(with(R"("motion": [ { "do": "push", "speed_mm_s": 5 } ])")),
+            "/motion/0: found no member 'duration_s', wanted the member 'duration_s'");
+  EXPECT_EQ(refusal(with(R"("motion": [ { "do": "rest", "duration_s": 1, "length_mm": 5 } ])")),
+            "/motion/0/length_mm: found the member 'length_mm', wanted one of do, duration_s");
+  EXPECT_EQ(refusal(with(R"("motion": [ { "do": "rest", "duration_s": -1 } ])")),
+            "/motion/0/duration_s: found '-1', wanted a number in [0.001, 3600]");
+  EXPECT_EQ(refusal(with(kMotion + R"(, "device": { "delay_s": 5 })")),
+            "/device/delay_s: found '5', wanted a number in [0, 0.1]");
+  EXPECT_EQ(refusal(with(kMotion + R"(, "conditions": { "lubrication": "well" })")),
+            R"(/conditions/lubrication: found '"well"', wanted a number in [-1e+09, 1e+09])");
+  EXPECT_NE(refusal(with(R"("motion": [])")), "taken");
+}
+
+}  // namespace
+}  // namespace tactus::simulation
