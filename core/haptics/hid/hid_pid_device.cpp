@@ -80,7 +80,7 @@ void HidPidDevice::describe(const HidIdentity& identity, const std::optional<Dev
   info_.buttons = static_cast<int>(std::count_if(layout_.buttons.begin(), layout_.buttons.end(), has));
   info_.max_force_n = calibration_.full_scale_n;
   info_.delay_s = kUsbDelayS;
-  info_.quiet_after_s = PidSession::kDurationS;
+  info_.quiet_after_s = PidSession::kQuietAfterS;
   if (!calibration) return;
   info_.count_mm = calibration->mm_per_count;
   info_.friction_in_n = calibration->friction_in_n;

@@ -13,11 +13,12 @@
 
 namespace tactus::haptics {
 
-/// One effect per axis of force. Each has a duration of 100 ms and is started again every 40 ms, so a host that dies
+/// One effect per axis of force. Each has a duration of 90 ms and is started again every 40 ms, so a host that dies
 /// leaves no force behind. Time is passed in. Thread: writer. Real-time safe: no (a write may block for seconds).
 class PidSession {
  public:
-  static constexpr double kDurationS = 0.1;
+  static constexpr double kQuietAfterS = 0.1;  ///< a dead host means no force after this time …
+  static constexpr double kDurationS = 0.09;   ///< … with 10 ms for the last start on its way to the device
   static constexpr std::int64_t kRestartNs = 40'000'000;  ///< longer than half of the duration would forgive no miss
   static constexpr std::int64_t kRefreshNs = 10'000'000;  ///< a value that did not change is sent again after this
   static constexpr int kLoadPolls = 60;                   ///< 1 ms apart, as the Linux kernel does

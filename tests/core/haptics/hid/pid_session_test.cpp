@@ -47,8 +47,8 @@ class PidRun {
 TEST(PidSession, BeginsOnTheBoardWithTheseBytes) {
   PidRun run(PidModel::kBoard);
   ASSERT_TRUE(run.session.begin(run.now()));
-  const Bytes set_x = {0x01, 1, 1, 100, 0, 0, 0, 0, 0, 0, 0, 255, 255, 4, 0x28, 0x23, 0, 0, 0, 0, 0, 0};
-  const Bytes set_y = {0x01, 2, 1, 100, 0, 0, 0, 0, 0, 0, 0, 255, 255, 4, 0, 0, 0, 0, 0, 0, 0, 0};
+  const Bytes set_x = {0x01, 1, 1, 90, 0, 0, 0, 0, 0, 0, 0, 255, 255, 4, 0x28, 0x23, 0, 0, 0, 0, 0, 0};
+  const Bytes set_y = {0x01, 2, 1, 90, 0, 0, 0, 0, 0, 0, 0, 255, 255, 4, 0, 0, 0, 0, 0, 0, 0, 0};
   const std::vector<Bytes> expected = {{0x0C, 8}, {0x0C, 1},       {0x0D, 255},     {0x11, 1, 0, 0},
                                        set_x,     {0x05, 1, 0, 0}, {0x0A, 1, 1, 1}, {0x11, 1, 0, 0},
                                        set_y,     {0x05, 2, 0, 0}, {0x0A, 2, 1, 1}};
@@ -64,14 +64,14 @@ TEST(PidSession, BeginsOnTheSketchWithTheseBytes) {
   ASSERT_EQ(reports.size(), 11U);
   EXPECT_EQ(reports[0], (Bytes{12, 4}));
   EXPECT_EQ(reports[1], (Bytes{12, 1}));
-  EXPECT_EQ(reports[4], (Bytes{1, 1, 1, 100, 0, 0, 0, 0, 0, 255, 255, 4, 64, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(reports[4], (Bytes{1, 1, 1, 90, 0, 0, 0, 0, 0, 255, 255, 4, 64, 0, 0, 0, 0, 0}));
 }
 
 TEST(PidSession, BeginsOnTheWheelAndWaitsForItsMemory) {
   PidRun run(PidModel::kWheel);
   ASSERT_TRUE(run.session.begin(run.now()));
   const std::vector<Bytes> expected = {
-      {0x4C, 4},       {0x4C, 2},      {0x4D, 255}, {0x51, 3}, {0x41, 1, 3, 100, 0, 0x10, 0x27, 255, 2, 0x28, 0x23},
+      {0x4C, 4},       {0x4C, 2},      {0x4D, 255}, {0x51, 3}, {0x41, 1, 3, 90, 0, 0x10, 0x27, 255, 2, 0x28, 0x23},
       {0x45, 1, 0, 0}, {0x4A, 1, 1, 1}};
   EXPECT_EQ(run.reports(), expected);
   EXPECT_EQ(run.pauses, 3) << "the model answers the fourth question";
@@ -134,7 +134,7 @@ TEST(PidSession, AMagnitudeWithoutASignTurnsOnlyWhileItIsZero) {
   run.send(-0.3, 0);
   const std::vector<Bytes> expected = {{0x45, 1, 0xB8, 0x0B},
                                        {0x45, 1, 0, 0},
-                                       {0x41, 1, 3, 100, 0, 0x10, 0x27, 255, 2, 0x78, 0x69},
+                                       {0x41, 1, 3, 90, 0, 0x10, 0x27, 255, 2, 0x78, 0x69},
                                        {0x45, 1, 0xB8, 0x0B}};
   EXPECT_EQ(run.reports(), expected) << "3000, 0, 270 degrees, 3000";
   const auto device = run.line->device();
