@@ -5,43 +5,11 @@
 #include <ostream>
 
 #include "core/base/csv.h"
-#include "core/base/text.h"
+
+#include "tests/bench/text_table.h"
 
 namespace tactus::bench {
 namespace {
-
-/// Three significant digits, two where the number is very small or large.
-std::string threeDigits(double value) {
-  if (value == 0) return "0";
-  if (!std::isfinite(value)) return base::formatNumber(value);
-  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  if (magnitude >= -3 && magnitude < 7) return base::formatFixed(value, std::clamp(2 - magnitude, 0, 5));
-  const std::string mantissa = base::formatFixed(value / std::pow(10.0, magnitude), 1);
-  // 9.96 rounds to 10.0.
-  return mantissa == "10.0" ? "1.0e" + std::to_string(magnitude + 1) : mantissa + 'e' + std::to_string(magnitude);
-}
-
-std::size_t shownWidth(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
-/// Rows of texts, the first of them a heading: the first `left` columns to the left, the others to the right.
-void printAligned(const std::vector<std::vector<std::string>>& rows, std::size_t left, std::ostream& out) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const auto& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], shownWidth(row[c]));
-  }
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string gap(widths[c] - shownWidth(row[c]), ' ');
-      line += c < left ? row[c] + gap : gap + row[c];
-      if (c + 1 < row.size()) line += "  ";
-    }
-    out << line.substr(0, line.find_last_not_of(' ') + 1) << '\n';
-  }
-}
 
 void addError(ErrorFigures& figures, double error, std::size_t count) {
   // A force that is no number is an error without bound.
@@ -67,7 +35,7 @@ void printContenders(const Results& results, std::ostream& out) {
                     threeDigits(r.one_point.mean_n) + " N"});
   }
   out << "\nTime of one evaluation, error against exact rationals, difference from our one-point evaluator\n\n";
-  printAligned(rows, 2, out);
+  out << alignedTable(rows, 2);
 }
 
 /// One line per value, one column per thing that was measured.
@@ -91,7 +59,7 @@ void printCosts(const Results& results, std::ostream& out) {
     }
     rows.insert(rows.begin(), heading);
     out << '\n';
-    printAligned(rows, 1, out);
+    out << alignedTable(rows, 1);
   }
 }
 
