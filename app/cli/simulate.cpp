@@ -21,9 +21,9 @@ std::string count(std::uint64_t number) { return std::to_string(number); }
 std::string asText(const SimulateOptions& options, const RunSummary& run) {
   std::string text =
       options.out + ": simulated, " + base::formatNumber(run.duration_s) + " s, " + count(run.ticks) + " ticks\n";
-  text += "  strokes " + std::to_string(run.strokes) + ", tube at " + formatFixed(run.depth_mm, 2) + " mm: advanced " +
-          formatFixed(run.depth_mm - run.start_depth_mm, 2) + " of " + formatFixed(run.planned_mm, 2) +
-          " mm that the hand wanted to push\n";
+  text += "  strokes in which the tube slid " + std::to_string(run.strokes) + ", tube at " +
+          formatFixed(run.depth_mm, 2) + " mm: advanced " + formatFixed(run.depth_mm - run.start_depth_mm, 2) + " of " +
+          formatFixed(run.planned_mm, 2) + " mm that the hand wanted to push\n";
   text += "  largest force " + formatFixed(run.largest_force_n, 3) + " N, mean while sliding in " +
           formatFixed(run.mean_sliding_n, 3) + " N, largest step in 1 ms " + formatFixed(run.largest_step_n, 3) +
           " N\n";
@@ -62,6 +62,34 @@ std::string asJson(const SimulateOptions& options, const RunSummary& run) {
   return json.endArray().endObject().text();
 }
 
+/// A trace must not take the place of what it was made from.
+Result<void> keepInputs(const SimulateOptions& options) {
+  for (const auto& input : {options.model, options.scenario}) {
+    std::error_code unknown;
+    if (!std::filesystem::equivalent(options.out, input, unknown)) continue;
+    return base::fail(base::ErrorCode::kValue, "--out", base::quoted(options.out),
+                      "another file than the model and the scenario");
+  }
+  return {};
+}
+
+/// One sentence for each condition that the model clamps.
+std::vector<std::string> clamped(const simulation::Scenario& scenario, const fuzzy::ForceModel& model) {
+  std::vector<std::string> warnings;
+  const auto look = [&](const haptics::Conditions& conditions, const std::string& place) {
+    for (const auto& input : model.inputs) {
+      const auto it = conditions.find(input.id);
+      if (it == conditions.end() || (it->second >= input.min && it->second <= input.max)) continue;
+      warnings.push_back(place + "/conditions/" + input.id + ": " + base::formatNumber(it->second) +
+                         " is outside the model's universe [" + base::formatNumber(input.min) + ", " +
+                         base::formatNumber(input.max) + "] and is taken as its end");
+    }
+  };
+  look(scenario.conditions, {});
+  for (const auto& event : scenario.events) look(event.conditions, event.place);
+  return warnings;
+}
+
 }  // namespace
 
 Result<Output> simulate(const SimulateOptions& options) {
@@ -69,8 +97,10 @@ Result<Output> simulate(const SimulateOptions& options) {
   if (!read) return tl::unexpected(read.error());
   const auto scenario = simulation::readScenario(options.scenario);
   if (!scenario) return tl::unexpected(scenario.error());
+  if (auto kept = keepInputs(options); !kept) return tl::unexpected(kept.error());
 
   Output output{{}, std::move(read->warnings)};
+  for (auto& warning : clamped(*scenario, read->model)) output.warnings.push_back(options.scenario + ": " + warning);
   const auto folder = std::filesystem::path(options.scenario).parent_path();
   const auto read_other = [&](const std::string& path) -> Result<fuzzy::ForceModel> {
     auto other = model_io::readModel((folder / path).string());

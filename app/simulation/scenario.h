@@ -17,6 +17,7 @@ namespace tactus::simulation {
 
 /// Something that changes at a time; what is absent stays as it was.
 struct ScenarioEvent {
+  std::string place;  ///< in the file, as a JSON pointer
   double at_s = 0;
   haptics::Conditions conditions;  ///< those that change
   std::string model;               ///< another model file, as written in the scenario; empty: none

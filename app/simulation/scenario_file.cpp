@@ -1,24 +1,36 @@
 #include <algorithm>
-#include <cmath>
+#include <string_view>
 
-#include "app/simulation/json_reading.h"
 #include "app/simulation/scenario.h"
 #include "core/base/file.h"
+#include "core/base/json_members.h"
 #include "core/base/text.h"
 
 namespace tactus::simulation {
 namespace {
 
 using base::ErrorCode;
+using base::JsonMembers;
+using base::JsonValue;
+using base::NumberRange;
 using Kind = MotionStep::Kind;
 using Problem = std::optional<base::Error>;
 
-constexpr Range kTime{0, kLongestRunS};
-constexpr Range kDuration{0.001, kLongestRunS};
-constexpr Range kLength{-1000, 1000};
-constexpr Range kSpeed{-5000, 5000};
-constexpr Range kAny{-1e9, 1e9};
+constexpr NumberRange kTime{0, kLongestRunS};
+constexpr NumberRange kDuration{0.001, kLongestRunS};
+constexpr NumberRange kLength{-1000, 1000};
+constexpr NumberRange kSpeed{-5000, 5000};
+constexpr NumberRange kAny{-1e9, 1e9};
 constexpr int kMostStrokes = 1000;
+/// More steps than milliseconds in the longest run make no sense.
+constexpr std::size_t kMostSteps = 100'000;
+
+constexpr std::string_view kStepWords[] = {"rest",  "stroke",  "go_to",  "push", "swing",
+                                           "press", "release", "let_go", "hold", "strokes"};
+constexpr Kind kStepKinds[] = {Kind::kRest,  Kind::kStroke,  Kind::kGoTo,  Kind::kPush, Kind::kSwing,
+                               Kind::kPress, Kind::kRelease, Kind::kLetGo, Kind::kHold};
+constexpr std::string_view kEnableWords[] = {"button", "latch"};
+constexpr haptics::EnableKind kEnableKinds[] = {haptics::EnableKind::kButton, haptics::EnableKind::kLatch};
 
 void readStrokes(JsonMembers& members, std::vector<MotionStep>& steps) {
   haptics::StrokeSeries series;
@@ -33,18 +45,15 @@ void readStrokes(JsonMembers& members, std::vector<MotionStep>& steps) {
   steps.insert(steps.end(), all.begin(), all.end());
 }
 
-void readStep(const Json& json, const std::string& place, std::vector<MotionStep>& steps, Problem& error) {
-  JsonMembers members(json, place, error);
+void readStep(const JsonValue& value, std::vector<MotionStep>& steps, Problem& error) {
+  JsonMembers members(value, error);
   members.require("do");
-  const auto word =
-      members.word("do", {"rest", "stroke", "go_to", "push", "swing", "press", "release", "let_go", "hold", "strokes"});
-  constexpr Kind kKinds[] = {Kind::kRest,  Kind::kStroke,  Kind::kGoTo,  Kind::kPush, Kind::kSwing,
-                             Kind::kPress, Kind::kRelease, Kind::kLetGo, Kind::kHold};
-  if (word == std::size(kKinds)) {
+  const auto word = members.word("do", kStepWords);
+  if (word == std::size(kStepKinds)) {
     readStrokes(members, steps);
   } else if (word) {
-    MotionStep step{.kind = kKinds[*word]};
-    const auto needed = [&](std::string_view key, double& target, Range range) {
+    MotionStep step{.kind = kStepKinds[*word]};
+    const auto needed = [&](std::string_view key, double& target, NumberRange range) {
       members.require(key);
       members.number(key, target, range);
     };
@@ -59,12 +68,14 @@ void readStep(const Json& json, const std::string& place, std::vector<MotionStep
     steps.push_back(step);
   }
   members.finish();
+  if (steps.size() > kMostSteps) members.refuse("do", "at most " + std::to_string(kMostSteps) + " steps in all");
 }
 
-void readHand(const Json& json, const std::string& place, Scenario& scenario, Problem& error) {
-  JsonMembers members(json, place, error);
-  if (const auto preset = members.word("preset", {"none", "pinch", "arm", "five-parameter"}))
-    scenario.device.hand = haptics::handPresets()[*preset];
+void readHand(const JsonValue& value, Scenario& scenario, Problem& error) {
+  JsonMembers members(value, error);
+  std::vector<std::string_view> names;
+  for (const auto& hand : haptics::handPresets()) names.push_back(hand.name);
+  if (const auto preset = members.word("preset", names)) scenario.device.hand = haptics::handPresets()[*preset];
   auto& hand = scenario.device.hand;
   members.number("mass_kg", hand.mass_kg, {0, 100});
   members.number("damping_n_s_m", hand.damping_n_s_m, {0, 1000});
@@ -74,8 +85,8 @@ void readHand(const Json& json, const std::string& place, Scenario& scenario, Pr
   members.finish();
 }
 
-void readDevice(const Json& json, const std::string& place, haptics::VirtualDeviceSettings& device, Problem& error) {
-  JsonMembers members(json, place, error);
+void readDevice(const JsonValue& value, haptics::VirtualDeviceSettings& device, Problem& error) {
+  JsonMembers members(value, error);
   members.number("mass_kg", device.mechanics.mass_kg, {0.001, 100});
   members.number("damping_n_s_m", device.mechanics.damping_n_s_m, {0, 1000});
   members.number("friction_n", device.mechanics.dry_friction_n, {0, 1000});
@@ -91,94 +102,121 @@ void readDevice(const Json& json, const std::string& place, haptics::VirtualDevi
   members.finish();
 }
 
-void readEnable(const Json& json, const std::string& place, haptics::EnableSettings& enable, Problem& error) {
-  JsonMembers members(json, place, error);
-  if (const auto kind = members.word("by", {"button", "latch"}))
-    enable.kind = *kind == 0 ? haptics::EnableKind::kButton : haptics::EnableKind::kLatch;
-  members.number("press_debounce_s", enable.press_debounce_s, {0, 1});
+void readEnable(const JsonValue& value, haptics::EnableSettings& enable, Problem& error) {
+  JsonMembers members(value, error);
+  if (const auto kind = members.word("by", kEnableWords)) enable.kind = kEnableKinds[*kind];
+  members.number("press_debounce_s", enable.press_debounce_s, {0.01, 0.1});
   members.number("release_zone_mm", enable.release_zone_mm, kLength);
-  members.number("start_zone_mm", enable.start_zone_mm, {0, 1000});
+  members.number("start_zone_mm", enable.start_zone_mm, {0.1, 1000});
   members.finish();
 }
 
-void readEvent(const Json& json, const std::string& place, Scenario& scenario, Problem& error) {
-  JsonMembers members(json, place, error);
+void readLimits(const JsonValue& value, Scenario& scenario, Problem& error) {
+  JsonMembers members(value, error);
+  members.flag("expert", scenario.expert_limits);
+  members.flag("guard_velocity", scenario.guard_velocity);
+  members.finish();
+}
+
+template <class Enum>
+std::vector<std::string_view> namesOf(std::initializer_list<Enum> all) {
+  std::vector<std::string_view> names;
+  for (const Enum one : all) names.push_back(name(one));
+  return names;
+}
+
+void readFault(JsonMembers& members, const ScenarioEvent& event, Scenario& scenario) {
+  using enum haptics::InjectedFault;
+  haptics::FaultEvent fault{.start_s = event.at_s};
+  const auto word = members.word("fault", namesOf({kUnplugged, kStalled, kStuckValue, kNotANumber, kWarmMotors}));
+  members.number("duration_s", fault.duration_s, kDuration);
+  if (!word) return;
+  fault.fault = static_cast<haptics::InjectedFault>(*word);
+  scenario.device.faults.push_back(fault);
+}
+
+void readEvent(const JsonValue& value, Scenario& scenario, Problem& error) {
+  using enum haptics::ForceSource;
+  JsonMembers members(value, error);
   ScenarioEvent event;
+  event.place = value.pointer();
   members.require("at_s");
   members.number("at_s", event.at_s, kTime);
   members.numbers("conditions", event.conditions, kAny);
   members.text("model", event.model);
   members.number("fade_s", event.fade_s, {0, 60});
-  if (const auto source = members.word("source", {"off", "free", "stimulus", "insertion"}))
+  if (const auto source = members.word("source", namesOf({kOff, kFree, kStimulus, kInsertion})))
     event.source = static_cast<haptics::ForceSource>(*source);
   members.number("stimulus_n", event.stimulus_n, {0, 3});
   members.flag("armed", event.armed);
   members.flag("program_alive", event.program_alive);
   members.flag("stop", event.stop);
   members.flag("placement", event.placement);
-
-  haptics::FaultEvent fault{.start_s = event.at_s};
-  const auto word = members.word("fault", {"unplugged", "stalled", "stuck_value", "not_a_number", "warm_motors"});
-  members.number("duration_s", fault.duration_s, kDuration);
-  if (word) {
-    fault.fault = static_cast<haptics::InjectedFault>(*word);
-    scenario.device.faults.push_back(fault);
-  }
+  readFault(members, event, scenario);
   members.finish();
+
+  // What would have no effect is a typing error.
+  if (members.has("fade_s") && !members.has("conditions") && !members.has("model"))
+    members.refuse("fade_s", "conditions or a model that fade");
+  if (members.has("duration_s") && !members.has("fault")) members.refuse("duration_s", "a fault that lasts");
+  bool any = false;
+  for (const char* key :
+       {"conditions", "model", "source", "stimulus_n", "armed", "program_alive", "stop", "placement", "fault"})
+    any = any || members.has(key);
+  if (!any) members.refuse("at_s", "something that happens at this time");
   scenario.events.push_back(std::move(event));
 }
 
-void readLimits(const Json& json, const std::string& place, Scenario& scenario, Problem& error) {
-  JsonMembers members(json, place, error);
-  members.flag("expert", scenario.expert_limits);
-  members.flag("guard_velocity", scenario.guard_velocity);
-  members.finish();
-}
-
-Scenario readWhole(const Json& json, Problem& error) {
+Scenario readWhole(const JsonValue& root, Problem& error) {
   Scenario scenario;
-  JsonMembers members(json, "", error);
+  JsonMembers members(root, error);
   for (const char* key : {"format", "version", "motion"}) members.require(key);
-  if (!error && json.at("format") != "tactus-scenario") members.refuse("format", "tactus-scenario");
-  if (!error && json.at("version") != 1) members.refuse("version", "1");
+  constexpr std::string_view kFormat[] = {"tactus-scenario"};
+  members.word("format", kFormat);
+  int version = 1;
+  members.integer("version", version, {1, 1});
   members.text("name", scenario.name);
   members.integer("seed", scenario.device.seed);
   members.numbers("conditions", scenario.conditions, kAny);
   members.number("start_depth_mm", scenario.start_depth_mm, {0, 1000});
-  if (const Json* const part = members.child("hand")) readHand(*part, members.placeOf("hand"), scenario, error);
-  if (const Json* const part = members.child("device"))
-    readDevice(*part, members.placeOf("device"), scenario.device, error);
-  if (const Json* const part = members.child("enable"))
-    readEnable(*part, members.placeOf("enable"), scenario.enable, error);
-  if (const Json* const part = members.child("limits")) readLimits(*part, members.placeOf("limits"), scenario, error);
-  for (const auto& [step, place] : members.elements("motion")) readStep(*step, place, scenario.motion, error);
-  for (const auto& [event, place] : members.elements("events")) readEvent(*event, place, scenario, error);
+  if (const auto part = members.child("hand")) readHand(*part, scenario, error);
+  if (const auto part = members.child("device")) readDevice(*part, scenario.device, error);
+  if (const auto part = members.child("enable")) readEnable(*part, scenario.enable, error);
+  if (const auto part = members.child("limits")) readLimits(*part, scenario, error);
+  for (const JsonValue& step : members.elements("motion"))
+    if (!error) readStep(step, scenario.motion, error);
+  for (const JsonValue& event : members.elements("events"))
+    if (!error) readEvent(event, scenario, error);
   scenario.duration_s = durationS(scenario.motion);
   members.number("duration_s", scenario.duration_s, kDuration);
   members.finish();
   return scenario;
 }
 
-}  // namespace
-
-base::Result<Scenario> parseScenario(std::string_view text) {
-  if (!base::isUtf8(text)) return base::fail(ErrorCode::kSyntax, "", "text that is not UTF-8", "UTF-8");
-  Json json;
-  try {
-    json = Json::parse(text);
-  } catch (const Json::parse_error& failed) {
-    const auto before = text.substr(0, std::min(text.size(), failed.byte == 0 ? 0 : failed.byte - 1));
-    return base::fail(ErrorCode::kSyntax, "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')),
-                      "text that is not JSON", "a scenario as in docs/scenario.md");
-  }
-  Problem error;
-  Scenario scenario = readWhole(json, error);
-  if (error) return tl::unexpected(*error);
+base::Result<void> checkTimes(const Scenario& scenario) {
   if (!(scenario.duration_s > 0 && scenario.duration_s <= kLongestRunS)) {
     return base::fail(ErrorCode::kLimit, "/motion", base::formatNumber(scenario.duration_s) + " s in all",
                       "more than 0 s and at most " + base::formatNumber(kLongestRunS) + " s");
   }
+  for (const auto& event : scenario.events) {
+    if (event.at_s < scenario.duration_s) continue;
+    return base::fail(ErrorCode::kValue, event.place + "/at_s", base::formatNumber(event.at_s) + " s",
+                      "a time before the end at " + base::formatNumber(scenario.duration_s) + " s");
+  }
+  return {};
+}
+
+}  // namespace
+
+base::Result<Scenario> parseScenario(std::string_view text) {
+  const auto document = base::JsonDocument::parse(text);
+  if (!document) return tl::unexpected(document.error());
+  Problem error;
+  Scenario scenario = readWhole(document->root(), error);
+  if (error) return tl::unexpected(*error);
+  if (auto checked = checkTimes(scenario); !checked) return tl::unexpected(checked.error());
   if (auto checked = haptics::check(scenario.device); !checked) return tl::unexpected(checked.error());
+  if (auto checked = haptics::check(scenario.enable); !checked) return tl::unexpected(checked.error());
   std::stable_sort(scenario.events.begin(), scenario.events.end(),
                    [](const auto& one, const auto& other) { return one.at_s < other.at_s; });
   return scenario;

@@ -41,18 +41,11 @@ class Orders {
     auto scene = haptics::ServoScene::make(*model_, conditions_, settings);
     if (!scene) return tl::unexpected(std::move(scene.error()));
     orders_.scene = std::move(*scene);
-    ++number_;
     return {};
   }
 
   base::Result<void> take(const ScenarioEvent& event) {
-    if (!event.model.empty()) {
-      auto read = read_model_(event.model);
-      if (!read) return tl::unexpected(std::move(read.error()));
-      other_ = std::move(*read);
-      model_ = &other_;
-    }
-    for (const auto& [id, value] : event.conditions) conditions_[id] = value;
+    ++number_;
     if (event.source) orders_.source = *event.source;
     if (event.armed) orders_.armed = *event.armed;
     if (event.placement) ++orders_.placement;
@@ -60,9 +53,14 @@ class Orders {
       ++orders_.stimulus.number;
       orders_.stimulus.force_n = *event.stimulus_n;
     }
-    ++number_;
     if (event.model.empty() && event.conditions.empty()) return {};
-    return takeScene(event.fade_s);
+    for (const auto& [id, value] : event.conditions) conditions_[id] = value;
+    base::Result<void> taken;
+    if (!event.model.empty()) taken = takeModel(event.model);
+    if (taken) taken = takeScene(event.fade_s);
+    // The sentence says which event it was.
+    if (!taken) taken.error().wanted += ", for " + event.place + " of the scenario";
+    return taken;
   }
 
   const ServoOrders& now() const noexcept { return orders_; }
@@ -70,8 +68,16 @@ class Orders {
   const haptics::Conditions& conditions() const noexcept { return conditions_; }
 
  private:
+  base::Result<void> takeModel(const std::string& path) {
+    auto read = read_model_(path);
+    if (!read) return tl::unexpected(std::move(read.error()));
+    other_ = std::move(*read);
+    model_ = &other_;
+    return {};
+  }
+
   ServoOrders orders_;
-  std::uint64_t number_ = 0;
+  std::uint64_t number_ = 0;  ///< of events taken
   haptics::Conditions conditions_;
   const fuzzy::ForceModel* model_;
   fuzzy::ForceModel other_;
@@ -87,7 +93,7 @@ class Watch {
     const Sample& sample = tick.sample;
     ++summary.ticks;
     summary.depth_mm = sample.depth_mm;
-    summary.largest_force_n = std::max(summary.largest_force_n, sample.force_n);
+    summary.largest_force_n = std::max(summary.largest_force_n, std::abs(sample.force_n));
     summary.largest_step_n = std::max(summary.largest_step_n, std::abs(sample.force_n - last_.force_n));
     summary.held_ticks += sample.held ? 1 : 0;
     if (sample.stroke != last_.stroke) slid_ = false;
@@ -134,7 +140,7 @@ base::Result<RunSummary> runScenario(const Scenario& scenario, const fuzzy::Forc
   haptics::ServoCore core((*device)->info());
   Watch watch;
   bool alive = true;
-  std::int64_t heartbeat_ns = 0;
+  std::int64_t heartbeat_ns = kTickNs;  // alive at the start, whatever happens then
   auto event = scenario.events.begin();
   const auto ticks = static_cast<std::int64_t>(std::llround(1000 * scenario.duration_s));
   for (std::int64_t i = 0; i < ticks; ++i) {

@@ -38,7 +38,7 @@ struct RunSummary {
   double start_depth_mm = 0;     ///< of the tube
   double depth_mm = 0;           ///< of the tube at the end
   double planned_mm = 0;         ///< way inwards that the hand wanted to push with the button down
-  double largest_force_n = 0;    ///< resistance
+  double largest_force_n = 0;    ///< against insertion or withdrawal
   double mean_sliding_n = 0;     ///< mean resistance while the tube slid in; 0 where it never did
   double largest_step_n = 0;     ///< of the resistance between two ticks
   int transitions = 0;           ///< between stuck and sliding

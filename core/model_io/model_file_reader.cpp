@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/base/file.h"
+#include "core/base/json_document.h"
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
-#include "core/model_io/json_document.h"
 #include "core/model_io/model_file.h"
 #include "core/model_io/verify_checks.h"
 
@@ -21,6 +21,9 @@ using namespace std::string_view_literals;
 
 using base::Error;
 using base::ErrorCode;
+using base::JsonDocument;
+using base::JsonKind;
+using base::JsonValue;
 using fuzzy::ForceModel;
 
 constexpr std::string_view kFormat = "tactus-force-model";

@@ -64,7 +64,7 @@ TEST_F(Simulate, AWrongScenarioIsOneSentenceAndNoTrace) {
   const ProgramRun run({"simulate", model_, "--scenario", scenario_, "--out", trace_});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.err.find("tactus: " + scenario_ + ": /motion/0/do: found '\"fly\"', wanted one of rest"), 0u)
+  EXPECT_EQ(run.err.find("tactus: " + scenario_ + ": /motion/0/do: found the string 'fly', wanted one of rest"), 0u)
       << run.err;
   EXPECT_FALSE(base::CsvTable::read(trace_));
 
@@ -73,6 +73,24 @@ TEST_F(Simulate, AWrongScenarioIsOneSentenceAndNoTrace) {
   const ProgramRun few({"simulate", model_, "--scenario", scenario_, "--out", trace_});
   EXPECT_EQ(few.status, 1);
   EXPECT_NE(few.err.find("neck_flexion"), std::string::npos) << few.err;
+}
+
+TEST_F(Simulate, NeverWritesOverItsInputs) {
+  const std::string before = readText(scenario_);
+  const ProgramRun run({"simulate", model_, "--scenario", scenario_, "--out", scenario_});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "tactus: --out: found '" + scenario_ + "', wanted another file than the model and the scenario\n");
+  EXPECT_EQ(readText(scenario_), before);
+}
+
+TEST_F(Simulate, WarnsOfConditionsThatTheModelClamps) {
+  writeText(scenario_,
+            R"({ "format": "tactus-scenario", "version": 1, "conditions": { "lubrication": 80, "neck_flexion": 45 },
+      "motion": [ { "do": "rest", "duration_s": 1 } ] })");
+  const ProgramRun run({"simulate", model_, "--scenario", scenario_, "--out", trace_});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.err.find("/conditions/lubrication: 80 is outside the model's universe [0, 1]"), std::string::npos)
+      << run.err;
 }
 
 }  // namespace

@@ -112,8 +112,8 @@ TEST(ScenarioRun, EventsActAtTheirTick) {
             EXPECT_EQ(path, "stiff");
             return stiff;
           });
-  EXPECT_EQ(ticks[2499].sample.orders, 1u);
-  EXPECT_GT(ticks[2500].sample.orders, 1u);
+  EXPECT_EQ(ticks[2499].sample.orders, 0u);
+  EXPECT_EQ(ticks[2500].sample.orders, 1u);
   EXPECT_GT(ticks[3400].sample.force_n, ticks[2499].sample.force_n + 0.2);
   ASSERT_EQ(summary.trips.size(), 1u);
   EXPECT_EQ(summary.trips[0].trip.cause, haptics::TripCause::kStopped);
@@ -135,6 +135,42 @@ TEST(ScenarioRun, AnUnpluggedDeviceTripsAndASilentProgramOnlyTakesTheForceAway) 
   EXPECT_TRUE(silent.summary.trips.empty());
   EXPECT_GT(silent.ticks[2300].sample.force_n, 0.05);
   EXPECT_EQ(silent.ticks[3000].sample.force_n, 0);
+}
+
+TEST(ScenarioRun, SeveralEventsAtOneTimeAreAsOneEvent) {
+  const std::string motion = R"("motion": [ { "do": "rest", "duration_s": 1.2 }, { "do": "press" },
+      { "do": "push", "speed_mm_s": 40, "duration_s": 2 } ], "events": )";
+  const auto change = [](double flexion_deg) {
+    return R"({ "at_s": 2, "conditions": { "neck_flexion": )" + std::to_string(flexion_deg) + " } }";
+  };
+  const auto one = run(scenario(motion + "[" + change(80) + "]"));
+  const auto four =
+      run(scenario(motion + "[" + change(0) + "," + change(20) + "," + change(60) + "," + change(80) + "]"));
+  ASSERT_EQ(one.ticks.size(), four.ticks.size());
+  for (std::size_t i = 0; i < one.ticks.size(); ++i)
+    ASSERT_EQ(one.ticks[i].sample.force_n, four.ticks[i].sample.force_n) << i;
+}
+
+TEST(ScenarioRun, AProgramThatIsDeadFromTheStartGivesNoForceAfterHalfASecond) {
+  const auto dead = run(scenario(R"("motion": [ { "do": "rest", "duration_s": 0.1 }, { "do": "press" },
+      { "do": "push", "speed_mm_s": 40, "duration_s": 2 } ], "events": [ { "at_s": 0, "program_alive": false } ])"));
+  EXPECT_GT(dead.summary.largest_force_n, 0);
+  for (std::size_t i = 600; i < dead.ticks.size(); ++i) ASSERT_EQ(dead.ticks[i].sample.force_n, 0) << i;
+}
+
+TEST(ScenarioRun, WithdrawalCountsAsForceToo) {
+  const auto back = run(scenario(R"("start_depth_mm": 200, "motion": [ { "do": "rest", "duration_s": 0.1 },
+      { "do": "press" }, { "do": "rest", "duration_s": 1.1 }, { "do": "stroke", "length_mm": -40, "duration_s": 1 } ])"));
+  EXPECT_GT(back.summary.largest_force_n, 0.05);
+}
+
+TEST(ScenarioRun, ARefusedEventIsNamed) {
+  const auto summary = runScenario(scenario(R"("motion": [ { "do": "rest", "duration_s": 1 } ],
+                  "events": [ { "at_s": 0.5, "conditions": { "lube": 1 } } ])"),
+                                   support::s4FiveRegions(), noOther, [](const TraceTick&) {});
+  ASSERT_FALSE(summary);
+  EXPECT_NE(summary.error().message().find("for /events/0 of the scenario"), std::string::npos)
+      << summary.error().message();
 }
 
 TEST(ScenarioRun, RefusesAModelWhoseConditionsAreNotGiven) {

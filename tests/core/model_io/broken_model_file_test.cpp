@@ -180,11 +180,11 @@ TEST(BrokenModelFile, DamagedBytesNeverGiveMoreThanOneLine) {
 TEST(BrokenModelFile, NotAnObject) {
   const auto sentence = [](std::string_view text) { return parseModel(text, "m.json").error().message(); };
   EXPECT_EQ(sentence(""), "m.json: found an empty text, wanted JSON");
-  EXPECT_EQ(sentence("[]"), "m.json: found JSON that is not an object, wanted an object with the keys of a model");
-  EXPECT_EQ(sentence("3"), "m.json: found JSON that is not an object, wanted an object with the keys of a model");
+  EXPECT_EQ(sentence("[]"), "m.json: found JSON that is not an object, wanted an object");
+  EXPECT_EQ(sentence("3"), "m.json: found JSON that is not an object, wanted an object");
   EXPECT_EQ(sentence("{}"), "m.json: found no key 'format', wanted a key 'format' with 'tactus-force-model'");
   EXPECT_EQ(sentence(std::string(kMostModelFileBytes, '[')),
-            "m.json: found JSON that is not an object, wanted an object with the keys of a model");
+            "m.json: found JSON that is not an object, wanted an object");
 }
 
 TEST(BrokenModelFile, HugeFilesAreRefusedBySize) {

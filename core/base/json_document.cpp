@@ -1,4 +1,4 @@
-#include "core/model_io/json_document.h"
+#include "core/base/json_document.h"
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -7,16 +7,11 @@
 
 #include "core/base/check.h"
 #include "core/base/json_pointer.h"
+#include "core/base/json_syntax_error.h"
 #include "core/base/json_writer.h"
 #include "core/base/text.h"
-#include "core/model_io/json_syntax_error.h"
 
-namespace tactus::model_io {
-
-using base::childPointer;
-using base::Error;
-using base::ErrorCode;
-using base::Result;
+namespace tactus::base {
 
 /// Receives the parser's events and appends nodes; stops at the first error.
 class JsonBuilder : public nlohmann::json::json_sax_t {
@@ -37,7 +32,7 @@ class JsonBuilder : public nlohmann::json::json_sax_t {
     std::string plain = digits;
     const auto point = plain.find_first_not_of("+-0123456789eE");
     if (point != std::string::npos) plain[point] = '.';
-    if (!base::parseNumber(plain)) return refuseRange(plain);
+    if (!parseNumber(plain)) return refuseRange(plain);
     return scalar(JsonKind::kNumber, plain);
   }
   bool string(string_t& value) override { return scalar(JsonKind::kString, value); }
@@ -131,9 +126,7 @@ class JsonBuilder : public nlohmann::json::json_sax_t {
     return true;
   }
 
-  bool refuseRoot() {
-    return refuse(ErrorCode::kSchema, {}, "JSON that is not an object", "an object with the keys of a model");
-  }
+  bool refuseRoot() { return refuse(ErrorCode::kSchema, {}, "JSON that is not an object", "an object"); }
 
   std::string_view text_;
   JsonDocument document_;
@@ -145,11 +138,11 @@ Result<JsonDocument> JsonDocument::parse(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   TACTUS_CHECK(text.size() < 0xFFFFFFFFU);
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return base::fail(ErrorCode::kSyntax, {}, "an empty text", "JSON");
+    return fail(ErrorCode::kSyntax, {}, "an empty text", "JSON");
   }
   // The parser would take a zero byte for the end of the text.
   if (const auto zero = text.find('\0'); zero != std::string_view::npos) {
-    return base::fail(ErrorCode::kSyntax, linePlace(text, zero), "a zero byte", "JSON in UTF-8");
+    return fail(ErrorCode::kSyntax, linePlace(text, zero), "a zero byte", "JSON in UTF-8");
   }
   JsonBuilder builder(text);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
@@ -159,7 +152,7 @@ Result<JsonDocument> JsonDocument::parse(std::string_view text) {
 JsonValue JsonDocument::root() const { return {this, 0}; }
 
 double JsonValue::number() const {
-  const auto value = base::parseNumber(text());
+  const auto value = parseNumber(text());
   TACTUS_CHECK(kind() == JsonKind::kNumber && value);
   return *value;
 }
@@ -209,8 +202,8 @@ std::string JsonValue::description() const {
 
 namespace {
 
-void append(base::JsonWriter& json, const JsonValue& value) {
-  using Layout = base::JsonWriter::Layout;
+void append(JsonWriter& json, const JsonValue& value) {
+  using Layout = JsonWriter::Layout;
   switch (value.kind()) {
     case JsonKind::kNull:
       json.null();
@@ -241,11 +234,11 @@ void append(base::JsonWriter& json, const JsonValue& value) {
 }  // namespace
 
 std::string JsonValue::json() const {
-  base::JsonWriter writer;
+  JsonWriter writer;
   append(writer, *this);
   std::string text = writer.text();
   text.pop_back();  // the final newline
   return text;
 }
 
-}  // namespace tactus::model_io
+}  // namespace tactus::base

@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 
-namespace tactus::model_io {
+namespace tactus::base {
 
 enum class JsonKind : std::uint8_t { kNull, kTrue, kFalse, kNumber, kString, kArray, kObject };
 
@@ -19,11 +19,11 @@ class JsonValue;
 
 class JsonDocument {
  public:
-  static constexpr std::size_t kDeepest = 64;  ///< containers inside each other; a model file itself needs 7
+  static constexpr std::size_t kDeepest = 64;  ///< containers inside each other
 
   /// Reads `text` (UTF-8 of less than 4 GiB, a byte order mark is skipped), whose outermost value must be an object.
   /// Syntax errors carry line and column, the others the pointer (RFC 6901) of the value.
-  static base::Result<JsonDocument> parse(std::string_view text);
+  static Result<JsonDocument> parse(std::string_view text);
 
   /// The outermost object. Values refer to the document, which must stay where it is while they are used.
   JsonValue root() const;
@@ -97,4 +97,4 @@ class JsonValue {
   std::uint32_t index_;
 };
 
-}  // namespace tactus::model_io
+}  // namespace tactus::base

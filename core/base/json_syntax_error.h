@@ -7,12 +7,12 @@
 
 #include "core/base/error.h"
 
-namespace tactus::model_io {
+namespace tactus::base {
 
 /// `line 3, column 14` of the byte `at` of `text`; both count from 1, columns count characters.
 std::string linePlace(std::string_view text, std::size_t at);
 
 /// The error where a parser stopped in `text` after reading `position` bytes; more than the text has means at its end.
-base::Error syntaxError(std::string_view text, std::size_t position);
+Error syntaxError(std::string_view text, std::size_t position);
 
-}  // namespace tactus::model_io
+}  // namespace tactus::base

@@ -1,4 +1,4 @@
-#include "core/model_io/json_syntax_error.h"
+#include "core/base/json_syntax_error.h"
 
 #include <algorithm>
 #include <string>
@@ -6,12 +6,8 @@
 
 #include "core/base/text.h"
 
-namespace tactus::model_io {
+namespace tactus::base {
 namespace {
-
-using base::Error;
-using base::ErrorCode;
-using base::quoted;
 
 struct Token {
   std::size_t begin = 0;
@@ -50,7 +46,7 @@ bool isBrokenUtf8(std::string_view text, std::size_t last) {
   std::size_t end = last + 1;
   for (int more = 0; more < 3 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U; ++more)
     ++end;
-  return !base::isUtf8(text.substr(0, end));
+  return !isUtf8(text.substr(0, end));
 }
 
 }  // namespace
@@ -72,29 +68,29 @@ Error syntaxError(std::string_view text, std::size_t position) {
   const std::size_t last = position > 0 ? position - 1 : 0;
   if (isBrokenUtf8(text, last)) {
     std::size_t first = last;
-    while (!base::isUtf8(text.substr(0, first))) --first;
+    while (!isUtf8(text.substr(0, first))) --first;
     return error(first, "bytes that are not UTF-8", "JSON in UTF-8");
   }
 
   const Token token = tokenAt(text, last);
   if (token.string && last > token.begin && last + 1 < token.end) {
     if (static_cast<unsigned char>(text[last]) < 0x20) {
-      return error(last, "the control character " + quoted(text.substr(last, 1)) + " in a string",
+      return error(last, "the control character " + base::quoted(text.substr(last, 1)) + " in a string",
                    "an escape such as \\n, or the end of the string");
     }
     return error(last, "an unknown escape in a string", "one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\uXXXX");
   }
 
   const std::string_view word = text.substr(token.begin, token.end - token.begin);
-  const std::string plain = base::lowered(word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0));
+  const std::string plain = lowered(word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0));
   if (plain.starts_with("nan") || plain.starts_with("inf")) {
-    return error(token.begin, quoted(word), "a number: JSON has no NaN and no infinity");
+    return error(token.begin, base::quoted(word), "a number: JSON has no NaN and no infinity");
   }
   const std::size_t before = text.substr(0, token.begin).find_last_not_of(" \t\r\n");
   if (before != std::string_view::npos && text[before] == ',' && (word == "]" || word == "}")) {
-    return error(before, "a comma before " + quoted(word), "no comma after the last value");
+    return error(before, "a comma before " + base::quoted(word), "no comma after the last value");
   }
-  return error(token.begin, token.string ? "the string " + quoted(word) : quoted(word), "correct JSON");
+  return error(token.begin, token.string ? "the string " + base::quoted(word) : base::quoted(word), "correct JSON");
 }
 
-}  // namespace tactus::model_io
+}  // namespace tactus::base

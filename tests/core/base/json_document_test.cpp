@@ -1,9 +1,9 @@
-#include "core/model_io/json_document.h"
+#include "core/base/json_document.h"
 
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tactus::model_io {
+namespace tactus::base {
 namespace {
 
 std::string errorOf(std::string_view text) {
@@ -100,4 +100,4 @@ TEST(JsonDocument, NestingIsBounded) {
 }
 
 }  // namespace
-}  // namespace tactus::model_io
+}  // namespace tactus::base
