@@ -1,4 +1,5 @@
 // The program for many points: groups of rules with one pivot term and one output term.
+#include <algorithm>
 #include <numeric>
 
 #include "core/fuzzy/section_plan.h"
@@ -7,26 +8,34 @@ namespace tactus::fuzzy {
 namespace {
 
 /// Adds the rules of one expert, sorted by lane and row. `ends` is scratch: the end of each group.
-void addExpert(const SectionPlan& plan, const PlannedExpert& expert, std::size_t lanes,
-               std::vector<std::uint32_t>& ends, BatchProgram& program) {
+void addExpert(const SectionPlan& plan, const PlannedExpert& expert, std::size_t lanes, Table<std::uint32_t>& ends,
+               BatchProgram& program) {
   const std::size_t rows = plan.pivots.size();
   const auto rules = in(plan.rules, expert.rules);
+  const auto group_of = [&](const PlannedRule& rule) { return rule.lane * rows + plan.premises[rule.premise].row; };
   ends.assign(lanes * rows, 0);
-  for (const PlannedRule& rule : rules) ++ends[rule.lane * rows + rule.row];
+  for (const PlannedRule& rule : rules) ++ends[group_of(rule)];
   std::uint32_t first = sizeOf(program.rules);
   std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), first);
   program.rules.resize(program.rules.size() + rules.size());
   for (const PlannedRule& rule : rules) {
-    program.rules[ends[rule.lane * rows + rule.row]++] = {rule.rest, rule.weight};
+    program.rules[ends[group_of(rule)]++] = {plan.premises[rule.premise].rest, rule.weight};
   }
+  makeRoom(program.lanes, lanes);
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const std::uint32_t first_group = sizeOf(program.groups);
     for (std::size_t row = 0; row < rows; ++row) {
       const std::uint32_t end = ends[lane * rows + row];
       if (end == first) continue;
       RuleGroup group{plan.pivots[row], true, {first, end - first}, 0};
-      for (const BatchRule& rule : in(program.rules, group.rules)) {
-        group.unit_weights = group.unit_weights && rule.weight == 1;
+      const auto of_group = in(program.rules, group.rules);
+      group.unit_weights =
+          plan.unit_weights || std::ranges::all_of(of_group, [](const BatchRule& rule) { return rule.weight == 1; });
+      // Where a rule asks for the pivot alone, no other of the group can be stronger.
+      if (plan.bare_pivots && group.unit_weights &&
+          std::ranges::find(of_group, kOneSlot, &BatchRule::rest) != of_group.end()) {
+        group.cap = 1;
+        group.rules.count = 0;
       }
       program.groups.push_back(group);
       first = end;
@@ -44,13 +53,15 @@ void addSection(const SectionPlan& plan, const ModelTables& tables, std::span<co
   section.fixed = {sizeOf(program.fixed), 1};
   program.fixed.push_back({kOneSlot, 1});
   section.terms = {sizeOf(program.terms), sizeOf(plan.terms)};
-  for (const PlannedTerm& term : plan.terms) program.terms.push_back({term.ramps, term.input, term.slot, true});
+  makeRoom(program.terms, plan.terms.size());
+  for (const PlannedTerm& term : plan.terms) {
+    program.terms.push_back({term.ramps, term.input, term.slot, term.input == plan.pivot_input});
+  }
 
   section.antecedents = addAntecedents(plan, program.antecedents, program.antecedent_slots);
 
   section.experts.first = sizeOf(program.experts);
-  std::vector<std::uint32_t> ends;
-  program.rules.reserve(program.rules.size() + plan.rules.size());
+  Table<std::uint32_t> ends(plan.memory);
   for (const PlannedExpert& expert : plan.experts) {
     if (tables.experts[expert.expert].share == 0) continue;
     const std::uint32_t first_lane = sizeOf(program.lanes);

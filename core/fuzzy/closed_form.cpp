@@ -79,16 +79,16 @@ void setSideBySide(ClosedForm& form) {
 
 }  // namespace
 
-std::optional<ClosedForm> closedForm(std::span<const MembershipFunction> terms, double lo, double hi,
-                                     Implication implication) {
+bool makeClosedForm(std::span<const MembershipFunction> terms, double lo, double hi, Implication implication,
+                    ClosedForm& form) {
   // Outside these widths the products of the polynomials could leave the range of double.
-  if (hi - lo > 1e60 || hi - lo < 1e-60) return std::nullopt;
+  if (hi - lo > 1e60 || hi - lo < 1e-60) return false;
   std::array<Corners, kMostTerms> sets;
   std::array<std::uint16_t, kMostTerms> places{};
   const std::span<std::uint16_t> order = std::span(places).first(terms.size());
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const auto cut = cutToUniverse(terms[t], lo, hi);
-    if (!cut) return std::nullopt;
+    if (!cut) return false;
     sets[t] = *cut;
   }
   std::iota(order.begin(), order.end(), std::uint16_t{0});
@@ -97,7 +97,6 @@ std::optional<ClosedForm> closedForm(std::span<const MembershipFunction> terms, 
     return key(i) < key(j);
   });
 
-  ClosedForm form;
   form.lane_of.resize(terms.size());
   form.terms.reserve(terms.size());
   form.pairs.reserve(terms.size());
@@ -110,16 +109,16 @@ std::optional<ClosedForm> closedForm(std::span<const MembershipFunction> terms, 
     form.first_pair.push_back(static_cast<std::uint32_t>(form.pairs.size()));
     for (std::size_t left = 0; left < right; ++left) {
       const Corners& f = sets[order[left]];
-      if (left + 1 == right && !before(f, g)) return std::nullopt;
+      if (left + 1 == right && !before(f, g)) return false;
       if (f.d <= g.a) continue;
       const auto overlap = overlapOf(f, g, lo, implication);
-      if (!overlap || (implication == Implication::kScale && left + 1 < right)) return std::nullopt;
+      if (!overlap || (implication == Implication::kScale && left + 1 < right)) return false;
       form.pairs.push_back({*overlap, static_cast<std::uint16_t>(left)});
     }
   }
   form.first_pair.push_back(static_cast<std::uint32_t>(form.pairs.size()));
   setSideBySide(form);
-  return form;
+  return true;
 }
 
 }  // namespace tactus::fuzzy

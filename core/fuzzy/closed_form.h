@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <vector>
@@ -47,10 +48,11 @@ struct ClosedForm {
     std::uint16_t left = 0;
   };
 
-  std::vector<Polynomial<double>> terms;
-  std::vector<Pair> pairs;                ///< those that overlap, ascending by their right term, then by the left one
-  std::vector<std::uint32_t> first_pair;  ///< of each right term, and the end
-  std::vector<std::uint16_t> lane_of;     ///< of each term of the bank
+  std::pmr::memory_resource* memory;
+  std::pmr::vector<Polynomial<double>> terms{memory};
+  std::pmr::vector<Pair> pairs{memory};  ///< those that overlap, ascending by their right term, then by the left one
+  std::pmr::vector<std::uint32_t> first_pair{memory};  ///< of each right term, and the end
+  std::pmr::vector<std::uint16_t> lane_of{memory};     ///< of each term of the bank
 
   /// The same with one lane per term, where that is enough: up to eight terms of which only neighbours overlap.
   struct SideBySide {
@@ -58,12 +60,12 @@ struct ClosedForm {
     Overlap<Lanes> overlaps;  ///< of each term with the next
   };
   bool fits_side_by_side = false;
-  SideBySide side_by_side;
+  SideBySide side_by_side{};
 };
 
-/// The closed form of a bank of output terms, or nothing where the general sweep is needed: a Gaussian, terms without
+/// Makes the closed form of a bank of output terms. False where the general sweep is needed: a Gaussian, terms without
 /// an order, ramps cut by the universe, scaled sets that overlap beyond their ramps or their neighbours.
-std::optional<ClosedForm> closedForm(std::span<const MembershipFunction> terms, double lo, double hi,
-                                     Implication implication);
+bool makeClosedForm(std::span<const MembershipFunction> terms, double lo, double hi, Implication implication,
+                    ClosedForm& form);
 
 }  // namespace tactus::fuzzy

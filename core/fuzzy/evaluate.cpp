@@ -19,22 +19,14 @@ Outcome outcomeOf(const Program& program, double area, bool ordinary) noexcept {
   return area == 0 && program.zero_is_certain && ordinary ? Outcome::kAbstains : Outcome::kOpen;
 }
 
-}  // namespace
-
-Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept {
-  std::array<double, kMostInputs> values{};
+/// The mean of the experts that fire: where one may not, or an input is not finite.
+[[gnu::noinline]] Evaluation lookAgain(const ModelTables& tables, std::span<const double> inputs,
+                                       const PointOutcome& outcome) noexcept {
+  std::array<double, kMostInputs> values;
   if (!tables.clamp(inputs, values)) return kNotANumber;
-  return evaluateClamped(tables, kernels, std::span(values).first(inputs.size()));
-}
-
-Evaluation evaluateClamped(const ModelTables& tables, const Kernels& kernels,
-                           std::span<const double> clamped) noexcept {
+  const std::span<const double> clamped = std::span(values).first(inputs.size());
   const Program& program = tables.program;
   if (!program.usable) return evaluateGenerally(tables, clamped);
-  PointOutcome outcome;
-  kernels.point(program, clamped.data(), outcome);
-  if (outcome.all_fire) return {tables.output_min + outcome.mean, true};
-
   const bool ordinary = areOrdinary(clamped);
   Mean mean;
   for (std::size_t seat = 0; seat < tables.experts.size(); ++seat) {
@@ -47,6 +39,16 @@ Evaluation evaluateClamped(const ModelTables& tables, const Kernels& kernels,
       mean.add(offset, weight);
   }
   return mean.result(tables);
+}
+
+}  // namespace
+
+Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept {
+  const Program& program = tables.program;
+  TACTUS_CHECK(inputs.size() == tables.input_min.size());
+  PointOutcome outcome;
+  if (program.usable && kernels.point(program, inputs.data(), outcome)) return {tables.output_min + outcome.mean, true};
+  return lookAgain(tables, inputs, outcome);
 }
 
 std::size_t CompiledModel::inputCount() const noexcept { return tables_->input_min.size(); }
@@ -95,7 +97,7 @@ bool CompiledModel::strengths(std::size_t expert, std::span<const double> inputs
 }
 
 std::span<const MembershipFunction> CompiledModel::outputTerms(std::size_t expert) const noexcept {
-  return tables_->banks[tables_->experts[expert].output_bank];
+  return tables_->bank(tables_->experts[expert].output_bank);
 }
 
 }  // namespace tactus::fuzzy

@@ -4,28 +4,28 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace tactus::fuzzy {
 
-/// From keys other than 0 to numbers; at most as many as said beforehand.
+/// From keys other than 0 to numbers.
 class FlatMap {
  public:
-  explicit FlatMap(std::size_t most)
-      : cells_(std::bit_ceil(2 * most + 2)), shift_(64 - static_cast<int>(std::bit_width(cells_.size() - 1))) {}
+  /// With room for `expected` keys; it grows where there are more.
+  explicit FlatMap(std::size_t expected) { makeRoom(expected); }
 
   /// What stands under `key`; where nothing does, `value` stands there from now on and comes back.
   std::uint32_t findOrAdd(std::uint64_t key, std::uint32_t value) {
-    // Fibonacci hashing: the upper bits of the product depend on all bits of the key.
-    std::size_t at = key * 0x9E3779B97F4A7C15U >> shift_;
-    while (cells_[at].key != key) {
-      if (cells_[at].key == 0) {
-        cells_[at] = {key, value};
-        break;
-      }
-      at = (at + 1) & (cells_.size() - 1);
+    std::size_t at = placeOf(key);
+    if (cells_[at].key == key) return cells_[at].value;
+    if (left_ == 0) {
+      grow();
+      at = placeOf(key);
     }
-    return cells_[at].value;
+    --left_;
+    cells_[at] = {key, value};
+    return value;
   }
 
  private:
@@ -33,8 +33,33 @@ class FlatMap {
     std::uint64_t key = 0;
     std::uint32_t value = 0;
   };
+
+  /// Where the key stands or would stand.
+  std::size_t placeOf(std::uint64_t key) const noexcept {
+    // Fibonacci hashing: the upper bits of the product depend on all bits of the key.
+    std::size_t at = key * 0x9E3779B97F4A7C15U >> shift_;
+    while (cells_[at].key != key && cells_[at].key != 0) at = (at + 1) & (cells_.size() - 1);
+    return at;
+  }
+
+  /// Empty cells, so many that at most half of them become full.
+  void makeRoom(std::size_t expected) {
+    cells_.assign(std::bit_ceil(2 * expected + 2), {});
+    shift_ = 64 - static_cast<int>(std::bit_width(cells_.size() - 1));
+    left_ = cells_.size() / 2;
+  }
+
+  void grow() {
+    const std::vector<Cell> old = std::move(cells_);
+    makeRoom(old.size());
+    for (const Cell& cell : old) {
+      if (cell.key != 0) findOrAdd(cell.key, cell.value);
+    }
+  }
+
   std::vector<Cell> cells_;
-  int shift_;
+  std::size_t left_ = 0;  ///< keys that still find room
+  int shift_ = 0;
 };
 
 }  // namespace tactus::fuzzy

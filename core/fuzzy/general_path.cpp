@@ -22,11 +22,11 @@ struct Fuzzified {
   Fuzzified() noexcept { bank.fill(kNoBank); }
 };
 
-bool strengthsOf(const ModelTables& tables, const RuleTable& expert, std::span<const double> clamped,
+bool strengthsOf(const ModelTables& tables, const ExpertTable& expert, std::span<const double> clamped,
                  Fuzzified& fuzzified, std::span<double> strengths) noexcept {
   for (std::size_t i = 0; i < clamped.size(); ++i) {
     if (fuzzified.bank[i] == expert.input_bank[i]) continue;
-    const auto& bank = tables.banks[expert.input_bank[i]];
+    const auto bank = tables.bank(expert.input_bank[i]);
     for (std::size_t t = 0; t < bank.size(); ++t) {
       fuzzified.membership[i][t] = bank[t].scaled(clamped[i], kStrengthScale);
     }
@@ -35,10 +35,9 @@ bool strengthsOf(const ModelTables& tables, const RuleTable& expert, std::span<c
 
   std::fill(strengths.begin(), strengths.end(), 0.0);
   bool fired = false;
-  for (const auto& rule : expert.rules) {
+  for (const IndexedRule& rule : in(tables.rules, expert.rules)) {
     double membership = kStrengthScale;
-    for (std::uint32_t c = rule.first_condition; c < rule.first_condition + rule.condition_count; ++c) {
-      const auto& condition = expert.conditions[c];
+    for (const IndexedCondition& condition : in(tables.conditions, tables.premises[rule.premise])) {
       membership = std::min(membership, fuzzified.membership[condition.input][condition.term]);
     }
     if (membership == 0) continue;
@@ -50,9 +49,9 @@ bool strengthsOf(const ModelTables& tables, const RuleTable& expert, std::span<c
   return fired;
 }
 
-bool offsetOf(const ModelTables& tables, const RuleTable& expert, std::span<const double> clamped, Fuzzified& fuzzified,
-              double& offset) noexcept {
-  const auto& bank = tables.banks[expert.output_bank];
+bool offsetOf(const ModelTables& tables, const ExpertTable& expert, std::span<const double> clamped,
+              Fuzzified& fuzzified, double& offset) noexcept {
+  const auto bank = tables.bank(expert.output_bank);
   std::array<double, kMostTerms> strengths;
   const std::span<double> used(strengths.data(), bank.size());
   if (!strengthsOf(tables, expert, clamped, fuzzified, used)) return false;

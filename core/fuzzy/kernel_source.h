@@ -6,6 +6,8 @@
 //
 #include "core/fuzzy/kernel_batch.h"
 #if TACTUS_KERNEL_WIDTH <= 4
+#include "core/fuzzy/kernel_fuzzify.h"
+//
 #include "core/fuzzy/kernel_point.h"
 #endif
 

@@ -21,7 +21,7 @@ struct Pack {
 
 template <int count>
 TACTUS_INLINE Pack<count> spread(double x) noexcept {
-  TACTUS_EACH_PART(Register{} + x);
+  TACTUS_EACH_PART(x - Register{});  // x itself; x + 0 would cost an addition, because it turns -0 into 0
 }
 template <int count>
 TACTUS_INLINE Pack<count> load(const double* from) noexcept {

@@ -14,7 +14,6 @@ namespace tactus::fuzzy {
 struct PointOutcome {
   double area[kMostExperts + kTeam];    ///< of the output set
   double offset[kMostExperts + kTeam];  ///< centroid from the lower end of the universe; any value where the area is 0
-  bool all_fire;                        ///< no area is negligible
   double mean;                          ///< of the offsets, where all fire
 };
 
@@ -22,8 +21,9 @@ struct PointOutcome {
 /// so all give the same bits.
 struct Kernels {
   std::string_view name;  ///< sse2, avx2, avx512; or portable on other processors
-  /// All experts of the model at one point of clamped, finite inputs.
-  void (*point)(const Program& program, const double* inputs, PointOutcome& out) noexcept;
+  /// All experts of the model at one point, clamped here. False where an area is negligible, or an input is not finite:
+  /// then the outcome is not set.
+  bool (*point)(const Program& program, const double* inputs, PointOutcome& out) noexcept;
   /// The mean over all experts at kBatch points, by a program made from that of the model. `columns` holds kMostInputs
   /// pointers: to kBatch values of any kind for each input that varies, null for the others. `force_n` has room for
   /// kBatch forces. Returns bits of the points that must be looked at again: some expert may not fire there, or an

@@ -1,10 +1,10 @@
 // The tables of a compiled model, shared by the evaluators of this folder. Nothing outside core/fuzzy includes this.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -15,34 +15,44 @@
 
 namespace tactus::fuzzy {
 
-/// One expert's rules with names turned into indices.
-struct RuleTable {
-  struct Condition {
-    std::uint8_t input;
-    std::uint8_t term;
-  };
-  struct Rule {
-    std::uint32_t first_condition;
-    std::uint16_t condition_count;
-    std::uint16_t then;
-    double weight;
-  };
-  double weight = 1;                      ///< of the expert in the mean
-  double share = 1;                       ///< weight relative to the sum of all weights
-  std::vector<std::uint32_t> input_bank;  ///< one per input
+/// Names turned into indices.
+struct IndexedCondition {
+  std::uint8_t input;
+  std::uint8_t term;
+};
+
+struct IndexedRule {
+  double weight;
+  std::uint32_t premise;
+  std::uint16_t then;
+};
+
+struct ExpertTable {
+  double weight = 1;  ///< in the mean
+  double share = 1;   ///< weight relative to the sum of all weights
+  Stretch rules;      ///< enabled rules with a weight > 0 only
+  std::array<std::uint32_t, kMostInputs> input_bank{};
   std::uint32_t output_bank = 0;
-  std::vector<Rule> rules;  ///< enabled rules with a weight > 0 only
-  std::vector<Condition> conditions;
 };
 
 struct ModelTables {
-  std::vector<double> input_min, input_max;
+  /// `bytes`: what the tables are likely to need; more is asked for where it is not enough.
+  explicit ModelTables(std::size_t bytes = 4096) : memory(bytes) {}
+
+  std::pmr::monotonic_buffer_resource memory;
+  Table<double> input_min{&memory}, input_max{&memory};
   double output_min = 0, output_max = 1;
   double default_force_n = 0;
   Implication implication = Implication::kClip;
-  std::vector<std::vector<MembershipFunction>> banks;  ///< lists of terms; experts without their own share one
-  std::vector<RuleTable> experts;
-  Program program;
+  Table<MembershipFunction> terms{&memory};
+  Table<Stretch> banks{&memory};  ///< of terms; experts without their own lists share one
+  Table<IndexedCondition> conditions{&memory};
+  Table<Stretch> premises{&memory};  ///< the conditions that rules have, of any expert, each combination once
+  Table<IndexedRule> rules{&memory};
+  Table<ExpertTable> experts{&memory};
+  Program program{&memory};
+
+  std::span<const MembershipFunction> bank(std::uint32_t index) const noexcept { return in(terms, banks[index]); }
 
   /// Copies `inputs` into their universes; false where one is not finite.
   bool clamp(std::span<const double> inputs, std::span<double> clamped) const noexcept {
@@ -62,9 +72,6 @@ struct ModelTables {
 /// leaves open the general path decides. `kernels`: those of the program, or others that this processor can run.
 /// Thread: any. Real-time safe: yes.
 Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept;
-
-/// The same at a point that is finite and in the universes. Thread: any. Real-time safe: yes.
-Evaluation evaluateClamped(const ModelTables& tables, const Kernels& kernels, std::span<const double> clamped) noexcept;
 
 /// What every evaluation gives where an input is not finite.
 inline constexpr Evaluation kNotANumber{std::numeric_limits<double>::quiet_NaN(), false};

@@ -4,57 +4,60 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <optional>
+#include <limits>
 #include <string_view>
 #include <vector>
 
 namespace tactus::fuzzy {
 
+/// Whether `a` and `b`, which are as long as each other and at least as long as a Word, have the same ends.
+template <class Word>
+bool haveSameEnds(std::string_view a, std::string_view b) noexcept {
+  const auto same_at = [&](std::size_t place) {
+    Word of_a, of_b;
+    std::memcpy(&of_a, a.data() + place, sizeof(Word));
+    std::memcpy(&of_b, b.data() + place, sizeof(Word));
+    return of_a == of_b;
+  };
+  return same_at(0) && same_at(a.size() - sizeof(Word));
+}
+
+/// Whether two ids are the same. Most are so short that a word at each end, which may overlap, tells.
+inline bool isSameId(std::string_view a, std::string_view b) noexcept {
+  constexpr std::size_t kWord = sizeof(std::uint64_t);
+  if (a.size() != b.size()) return false;
+  if (a.size() >= kWord && a.size() <= 2 * kWord) return haveSameEnds<std::uint64_t>(a, b);
+  if (a.size() >= kWord / 2 && a.size() < kWord) return haveSameEnds<std::uint32_t>(a, b);
+  return a == b;
+}
+
 /// Ids in the order in which they were added. The strings must outlive it.
 class NameList {
  public:
-  void reserve(std::size_t count) { entries_.reserve(count); }
-  void add(std::string_view id) { entries_.push_back({Ends(id), id}); }
+  void clear() noexcept { ids_.clear(); }
+  void reserve(std::size_t count) { ids_.reserve(count); }
 
-  std::optional<std::size_t> find(std::string_view id) const noexcept {
-    const Ends ends(id);
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      if (entries_[i].ends == ends && (id.size() <= Ends::kWhole || entries_[i].id == id)) return i;
-    }
-    return std::nullopt;
+  /// False where the list has this id already.
+  bool add(std::string_view id) {
+    if (find(id) != kNone) return false;
+    ids_.push_back(id);
+    return true;
   }
 
- private:
-  /// Length, first and last eight bytes (four of a short one): the whole id, where it is no longer than kWhole.
-  struct Ends {
-    static constexpr std::size_t kWord = sizeof(std::uint64_t);
-    static constexpr std::size_t kWhole = 2 * kWord;
-    std::size_t size;
-    std::uint64_t head = 0;
-    std::uint64_t tail = 0;
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-    explicit Ends(std::string_view id) noexcept : size(id.size()) {
-      if (size >= kWord) {
-        std::memcpy(&head, id.data(), kWord);
-        std::memcpy(&tail, id.data() + size - kWord, kWord);
-        return;
-      }
-      constexpr std::size_t kHalf = kWord / 2;
-      if (size >= kHalf) {
-        std::memcpy(&head, id.data(), kHalf);
-        std::memcpy(&tail, id.data() + size - kHalf, kHalf);
-        return;
-      }
-      for (const char c : id) head = head << 8U | static_cast<unsigned char>(c);
+  /// The index of `id`, or kNone.
+  std::size_t find(std::string_view id) const noexcept {
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+      if (isSameId(ids_[i], id)) return i;
     }
-    bool operator==(const Ends&) const = default;
-  };
-  struct Entry {
-    Ends ends;
-    std::string_view id;
-  };
+    return kNone;
+  }
 
-  std::vector<Entry> entries_;
+  bool operator==(const NameList&) const = default;
+
+ private:
+  std::vector<std::string_view> ids_;
 };
 
 }  // namespace tactus::fuzzy

@@ -1,8 +1,9 @@
 // The program for one point: rows of rests and weights, and the segments of the pivot input.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <tuple>
 
 #include "core/fuzzy/section_plan.h"
 
@@ -13,6 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A block of eight slots for each eight terms of an input that rules mention.
 void addBlocks(const SectionPlan& plan, PointProgram& program) {
+  makeRoom(program.blocks, plan.block_count);
   std::uint16_t first = 0;  // slot of the current block
   for (const PlannedTerm& term : plan.terms) {
     const std::uint16_t lane = term.slot % kLanes;
@@ -21,10 +23,6 @@ void addBlocks(const SectionPlan& plan, PointProgram& program) {
       TermBlock& block = program.blocks.emplace_back();
       block.input = term.input;
       block.slot = first;
-      std::fill_n(block.a.value, kLanes, kInfinity);
-      std::fill_n(block.d.value, kLanes, kInfinity);
-      std::fill_n(block.rise.value, kLanes, 1);
-      std::fill_n(block.fall.value, kLanes, 1);
     }
     TermBlock& block = program.blocks.back();
     block.count = static_cast<std::uint16_t>(lane + 1);
@@ -32,6 +30,7 @@ void addBlocks(const SectionPlan& plan, PointProgram& program) {
     block.rise.value[lane] = term.ramps.has_rise ? term.ramps.rise : 1;
     block.d.value[lane] = term.ramps.has_fall ? term.ramps.d : kInfinity;
     block.fall.value[lane] = term.ramps.has_fall ? term.ramps.fall : 1;
+    block.height.value[lane] = 1;
   }
 }
 
@@ -39,12 +38,13 @@ void addBlocks(const SectionPlan& plan, PointProgram& program) {
 class Teams {
  public:
   Teams(const SectionPlan& plan, const ModelTables& tables, std::span<const ClosedForm> forms, PointProgram& program)
-      : plan_(plan), tables_(tables), forms_(forms), program_(program), next_in_row_(plan.pivots.size()) {}
+      : plan_(plan), tables_(tables), forms_(forms), program_(program) {}
 
   void add() {
-    std::vector<PlannedExpert> experts = plan_.experts;
-    std::stable_sort(experts.begin(), experts.end(),
-                     [](const PlannedExpert& e, const PlannedExpert& f) { return e.form < f.form; });
+    Table<PlannedExpert> experts(plan_.experts, plan_.memory);
+    std::sort(experts.begin(), experts.end(), [](const PlannedExpert& e, const PlannedExpert& f) {
+      return std::tie(e.form, e.expert) < std::tie(f.form, f.expert);
+    });
     for (std::size_t first = 0; first < experts.size();) {
       std::size_t end = first + 1;
       while (end < experts.size() && end - first < kTeam && experts[end].form == experts[first].form) ++end;
@@ -54,11 +54,6 @@ class Teams {
   }
 
  private:
-  struct RuleOfTeam {
-    const PlannedRule* rule = nullptr;
-    std::uint32_t member = 0;
-  };
-
   void addTeam(std::span<const PlannedExpert> members) {
     const ClosedForm& form = forms_[members.front().form];
     Team team;
@@ -78,15 +73,11 @@ class Teams {
       team.shares.value[m] = tables_.experts[members[m].expert].share;
     }
     program_.teams.push_back(team);
-    sortByRow(members);
-    const std::size_t lanes = team.layout == Team::Layout::kSparse ? form.terms.size() : 1;
-    if (place_of_.size() < plan_.slot_count * lanes) place_of_.resize(plan_.slot_count * lanes);
-    std::size_t at = 0;
-    for (std::size_t row = 0; row < next_in_row_.size(); ++row) {
-      const std::uint32_t first = sizeOf(program_.rests);
-      for (; at < next_in_row_[row]; ++at) addRule(team, sorted_[at], lanes, first);
-      program_.rows.push_back({first, sizeOf(program_.rests) - first});
-    }
+    findLanes(members);
+    addRows(team.layout == Team::Layout::kSparse);
+    const std::size_t rests = program_.rests.size() - team.first_rest;
+    program_.weights.resize(team.first_weight + rests * partsOf(team));
+    for (std::size_t m = 0; m < members.size(); ++m) addWeights(team, m, in(plan_.rules, members[m].rules));
   }
 
   /// How many Weights each rest has.
@@ -102,49 +93,62 @@ class Teams {
     return 1;
   }
 
-  /// Afterwards next_in_row_ holds the end of each row.
-  void sortByRow(std::span<const PlannedExpert> members) {
-    std::fill(next_in_row_.begin(), next_in_row_.end(), 0);
-    std::uint32_t count = 0;
+  void findLanes(std::span<const PlannedExpert> members) {
+    std::fill(lanes_.begin(), lanes_.end(), 0);
     for (const PlannedExpert& member : members) {
-      for (const PlannedRule& rule : in(plan_.rules, member.rules)) ++next_in_row_[rule.row];
-      count += member.rules.count;
-    }
-    std::exclusive_scan(next_in_row_.begin(), next_in_row_.end(), next_in_row_.begin(), 0U);
-    sorted_.resize(count);
-    for (std::uint32_t m = 0; m < members.size(); ++m) {
-      for (const PlannedRule& rule : in(plan_.rules, members[m].rules)) sorted_[next_in_row_[rule.row]++] = {&rule, m};
+      for (const PlannedRule& rule : in(plan_.rules, member.rules))
+        lanes_[rule.premise] |= std::uint64_t{1} << rule.lane;
     }
   }
 
-  /// Equal rests of a row share an entry; `lanes` > 1: those with equal lanes.
-  void addRule(const Team& team, const RuleOfTeam& of, std::size_t lanes, std::uint32_t first_in_row) {
-    const PlannedRule& rule = *of.rule;
-    std::uint32_t& place = place_of_[rule.rest * lanes + (lanes == 1 ? 0 : rule.lane)];
+  /// The rests of the premises that have rules; `each_lane`: one for each output term that follows.
+  void addRows(bool each_lane) {
+    std::uint32_t premise = 0;
+    makeRoom(program_.rows, plan_.row_end.size());
+    makeRoom(program_.rests, plan_.premises.size());
+    for (const std::uint32_t end : plan_.row_end) {
+      const std::uint32_t first = sizeOf(program_.rests);
+      for (; premise < end; ++premise) {
+        first_rest_[premise] = sizeOf(program_.rests);
+        for (std::uint64_t lanes = lanes_[premise]; lanes != 0; lanes = each_lane ? lanes & (lanes - 1) : 0) {
+          program_.rests.push_back({plan_.premises[premise].rest, static_cast<std::uint16_t>(std::countr_zero(lanes))});
+        }
+      }
+      program_.rows.push_back({first, sizeOf(program_.rests) - first});
+    }
+  }
+
+  void addWeights(const Team& team, std::size_t member, std::span<const PlannedRule> rules) {
     const std::size_t parts = partsOf(team);
-    if (place <= first_in_row) {  // an entry of an earlier row or none; a place is one more than an index
-      program_.rests.push_back({rule.rest, rule.lane});
-      program_.weights.resize(program_.weights.size() + parts);
-      place = sizeOf(program_.rests);
+    Weights* const weights = program_.weights.data() + team.first_weight;
+    // The first expert takes the places that are left, too.
+    const std::size_t copies = member == 0 ? kTeam - team.experts : 0;
+    for (const PlannedRule& rule : rules) {
+      const std::size_t rest = first_rest_[rule.premise] - team.first_rest;
+      if (team.layout == Team::Layout::kAlone) {
+        weights[rest * parts + rule.lane / kTeam].value[rule.lane % kTeam] = rule.weight;
+        continue;
+      }
+      auto& of_experts =
+          weights[team.layout == Team::Layout::kDense ? rest * parts + rule.lane
+                                                      : rest + lanesBelow(rule.lane, lanes_[rule.premise])]
+              .value;
+      of_experts[member] = rule.weight;
+      for (std::size_t c = 0; c < copies; ++c) of_experts[team.experts + c] = rule.weight;
     }
-    Weights* const weights = &program_.weights[team.first_weight + (place - 1 - team.first_rest) * parts];
-    if (team.layout == Team::Layout::kAlone) {
-      weights[rule.lane / kTeam].value[rule.lane % kTeam] = rule.weight;
-      return;
-    }
-    auto& of_experts = weights[team.layout == Team::Layout::kDense ? rule.lane : 0].value;
-    of_experts[of.member] = rule.weight;
-    if (of.member > 0) return;
-    for (std::size_t empty = team.experts; empty < kTeam; ++empty) of_experts[empty] = rule.weight;
+  }
+
+  static std::size_t lanesBelow(std::uint16_t lane, std::uint64_t lanes) {
+    return static_cast<std::size_t>(std::popcount(lanes & ((std::uint64_t{1} << lane) - 1)));
   }
 
   const SectionPlan& plan_;
   const ModelTables& tables_;
   std::span<const ClosedForm> forms_;
   PointProgram& program_;
-  std::vector<std::uint32_t> next_in_row_;  ///< in sorted_
-  std::vector<RuleOfTeam> sorted_;          ///< the rules of a team, row by row
-  std::vector<std::uint32_t> place_of_;     ///< of each rest and lane in the current row
+  /// Of each premise: bits of the output terms that follow for the team.
+  Table<std::uint64_t> lanes_{plan_.premises.size(), plan_.memory};
+  Table<std::uint32_t> first_rest_{plan_.premises.size(), plan_.memory};  ///< of each premise
 };
 
 /// For each stretch of the pivot input between ends of supports: the rows whose pivot is positive somewhere in it.
@@ -153,15 +157,16 @@ void addSegments(const SectionPlan& plan, const ModelTables& tables, PointSectio
     std::uint16_t row;
     const MembershipFunction* pivot;
   };
-  const auto& bank = tables.banks[tables.experts[plan.experts.front().expert].input_bank[plan.pivot_input]];
-  std::vector<bool> has_rules(plan.pivots.size());
-  for (const PlannedRule& rule : plan.rules) has_rules[rule.row] = true;
-  std::vector<Reach> rows;
-  std::vector<double> ends;
+  const auto bank = tables.bank(tables.experts[plan.experts.front().expert].input_bank[plan.pivot_input]);
+  const auto has_rules = [&plan](std::size_t row) {
+    return plan.row_end[row] > (row == 0 ? 0 : plan.row_end[row - 1]);
+  };
+  Table<Reach> rows(plan.memory);
+  Table<double> ends(plan.memory);
   rows.reserve(bank.size());
   ends.reserve(2 * bank.size() + 1);
   for (std::uint16_t row = 1; row <= bank.size(); ++row) {
-    if (!has_rules[row]) continue;
+    if (!has_rules(row)) continue;
     const MembershipFunction& f = bank[row - 1U];
     rows.push_back({row, &f});
     ends.push_back(f.a);
@@ -174,7 +179,7 @@ void addSegments(const SectionPlan& plan, const ModelTables& tables, PointSectio
   // Two passes: how many rows a segment has at most, then the rows.
   const auto null_row = static_cast<std::uint16_t>(plan.pivots.size() - 1);
   const auto rows_between = [&](double left, double right, auto&& take) {
-    if (has_rules[0]) take(std::uint16_t{0});
+    if (has_rules(0)) take(std::uint16_t{0});
     for (const auto& [row, f] : rows) {
       if (f->a < right && (f->d > left || (f->d == left && f->c == f->d))) take(row);
     }
@@ -187,6 +192,7 @@ void addSegments(const SectionPlan& plan, const ModelTables& tables, PointSectio
   }
   section.rows_per_segment = most;
   section.first_segment_row = sizeOf(program.segment_rows);
+  makeRoom(program.segment_rows, ends.size() * most);
   for (std::size_t s = 0; s < ends.size(); ++s) {
     rows_between(s == 0 ? -kInfinity : ends[s - 1], ends[s],
                  [&program](std::uint16_t row) { program.segment_rows.push_back(row); });
@@ -201,15 +207,18 @@ void addSegments(const SectionPlan& plan, const ModelTables& tables, PointSectio
 void addGrid(double lo, double hi, PointSection& section, PointProgram& program) {
   section.grid_start = lo;
   section.cells_per_unit = static_cast<double>(kGridCells) / (hi - lo);
-  section.first_cell = sizeOf(program.first_segment);
-  program.first_segment.resize(section.first_cell + kGridCells + 1);
-  const auto cells = program.first_segment.begin() + section.first_cell;
+  section.first_cell = sizeOf(program.cells);
+  program.cells.resize(section.first_cell + kGridCells + 1);
+  const auto cells = program.cells.begin() + section.first_cell;
   std::size_t filled = 0;
   std::uint16_t passed = 0;
   for (std::size_t b = section.first_breakpoint; b < program.breakpoints.size(); ++b, ++passed) {
     const double cell = (program.breakpoints[b] - lo) * section.cells_per_unit;
     const auto end = static_cast<std::size_t>(std::clamp(std::floor(cell) + 1, 0.0, kGridCells + 1.0));
-    for (; filled < end; ++filled) cells[static_cast<std::ptrdiff_t>(filled)] = passed;
+    if (end <= filled) continue;
+    std::fill_n(cells + static_cast<std::ptrdiff_t>(filled), end - filled,
+                GridCell{passed, static_cast<std::uint16_t>(passed * section.rows_per_segment)});
+    filled = end;
   }
 }
 

@@ -5,10 +5,11 @@
 // slots, which the next section uses again.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,13 +37,23 @@ struct Stretch {
   std::uint32_t end() const noexcept { return first + count; }
 };
 
+/// The tables of a model stand in memory that they share and that is given back as a whole.
 template <class T>
-std::uint32_t sizeOf(const std::vector<T>& table) noexcept {
+using Table = std::pmr::vector<T>;
+
+/// Makes room for `more` elements, and for many more where it has to move those that are there.
+template <class T>
+void makeRoom(Table<T>& table, std::size_t more) {
+  if (table.capacity() - table.size() < more) table.reserve(std::max(table.size() + more, 2 * table.capacity()));
+}
+
+template <class T, class Allocator>
+std::uint32_t sizeOf(const std::vector<T, Allocator>& table) noexcept {
   return static_cast<std::uint32_t>(table.size());
 }
 
-template <class T>
-std::span<const T> in(const std::vector<T>& table, Stretch stretch) noexcept {
+template <class T, class Allocator>
+std::span<const T> in(const std::vector<T, Allocator>& table, Stretch stretch) noexcept {
   return {table.data() + stretch.first, stretch.count};
 }
 
@@ -68,7 +79,8 @@ struct TermBlock {
   std::uint16_t input = 0;
   std::uint16_t slot = 0;   ///< of the first
   std::uint16_t count = 0;  ///< terms
-  Lanes a, rise, d, fall;   ///< as in Ramps; an absent ramp has its foot at infinity, an absent term is 0 everywhere
+  Lanes a, rise, d, fall;   ///< as in Ramps; an absent ramp has its foot at infinity
+  Lanes height;             ///< 1; 0 for an absent term
 };
 
 /// What remains of a rule's conditions without its pivot term: strength = weight * min(pivot, rest).
@@ -105,27 +117,35 @@ struct PointSection {
   std::uint16_t pivot_input = 0;
   double grid_start = 0;  ///< lower end of the pivot input's universe
   double cells_per_unit = 0;
-  std::uint32_t first_cell = 0;        ///< in first_segment
+  std::uint32_t first_cell = 0;
   std::uint32_t first_breakpoint = 0;  ///< in breakpoints
   std::uint32_t first_segment_row = 0;
   std::uint32_t rows_per_segment = 1;
   std::uint32_t first_pivot = 0;  ///< pivots[first_pivot + r] is the slot of pivot term r
 };
 
+/// Where the segment of a point in this cell is: this one or a later one.
+struct GridCell {
+  std::uint16_t segment = 0;
+  std::uint16_t row = 0;  ///< rows_per_segment * segment
+};
+
 struct PointProgram {
-  std::vector<PointSection> sections;
-  std::vector<TermBlock> blocks;
-  std::vector<Antecedent> antecedents;
-  std::vector<std::uint16_t> antecedent_slots;
-  std::vector<double> breakpoints;           ///< of the pivot input, ascending, infinity at the end
-  std::vector<std::uint16_t> first_segment;  ///< of each grid cell; the segment of a point is this one or a later one
-  std::vector<std::uint16_t> segment_rows;   ///< rows that can be active between two breakpoints, rows_per_segment each
-  std::vector<std::uint16_t> pivots;         ///< slots
-  std::vector<Team> teams;                   ///< all experts of the model, in an order of their own
-  std::vector<Stretch> rows;                 ///< of rests
-  std::vector<Rest> rests;
-  std::vector<Weights> weights;
-  std::vector<std::uint32_t> expert_at;  ///< expert of the model for each seat: teams in order, experts in the team
+  std::pmr::memory_resource* memory;
+  Table<PointSection> sections{memory};
+  Table<TermBlock> blocks{memory};
+  Table<Antecedent> antecedents{memory};
+  Table<std::uint16_t> antecedent_slots{memory};
+  Table<double> breakpoints{memory};  ///< of the pivot input, ascending, infinity at the end
+  Table<GridCell> cells{memory};
+  Table<std::uint16_t> segment_rows{
+      memory};                          ///< rows that can be active between two breakpoints, rows_per_segment each
+  Table<std::uint16_t> pivots{memory};  ///< slots
+  Table<Team> teams{memory};            ///< all experts of the model, in an order of their own
+  Table<Stretch> rows{memory};          ///< of rests
+  Table<Rest> rests{memory};
+  Table<Weights> weights{memory};
+  Table<std::uint32_t> expert_at{memory};  ///< expert of the model for each seat: teams in order, experts in the team
 };
 
 // ---- many points
@@ -144,8 +164,8 @@ struct FixedSlot {
 };
 
 struct BatchRule {
-  std::uint16_t rest = 0;  ///< slot
-  double weight = 1;
+  std::uint16_t rest;  ///< slot
+  double weight;
 };
 
 /// Rules of one pivot term and one output term.
@@ -173,41 +193,46 @@ struct BatchSection {
 };
 
 struct BatchProgram {
-  std::vector<BatchSection> sections;
-  std::vector<FixedSlot> fixed;
-  std::vector<BatchTerm> terms;
-  std::vector<Antecedent> antecedents;
-  std::vector<std::uint16_t> antecedent_slots;
-  std::vector<BatchExpert> experts;  ///< those with a weight > 0
-  std::vector<BatchLane> lanes;
-  std::vector<RuleGroup> groups;
-  std::vector<BatchRule> rules;
+  std::pmr::memory_resource* memory;
+  Table<BatchSection> sections{memory};
+  Table<FixedSlot> fixed{memory};
+  Table<BatchTerm> terms{memory};
+  Table<Antecedent> antecedents{memory};
+  Table<std::uint16_t> antecedent_slots{memory};
+  Table<BatchExpert> experts{memory};  ///< those with a weight > 0
+  Table<BatchLane> lanes{memory};
+  Table<RuleGroup> groups{memory};
+  Table<BatchRule> rules{memory};
 };
 
 struct Kernels;
 
 /// What all programs of a model share.
 struct Program {
+  std::pmr::memory_resource* memory;
   const Kernels* kernels = nullptr;  ///< what runs it on this processor; never null once made
   bool usable = false;               ///< false: the general path evaluates everything
   bool clip = true;
   /// No product of a membership and a weight underflows for ordinary inputs, so an area of 0 means that nothing fires.
   bool zero_is_certain = true;
+  std::size_t inputs = 0;
   std::array<double, kMostInputs> input_min{}, input_max{};
   double output_min = 0;
   double negligible = 0;  ///< an area up to this, but not 0, is left to the general path
-  std::vector<ClosedForm> forms;
-  PointProgram point;
-  BatchProgram batch;  ///< with nothing fixed
+  Table<ClosedForm> forms{memory};
+  PointProgram point{memory};
+  BatchProgram batch{memory};  ///< with nothing fixed
 };
 
 struct ModelTables;
 
-/// The fast form of the tables of a model. Not usable where a limit is exceeded or a shape needs the general path.
-Program makeProgram(const ModelTables& tables);
+/// Makes the fast form of the tables of a model. Not usable where a limit is exceeded or a shape needs the general
+/// path.
+void makeProgram(const ModelTables& tables, Program& program);
 
 /// A program for many points with some inputs fixed: one entry per input, a value in its universe or nothing. Whatever
 /// depends on fixed inputs alone is computed here, and what cannot fire any more drops out.
-BatchProgram specialised(const BatchProgram& program, std::span<const std::optional<double>> fixed);
+BatchProgram specialised(const BatchProgram& program, std::span<const std::optional<double>> fixed,
+                         std::pmr::memory_resource* memory);
 
 }  // namespace tactus::fuzzy

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory_resource>
 
 #include "core/base/check.h"
 #include "core/base/text.h"
@@ -9,6 +10,19 @@
 #include "core/fuzzy/model_tables.h"
 
 namespace tactus::fuzzy {
+
+namespace {
+
+/// A program and the memory of its tables.
+struct OwnedProgram {
+  OwnedProgram(const BatchProgram& from, std::span<const std::optional<double>> fixed)
+      : program(specialised(from, fixed, &memory)) {}
+
+  std::pmr::monotonic_buffer_resource memory{8192};  // enough for some experts with some dozens of rules; it grows
+  BatchProgram program;
+};
+
+}  // namespace
 
 base::Result<Scene> Scene::specialise(const CompiledModel& model, std::span<const std::optional<double>> fixed) {
   TACTUS_CHECK(fixed.size() == model.inputCount());
@@ -27,8 +41,9 @@ base::Result<Scene> Scene::specialise(const CompiledModel& model, std::span<cons
       scene.free_.push_back(i);
     }
   }
-  scene.program_ = std::make_shared<const BatchProgram>(
-      specialised(model.tables().program.batch, std::span(clamped).first(fixed.size())));
+  const auto owned =
+      std::make_shared<const OwnedProgram>(model.tables().program.batch, std::span(clamped).first(fixed.size()));
+  scene.program_ = {owned, &owned->program};
   return scene;
 }
 
@@ -36,13 +51,8 @@ Evaluation Scene::evaluate(std::span<const double> free_inputs) const noexcept {
   TACTUS_CHECK(free_inputs.size() == free_.size());
   const ModelTables& tables = model_.tables();
   std::array<double, kMostInputs> point = point_;
-  double nothing = 0;
-  for (std::size_t f = 0; f < free_.size(); ++f) {
-    nothing += free_inputs[f] - free_inputs[f];  // NaN where it is NaN or infinite
-    point[free_[f]] = model_.clampInput(free_[f], free_inputs[f]);
-  }
-  if (nothing != 0) return kNotANumber;
-  return evaluateClamped(tables, *tables.program.kernels, std::span(point).first(model_.inputCount()));
+  for (std::size_t f = 0; f < free_.size(); ++f) point[free_[f]] = free_inputs[f];
+  return evaluatePoint(tables, *tables.program.kernels, std::span(point).first(model_.inputCount()));
 }
 
 void Scene::evaluateBatch(std::span<const std::span<const double>> free_inputs, BatchResult out) const noexcept {

@@ -17,7 +17,8 @@ double membership(const Ramps& ramps, double x) {
 
 class Folding {
  public:
-  Folding(const BatchProgram& from, std::span<const std::optional<double>> fixed) : from_(from), fixed_(fixed) {
+  Folding(const BatchProgram& from, std::span<const std::optional<double>> fixed, std::pmr::memory_resource* memory)
+      : from_(from), fixed_(fixed), out_{memory} {
     out_.sections.reserve(from.sections.size());
     out_.fixed.reserve(from.fixed.size() + from.terms.size());
     out_.terms.reserve(from.terms.size());
@@ -149,8 +150,9 @@ class Folding {
 
 }  // namespace
 
-BatchProgram specialised(const BatchProgram& program, std::span<const std::optional<double>> fixed) {
-  return Folding(program, fixed).fold();
+BatchProgram specialised(const BatchProgram& program, std::span<const std::optional<double>> fixed,
+                         std::pmr::memory_resource* memory) {
+  return Folding(program, fixed, memory).fold();
 }
 
 }  // namespace tactus::fuzzy

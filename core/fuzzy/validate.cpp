@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/fuzzy/model_checks.h"
@@ -11,86 +12,87 @@ namespace tactus::fuzzy {
 namespace {
 
 using base::ErrorCode;
-using base::fail;
 using base::formatNumber;
-using base::Result;
 
-Result<void> checkUniverse(const Variable& variable, const Place& place) {
-  if (auto ok = checkNumber(variable.min, -kLargest, kLargest, place["min"]); !ok) return ok;
-  if (auto ok = checkNumber(variable.max, -kLargest, kLargest, place["max"]); !ok) return ok;
-  if (variable.max - variable.min >= kNarrowest) return {};
-  return fail(ErrorCode::kValue, place["max"].text(), formatNumber(variable.max),
-              "more than min, which is " + formatNumber(variable.min));
+Problem checkUniverse(const Variable& variable, const Place& place) {
+  if (auto wrong = checkNumber(variable.min, -kLargest, kLargest, place["min"])) return wrong;
+  if (auto wrong = checkNumber(variable.max, -kLargest, kLargest, place["max"])) return wrong;
+  if (variable.max - variable.min >= kNarrowest) return nullptr;
+  return problem(ErrorCode::kValue, place["max"], formatNumber(variable.max),
+                 "more than min, which is " + formatNumber(variable.min));
 }
 
-Result<void> checkVariables(const ForceModel& model) {
+Problem checkVariables(const ForceModel& model, ModelNames& names) {
   const Place root;
   const Place inputs = root["inputs"];
   const Place output = root["output"];
-  if (auto ok = checkCount(model.inputs.size(), kMostInputs, "inputs", inputs); !ok) return ok;
-  NameList ids;
+  if (auto wrong = checkCount(model.inputs.size(), kMostInputs, "inputs", inputs)) return wrong;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Place place = inputs[i];
-    if (auto ok = checkUnique(ids, model.inputs[i].id, place["id"]); !ok) return ok;
-    if (auto ok = checkUniverse(model.inputs[i], place); !ok) return ok;
-    if (auto ok = checkTerms(model.inputs[i].terms, nullptr, place["terms"]); !ok) return ok;
+    if (auto wrong = checkUnique(names.variables, model.inputs[i].id, place["id"])) return wrong;
+    if (auto wrong = checkUniverse(model.inputs[i], place)) return wrong;
+    if (auto wrong = checkTerms(model.inputs[i].terms, nullptr, place["terms"], names.terms[i])) return wrong;
   }
-  if (auto ok = checkUnique(ids, model.output.id, output["id"]); !ok) return ok;
-  if (auto ok = checkUniverse(model.output, output); !ok) return ok;
-  return checkTerms(model.output.terms, &model.output, output["terms"]);
+  if (auto wrong = checkUnique(names.variables, model.output.id, output["id"])) return wrong;
+  if (auto wrong = checkUniverse(model.output, output)) return wrong;
+  return checkTerms(model.output.terms, &model.output, output["terms"], names.terms[model.inputs.size()]);
 }
 
-Result<void> checkRenderer(const RendererParameters& renderer) {
+Problem checkRenderer(const RendererParameters& renderer) {
+  const Place root;
+  const Place place = root["renderer"];
   if (renderer.version != 1) {
-    return fail(ErrorCode::kVersion, "/renderer/version", std::to_string(renderer.version), "version 1");
+    return problem(ErrorCode::kVersion, place["version"], std::to_string(renderer.version), "version 1");
   }
   for (const auto& field : kRendererFields) {
     const double value = renderer.*field.member;
     if (std::isfinite(value) && value <= field.max && (field.min_excluded ? value > field.min : value >= field.min))
       continue;
-    return fail(ErrorCode::kValue, "/renderer/" + std::string(field.key), formatNumber(value),
-                "a number in " + std::string(field.min_excluded ? "(" : "[") + formatNumber(field.min) + ", " +
-                    formatNumber(field.max) + "]");
+    return problem(ErrorCode::kValue, place[field.key], formatNumber(value),
+                   "a number in " + std::string(field.min_excluded ? "(" : "[") + formatNumber(field.min) + ", " +
+                       formatNumber(field.max) + "]");
   }
-  return {};
+  return nullptr;
 }
 
-Result<void> checkChecks(const ForceModel& model) {
+Problem checkChecks(const ForceModel& model) {
   const Place root;
   const Place all = root["checks"];
   for (std::size_t i = 0; i < model.checks.size(); ++i) {
     const Place place = all[i];
     const Check& check = model.checks[i];
     if (check.in.size() != model.inputs.size()) {
-      return fail(ErrorCode::kSchema, place["in"].text(), std::to_string(check.in.size()) + " numbers",
-                  std::to_string(model.inputs.size()) + ", one per input");
+      return problem(ErrorCode::kSchema, place["in"], std::to_string(check.in.size()) + " numbers",
+                     std::to_string(model.inputs.size()) + ", one per input");
     }
     for (std::size_t k = 0; k < check.in.size(); ++k) {
       if (!std::isfinite(check.in[k])) {
-        return fail(ErrorCode::kValue, place["in"][k].text(), formatNumber(check.in[k]), "a finite number");
+        return problem(ErrorCode::kValue, place["in"][k], formatNumber(check.in[k]), "a finite number");
       }
     }
     if (!std::isfinite(check.force)) {
-      return fail(ErrorCode::kValue, place["force"].text(), formatNumber(check.force), "a finite number");
+      return problem(ErrorCode::kValue, place["force"], formatNumber(check.force), "a finite number");
     }
   }
-  return {};
+  return nullptr;
 }
 
 }  // namespace
 
-Result<void> validate(const ForceModel& model) {
-  std::vector<RuleTable> unused;
-  return resolve(model, unused);
+base::Result<void> validate(const ForceModel& model) {
+  ModelTables unused;
+  if (auto wrong = resolve(model, unused)) return tl::unexpected(std::move(*wrong));
+  return {};
 }
 
-Result<void> resolve(const ForceModel& model, std::vector<RuleTable>& experts) {
+Problem resolve(const ForceModel& model, ModelTables& tables) {
   const Place root;
-  if (auto ok = checkVariables(model); !ok) return ok;
-  if (auto ok = checkNumber(model.default_force_n, -kLargest, kLargest, root["default_force_n"]); !ok) return ok;
-  if (auto ok = resolveExperts(model, experts); !ok) return ok;
+  ModelNames names;
+  if (auto wrong = checkVariables(model, names)) return wrong;
+  if (auto wrong = checkNumber(model.default_force_n, -kLargest, kLargest, root["default_force_n"])) return wrong;
+  if (auto wrong = resolveExperts(model, names, tables)) return wrong;
   if (model.renderer) {
-    if (auto ok = checkRenderer(*model.renderer); !ok) return ok;
+    if (auto wrong = checkRenderer(*model.renderer)) return wrong;
   }
   return checkChecks(model);
 }

@@ -119,6 +119,36 @@ TEST(Validate, EachMistakeIsFoundAtItsPlace) {
   }
 }
 
+// Experts who answer the same items share what was read of the first of them.
+TEST(Validate, MistakesOfALaterExpertAreFoundToo) {
+  using enum base::ErrorCode;
+  const std::vector<Case> cases = {
+      {"/experts/1/rules/7/if", kSchema, [](auto& m) { m.experts[1].rules[7].conditions.clear(); }},
+      {"/experts/1/rules/7/if/depth", kReference, [](auto& m) { m.experts[1].rules[7].conditions[1].term = "knee"; }},
+      {"/experts/1/rules/7/then", kReference, [](auto& m) { m.experts[1].rules[7].then = "huge"; }},
+      {"/experts/1/rules/7/weight", kValue, [](auto& m) { m.experts[1].rules[7].weight = -0.5; }},
+      {"/experts/1/rules/45", kSchema, [](auto& m) { m.experts[1].rules.push_back(m.experts[1].rules[7]); }},
+      {"/experts/1/rules/8", kSchema, [](auto& m) { m.experts[1].rules[8] = m.experts[1].rules[7]; }},
+      {"/experts/1/rules/0/if/lubrication", kReference,
+       [](auto& m) {
+         auto terms = m.inputs[0].terms;
+         terms[2].id = "very_well";
+         m.experts[1].overrides.push_back({"lubrication", terms});
+       }},
+  };
+  for (const auto& mistake : cases) {
+    ForceModel model = support::s4AsPrinted();
+    model.experts.push_back(model.experts[0]);
+    model.experts[1].id = "S5";
+    ASSERT_TRUE(validate(model).has_value());
+    mistake.spoil(model);
+    const auto result = validate(model);
+    ASSERT_FALSE(result.has_value()) << mistake.place;
+    EXPECT_EQ(result.error().place, mistake.place) << result.error().message();
+    EXPECT_EQ(result.error().code, mistake.code) << result.error().message();
+  }
+}
+
 TEST(Validate, TheSameConditionsWithAnotherConsequentAreNoError) {
   ForceModel model = support::s4AsPrinted();
   auto rule = model.experts[0].rules[0];
