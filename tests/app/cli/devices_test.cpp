@@ -1,8 +1,16 @@
 // What `tactus devices` says about the virtual device and about one behind a stand-in for OpenHaptics.
+#include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "app/cli/interrupt_signals.h"
+#include "app/cli/typed_lines.h"
+#include "app/devices/open_device.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/core/haptics/openhaptics/stand_in.h"
@@ -135,6 +143,118 @@ TEST_F(Devices, WhoStopsACalibrationGetsNone) {
   EXPECT_NE(err_.find("tactus: openhaptics: found no calibration"), std::string::npos) << err_;
   EXPECT_EQ(runWith({"devices", "calibrate", "virtual"}), 1);
   EXPECT_NE(err_.find("virtual: found a device without a calibration"), std::string::npos) << err_;
+}
+
+TEST_F(Devices, TheInsertionAxisOfADriversDeviceIsConfigurable) {
+  useStandIn();
+  ASSERT_EQ(runWith({"devices", "calibrate", "openhaptics", "--inwards=0,3,-4"}), 0) << err_;
+  EXPECT_TRUE(out_.starts_with("openhaptics: the tube goes along 0,0.6,-0.8; stored in ")) << out_;
+  EXPECT_EQ(stand_in_->open_devices, 0);
+  EXPECT_EQ(stand_in_->largest_force_n, 0);
+  const devices::DeviceSettings settings{TACTUS_STAND_IN, folder_.file("calibrations.json")};
+  const auto opened = devices::open("openhaptics", settings);
+  ASSERT_TRUE(opened) << opened.error().message();
+  EXPECT_NEAR(opened->axis.inwards().y, 0.6, 1e-12);
+  EXPECT_NEAR(opened->axis.inwards().z, -0.8, 1e-12);
+  EXPECT_EQ(opened->axis_advice,
+            "turn its insertion axis around: tactus devices calibrate openhaptics --inwards=0,-0.6,0.8");
+}
+
+TEST_F(Devices, AnAxisThatIsNoneIsRefused) {
+  useStandIn();
+  EXPECT_EQ(runWith({"devices", "calibrate", "openhaptics", "--inwards=0,0,0"}), 1);
+  EXPECT_NE(err_.find("direction of the insertion axis: found (0, 0, 0), wanted finite numbers that are not all 0"),
+            std::string::npos)
+      << err_;
+  for (const char* text :
+       {"--inwards=0,0", "--inwards=0,0,1,0", "--inwards=x,0,1", "--inwards=0,,1", "--inwards=0,0,1,"})
+    EXPECT_EQ(runWith({"devices", "calibrate", "openhaptics", text}), 1) << text;
+  EXPECT_NE(err_.find("wanted three numbers such as 0,0,-1"), std::string::npos) << err_;
+  EXPECT_EQ(runWith({"devices", "calibrate", "hid:1209:ffb0", "--inwards=0,0,1"}), 1);
+  EXPECT_NE(err_.find("wanted a calibration, which measures the axis too"), std::string::npos) << err_;
+  EXPECT_EQ(runWith({"devices", "calibrate", "virtual", "--inwards=0,0,1"}), 1);
+}
+
+/// Raises a signal when a text appears, as a person who presses Ctrl-C there.
+class Interrupting final : public std::stringbuf {
+ public:
+  explicit Interrupting(std::string at) : at_(std::move(at)) {}
+
+ protected:
+  int sync() override {
+    if (!raised_ && unwrapped(str()).find(at_) != std::string::npos) {
+      raised_ = true;
+      std::raise(SIGINT);
+    }
+    return 0;
+  }
+
+ private:
+  std::string at_;
+  bool raised_ = false;
+};
+
+TEST_F(Devices, CtrlCStopsTheDeviceInOrderAndEndsWithOneSentence) {
+  useStandIn();
+  for (const std::string command : {"test", "calibrate"}) {
+    if (command == "calibrate") {
+      stand_in_->calibration = 0x5001;
+      stand_in_->calibration_styles = 1;
+    }
+    Interrupting buffer(command == "test" ? "Move the handle" : "press Enter");
+    std::ostream out(&buffer);
+    std::istringstream in;
+    std::ostringstream err;
+    EXPECT_EQ(run({"devices", command, "openhaptics"}, in, out, err), 1);
+    const std::string said = err.str();
+    EXPECT_TRUE(said.starts_with("tactus: openhaptics: found an interruption, and the device was stopped, wanted "))
+        << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(stand_in_->open_devices, 0);
+    EXPECT_FALSE(stand_in_->running);
+    EXPECT_FALSE(stand_in_->force_output);
+    EXPECT_EQ(stand_in_->force_n[2], 0);
+  }
+}
+
+TEST(InterruptSignals, TheFirstIsAFlagTheSecondEndsTheProgram) {
+  {
+    const InterruptSignals signals;
+    EXPECT_FALSE(signals.raised());
+    std::raise(SIGTERM);
+    EXPECT_TRUE(signals.raised());
+  }
+  EXPECT_FALSE(InterruptSignals().raised()) << "a new one begins anew";
+  EXPECT_EXIT(
+      {
+        const InterruptSignals signals;
+        std::raise(SIGINT);
+        std::raise(SIGINT);
+        std::_Exit(0);
+      },
+      testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(TypedLines, AKeyboardOnWhichNobodyTypesHoldsNothingUp) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const int kept = dup(STDIN_FILENO);
+  dup2(ends[0], STDIN_FILENO);
+  TypedLines lines(std::cin);
+  EXPECT_EQ(lines.next(), std::nullopt);
+  EXPECT_FALSE(lines.ended());
+  ASSERT_EQ(write(ends[1], "one\ntwo\nthr", 11), 11);
+  EXPECT_EQ(lines.next(), "one");
+  EXPECT_EQ(lines.next(), "two");
+  EXPECT_EQ(lines.next(), std::nullopt);
+  ASSERT_EQ(write(ends[1], "ee", 2), 2);
+  close(ends[1]);
+  EXPECT_EQ(lines.next(), "three");
+  EXPECT_EQ(lines.next(), std::nullopt);
+  EXPECT_TRUE(lines.ended());
+  dup2(kept, STDIN_FILENO);
+  close(kept);
+  close(ends[0]);
 }
 
 TEST_F(Devices, DevicesThatAreNotThereAreWrongInput) {

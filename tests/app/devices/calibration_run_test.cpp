@@ -37,10 +37,14 @@ class RawHandle final : public haptics::HapticDevice {
     state.fault = g_now_ns >= lost_at_ns ? haptics::DeviceFault::kLost : haptics::DeviceFault::kNotCalibrated;
     return state;
   }
-  void write(const haptics::Vector3& force_n, std::int64_t) noexcept override { force = force_n.x; }
+  void write(const haptics::Vector3& force_n, std::int64_t) noexcept override {
+    before = force;
+    force = force_n.x;
+  }
 
   double counts = 0;
   double force = 0;
+  double before = 0;  ///< the force before this one
   bool held = false;
   bool running = false;
   std::int64_t lost_at_ns = INT64_MAX;
@@ -68,12 +72,19 @@ class Person final : public CalibrationGuide {
     for (const auto& [part, answers] : answers_) {
       if (now.find(part) == std::string::npos) continue;
       if (part == "Move the handle along") handle_.counts = outer_ + 1000;
-      if (part == "spring scale, so that") handle_.held = true;
+      if (part == "a spring scale that pulls") handle_.held = true;
       if (answered_ < answers.size()) return answers[answered_++];
     }
     return "";
   }
 
+  /// In the middle of a push.
+  bool interrupted() const noexcept override {
+    return !interrupts_at.empty() && !instructions.empty() && g_now_ns - told_ns_ > 300'000'000 &&
+           instructions.back().find(interrupts_at) != std::string::npos;
+  }
+
+  std::string interrupts_at;
   void says(const std::string& part, std::vector<std::string> answers) { answers_[part] = std::move(answers); }
   std::vector<std::string> instructions;
   std::vector<std::string> refusals;
@@ -84,7 +95,7 @@ class Person final : public CalibrationGuide {
   double outer_ = 0;
   std::size_t answered_ = 0;
   std::map<std::string, std::vector<std::string>> answers_{{"Move the handle along", {""}},
-                                                           {"spring scale, so that", {""}},
+                                                           {"a spring scale that pulls", {""}},
                                                            {"Type how far the handle moved", {"far", "2000", " 100 "}},
                                                            {"Type what the spring scale reads", {"0.5"}},
                                                            {"The push is stronger now", {"1"}}};
@@ -94,7 +105,7 @@ class CalibrationRun : public testing::Test {
  protected:
   void SetUp() override { g_now_ns = 1; }
   base::Result<haptics::DeviceCalibration> run() {
-    return runCalibration(handle_, planFor(handle_.info()), "2026-11-21T08:00:00Z", person_, virtualClock());
+    return runCalibration(handle_, haptics::planFor(handle_.info()), "2026-11-21T08:00:00Z", person_, virtualClock());
   }
   RawHandle handle_;
   Person person_{handle_};
@@ -134,10 +145,17 @@ TEST_F(CalibrationRun, ADeviceThatIsLostEndsIt) {
   EXPECT_FALSE(handle_.running);
 }
 
-TEST(CalibrationPlanFor, DrivesTheAxesThatHaveMotors) {
-  haptics::DeviceInfo info;
-  info.force_axes = 2;
-  EXPECT_EQ(planFor(info).driven, (std::array<bool, 3>{true, true, false}));
+TEST_F(CalibrationRun, AnInterruptionEndsItAndLeavesNoForce) {
+  person_.interrupts_at = "Type what the spring scale reads";
+  const auto calibration = run();
+  ASSERT_FALSE(calibration);
+  EXPECT_EQ(
+      calibration.error().message(),
+      "hid:1209:ffb0: found an interruption, and the device was stopped, wanted a calibration that goes on to its "
+      "end");
+  EXPECT_NE(handle_.before, 0) << "it pushed";
+  EXPECT_FALSE(handle_.running);
+  EXPECT_EQ(handle_.force, 0);
 }
 
 }  // namespace

@@ -170,6 +170,9 @@ TEST_F(OpenDevice, OpensTheOneBehindOpenHaptics) {
   ASSERT_TRUE(opened) << opened.error().message();
   EXPECT_EQ(opened->device->info().name, "Stand-in (simulated)");
   EXPECT_FALSE(opened->calibration_advice.empty());
+  EXPECT_EQ(opened->axis.inwards(), (haptics::Vector3{0, 0, -1}));
+  EXPECT_EQ(opened->axis_advice,
+            "turn its insertion axis around: tactus devices calibrate openhaptics --inwards=0,0,1");
 }
 
 TEST_F(OpenDevice, RefusesWhatIsNotThere) {

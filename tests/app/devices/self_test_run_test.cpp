@@ -14,6 +14,8 @@ struct Told final : SelfTestGuide {
     ++questions;
     return Felt::kToward;
   }
+  bool interrupted() const noexcept override { return !instructions.empty() && interrupts; }
+  bool interrupts = false;  ///< as soon as the person is asked for something
   std::vector<std::string> instructions;
   std::vector<CheckResult> results;
   int questions = 0;
@@ -82,6 +84,30 @@ TEST(SelfTestRun, ALoopThatNeverTicksIsGivenUp) {
   ASSERT_EQ(guide.results.size(), 1u);
   EXPECT_TRUE(guide.results[0].found.starts_with("the servo missed ticks for too long")) << guide.results[0].found;
   EXPECT_TRUE(device.stopped);
+}
+
+TEST(SelfTestRun, AnInterruptionStopsTheDevice) {
+  const auto made = haptics::VirtualDevice::make();
+  Told guide;
+  guide.interrupts = true;
+  const auto test = runSelfTest(**made, settingsFor((*made)->info()), guide);
+  ASSERT_FALSE(test);
+  EXPECT_EQ(test.error().message(),
+            "virtual: found an interruption, and the device was stopped, wanted a self-test that goes on to its end");
+  EXPECT_EQ((*made)->trueForceN(), 0);
+  EXPECT_EQ(guide.questions, 0);
+}
+
+TEST(SelfTest, ACancelledTestAsksForNoForceAndDidNotPass) {
+  SelfTest test({});
+  (void)test.takeOrders();
+  test.cancel();
+  EXPECT_TRUE(test.finished());
+  EXPECT_FALSE(test.passed());
+  const auto orders = test.takeOrders();
+  ASSERT_TRUE(orders);
+  EXPECT_EQ(orders->source, haptics::ForceSource::kOff);
+  EXPECT_FALSE(orders->armed);
 }
 
 }  // namespace

@@ -124,9 +124,14 @@ TEST(SelfTest, AStuckPositionRunsOutOfPatience) {
 TEST(SelfTest, AnAxisThatPointsOutwardsIsFound) {
   Played played;
   played.settings.axis = *haptics::AxisMapping::make({0, 0, 1});
-  const auto failed = failure(played.run());
+  auto failed = failure(played.run());
   EXPECT_EQ(failed.check, Check::kMotion);
   EXPECT_TRUE(contains(failed.found, "mm outwards first")) << failed.found;
+  EXPECT_EQ(failed.advice, "move it away from you first");
+  played.settings.axis_advice = "calibrate it again: tactus devices calibrate hid:1209:ffb0";
+  failed = failure(played.run());
+  EXPECT_EQ(failed.advice,
+            "move it away from you first; if you did, calibrate it again: tactus devices calibrate hid:1209:ffb0");
 }
 
 TEST(SelfTest, WithoutAButtonOrWithOneThatSticksItEnds) {

@@ -1,0 +1,225 @@
+#include "app/editing/edit_history.h"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "app/editing/same_bits.h"
+#include "core/base/check.h"
+
+namespace tactus::editing {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using fuzzy::ForceModel;
+
+std::string_view name(EventKind kind) noexcept {
+  switch (kind) {
+    case EventKind::kOpened:
+      return "opened";
+    case EventKind::kEdit:
+      return "edit";
+    case EventKind::kUndo:
+      return "undo";
+    case EventKind::kRedo:
+      return "redo";
+    case EventKind::kReturn:
+      return "return";
+    case EventKind::kSnapshot:
+      return "snapshot";
+    case EventKind::kSignOff:
+      return "sign-off";
+  }
+  return "";
+}
+
+Result<EditHistory> EditHistory::open(const ForceModel& model, const std::string& label, const Stamp& stamp,
+                                      study::RecordIds ids) {
+  auto compiled = fuzzy::compile(model);
+  if (!compiled) return tl::unexpected(std::move(compiled.error()));
+  EditHistory out(ids);
+  out.states_.push_back({{}, {}, 0, 0, std::make_shared<const KeptModel>(model, nullptr), {}});
+  out.enter(0, model, std::move(*compiled));
+  out.record(EventKind::kOpened, label, stamp, {});
+  return out;
+}
+
+void EditHistory::begin() {
+  in_gesture_ = true;
+  shown_.reset();
+}
+
+void EditHistory::update(Edit edit) {
+  in_gesture_ = true;
+  shown_ = std::move(edit);
+}
+
+void EditHistory::cancel() {
+  in_gesture_ = false;
+  shown_.reset();
+}
+
+std::optional<StateId> EditHistory::commit(const Stamp& stamp) {
+  in_gesture_ = false;
+  auto edit = std::exchange(shown_, std::nullopt);
+  if (!edit || sameBits(edit->model, model_)) return std::nullopt;
+  refreshChecks(edit->model, edit->compiled);
+  const StateId before = current_;
+  const StateId after = states_.size();
+  State state;
+  state.parent = before;
+  state.event = events_.size();
+  state.edits = states_[before].edits + 1;
+  state.kept = std::make_shared<const KeptModel>(edit->model, states_[before].kept.get());
+  states_.push_back(std::move(state));
+  states_[before].redo = after;
+  const study::RecordId parent = versionOf(before);
+  enter(after, std::move(edit->model), std::move(edit->compiled));
+  record(EventKind::kEdit, std::move(edit->label), stamp, parent);
+  return after;
+}
+
+std::optional<StateId> EditHistory::apply(Edit edit, const Stamp& stamp) {
+  if (in_gesture_) commit(stamp);
+  update(std::move(edit));
+  return commit(stamp);
+}
+
+void EditHistory::enter(StateId state, ForceModel model, fuzzy::CompiledModel compiled) {
+  current_ = state;
+  model_ = std::move(model);
+  compiled_ = std::move(compiled);
+}
+
+void EditHistory::record(EventKind kind, std::string label, const Stamp& stamp, std::optional<study::RecordId> parent) {
+  events_.push_back({ids_.next(), parent, kind, std::move(label), stamp, current_, false});
+}
+
+Result<void> EditHistory::moveTo(StateId state, EventKind kind, const Stamp& stamp) {
+  auto model = modelOf(state);
+  if (!model) return tl::unexpected(std::move(model.error()));
+  auto compiled = fuzzy::compile(*model);
+  TACTUS_CHECK(compiled.has_value());
+  const std::string label = labelOf(kind == EventKind::kUndo ? current_ : state);
+  enter(state, std::move(*model), std::move(*compiled));
+  record(kind, label, stamp, versionOf(state));
+  return {};
+}
+
+Result<void> EditHistory::undo(const Stamp& stamp) {
+  commit(stamp);
+  if (!canUndo()) return fail(ErrorCode::kValue, "undo", "the model that was opened", "an edit to undo");
+  return moveTo(*states_[current_].parent, EventKind::kUndo, stamp);
+}
+
+Result<void> EditHistory::redo(const Stamp& stamp) {
+  commit(stamp);
+  if (!canRedo()) return fail(ErrorCode::kValue, "redo", "the last edit", "an edit to redo");
+  return moveTo(*states_[current_].redo, EventKind::kRedo, stamp);
+}
+
+Result<void> EditHistory::returnTo(StateId state, const Stamp& stamp) {
+  commit(stamp);
+  if (state >= states_.size()) {
+    return fail(ErrorCode::kReference, "state", std::to_string(state), "one of " + std::to_string(states_.size()));
+  }
+  if (state == current_) return {};
+  if (auto ok = moveTo(state, EventKind::kReturn, stamp); !ok) return ok;
+  // From here undo and redo go along the line on which the state lies.
+  for (StateId s = state; states_[s].parent; s = *states_[s].parent) states_[*states_[s].parent].redo = s;
+  return {};
+}
+
+void EditHistory::snapshot(const std::string& name, const Stamp& stamp) {
+  commit(stamp);
+  record(EventKind::kSnapshot, name, stamp, versionOf(current_));
+}
+
+void EditHistory::signOff(const Stamp& stamp) {
+  commit(stamp);
+  const std::size_t edits = states_[current_].edits;
+  record(EventKind::kSignOff, "feels right, after " + std::to_string(edits) + (edits == 1 ? " edit" : " edits"), stamp,
+         versionOf(current_));
+}
+
+std::vector<StateId> EditHistory::line() const {
+  std::vector<StateId> out = {current_};
+  while (states_[out.back()].parent) out.push_back(*states_[out.back()].parent);
+  std::reverse(out.begin(), out.end());
+  while (states_[out.back()].redo) out.push_back(*states_[out.back()].redo);
+  return out;
+}
+
+Result<ForceModel> EditHistory::modelOf(StateId state) const {
+  if (state >= states_.size()) {
+    return fail(ErrorCode::kReference, "state", std::to_string(state), "one of " + std::to_string(states_.size()));
+  }
+  if (state == current_) return model_;
+  if (states_[state].kept) return states_[state].kept->restored();
+  return fail(ErrorCode::kData, "model version " + study::toText(versionOf(state)), "a state that is not in memory",
+              "its text from the study file");
+}
+
+std::optional<EditImpact> EditHistory::impact(StateId state) {
+  if (state >= states_.size() || !states_[state].parent) return std::nullopt;
+  if (!states_[state].impact) {
+    const auto found = compare(*states_[state].parent, state);
+    if (!found) return std::nullopt;
+    states_[state].impact = *found;
+  }
+  return states_[state].impact;
+}
+
+Result<EditImpact> EditHistory::compare(StateId before, StateId after) const {
+  const auto one = modelOf(before);
+  if (!one) return tl::unexpected(one.error());
+  const auto other = modelOf(after);
+  if (!other) return tl::unexpected(other.error());
+  const auto compiled_one = fuzzy::compile(*one);
+  const auto compiled_other = fuzzy::compile(*other);
+  TACTUS_CHECK(compiled_one && compiled_other);
+  return editImpact(*one, *compiled_one, *other, *compiled_other);
+}
+
+void EditHistory::markStored(const study::RecordId& id) {
+  // What is stored last is asked for first.
+  const auto event = std::find_if(events_.rbegin(), events_.rend(), [&](const Event& e) { return e.id == id; });
+  if (event != events_.rend()) event->stored = true;
+}
+
+std::size_t EditHistory::trim(std::size_t most_bytes) {
+  std::vector<bool> pinned(states_.size());
+  pinned[current_] = true;
+  for (const auto& event : events_) {
+    if (event.kind == EventKind::kSnapshot || event.kind == EventKind::kSignOff) pinned[event.state] = true;
+  }
+  std::unordered_set<const fuzzy::Expert*> counted;
+  std::size_t bytes = 0;
+  for (StateId s = states_.size(); s-- > 0;) {
+    if (!states_[s].kept) continue;
+    if (bytes > most_bytes && events_[states_[s].event].stored && !pinned[s]) {
+      states_[s].kept.reset();
+    } else {
+      bytes += states_[s].kept->bytes(counted);
+    }
+  }
+  return bytes;
+}
+
+std::optional<study::RecordId> EditHistory::missing(StateId state) const {
+  if (state >= states_.size() || states_[state].kept || state == current_) return std::nullopt;
+  return versionOf(state);
+}
+
+Result<void> EditHistory::provide(StateId state, const study::RecordId& version, const ForceModel& model) {
+  if (state >= states_.size() || versionOf(state) != version) {
+    return fail(ErrorCode::kMismatch, "state " + std::to_string(state), "model version " + study::toText(version),
+                "the version of that state");
+  }
+  const auto& parent = states_[state].parent;
+  states_[state].kept = std::make_shared<const KeptModel>(model, parent ? states_[*parent].kept.get() : nullptr);
+  return {};
+}
+
+}  // namespace tactus::editing

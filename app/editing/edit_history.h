@@ -1,0 +1,149 @@
+// Undo, redo, snapshots and sign-off of one model: a tree of states in which nothing is ever overwritten.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/editing/edit.h"
+#include "app/editing/edit_impact.h"
+#include "app/editing/kept_model.h"
+#include "core/study/record_id.h"
+
+namespace tactus::editing {
+
+/// A state of the model by its number, from 0 in the order in which they came up.
+using StateId = std::size_t;
+
+/// Who did something, and when.
+struct Stamp {
+  std::string author;
+  std::int64_t utc_ms = 0;
+
+  bool operator==(const Stamp&) const = default;
+};
+
+enum class EventKind {
+  kOpened,    ///< the model that the history began with
+  kEdit,      ///< a new state
+  kUndo,      ///< back to the state before
+  kRedo,      ///< forward again
+  kReturn,    ///< to any other state
+  kSnapshot,  ///< a state got a name
+  kSignOff,   ///< an expert said of a state: this feels right
+};
+
+/// `opened`, `edit`, `undo`, `redo`, `return`, `snapshot`, `sign-off`.
+std::string_view name(EventKind kind) noexcept;
+
+/// One thing that happened; each becomes a version of the model in the study file (history_versions.h).
+struct Event {
+  study::RecordId id;
+  std::optional<study::RecordId> parent;  ///< the version that the state was made from, or that has the same text
+  EventKind kind = EventKind::kEdit;
+  std::string label;
+  Stamp stamp;
+  StateId state = 0;    ///< that the model has after it
+  bool stored = false;  ///< in the study file
+};
+
+/// What is known of one state.
+struct State {
+  std::optional<StateId> parent;          ///< the state that was edited
+  std::optional<StateId> redo;            ///< where redo goes from here
+  std::size_t event = 0;                  ///< index of the event that made it
+  std::size_t edits = 0;                  ///< gestures from the model that was opened to this state
+  std::shared_ptr<const KeptModel> kept;  ///< null where it has to be read from the study file
+  std::optional<EditImpact> impact;       ///< of the edit that made it, once it was asked for
+};
+
+/// Thread: one at a time.
+class EditHistory {
+ public:
+  /// Starts with `model`, which must be valid. `ids` names the versions.
+  static base::Result<EditHistory> open(const fuzzy::ForceModel& model, const std::string& label, const Stamp& stamp,
+                                        study::RecordIds ids);
+
+  /// What is felt and shown: the current state, or the edit of a gesture that is going on.
+  const fuzzy::ForceModel& model() const { return shown_ ? shown_->model : model_; }
+  const fuzzy::CompiledModel& compiled() const { return shown_ ? shown_->compiled : compiled_; }
+
+  /// A gesture (a drag, a run of arrow keys): every update is an edit of `base`, and all of it becomes one entry.
+  /// Everything else that changes or names the state ends it with `commit`.
+  void begin();
+  bool inGesture() const { return in_gesture_; }
+  /// What the gesture has changed so far, in words; empty where it changed nothing.
+  std::string gestureLabel() const { return shown_ ? shown_->label : std::string(); }
+  /// The model at the beginning of the gesture: what its edits start from.
+  const fuzzy::ForceModel& base() const { return model_; }
+  /// Shows `edit`; begins a gesture where none goes on.
+  void update(Edit edit);
+  /// Makes the last update an entry. Nothing where there was none, or where it changed nothing.
+  std::optional<StateId> commit(const Stamp& stamp);
+  /// Drops the gesture.
+  void cancel();
+  /// An edit that is a gesture by itself. Nothing where it changed nothing.
+  std::optional<StateId> apply(Edit edit, const Stamp& stamp);
+
+  bool canUndo() const { return states_[current_].parent.has_value(); }
+  bool canRedo() const { return states_[current_].redo.has_value(); }
+  /// Refused: nothing to undo; a state whose model is not in memory (`missing`). An edit after an undo begins a new
+  /// branch; the old one stays and can be returned to.
+  base::Result<void> undo(const Stamp& stamp);
+  base::Result<void> redo(const Stamp& stamp);
+  /// Any state that ever was.
+  base::Result<void> returnTo(StateId state, const Stamp& stamp);
+
+  /// Names the current state.
+  void snapshot(const std::string& name, const Stamp& stamp);
+  /// The author of the stamp says of the current state: this feels right. The event's label tells after how many edits.
+  void signOff(const Stamp& stamp);
+
+  StateId current() const { return current_; }
+  const std::vector<State>& states() const { return states_; }
+  const std::vector<Event>& events() const { return events_; }
+  const std::string& labelOf(StateId state) const { return events_[states_[state].event].label; }
+  /// The undo list: from the model that was opened over the current state to the end of redo.
+  std::vector<StateId> line() const;
+
+  /// The model of a state, for comparing and A/B. Refused where it is not in memory.
+  base::Result<fuzzy::ForceModel> modelOf(StateId state) const;
+  /// How much the edit that made `state` changed the force, computed when first asked for (editImpact says how long
+  /// that takes). Nothing for a model that was opened, or where a model is not in memory.
+  std::optional<EditImpact> impact(StateId state);
+  /// The same of any two states.
+  base::Result<EditImpact> compare(StateId before, StateId after) const;
+
+  /// The event is in the study file now.
+  void markStored(const study::RecordId& id);
+  /// Lets go of the models of the oldest states, so that little more than `most_bytes` are left. Only of those whose
+  /// version is stored; never of the current one, of snapshots and of signed-off ones. Returns the bytes left.
+  std::size_t trim(std::size_t most_bytes);
+  /// The version to read for a state whose model is not in memory, or nothing.
+  std::optional<study::RecordId> missing(StateId state) const;
+  /// Hands in that model, read from the version `version`. Refused where the state has another version.
+  base::Result<void> provide(StateId state, const study::RecordId& version, const fuzzy::ForceModel& model);
+
+ private:
+  friend class HistoryReader;
+
+  explicit EditHistory(study::RecordIds ids) : ids_(ids) {}
+  void record(EventKind kind, std::string label, const Stamp& stamp, std::optional<study::RecordId> parent);
+  base::Result<void> moveTo(StateId state, EventKind kind, const Stamp& stamp);
+  const study::RecordId& versionOf(StateId state) const { return events_[states_[state].event].id; }
+  void enter(StateId state, fuzzy::ForceModel model, fuzzy::CompiledModel compiled);
+
+  study::RecordIds ids_;
+  std::vector<State> states_;
+  std::vector<Event> events_;
+  StateId current_ = 0;
+  fuzzy::ForceModel model_;  ///< of the current state
+  fuzzy::CompiledModel compiled_;
+  bool in_gesture_ = false;
+  std::optional<Edit> shown_;
+};
+
+}  // namespace tactus::editing

@@ -1,0 +1,166 @@
+#include "app/editing/hole_fixes.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "app/editing/edit_text.h"
+#include "app/editing/rules_of_term.h"
+#include "app/editing/term_list.h"
+#include "core/analysis/coverage.h"
+#include "core/fuzzy/membership.h"
+
+namespace tactus::editing {
+namespace {
+
+using analysis::Hole;
+using analysis::InputRange;
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using fuzzy::Expert;
+using fuzzy::ForceModel;
+using fuzzy::MembershipFunction;
+using fuzzy::Shape;
+using fuzzy::Term;
+
+/// The experts whose hole it is, as indices.
+std::vector<std::size_t> expertsOf(const ForceModel& model, const std::string& expert) {
+  std::vector<std::size_t> out;
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    if (expert.empty() ? model.experts[e].weight > 0 : model.experts[e].id == expert) out.push_back(e);
+  }
+  return out;
+}
+
+std::vector<Hole> holesOf(const ForceModel& model, const std::string& expert) {
+  const auto experts = expertsOf(model, expert);
+  return experts.empty() ? std::vector<Hole>() : analysis::coverage(model, experts).holes;
+}
+
+bool overlap(const InputRange& one, const InputRange& other) {
+  const double low = std::max(one.low, other.low);
+  const double high = std::min(one.high, other.high);
+  if (low < high) return true;
+  const auto holds = [low](const InputRange& r) {
+    return (low > r.low || r.low_included) && (low < r.high || r.high_included);
+  };
+  return low == high && holds(one) && holds(other);
+}
+
+bool overlap(const Hole& one, const Hole& other) {
+  return std::equal(one.ranges.begin(), one.ranges.end(), other.ranges.begin(),
+                    [](const InputRange& a, const InputRange& b) { return overlap(a, b); });
+}
+
+bool isUsed(const ForceModel& model, const Expert& expert, const fuzzy::Variable& input, const std::string& term) {
+  return std::any_of(expert.rules.begin(), expert.rules.end(), [&](const fuzzy::Rule& rule) {
+    return rule.enabled && rule.weight > 0 && names(rule, model, input, term);
+  });
+}
+
+/// Terms in use on both sides of a gap; null where there is none.
+struct Neighbours {
+  Term* left = nullptr;
+  Term* right = nullptr;
+};
+
+Neighbours neighboursOf(const ForceModel& model, const Expert& expert, const fuzzy::Variable& input,
+                        std::vector<Term>& terms, const InputRange& gap) {
+  Neighbours out;
+  for (Term& term : terms) {
+    if (term.shape == Shape::kGaussian || !isUsed(model, expert, input, term.id)) continue;
+    const auto f = MembershipFunction::of(term);
+    if (f.d <= gap.low && (out.left == nullptr || f.d > out.left->points.back())) out.left = &term;
+    if (f.a >= gap.high && (out.right == nullptr || f.a < out.right->points.front())) out.right = &term;
+  }
+  return out;
+}
+
+/// Its edge on the side of the gap goes from `from` to `to`.
+void stretch(Term& term, bool to_the_right, double from, double to) {
+  if (term.shape == Shape::kTriangle) {
+    term.shape = Shape::kTrapezoid;
+    term.points.insert(term.points.begin() + 1, term.points[1]);
+  }
+  const std::size_t first = to_the_right ? 2 : 0;
+  term.points[first] = from;
+  term.points[first + 1] = to;
+}
+
+/// The model with one term stretched over `gap`, or nothing where no term ends there.
+std::optional<Result<Edit>> stretched(const ForceModel& model, std::size_t reader, bool own, const InputRange& gap,
+                                      bool to_the_right, std::string& text) {
+  ForceModel out = model;
+  Expert& expert = out.experts[reader];
+  const auto& input = **findVariable(out, gap.input);
+  if (own) expert.overrides.push_back({gap.input, input.terms});
+  const TermListId list = listOf(expert, gap.input);
+  const auto open = openList(out, list);
+  if (!open) return std::nullopt;
+  const auto [left, right] = neighboursOf(out, expert, input, *open->terms, gap);
+  Term* const term = to_the_right ? left : right;
+  const Term* const facing = to_the_right ? right : left;
+  if (term == nullptr) return std::nullopt;
+  const double end = to_the_right ? input.max : input.min;
+  double from = end;
+  double to = end;
+  if (facing != nullptr) {
+    const auto f = MembershipFunction::of(*facing);
+    from = to_the_right ? f.a : f.c;
+    to = to_the_right ? f.b : f.d;
+  }
+  stretch(*term, to_the_right, from, to);
+  text = "Stretch " + labelOf(*term) + " over the gap";
+  std::string label = open->title() + " / " + labelOf(*term) + ": stretched over " + numberText(input, gap.low) +
+                      " to " + quantityText(input, gap.high);
+  return finished(std::move(out), std::move(label));
+}
+
+/// Whether an expert's hole has to be closed in a list of its own, because others read the shared one too.
+bool needsOwnList(const ForceModel& model, const std::string& expert, std::size_t reader, const std::string& input) {
+  if (expert.empty() || listOf(model.experts[reader], input).expert == expert) return false;
+  return std::count_if(model.experts.begin(), model.experts.end(), [&](const Expert& other) {
+           return reads(other, {input, {}});
+         }) > 1;
+}
+
+}  // namespace
+
+Result<Edit> acceptHole(const ForceModel& model, const std::string& name) {
+  const auto& accepted = model.accepted_holes;
+  if (std::find(accepted.begin(), accepted.end(), name) != accepted.end()) {
+    return fail(ErrorCode::kValue, "accepted holes", name + " already", "a hole that is not accepted yet");
+  }
+  ForceModel out = model;
+  out.accepted_holes.push_back(name);
+  return finished(std::move(out), "Hole accepted: " + name);
+}
+
+std::vector<std::pair<std::string, Result<Edit>>> closeHole(const ForceModel& model, const std::string& expert,
+                                                            const std::string& name) {
+  std::vector<std::pair<std::string, Result<Edit>>> out;
+  const auto holes = holesOf(model, expert);
+  const auto hole =
+      std::find_if(holes.begin(), holes.end(), [&](const Hole& one) { return analysis::describe(one, model) == name; });
+  if (hole == holes.end()) return out;
+  for (const InputRange& gap : hole->ranges) {
+    if (gap.whole_universe) continue;
+    for (const std::size_t reader : expertsOf(model, expert)) {
+      const bool own = needsOwnList(model, expert, reader, gap.input);
+      for (const bool to_the_right : {true, false}) {
+        std::string text;
+        auto edit = stretched(model, reader, own, gap, to_the_right, text);
+        if (!edit || !*edit) continue;
+        const auto left = holesOf((*edit)->model, expert);
+        if (std::any_of(left.begin(), left.end(), [&](const Hole& one) { return overlap(one, *hole); })) continue;
+        const bool known = std::any_of(out.begin(), out.end(),
+                                       [&](const auto& other) { return other.second->label == (*edit)->label; });
+        if (!known) out.emplace_back(std::move(text), std::move(*edit));
+      }
+    }
+  }
+  if (auto accepted = acceptHole(model, name)) out.emplace_back("Accept the hole", std::move(accepted));
+  return out;
+}
+
+}  // namespace tactus::editing

@@ -1,0 +1,146 @@
+#include "app/editing/lint_fixes.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "app/editing/edit_text.h"
+#include "app/editing/hole_fixes.h"
+#include "app/editing/partition.h"
+#include "app/editing/rule_edits.h"
+#include "app/editing/term_edits.h"
+
+namespace tactus::editing {
+namespace {
+
+using fuzzy::CompiledModel;
+using fuzzy::Expert;
+using fuzzy::ForceModel;
+using Kind = analysis::Finding::Kind;
+
+class Fixes {
+ public:
+  Fixes(const ForceModel& model, const CompiledModel& compiled, const analysis::Finding& finding)
+      : model_(model), compiled_(compiled), finding_(finding) {
+    const auto expert = findExpert(model, finding.expert);
+    if (expert) expert_ = *expert;
+  }
+
+  std::vector<Fix> run() {
+    switch (finding_.kind) {
+      case Kind::kHole:
+        for (auto& [text, edit] : closeHole(model_, finding_.expert, finding_.place)) add(text, std::move(edit));
+        break;
+      case Kind::kConflict:
+        addConflict();
+        break;
+      case Kind::kRedundantRule:
+      case Kind::kUnreachableRule:
+        if (!finding_.rules.empty()) disable(finding_.rules.front(), "Disable the rule");
+        break;
+      case Kind::kUnusedTerm:
+      case Kind::kUnreachableTerm:
+        addTerm();
+        break;
+      case Kind::kAbstentionJump:
+      case Kind::kDirectionChange:
+      case Kind::kDisagreement:
+        break;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void add(std::string text, base::Result<Edit> edit) {
+    if (!edit) return;
+    const auto impact = editImpact(model_, compiled_, edit->model, edit->compiled);
+    out_.push_back({std::move(text), std::move(*edit), impact});
+  }
+
+  void disable(std::size_t rule, std::string text) {
+    add(std::move(text), enableRules(model_, finding_.expert, std::span(&rule, 1), false));
+  }
+
+  void addConflict() {
+    if (expert_ == nullptr || finding_.rules.size() != 2) return;
+    for (const std::size_t kept : finding_.rules) {
+      const std::size_t other = finding_.rules[kept == finding_.rules[0] ? 1 : 0];
+      if (std::max(kept, other) >= expert_->rules.size()) return;
+      disable(other, "Keep " + consequentText(model_, *expert_, expert_->rules[kept].then));
+    }
+  }
+
+  /// The place of the finding is `variable term`.
+  std::optional<TermPlace> termOfFinding() const {
+    if (expert_ == nullptr) return std::nullopt;
+    const auto look = [&](const fuzzy::Variable& variable) -> std::optional<TermPlace> {
+      for (const auto& term : termsFor(*expert_, variable)) {
+        if (finding_.place == variable.id + ' ' + term.id) return TermPlace{listOf(*expert_, variable.id), term.id};
+      }
+      return std::nullopt;
+    };
+    for (const auto& input : model_.inputs) {
+      if (auto place = look(input)) return place;
+    }
+    return look(model_.output);
+  }
+
+  void addTerm() {
+    const auto place = termOfFinding();
+    if (!place) return;
+    const auto& variable = **findVariable(model_, place->list.variable);
+    const auto& terms = termsFor(*expert_, variable);
+    const std::string name = labelOf(*findTerm(terms, place->term));
+    add("Remove " + name, removeTerm(model_, *place, {RulesOfTerm::kRefuse, false}));
+    if (&variable == &model_.output || !partitionOrder(variable, terms)) return;
+    add("Remove " + name + ", its neighbors close up", removeTerm(model_, *place, {RulesOfTerm::kRefuse, true}));
+  }
+
+  const ForceModel& model_;
+  const CompiledModel& compiled_;
+  const analysis::Finding& finding_;
+  const Expert* expert_ = nullptr;
+  std::vector<Fix> out_;
+};
+
+std::optional<Kind> kindOf(elicitation::RuleFinding::Kind kind) {
+  using From = elicitation::RuleFinding::Kind;
+  switch (kind) {
+    case From::kHole:
+      return Kind::kHole;
+    case From::kConflict:
+      return Kind::kConflict;
+    case From::kRedundantRule:
+      return Kind::kRedundantRule;
+    case From::kUnreachableRule:
+      return Kind::kUnreachableRule;
+    case From::kUnusedTerm:
+      return Kind::kUnusedTerm;
+    case From::kUnreachableTerm:
+      return Kind::kUnreachableTerm;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled, const analysis::Finding& finding) {
+  return Fixes(model, compiled, finding).run();
+}
+
+std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled,
+                          const elicitation::RuleFinding& finding) {
+  const auto kind = kindOf(finding.kind);
+  if (!kind) return {};
+  analysis::Finding plain;
+  plain.kind = *kind;
+  if (!finding.experts.empty()) plain.expert = finding.experts.front();
+  plain.place = finding.place;
+  for (const auto& source : finding.sources) {
+    if (source.rule) plain.rules.push_back(*source.rule);
+  }
+  return fixesFor(model, compiled, plain);
+}
+
+}  // namespace tactus::editing

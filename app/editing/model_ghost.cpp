@@ -1,0 +1,81 @@
+#include "app/editing/model_ghost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/base/check.h"
+#include "core/fuzzy/batch.h"
+#include "core/fuzzy/scene.h"
+#include "elicitation/noticeable_force.h"
+
+namespace tactus::editing {
+namespace {
+
+struct Forces {
+  std::vector<double> force_n;
+  std::vector<std::uint8_t> fired;
+};
+
+base::Result<Forces> along(const fuzzy::CompiledModel& model, const std::vector<std::optional<double>>& fixed,
+                           const std::vector<double>& places) {
+  const auto scene = fuzzy::Scene::specialise(model, fixed);
+  if (!scene) return tl::unexpected(scene.error());
+  Forces out{std::vector<double>(places.size()), std::vector<std::uint8_t>(places.size())};
+  const std::span<const double> column(places);
+  scene->evaluateBatch(std::span(&column, 1), {out.force_n, out.fired});
+  return out;
+}
+
+}  // namespace
+
+ModelGhost::ModelGhost(const fuzzy::ForceModel& before, const fuzzy::CompiledModel& compiled_before,
+                       const fuzzy::ForceModel& after, const fuzzy::CompiledModel& compiled_after)
+    : model_before_(before),
+      model_after_(after),
+      compiled_before_(compiled_before),
+      compiled_after_(compiled_after),
+      region_(changedRegion(before, after)) {
+  TACTUS_CHECK(before.inputs.size() == after.inputs.size());
+}
+
+base::Result<GhostCurve> ModelGhost::curve(std::size_t input, std::span<const double> point, std::size_t count) const {
+  const auto& inputs = model_after_.inputs;
+  if (input >= inputs.size() || point.size() != inputs.size() || count < 2) {
+    return base::fail(base::ErrorCode::kValue, "curve",
+                      "input " + std::to_string(input) + ", " + std::to_string(point.size()) + " values, " +
+                          std::to_string(count) + " points",
+                      "an input of the model, a value for each, two points or more");
+  }
+  std::vector<std::optional<double>> fixed(point.begin(), point.end());
+  fixed[input].reset();
+  std::vector<double> places;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+    places.push_back(inputs[input].min * (1 - share) + inputs[input].max * share);
+  }
+  const auto before = along(compiled_before_, fixed, places);
+  if (!before) return tl::unexpected(before.error());
+  const auto after = along(compiled_after_, fixed, places);
+  if (!after) return tl::unexpected(after.error());
+
+  GhostCurve out;
+  for (std::size_t k = 0; k < count; ++k) {
+    const GhostCurve::Point here{places[k], before->force_n[k], after->force_n[k], before->fired[k] != 0,
+                                 after->fired[k] != 0};
+    out.points.push_back(here);
+    if (!here.before_fired || !here.after_fired) continue;
+    const double newtons = std::abs(here.after_n - here.before_n);
+    out.noticeable = std::max(out.noticeable, newtons / elicitation::justNoticeableDifference(std::abs(here.before_n)));
+    if (newtons <= out.largest_n) continue;
+    out.largest_n = newtons;
+    out.largest_at = here.at;
+  }
+  return out;
+}
+
+analysis::ForceDifference ModelGhost::difference() const {
+  return analysis::forceDifference(model_before_, compiled_before_, model_after_, compiled_after_);
+}
+
+}  // namespace tactus::editing

@@ -1,0 +1,56 @@
+// The model before an edit, kept beside the one after it: where the force changed and by how much, and curves of both.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/editing/edit_impact.h"
+#include "core/analysis/force_difference.h"
+#include "core/base/error.h"
+
+namespace tactus::editing {
+
+/// The forces of the two models along one input, at the same points.
+struct GhostCurve {
+  struct Point {
+    double at = 0;  ///< of the input that varies
+    double before_n = 0;
+    double after_n = 0;
+    bool before_fired = false;
+    bool after_fired = false;
+  };
+  std::vector<Point> points;
+  double largest_n = 0;  ///< largest |difference| on the curve where both fire
+  std::optional<double> largest_at;
+  double noticeable = 0;  ///< largest one in just-noticeable differences around the force before
+};
+
+/// Two states of one model, over the same inputs. Copies share what they hold.
+class ModelGhost {
+ public:
+  /// Both valid, compiled from the models given.
+  ModelGhost(const fuzzy::ForceModel& before, const fuzzy::CompiledModel& compiled_before,
+             const fuzzy::ForceModel& after, const fuzzy::CompiledModel& compiled_after);
+
+  /// Where the force can have changed at all; empty where it cannot. One range per input.
+  const std::vector<analysis::InputRange>& region() const { return region_; }
+  const fuzzy::CompiledModel& before() const { return compiled_before_; }
+  const fuzzy::CompiledModel& after() const { return compiled_after_; }
+
+  /// Both forces along input number `input` from end to end of its universe, at `count` >= 2 points, the other inputs
+  /// at the values of `point` (one per input). Refused: a value that is not finite, too few points.
+  base::Result<GhostCurve> curve(std::size_t input, std::span<const double> point, std::size_t count) const;
+
+  /// Over the whole universe, with the root mean square; some hundredths of a second.
+  analysis::ForceDifference difference() const;
+
+ private:
+  fuzzy::ForceModel model_before_;
+  fuzzy::ForceModel model_after_;
+  fuzzy::CompiledModel compiled_before_;
+  fuzzy::CompiledModel compiled_after_;
+  std::vector<analysis::InputRange> region_;
+};
+
+}  // namespace tactus::editing

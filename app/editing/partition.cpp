@@ -1,0 +1,103 @@
+#include "app/editing/partition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "app/editing/edit_text.h"
+#include "core/fuzzy/membership.h"
+
+namespace tactus::editing {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using fuzzy::MembershipFunction;
+using fuzzy::Shape;
+using fuzzy::Term;
+
+// Edges that were averaged over experts may differ by rounding.
+constexpr double kSameShare = 1e-9;
+
+bool anyGaussian(const std::vector<Term>& terms) {
+  return std::any_of(terms.begin(), terms.end(), [](const Term& term) { return term.shape == Shape::kGaussian; });
+}
+
+TermOrder byMiddleOfCore(const std::vector<Term>& terms) {
+  TermOrder order(terms.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto middle = [&](std::size_t t) {
+    const auto f = MembershipFunction::of(terms[t]);
+    return f.b / 2 + f.c / 2;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) { return middle(x) < middle(y); });
+  return order;
+}
+
+/// A ramp shared by two neighbours.
+struct Ramp {
+  double from;
+  double to;
+};
+
+/// Ramps one after the other, none narrower than `narrowest`.
+void putInOrder(std::vector<Ramp>& ramps, double narrowest) {
+  std::vector<double> knots;
+  for (const Ramp& ramp : ramps) knots.insert(knots.end(), {ramp.from, ramp.to});
+  std::sort(knots.begin(), knots.end());
+  for (std::size_t r = 0; r < ramps.size(); ++r) {
+    const double from = r == 0 ? knots[0] : std::max(knots[2 * r], ramps[r - 1].to);
+    ramps[r] = {from, std::max(knots[2 * r + 1], from + narrowest)};
+  }
+}
+
+}  // namespace
+
+std::optional<TermOrder> partitionOrder(const fuzzy::Variable& variable, const std::vector<Term>& terms) {
+  if (anyGaussian(terms)) return std::nullopt;
+  TermOrder order = byMiddleOfCore(terms);
+  const double same = kSameShare * (variable.max - variable.min);
+  const auto first = MembershipFunction::of(terms[order.front()]);
+  const auto last = MembershipFunction::of(terms[order.back()]);
+  if (first.b > variable.min || last.c < variable.max) return std::nullopt;
+  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+    const auto left = MembershipFunction::of(terms[order[k]]);
+    const auto right = MembershipFunction::of(terms[order[k + 1]]);
+    if (std::abs(left.c - right.a) > same || std::abs(left.d - right.b) > same) return std::nullopt;
+  }
+  return order;
+}
+
+base::Result<Edit> makeSumToOne(const fuzzy::ForceModel& model, const TermListId& list) {
+  fuzzy::ForceModel out = model;
+  const auto open = openList(out, list);
+  if (!open) return tl::unexpected(open.error());
+  auto& terms = *open->terms;
+  const fuzzy::Variable& variable = *open->variable;
+  if (anyGaussian(terms)) {
+    return fail(ErrorCode::kValue, open->title(), "a Gaussian", "trapezoids and triangles, which can sum to one");
+  }
+  const TermOrder order = byMiddleOfCore(terms);
+  std::vector<Ramp> ramps;
+  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+    const auto left = MembershipFunction::of(terms[order[k]]);
+    const auto right = MembershipFunction::of(terms[order[k + 1]]);
+    const auto inside = [&](double x) { return std::clamp(x, variable.min, variable.max); };
+    ramps.push_back({inside(left.c / 2 + right.a / 2), inside(left.d / 2 + right.b / 2)});
+  }
+  putInOrder(ramps, kNarrowestShare * (variable.max - variable.min));
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    Term& term = terms[order[k]];
+    const Ramp left = k == 0 ? Ramp{variable.min, variable.min} : ramps[k - 1];
+    const double end = k == 0 ? variable.max : std::max(variable.max, left.to);
+    const Ramp right = k + 1 == order.size() ? Ramp{end, end} : ramps[k];
+    const bool stays_triangle = term.shape == Shape::kTriangle && left.to == right.from;
+    term.shape = stays_triangle ? Shape::kTriangle : Shape::kTrapezoid;
+    term.points = stays_triangle ? std::vector{left.from, left.to, right.to}
+                                 : std::vector{left.from, left.to, right.from, right.to};
+  }
+  return finished(std::move(out), open->title() + ": terms sum to one");
+}
+
+}  // namespace tactus::editing

@@ -1,0 +1,137 @@
+#include "app/editing/rule_edits.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/editing/edit_text.h"
+#include "app/editing/term_list.h"
+#include "core/base/text.h"
+
+namespace tactus::editing {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using fuzzy::Expert;
+using fuzzy::ForceModel;
+using fuzzy::Rule;
+
+std::string number(std::size_t index) { return "rule " + std::to_string(index + 1); }
+
+Result<void> checkIndex(const Expert& expert, std::size_t index) {
+  if (index < expert.rules.size()) return {};
+  return fail(ErrorCode::kReference, labelOf(expert), number(index),
+              "one of the " + std::to_string(expert.rules.size()) + " rules");
+}
+
+/// The rule in words with its consequent: `S4: IF Speed is Slow THEN Small`.
+std::string ruleText(const ForceModel& model, const Expert& expert, const Rule& rule) {
+  return labelOf(expert) + ": " + conditionsText(model, expert, rule) + " THEN " +
+         consequentText(model, expert, rule.then);
+}
+
+std::string text(const ForceModel& model, const Expert& expert, std::span<const std::size_t> indices) {
+  if (indices.size() == 1) return ruleText(model, expert, expert.rules[indices.front()]);
+  return labelOf(expert) + ": " + std::to_string(indices.size()) + " rules";
+}
+
+/// A copy of the model in which rules of one expert are changed. `change` gets the copy and the expert and returns the
+/// label; the indices are in range.
+template <class Change>
+Result<Edit> changed(const ForceModel& model, const std::string& expert_id, std::span<const std::size_t> indices,
+                     const Change& change) {
+  ForceModel out = model;
+  const auto expert = findExpert(out, expert_id);
+  if (!expert) return tl::unexpected(expert.error());
+  for (const std::size_t index : indices) {
+    if (auto ok = checkIndex(**expert, index); !ok) return tl::unexpected(ok.error());
+  }
+  std::string label = change(out, **expert);
+  return finished(std::move(out), std::move(label));
+}
+
+Result<void> checkAny(std::span<const std::size_t> indices) {
+  if (!indices.empty()) return {};
+  return fail(ErrorCode::kValue, "rules", "none", "one or more");
+}
+
+}  // namespace
+
+Rule inOrderOfInputs(const ForceModel& model, Rule rule) {
+  const auto place = [&model](const fuzzy::Condition& condition) {
+    return std::find_if(model.inputs.begin(), model.inputs.end(),
+                        [&](const fuzzy::Variable& input) { return input.id == condition.input; });
+  };
+  std::stable_sort(rule.conditions.begin(), rule.conditions.end(),
+                   [&](const auto& one, const auto& other) { return place(one) < place(other); });
+  return rule;
+}
+
+bool sameConditions(const Rule& one, const Rule& other) {
+  return one.conditions.size() == other.conditions.size() &&
+         std::is_permutation(one.conditions.begin(), one.conditions.end(), other.conditions.begin());
+}
+
+Result<Edit> addRule(const ForceModel& model, const std::string& expert_id, Rule rule) {
+  return changed(model, expert_id, {}, [&](ForceModel& out, Expert& expert) {
+    expert.rules.push_back(inOrderOfInputs(out, std::move(rule)));
+    return ruleText(out, expert, expert.rules.back()) + ", added";
+  });
+}
+
+Result<Edit> replaceRule(const ForceModel& model, const std::string& expert_id, std::size_t index, Rule rule) {
+  return changed(model, expert_id, std::span(&index, 1), [&](ForceModel& out, Expert& expert) {
+    expert.rules[index] = inOrderOfInputs(out, std::move(rule));
+    return ruleText(out, expert, expert.rules[index]) + ", " + number(index) + " rewritten";
+  });
+}
+
+Result<Edit> setConsequent(const ForceModel& model, const std::string& expert_id, std::size_t index,
+                           const std::string& then) {
+  return changed(model, expert_id, std::span(&index, 1), [&](ForceModel& out, Expert& expert) {
+    Rule& rule = expert.rules[index];
+    const std::string before = std::exchange(rule.then, then);
+    return labelOf(expert) + ": " + conditionsText(out, expert, rule) + ": " + consequentText(out, expert, before) +
+           " to " + consequentText(out, expert, then);
+  });
+}
+
+Result<Edit> setRuleWeight(const ForceModel& model, const std::string& expert_id, std::size_t index, double weight) {
+  return changed(model, expert_id, std::span(&index, 1), [&](ForceModel& out, Expert& expert) {
+    Rule& rule = expert.rules[index];
+    const double before = std::exchange(rule.weight, weight);
+    return ruleText(out, expert, rule) + ", weight " + base::formatNumber(before) + " to " + base::formatNumber(weight);
+  });
+}
+
+Result<Edit> enableRules(const ForceModel& model, const std::string& expert_id, std::span<const std::size_t> indices,
+                         bool enabled) {
+  if (auto ok = checkAny(indices); !ok) return tl::unexpected(ok.error());
+  return changed(model, expert_id, indices, [&](ForceModel& out, Expert& expert) {
+    for (const std::size_t index : indices) expert.rules[index].enabled = enabled;
+    return text(out, expert, indices) + (enabled ? ", enabled" : ", disabled");
+  });
+}
+
+Result<Edit> removeRules(const ForceModel& model, const std::string& expert_id, std::span<const std::size_t> indices) {
+  if (auto ok = checkAny(indices); !ok) return tl::unexpected(ok.error());
+  return changed(model, expert_id, indices, [&](ForceModel& out, Expert& expert) {
+    std::string label = text(out, expert, indices) + ", removed";
+    std::vector<Rule> kept;
+    for (std::size_t r = 0; r < expert.rules.size(); ++r) {
+      if (std::find(indices.begin(), indices.end(), r) == indices.end()) kept.push_back(std::move(expert.rules[r]));
+    }
+    expert.rules = std::move(kept);
+    return label;
+  });
+}
+
+Result<Edit> setExpertWeight(const ForceModel& model, const std::string& expert_id, double weight) {
+  return changed(model, expert_id, {}, [&](ForceModel&, Expert& expert) {
+    const double before = std::exchange(expert.weight, weight);
+    return labelOf(expert) + ": share in the mean " + base::formatNumber(before) + " to " + base::formatNumber(weight);
+  });
+}
+
+}  // namespace tactus::editing

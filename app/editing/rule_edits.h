@@ -1,0 +1,45 @@
+// Rules of one expert edited one at a time or a few at once, with any number of conditions.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/editing/edit.h"
+
+namespace tactus::editing {
+
+/// Adds `rule` behind the others; its conditions are put into the order of the model's inputs. Refused: an unknown
+/// input or term, an input twice, a rule that is there already.
+base::Result<Edit> addRule(const fuzzy::ForceModel& model, const std::string& expert, fuzzy::Rule rule);
+
+/// Puts `rule` in the place of rule number `index`. Refused as above.
+base::Result<Edit> replaceRule(const fuzzy::ForceModel& model, const std::string& expert, std::size_t index,
+                               fuzzy::Rule rule);
+
+/// Sets the consequent of a rule, a term id of the output.
+base::Result<Edit> setConsequent(const fuzzy::ForceModel& model, const std::string& expert, std::size_t index,
+                                 const std::string& then);
+
+/// Sets the weight of a rule, in [0, 1].
+base::Result<Edit> setRuleWeight(const fuzzy::ForceModel& model, const std::string& expert, std::size_t index,
+                                 double weight);
+
+/// Enables or disables rules. At least one index; each below the number of rules.
+base::Result<Edit> enableRules(const fuzzy::ForceModel& model, const std::string& expert,
+                               std::span<const std::size_t> indices, bool enabled);
+
+/// Removes rules.
+base::Result<Edit> removeRules(const fuzzy::ForceModel& model, const std::string& expert,
+                               std::span<const std::size_t> indices);
+
+/// Sets the share of an expert in the mean, >= 0. Refused: 0 for the only expert with a share.
+base::Result<Edit> setExpertWeight(const fuzzy::ForceModel& model, const std::string& expert, double weight);
+
+/// The conditions of `rule` in the order of the model's inputs; those on unknown inputs come last.
+fuzzy::Rule inOrderOfInputs(const fuzzy::ForceModel& model, fuzzy::Rule rule);
+
+/// Whether the two rules have the same conditions, in whatever order.
+bool sameConditions(const fuzzy::Rule& one, const fuzzy::Rule& other);
+
+}  // namespace tactus::editing

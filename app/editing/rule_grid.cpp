@@ -1,0 +1,158 @@
+#include "app/editing/rule_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/editing/edit_text.h"
+#include "app/editing/rule_edits.h"
+#include "app/editing/term_list.h"
+
+namespace tactus::editing {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using fuzzy::Expert;
+using fuzzy::ForceModel;
+using fuzzy::Rule;
+
+bool counts(const Rule& rule) { return rule.enabled && rule.weight > 0; }
+
+struct OpenGrid {
+  const Expert* expert = nullptr;
+  const fuzzy::Variable* condition = nullptr;
+  const fuzzy::Variable* region = nullptr;
+};
+
+Result<OpenGrid> open(const ForceModel& model, const GridId& grid) {
+  OpenGrid out;
+  const auto expert = findExpert(model, grid.expert);
+  if (!expert) return tl::unexpected(expert.error());
+  out.expert = *expert;
+  for (const auto& [id, variable] :
+       {std::pair{&grid.condition, &out.condition}, std::pair{&grid.region, &out.region}}) {
+    const auto found = findVariable(model, *id);
+    if (!found) return tl::unexpected(found.error());
+    if (*found == &model.output) {
+      return fail(ErrorCode::kReference, "grid", "the output " + *id, "an input");
+    }
+    *variable = *found;
+  }
+  if (out.condition == out.region) {
+    return fail(ErrorCode::kValue, "grid", "the input " + grid.region + " twice", "two inputs");
+  }
+  return out;
+}
+
+Rule ruleOf(const ForceModel& model, const GridId& grid, const CellPlace& cell) {
+  Rule rule;
+  rule.conditions = {{grid.condition, cell.condition_term}, {grid.region, cell.region_term}};
+  return inOrderOfInputs(model, std::move(rule));
+}
+
+/// Numbers of the rules with exactly the conditions of `rule`; the one that a cell shows comes first.
+std::vector<std::size_t> rulesLike(const Expert& expert, const Rule& rule) {
+  std::vector<std::size_t> out;
+  for (std::size_t r = 0; r < expert.rules.size(); ++r) {
+    if (sameConditions(expert.rules[r], rule)) out.push_back(r);
+  }
+  std::stable_partition(out.begin(), out.end(), [&](std::size_t r) { return counts(expert.rules[r]); });
+  return out;
+}
+
+/// Place of a rule in the order of the form: input of the condition, its term, the region. Nothing where the rule
+/// belongs to no grid over this region.
+std::optional<std::array<std::size_t, 3>> placeInForm(const ForceModel& model, const Expert& expert, const Rule& rule,
+                                                      const std::string& region) {
+  if (rule.conditions.size() != 2) return std::nullopt;
+  std::array<std::size_t, 3> place{};
+  bool has_region = false;
+  for (const auto& condition : rule.conditions) {
+    const auto input = std::find_if(model.inputs.begin(), model.inputs.end(),
+                                    [&](const fuzzy::Variable& v) { return v.id == condition.input; });
+    if (input == model.inputs.end()) return std::nullopt;
+    const auto& terms = termsFor(expert, *input);
+    const fuzzy::Term* const term = findTerm(terms, condition.term);
+    if (term == nullptr) return std::nullopt;
+    const auto number = static_cast<std::size_t>(term - terms.data());
+    if (condition.input == region) {
+      has_region = true;
+      place[2] = number;
+    } else {
+      place[0] = static_cast<std::size_t>(input - model.inputs.begin());
+      place[1] = number;
+    }
+  }
+  return has_region ? std::optional(place) : std::nullopt;
+}
+
+void insertInForm(const ForceModel& model, Expert& expert, Rule rule, const std::string& region) {
+  const auto place = placeInForm(model, expert, rule, region);
+  const auto next = std::find_if(expert.rules.begin(), expert.rules.end(), [&](const Rule& other) {
+    const auto there = placeInForm(model, expert, other, region);
+    return place && there && *there > *place;
+  });
+  expert.rules.insert(next, std::move(rule));
+}
+
+}  // namespace
+
+std::vector<GridId> gridsOf(const ForceModel& model, const std::string& expert, const std::string& region) {
+  std::vector<GridId> out;
+  for (const auto& input : model.inputs) {
+    if (input.id != region) out.push_back({expert, input.id, region});
+  }
+  return out;
+}
+
+Result<RuleGrid> ruleGrid(const ForceModel& model, const GridId& grid) {
+  const auto found = open(model, grid);
+  if (!found) return tl::unexpected(found.error());
+  RuleGrid out;
+  for (const auto& term : termsFor(*found->expert, *found->condition)) out.rows.push_back(term.id);
+  for (const auto& term : termsFor(*found->expert, *found->region)) out.columns.push_back(term.id);
+  for (const auto& row : out.rows) {
+    for (const auto& column : out.columns) {
+      GridCell& cell = out.cells.emplace_back();
+      const auto rules = rulesLike(*found->expert, ruleOf(model, grid, {row, column}));
+      if (rules.empty()) continue;
+      const Rule& shown = found->expert->rules[rules.front()];
+      cell = {rules.front(), shown.then, shown.weight, shown.enabled, false};
+      cell.conflict =
+          std::count_if(rules.begin(), rules.end(), [&](std::size_t r) { return counts(found->expert->rules[r]); }) > 1;
+    }
+  }
+  return out;
+}
+
+Result<Edit> setAnswer(const ForceModel& model, const GridId& grid, const CellPlace& cell,
+                       const std::optional<std::string>& then) {
+  if (const auto ok = open(model, grid); !ok) return tl::unexpected(ok.error());
+  ForceModel out = model;
+  Expert& expert = **findExpert(out, grid.expert);
+  Rule answer = ruleOf(out, grid, cell);
+  std::string label = labelOf(expert) + ": " + conditionsText(out, expert, answer) + ": ";
+  const auto rules = rulesLike(expert, answer);
+  label += rules.empty() ? "no answer" : consequentText(out, expert, expert.rules[rules.front()].then);
+  label += " to " + (then ? consequentText(out, expert, *then) : std::string("no answer"));
+
+  std::vector<std::size_t> leaving = rules;
+  if (then && !rules.empty()) {
+    Rule& kept = expert.rules[rules.front()];
+    kept.then = *then;
+    kept.enabled = true;
+    if (kept.weight == 0) kept.weight = 1;
+    leaving.erase(leaving.begin());
+  }
+  std::sort(leaving.rbegin(), leaving.rend());
+  for (const std::size_t r : leaving) expert.rules.erase(expert.rules.begin() + static_cast<std::ptrdiff_t>(r));
+  if (then && rules.empty()) {
+    answer.then = *then;
+    insertInForm(out, expert, std::move(answer), grid.region);
+  }
+  return finished(std::move(out), std::move(label));
+}
+
+}  // namespace tactus::editing

@@ -1,0 +1,129 @@
+#include "app/editing/term_list.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/editing/edit_text.h"
+#include "app/editing/rules_of_term.h"
+#include "core/base/text.h"
+
+namespace tactus::editing {
+
+using base::ErrorCode;
+using base::fail;
+using base::quoted;
+using base::Result;
+using fuzzy::Expert;
+using fuzzy::ForceModel;
+
+namespace {
+
+template <class List>
+std::string idsOf(const List& list) {
+  std::vector<std::string> ids;
+  ids.reserve(list.size());
+  for (const auto& entry : list) ids.push_back(entry.id);
+  return base::joined(ids, ", ");
+}
+
+auto overrideOf(Expert& expert, std::string_view variable) {
+  return std::find_if(expert.overrides.begin(), expert.overrides.end(),
+                      [variable](const fuzzy::TermOverride& own) { return own.variable == variable; });
+}
+
+template <class Model>
+auto expertIn(Model& model, std::string_view id) -> Result<decltype(model.experts.data())> {
+  const auto it =
+      std::find_if(model.experts.begin(), model.experts.end(), [id](const Expert& expert) { return expert.id == id; });
+  if (it == model.experts.end()) {
+    return fail(ErrorCode::kReference, "expert", quoted(id), "one of " + idsOf(model.experts));
+  }
+  return &*it;
+}
+
+}  // namespace
+
+std::string OpenList::title() const {
+  return expert == nullptr ? labelOf(*variable) : labelOf(*expert) + ", " + labelOf(*variable);
+}
+
+Result<const fuzzy::Variable*> findVariable(const ForceModel& model, std::string_view id) {
+  for (const auto& input : model.inputs) {
+    if (input.id == id) return &input;
+  }
+  if (model.output.id == id) return &model.output;
+  return fail(ErrorCode::kReference, "variable", quoted(id), "one of " + idsOf(model.inputs) + ", " + model.output.id);
+}
+
+Result<Expert*> findExpert(ForceModel& model, std::string_view id) { return expertIn(model, id); }
+Result<const Expert*> findExpert(const ForceModel& model, std::string_view id) { return expertIn(model, id); }
+
+Result<OpenList> openList(ForceModel& model, const TermListId& list) {
+  const auto variable = findVariable(model, list.variable);
+  if (!variable) return tl::unexpected(variable.error());
+  OpenList out;
+  out.variable = *variable;
+  if (list.expert.empty()) {
+    const bool output = *variable == &model.output;
+    out.terms =
+        output ? &model.output.terms : &model.inputs[static_cast<std::size_t>(*variable - model.inputs.data())].terms;
+    return out;
+  }
+  const auto expert = findExpert(model, list.expert);
+  if (!expert) return tl::unexpected(expert.error());
+  const auto own = overrideOf(**expert, list.variable);
+  if (own == (*expert)->overrides.end()) {
+    return fail(ErrorCode::kReference, "terms of " + quoted(list.variable),
+                "the shared list for expert " + quoted(list.expert), "an own list of that expert");
+  }
+  out.expert = *expert;
+  out.terms = &own->terms;
+  return out;
+}
+
+Result<std::size_t> findTermIn(const OpenList& list, std::string_view term) {
+  const fuzzy::Term* const found = findTerm(*list.terms, term);
+  if (found != nullptr) return static_cast<std::size_t>(found - list.terms->data());
+  return fail(ErrorCode::kReference, list.title(), quoted(term), "one of " + idsOf(*list.terms));
+}
+
+TermListId listOf(const Expert& expert, std::string_view variable) {
+  const bool own = std::any_of(expert.overrides.begin(), expert.overrides.end(),
+                               [variable](const fuzzy::TermOverride& entry) { return entry.variable == variable; });
+  return {std::string(variable), own ? expert.id : std::string()};
+}
+
+bool reads(const Expert& expert, const TermListId& list) { return listOf(expert, list.variable) == list; }
+
+Result<Edit> makeOwn(const ForceModel& model, const TermListId& list) {
+  ForceModel out = model;
+  const auto variable = findVariable(out, list.variable);
+  if (!variable) return tl::unexpected(variable.error());
+  const auto expert = findExpert(out, list.expert);
+  if (!expert) return tl::unexpected(expert.error());
+  if (overrideOf(**expert, list.variable) != (*expert)->overrides.end()) {
+    return fail(ErrorCode::kValue, labelOf(**expert), "an own list for " + quoted(list.variable) + " already",
+                "the shared list");
+  }
+  const std::string label = labelOf(**expert) + ", " + labelOf(**variable) + ": own terms";
+  (*expert)->overrides.push_back({list.variable, (*variable)->terms});
+  return finished(std::move(out), label);
+}
+
+Result<Edit> backToShared(const ForceModel& model, const TermListId& list, RulesOfTerm rules) {
+  ForceModel out = model;
+  auto open = openList(out, list);
+  if (!open) return tl::unexpected(open.error());
+  if (open->expert == nullptr) {
+    return fail(ErrorCode::kValue, open->title(), "the shared list", "an expert's own list");
+  }
+  const std::string label = open->title() + ": back to the shared terms";
+  for (const auto& term : *open->terms) {
+    if (findTerm(open->variable->terms, term.id) != nullptr) continue;
+    if (auto ok = letGo(*open->expert, out, *open->variable, term.id, rules); !ok) return tl::unexpected(ok.error());
+  }
+  open->expert->overrides.erase(overrideOf(*open->expert, list.variable));
+  return finished(std::move(out), label);
+}
+
+}  // namespace tactus::editing

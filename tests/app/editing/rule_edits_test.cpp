@@ -1,0 +1,73 @@
+#include "app/editing/rule_edits.h"
+
+#include <array>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "tests/app/editing/sample_models.h"
+
+namespace tactus::editing {
+namespace {
+
+using fuzzy::Rule;
+
+class RuleEdits : public testing::Test {
+ protected:
+  const fuzzy::ForceModel model_ = support::s4AsPrinted();
+  const std::string s4_ = "S4";
+};
+
+TEST_F(RuleEdits, ARuleMayHaveFourConditions) {
+  const Rule rule{{{"speed", "fast"}, {"depth", "stomach"}, {"neck_flexion", "large"}, {"lubrication", "poor"}},
+                  "very_large"};
+  const auto edit = must(addRule(model_, s4_, rule));
+  const auto& added = edit.model.experts[0].rules.back();
+  EXPECT_EQ(added.conditions,
+            (std::vector<fuzzy::Condition>{
+                {"lubrication", "poor"}, {"neck_flexion", "large"}, {"depth", "stomach"}, {"speed", "fast"}}));
+  EXPECT_EQ(edit.label,
+            "S4: IF Tube lubrication is poor AND Neck flexion is large AND Depth is stomach AND Speed is fast THEN "
+            "very_large, added");
+}
+
+TEST_F(RuleEdits, RulesThatMakeNoSenseAreRefused) {
+  refusal(addRule(model_, s4_, {{}, "small"}));
+  refusal(addRule(model_, s4_, {{{"depth", "elbow"}}, "small"}));
+  refusal(addRule(model_, s4_, {{{"heat", "hot"}}, "small"}));
+  refusal(addRule(model_, s4_, {{{"depth", "stomach"}, {"depth", "esophagus"}}, "small"}));
+  refusal(addRule(model_, s4_, {{{"depth", "stomach"}}, "huge"}));
+  refusal(addRule(model_, s4_, model_.experts[0].rules[7]));
+  refusal(addRule(model_, "S9", {{{"depth", "stomach"}}, "small"}));
+  refusal(setConsequent(model_, s4_, 45, "small"));
+  refusal(setConsequent(model_, s4_, 0, "huge"));
+  refusal(setRuleWeight(model_, s4_, 0, 1.5));
+  refusal(setRuleWeight(model_, s4_, 0, std::numeric_limits<double>::quiet_NaN()));
+  refusal(setExpertWeight(model_, s4_, 0));
+  refusal(removeRules(model_, s4_, {}));
+}
+
+TEST_F(RuleEdits, OneRuleIsChanged) {
+  const auto word = must(setConsequent(model_, s4_, 0, "small"));
+  EXPECT_EQ(word.label, "S4: IF Tube lubrication is well AND Depth is nasal_cavity: very_small to small");
+  EXPECT_EQ(word.model.experts[0].rules[0].then, "small");
+  EXPECT_EQ(must(setRuleWeight(model_, s4_, 3, 0.25)).model.experts[0].rules[3].weight, 0.25);
+  EXPECT_EQ(must(setExpertWeight(model_, s4_, 3)).model.experts[0].weight, 3);
+  const auto other = must(replaceRule(model_, s4_, 2, {{{"speed", "slow"}}, "small"}));
+  EXPECT_EQ(other.model.experts[0].rules[2].conditions.size(), 1);
+  EXPECT_EQ(other.model.experts[0].rules.size(), 45);
+}
+
+TEST_F(RuleEdits, SeveralRulesGoAtOnce) {
+  const std::array<std::size_t, 3> indices = {44, 0, 2};
+  const auto off = must(enableRules(model_, s4_, indices, false));
+  EXPECT_EQ(off.label, "S4: 3 rules, disabled");
+  EXPECT_FALSE(off.model.experts[0].rules[44].enabled);
+  EXPECT_EQ(must(enableRules(off.model, s4_, indices, true)).model, model_);
+  const auto removed = must(removeRules(model_, s4_, indices));
+  ASSERT_EQ(removed.model.experts[0].rules.size(), 42);
+  EXPECT_EQ(removed.model.experts[0].rules[0], model_.experts[0].rules[1]);
+  EXPECT_EQ(removed.model.experts[0].rules[1], model_.experts[0].rules[3]);
+}
+
+}  // namespace
+}  // namespace tactus::editing
