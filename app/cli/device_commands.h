@@ -32,9 +32,11 @@ base::Result<Output> testDevice(const DeviceTestOptions& options);
 struct DeviceCalibrateOptions {
   std::string id;
   std::string method = "spring";  ///< spring or weight
+  std::string inwards;            ///< `x,y,z`: only store this insertion axis; empty: calibrate
   Terminal terminal;
 };
-/// The guided calibration of a HID device; what it measured is stored for this computer.
+/// The guided calibration of a HID device; what it measured is stored for this computer. Or the insertion axis of a
+/// device behind OpenHaptics.
 base::Result<Output> calibrateDevice(const DeviceCalibrateOptions& options);
 
 }  // namespace tactus::cli

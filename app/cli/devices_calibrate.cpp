@@ -1,10 +1,15 @@
-// `tactus devices calibrate`: the guided calibration of a HID device.
+// `tactus devices calibrate`: the guided calibration of a HID device; the insertion axis of one that its driver
+// calibrates.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <ostream>
+#include <sstream>
+#include <vector>
 
 #include "app/cli/device_commands.h"
-#include "app/cli/typed_line.h"
+#include "app/cli/interrupt_signals.h"
+#include "app/cli/typed_lines.h"
 #include "app/cli/wrapped_text.h"
 #include "app/devices/calibration_run.h"
 #include "app/devices/open_device.h"
@@ -16,20 +21,22 @@ namespace {
 
 class TerminalGuide final : public devices::CalibrationGuide {
  public:
-  explicit TerminalGuide(const Terminal& terminal) : terminal_(terminal) {}
+  explicit TerminalGuide(const Terminal& terminal) : terminal_(terminal), lines_(*terminal.in) {}
 
   void instruct(const std::string& sentence) override { say(wrapped(sentence, "> ", 2)); }
   void refuse(const std::string& sentence) override { say(wrapped(sentence, "! ", 2)); }
   std::optional<std::string> answer() override {
-    bool ended = false;
-    const auto line = typedLine(*terminal_.in, ended);
-    return ended ? "stop" : line;
+    const auto line = lines_.next();
+    return !line && lines_.ended() ? "stop" : line;
   }
+  bool interrupted() const noexcept override { return signals_.raised(); }
 
   void say(const std::string& text) { *terminal_.out << text << std::flush; }
 
  private:
   Terminal terminal_;
+  TypedLines lines_;
+  InterruptSignals signals_;
 };
 
 /// The folder of the file of calibrations may not be there yet.
@@ -42,23 +49,58 @@ base::Result<void> makeFolderOf(const std::string& file) {
 }
 
 base::Result<Output> byDriver(const DeviceCalibrateOptions& options, const devices::DeviceSettings& settings) {
+  TerminalGuide guide(options.terminal);
   const auto opened = devices::open(options.id, settings);
   if (!opened) return tl::unexpected(opened.error());
-  TerminalGuide guide(options.terminal);
   if (const auto done = devices::calibrateByDriver(*opened->device, guide); !done) return tl::unexpected(done.error());
   return Output{options.id + ": calibrated by its driver\nTest it: tactus devices test " + options.id + '\n', {}};
+}
+
+/// The three numbers of `x,y,z`, as a direction.
+base::Result<haptics::AxisMapping> parseAxis(const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const auto number = base::parseNumber(base::trimmed(part));
+    if (number) numbers.push_back(*number);
+    if (!number) break;
+  }
+  const bool three = numbers.size() == 3 && std::count(text.begin(), text.end(), ',') == 2;
+  if (!three)
+    return base::fail(base::ErrorCode::kValue, "--inwards", base::quoted(text), "three numbers such as 0,0,-1");
+  return haptics::AxisMapping::make({numbers[0], numbers[1], numbers[2]});
+}
+
+base::Result<Output> storeAxis(const DeviceCalibrateOptions& options, const devices::DeviceSettings& settings) {
+  if (!options.id.starts_with("openhaptics"))
+    return base::fail(base::ErrorCode::kValue, options.id, "--inwards",
+                      options.id.starts_with("hid:")
+                          ? "a calibration, which measures the axis too (leave --inwards out)"
+                          : "a device behind OpenHaptics");
+  const auto axis = parseAxis(options.inwards);
+  if (!axis) return tl::unexpected(axis.error());
+  const auto opened = devices::open(options.id, settings);
+  if (!opened) return tl::unexpected(opened.error());
+  if (const auto made = makeFolderOf(settings.calibrations); !made) return tl::unexpected(made.error());
+  const auto& info = opened->device->info();
+  if (const auto stored = haptics::storeAxis(settings.calibrations, {info.id, info.serial, axis->inwards()}); !stored)
+    return tl::unexpected(stored.error());
+  return Output{options.id + ": the tube goes along " + devices::directionText(axis->inwards()) + "; stored in " +
+                    settings.calibrations + "\nTest it: tactus devices test " + options.id + '\n',
+                {}};
 }
 
 }  // namespace
 
 base::Result<Output> calibrateDevice(const DeviceCalibrateOptions& options) {
   const auto settings = devices::settingsOfProcess();
+  if (!options.inwards.empty()) return storeAxis(options, settings);
   if (!options.id.starts_with("hid:")) return byDriver(options, settings);
   const auto opened = devices::openRaw(options.id);
   if (!opened) return tl::unexpected(opened.error());
   if (const auto made = makeFolderOf(settings.calibrations); !made) return tl::unexpected(made.error());
 
-  auto plan = devices::planFor(opened->device->info());
+  auto plan = haptics::planFor(opened->device->info());
   if (options.method == "weight") plan.method = haptics::ScaleMethod::kKnownWeight;
   TerminalGuide guide(options.terminal);
   guide.say(wrapped("Press Enter to continue, type a number where one is asked for, or stop.", "", 0));

@@ -1,8 +1,11 @@
 // `tactus devices test`: the guided self-test.
-#include <istream>
+#include <chrono>
 #include <ostream>
+#include <thread>
 
 #include "app/cli/device_commands.h"
+#include "app/cli/interrupt_signals.h"
+#include "app/cli/typed_lines.h"
 #include "app/cli/wrapped_text.h"
 #include "app/devices/open_device.h"
 #include "app/devices/self_test_run.h"
@@ -19,7 +22,7 @@ using devices::SelfTest;
 /// The conversation, line by line.
 class TerminalGuide final : public devices::SelfTestGuide {
  public:
-  explicit TerminalGuide(const Terminal& terminal) : terminal_(terminal) {}
+  explicit TerminalGuide(const Terminal& terminal) : terminal_(terminal), lines_(*terminal.in) {}
 
   void instruct(const std::string& sentence) override { say(wrapped(sentence, "> ", 2)); }
 
@@ -32,20 +35,33 @@ class TerminalGuide final : public devices::SelfTestGuide {
   Felt ask(const std::string& question) override {
     for (;;) {
       say(wrapped(question + " Type t (toward), a (away) or n (nothing).", "? ", 2));
-      std::string line;
+      const auto line = nextLine();
       // Without anybody to answer nothing was felt.
-      if (!std::getline(*terminal_.in, line)) return Felt::kNothing;
-      const std::string answer = base::lowered(base::trimmed(line));
+      if (!line) return Felt::kNothing;
+      const std::string answer = base::lowered(base::trimmed(*line));
       if (answer == "t" || answer == "toward") return Felt::kToward;
       if (answer == "a" || answer == "away") return Felt::kAway;
       if (answer == "n" || answer == "nothing") return Felt::kNothing;
     }
   }
 
+  bool interrupted() const noexcept override { return signals_.raised(); }
+
   void say(const std::string& text) { *terminal_.out << text << std::flush; }
 
  private:
+  /// Waits for it; nothing: there is none, or the program is to end.
+  std::optional<std::string> nextLine() {
+    while (!interrupted()) {
+      if (auto line = lines_.next(); line || lines_.ended()) return line;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return std::nullopt;
+  }
+
   Terminal terminal_;
+  TypedLines lines_;
+  InterruptSignals signals_;
 };
 
 std::string chosenId(const devices::DeviceSettings& settings) {
@@ -69,6 +85,7 @@ std::string asJson(const haptics::DeviceInfo& info, const SelfTest& test) {
 base::Result<SelfTest> run(const devices::OpenedDevice& opened, TerminalGuide& guide) {
   auto settings = devices::settingsFor(opened.device->info());
   settings.axis = opened.axis;
+  settings.axis_advice = opened.axis_advice;
   if (!opened.calibration_advice.empty()) settings.calibration_advice = opened.calibration_advice;
   guide.say(wrapped(opened.device->info().simulated
                         ? "This device is simulated, and so is the person who holds it."

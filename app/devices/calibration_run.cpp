@@ -27,6 +27,11 @@ void takeAnswer(CalibrationProcedure& procedure, CalibrationGuide& guide) {
   if (const auto taken = procedure.enter(*number); !taken) guide.refuse(taken.error().message());
 }
 
+tl::unexpected<base::Error> interruption(const haptics::HapticDevice& device) {
+  return base::fail(base::ErrorCode::kCancelled, device.info().id, "an interruption, and the device was stopped",
+                    "a calibration that goes on to its end");
+}
+
 /// Ticks until the procedure ends. The device has no force when this returns.
 base::Result<void> lead(haptics::HapticDevice& device, CalibrationProcedure& procedure, CalibrationGuide& guide,
                         const CalibrationClock& clock) {
@@ -34,6 +39,10 @@ base::Result<void> lead(haptics::HapticDevice& device, CalibrationProcedure& pro
   for (std::int64_t due_ns = clock.now_ns();; due_ns += kTickNs) {
     clock.sleep_until(due_ns);
     const std::int64_t now_ns = clock.now_ns();
+    if (guide.interrupted()) {
+      device.write({}, now_ns);
+      return interruption(device);
+    }
     const haptics::DeviceState state = device.read(now_ns);
     const bool lost = state.fault == haptics::DeviceFault::kLost;
     device.write(lost ? haptics::Vector3{} : procedure.tick(state, now_ns), now_ns);
@@ -56,14 +65,6 @@ base::Result<void> lead(haptics::HapticDevice& device, CalibrationProcedure& pro
 
 CalibrationClock systemClock() noexcept { return {haptics::monotonicNs, haptics::sleepUntil}; }
 
-haptics::CalibrationPlan planFor(const haptics::DeviceInfo& info) {
-  haptics::CalibrationPlan plan;
-  plan.device = info.id;
-  plan.serial = info.serial;
-  plan.driven = {info.force_axes >= 1, info.force_axes >= 2, info.force_axes >= 3};
-  return plan;
-}
-
 base::Result<haptics::DeviceCalibration> runCalibration(haptics::HapticDevice& device,
                                                         const haptics::CalibrationPlan& plan,
                                                         const std::string& measured_at, CalibrationGuide& guide,
@@ -85,20 +86,22 @@ base::Result<void> calibrateByDriver(haptics::HapticDevice& device, CalibrationG
   if (auto started = driven->start(); !started) return started;
   if (!driven->calibrated()) guide.instruct("To calibrate, " + driven->calibrationAdvice() + ": then press Enter.");
   bool stopped = false;
-  while (!driven->calibrated() && !stopped) {
+  while (!driven->calibrated() && !stopped && !guide.interrupted()) {
     clock.sleep_until(clock.now_ns() + kTickNs);
     const auto answer = guide.answer();
     if (!answer) continue;
     stopped = base::trimmed(*answer) == "stop";
     if (stopped) continue;
     driven->requestCalibration();
-    for (int waited = 0; waited < kDriverTicks && !driven->calibrated(); ++waited)
+    for (int waited = 0; waited < kDriverTicks && !driven->calibrated() && !guide.interrupted(); ++waited)
       clock.sleep_until(clock.now_ns() + kTickNs);
-    if (!driven->calibrated()) guide.refuse("The driver did not take it. Try again, or type stop.");
+    if (!driven->calibrated() && !guide.interrupted())
+      guide.refuse("The driver did not take it. Try again, or type stop.");
   }
   const bool calibrated = driven->calibrated();
   driven->stop();
   if (calibrated) return {};
+  if (guide.interrupted()) return interruption(device);
   return base::fail(base::ErrorCode::kCancelled, device.info().id, "no calibration", driven->calibrationAdvice());
 }
 

@@ -20,6 +20,8 @@ class CalibrationGuide {
   /// The answer to the last instruction, once; nothing: none yet. Must not wait long: the device is pushing.
   /// An answer `stop` ends the procedure.
   virtual std::optional<std::string> answer() = 0;
+  /// The program is to end (Ctrl-C). Looked at in every millisecond; then the device is stopped and the run refused.
+  virtual bool interrupted() const noexcept { return false; }
 };
 
 /// A clock and a way to wait for the next millisecond; both for tests.
@@ -30,11 +32,8 @@ struct CalibrationClock {
 /// That of the servo.
 CalibrationClock systemClock() noexcept;
 
-/// What the device can push along, as its descriptor says.
-haptics::CalibrationPlan planFor(const haptics::DeviceInfo& info);
-
 /// Starts the device, leads through the procedure and stops the device. Refused: the device does not start or gets
-/// lost, the procedure fails, the person stops it. `measured_at`: UTC.
+/// lost, the procedure fails, the person stops or interrupts it. `measured_at`: UTC.
 base::Result<haptics::DeviceCalibration> runCalibration(haptics::HapticDevice& device,
                                                         const haptics::CalibrationPlan& plan,
                                                         const std::string& measured_at, CalibrationGuide& guide,
@@ -42,7 +41,8 @@ base::Result<haptics::DeviceCalibration> runCalibration(haptics::HapticDevice& d
 
 /// For a device that its own driver calibrates (OpenHaptics): tells the person what to do and waits until the driver
 /// says that it is calibrated; an answer tells the driver that the device is in its reference posture. Refused: a
-/// device of another kind, one that does not start, a person who stops.
+/// device of another kind, one that does not start, a person who stops or
+/// interrupts.
 base::Result<void> calibrateByDriver(haptics::HapticDevice& device, CalibrationGuide& guide,
                                      const CalibrationClock& clock = systemClock());
 

@@ -118,10 +118,10 @@ DeviceList listOf(const std::vector<HidDevice>& hid, const OpenHapticsLook& open
 }
 
 DeviceList listDevices(const DeviceSettings& settings) {
-  const auto calibrations = haptics::readCalibrations(settings.calibrations);
+  const auto file = haptics::readCalibrationFile(settings.calibrations);
   DeviceList list = listOf(haptics::listHidDevices(), lookAtOpenHaptics(settings.hd_library),
-                           calibrations.value_or(std::vector<haptics::DeviceCalibration>()));
-  if (!calibrations) list.notes.push_back(calibrations.error().message());
+                           file.value_or(haptics::CalibrationFile()).calibrations);
+  if (!file) list.notes.push_back(file.error().message());
   return list;
 }
 

@@ -1,7 +1,9 @@
 #include "app/devices/open_device.h"
 
+#include <cmath>
 #include <string_view>
 
+#include "core/base/text.h"
 #include "core/haptics/hid/hidapi_transport.h"
 #include "core/haptics/openhaptics/openhaptics_device.h"
 #include "core/haptics/simulated/virtual_device.h"
@@ -18,10 +20,11 @@ std::string calibrateAdvice(const std::string& id) { return "calibrate it: tactu
 Result<OpenedDevice> openVirtual() {
   auto device = haptics::VirtualDevice::make();
   if (!device) return tl::unexpected(device.error());
-  return OpenedDevice{std::move(*device), {}, {}};
+  return OpenedDevice{std::move(*device), {}, {}, {}};
 }
 
-Result<OpenedDevice> openOpenHaptics(const std::string& id, const DeviceSettings& settings) {
+Result<OpenedDevice> openOpenHaptics(const std::string& id, const DeviceSettings& settings,
+                                     const std::vector<haptics::DeviceAxis>& axes) {
   const auto library = haptics::HdLibrary::load(settings.hd_library);
   if (!library) return tl::unexpected(library.error());
   haptics::OpenHapticsSettings chosen;
@@ -31,6 +34,13 @@ Result<OpenedDevice> openOpenHaptics(const std::string& id, const DeviceSettings
   OpenedDevice opened;
   opened.calibration_advice = (*device)->calibrationAdvice();
   opened.device = std::move(*device);
+  const haptics::DeviceInfo& info = opened.device->info();
+  if (const auto* const stored = findAxis(axes, info.id, info.serial); stored != nullptr) {
+    const auto axis = haptics::AxisMapping::make(stored->inwards);
+    if (!axis) return tl::unexpected(axis.error());
+    opened.axis = *axis;
+  }
+  opened.axis_advice = turnAxisAdvice(info.id, opened.axis.inwards());
   return opened;
 }
 
@@ -51,7 +61,12 @@ Result<OpenedDevice> openHid(const std::string& id, const haptics::DeviceCalibra
   auto device = haptics::HidPidDevice::open(std::move(*transport), found.identity,
                                             calibration == nullptr ? std::nullopt : std::optional(*calibration));
   if (!device) return tl::unexpected(device.error());
-  return OpenedDevice{std::move(*device), {}, calibrateAdvice(id)};
+  OpenedDevice opened;
+  opened.device = std::move(*device);
+  if (calibration != nullptr) opened.axis = axisOf(*calibration);
+  opened.calibration_advice = calibrateAdvice(id);
+  opened.axis_advice = "calibrate it again: tactus devices calibrate " + id;
+  return opened;
 }
 
 }  // namespace
@@ -62,22 +77,25 @@ Result<OpenedDevice> open(const std::string& id, const DeviceSettings& settings)
   if (!openhaptics && !id.starts_with("hid:"))
     return base::fail(base::ErrorCode::kReference, "device", base::quoted(id),
                       "an id that `tactus devices` lists: virtual, hid:…, openhaptics");
-  const auto calibrations = haptics::readCalibrations(settings.calibrations);
-  if (!calibrations) return tl::unexpected(calibrations.error());
+  const auto file = haptics::readCalibrationFile(settings.calibrations);
+  if (!file) return tl::unexpected(file.error());
+  if (openhaptics) return openOpenHaptics(id, settings, file->axes);
+  const auto found = findHid(id);
+  if (!found) return tl::unexpected(found.error());
+  return openHid(id, findCalibration(file->calibrations, id, found->identity.serial), *found);
+}
 
-  Result<OpenedDevice> opened;
-  const haptics::DeviceCalibration* calibration = nullptr;
-  if (openhaptics) {
-    opened = openOpenHaptics(id, settings);
-    if (opened) calibration = findCalibration(*calibrations, id, opened->device->info().serial);
-  } else {
-    const auto found = findHid(id);
-    if (!found) return tl::unexpected(found.error());
-    calibration = findCalibration(*calibrations, id, found->identity.serial);
-    opened = openHid(id, calibration, *found);
+std::string turnAxisAdvice(const std::string& id, const haptics::Vector3& inwards) {
+  return "turn its insertion axis around: tactus devices calibrate " + id + " --inwards=" + directionText(-1 * inwards);
+}
+
+std::string directionText(const haptics::Vector3& direction) {
+  std::string text;
+  for (const double coordinate : {direction.x, direction.y, direction.z}) {
+    // Four digits are as many as anybody can set up; -0 becomes 0.
+    text += (text.empty() ? "" : ",") + base::formatNumber(std::round(coordinate * 1e4) / 1e4 + 0.0);
   }
-  if (opened && calibration != nullptr) opened->axis = axisOf(*calibration);
-  return opened;
+  return text;
 }
 
 Result<OpenedDevice> openRaw(const std::string& id) {

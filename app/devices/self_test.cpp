@@ -131,8 +131,8 @@ void SelfTest::checkMotion(const Sample& sample) {
   seen_.inwards_mm = std::max(seen_.inwards_mm, moved_mm);
   seen_.outwards_mm = std::max(seen_.outwards_mm, -moved_mm);
   if (seen_.outwards_mm >= settings_.move_mm && seen_.inwards_mm < settings_.move_mm / 2) {
-    return fail(Check::kMotion, mm(seen_.outwards_mm) + " outwards first",
-                "move it away from you first; if you did, turn the direction of the insertion axis around");
+    const std::string turn = settings_.axis_advice.empty() ? "" : "; if you did, " + settings_.axis_advice;
+    return fail(Check::kMotion, mm(seen_.outwards_mm) + " outwards first", "move it away from you first" + turn);
   }
   if (seen_.inwards_mm < settings_.move_mm || moved_mm > settings_.move_mm / 2) return;
   pass(Check::kMotion, mm(seen_.inwards_mm) + " inwards and back");
@@ -233,6 +233,10 @@ bool SelfTest::clearlyInwards() const {
   }
   const double clear_mm = 2 * settings_.smallest_shift_mm;
   return sum_mm > clear_mm * static_cast<double>(shifts_mm_.size()) && least_mm > -settings_.smallest_shift_mm;
+}
+
+void SelfTest::cancel() {
+  if (!finished()) enter(Stage::kDone);
 }
 
 void SelfTest::answer(Felt felt) {

@@ -25,6 +25,7 @@ struct SelfTestSettings {
   double smallest_shift_mm = 0.15;  ///< a shift of the hand by less is no answer; use two counts where they are more
   double patience_s = 60;           ///< for each thing that the person is asked to do
   std::string calibration_advice;   ///< what to do about a device without calibration
+  std::string axis_advice;          ///< how to turn the insertion axis around; may be empty
 };
 
 /// In this order.
@@ -68,6 +69,8 @@ class SelfTest {
   void tripped(const haptics::Trip& trip);
   /// The person's answer, in the stage kAsk.
   void answer(Felt felt);
+  /// Ends the test without a result of the present check; the last orders are those for no force.
+  void cancel();
 
   Stage stage() const noexcept { return stage_; }
   bool finished() const noexcept { return stage_ == Stage::kDone; }

@@ -98,7 +98,7 @@ SelfTest inRealTime(haptics::Servo& servo, const SelfTestSettings& settings, Sel
   Conversation conversation(guide);
   test.posted(servo.post(*test.takeOrders()));
   std::int64_t alive_ns = haptics::monotonicNs();
-  while (!test.finished()) {
+  while (!test.finished() && !guide.interrupted()) {
     const std::int64_t now_ns = haptics::monotonicNs();
     servo.heartbeat(now_ns);
     if (advance(test, servo, conversation) > 0) alive_ns = now_ns;
@@ -106,11 +106,14 @@ SelfTest inRealTime(haptics::Servo& servo, const SelfTestSettings& settings, Sel
       test.tripped({haptics::TripCause::kServoLate, static_cast<double>(now_ns - alive_ns) * 1e-9,
                     settings.limits.servo_trip_s, now_ns});
     if (test.stage() == SelfTest::Stage::kAsk) {
-      test.answer(guide.ask(test.instruction()));
+      const Felt felt = guide.ask(test.instruction());
+      if (guide.interrupted()) break;
+      test.answer(felt);
       alive_ns = haptics::monotonicNs();
     }
     std::this_thread::sleep_for(kLook);
   }
+  test.cancel();
   advance(test, servo, conversation);
   return test;
 }
@@ -137,6 +140,9 @@ base::Result<SelfTest> runSelfTest(haptics::HapticDevice& device, const SelfTest
   SelfTest test = inRealTime(servo, settings, guide);
   thread.stop();
   device.stop();
+  if (guide.interrupted())
+    return base::fail(base::ErrorCode::kCancelled, device.info().id, "an interruption, and the device was stopped",
+                      "a self-test that goes on to its end");
   return test;
 }
 

@@ -18,10 +18,12 @@ class SelfTestGuide {
   virtual void tell(const CheckResult& result) = 0;
   /// May wait as long as it likes: without a sign of life of the program the servo gives no force.
   virtual Felt ask(const std::string& question) = 0;
+  /// The program is to end (Ctrl-C). Looked at every few milliseconds; `ask` returns anything then.
+  virtual bool interrupted() const noexcept { return false; }
 };
 
 /// Starts the device, runs the test on a servo thread, or in the driver's loop, and stops the device. Returns the test
-/// as it ended. Refused: the device or the thread does not start.
+/// as it ended. Refused: the device or the thread does not start; the person interrupts, the device is stopped then.
 base::Result<SelfTest> runSelfTest(haptics::HapticDevice& device, const SelfTestSettings& settings,
                                    SelfTestGuide& guide);
 

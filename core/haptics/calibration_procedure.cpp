@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 #include "core/base/check.h"
 #include "core/base/text.h"
@@ -20,9 +22,10 @@ constexpr double kSignWatchS = 0.2;      // from the beginning of a push
 constexpr double kSettleS = 0.3;
 constexpr double kSlipMm = 15;
 constexpr double kRampS = 0.5;
-constexpr double kLeastDriven = 0.5;  // share of the insertion axis along motors
+constexpr double kAligned = 0.9998;  // cosine of 1 degree: nobody holds a scale better
 constexpr double kLongestHoldS = 60;
 constexpr std::array kAxisNames = {"x", "y", "z"};
+constexpr std::array kAxisWords = {"x (left and right)", "y (up and down)", "z (toward you and away)"};
 
 double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
@@ -34,7 +37,27 @@ double& component(Vector3& v, std::size_t axis) { return axis == 0 ? v.x : axis 
 
 std::string percent(double share) { return base::formatFixed(share * 100, 0) + " %"; }
 
+std::string degrees(double cosine) {
+  return base::formatFixed(std::acos(std::clamp(cosine, 0.0, 1.0)) * 180 / std::numbers::pi, 0) + " degrees";
+}
+
+std::string motorWords(const DrivenAxes& driven) {
+  std::vector<std::string> words;
+  for (std::size_t axis = 0; axis < driven.size(); ++axis) {
+    if (driven[axis]) words.emplace_back(kAxisWords[axis]);
+  }
+  return base::joined(words, " and ");
+}
+
 }  // namespace
+
+CalibrationPlan planFor(const DeviceInfo& info) {
+  CalibrationPlan plan;
+  plan.device = info.id;
+  plan.serial = info.serial;
+  plan.driven = drivenAxes(info.force_axes);
+  return plan;
+}
 
 CalibrationProcedure::CalibrationProcedure(CalibrationPlan plan) : plan_(std::move(plan)) {
   TACTUS_CHECK(plan_.driven[0] || plan_.driven[1] || plan_.driven[2]);
@@ -82,11 +105,13 @@ void CalibrationProcedure::go(Step step) {
     case Step::kFrictionOut:
       return say("Do not touch the handle: the push outwards rises until it moves.");
     case Step::kWeight:
-      return say("Hang a weight so that it pulls the handle inwards. Type the weight in N (1 kg is 9.81 N).");
+      return say("Hang a weight so that it pulls the handle inwards, " + scaleDirection() +
+                 ". Type the weight in N (1 kg is 9.81 N).");
     case Step::kLift:
       return say("Do not touch the handle: the push outwards rises until the weight moves.");
     case Step::kScaleReady:
-      return say("Hold the handle back with a spring scale, so that it cannot move outwards. Then continue.");
+      return say("Hold the handle back with a spring scale that pulls inwards, " + scaleDirection() +
+                 ", so that it cannot move outwards. Then continue.");
     case Step::kScaleLow:
       return say("The handle pushes outwards. Type what the spring scale reads, in N.");
     case Step::kScaleHigh:
@@ -275,15 +300,21 @@ void CalibrationProcedure::takeInnerEnd() {
   if (counts < 10 * threshold_)
     return say("That is too short to measure. Move the handle further inwards, then continue.");
   inwards_ = {travel_[0] / counts, travel_[1] / counts, travel_[2] / counts};
-  Vector3 drive = inwards_;
-  for (std::size_t axis = 0; axis < plan_.driven.size(); ++axis) {
-    if (!plan_.driven[axis]) component(drive, axis) = 0;
-  }
-  const double driven = std::sqrt(dot(drive, drive));
-  if (driven < kLeastDriven)
-    return failWith("The device cannot push along this way. Choose a direction in which it has a motor.");
-  drive_ = (1 / driven) * drive;
+  driven_share_ = drivenShare(inwards_, plan_.driven);
+  if (driven_share_ < kLeastDrivenShare)
+    return failWith("This way is " + degrees(driven_share_) + " off the motors, which push along " +
+                    motorWords(plan_.driven) + "; " + degrees(kLeastDrivenShare) +
+                    " are the most. Begin anew with a way along them.");
+  drive_ = (1 / driven_share_) * drivenPart(inwards_, plan_.driven);
   go(Step::kRuler);
+}
+
+/// The push acts along the motors, so that is what the scale has to hold.
+std::string CalibrationProcedure::scaleDirection() const {
+  if (driven_share_ > kAligned) return "the way the tube goes";
+  const bool one = std::count(plan_.driven.begin(), plan_.driven.end(), true) == 1;
+  return (one ? "straight along " : "in the plane of ") + motorWords(plan_.driven) + ", " + degrees(driven_share_) +
+         " beside the way of the tube";
 }
 
 base::Result<void> CalibrationProcedure::enter(double value) {
@@ -334,11 +365,13 @@ base::Result<DeviceCalibration> CalibrationProcedure::result(const std::string& 
   out.mm_per_count = mm_per_count_;
   out.inwards = inwards_;
   out.origin_mm = mm_per_count_ * Vector3{outer_[0], outer_[1], outer_[2]};
-  if (friction_in_) out.friction_in_n = *friction_in_ * full_scale_n_;
-  if (friction_out_) out.friction_out_n = *friction_out_ * full_scale_n_;
+  // A push of the motors that moves the handle along the axis is the friction that the hand feels there.
+  const double full_along_n = driven_share_ * full_scale_n_;
+  if (friction_in_) out.friction_in_n = *friction_in_ * full_along_n;
+  if (friction_out_) out.friction_out_n = *friction_out_ * full_along_n;
   out.silent_when_still = silent_;
   out.measured_at = measured_at;
-  out.procedure = plan_.method == ScaleMethod::kSpringScale ? "guided 1, spring scale" : "guided 1, known weight";
+  out.procedure = plan_.method == ScaleMethod::kSpringScale ? "guided 2, spring scale" : "guided 2, known weight";
   if (auto checked = checkCalibration(out); !checked) return tl::unexpected(checked.error());
   return out;
 }

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/haptics/device.h"
 #include "core/haptics/device_calibration.h"
+#include "core/haptics/driven_axes.h"
 
 namespace tactus::haptics {
 
@@ -22,9 +23,12 @@ enum class ScaleMethod : std::uint8_t {
 struct CalibrationPlan {
   std::string device;
   std::string serial;
-  std::array<bool, 3> driven{};  ///< axes along which the device can push; at least one
+  DrivenAxes driven{};  ///< axes along which the device can push; at least one
   ScaleMethod method = ScaleMethod::kSpringScale;
 };
+
+/// The plan for a device with `info.force_axes` motors.
+CalibrationPlan planFor(const DeviceInfo& info);
 
 enum class CalibrationStep : std::uint8_t {
   kLetGo,        ///< waits for the person
@@ -49,7 +53,9 @@ enum class CalibrationStep : std::uint8_t {
 enum class CalibrationInput : std::uint8_t { kNothing, kContinue, kNumber };
 
 /// A state machine without clock, thread or device. The device is used without a calibration: positions come as counts
-/// and 1 N means full scale. No push is larger than kLargestShare, and each ends as soon as the handle moves.
+/// and 1 N means full scale. No push is larger than kLargestShare, and each ends as soon as the handle moves. Pushes go
+/// along the motors; where the insertion axis leaves them by some degrees, the full scale is that along the motors, and
+/// the friction that along the axis.
 /// Thread: one. Real-time safe: no.
 class CalibrationProcedure {
  public:
@@ -95,6 +101,7 @@ class CalibrationProcedure {
   Vector3 held(double share);
   void beginPushAlong(std::size_t axis, double share);
   void takeInnerEnd();
+  std::string scaleDirection() const;
   base::Result<void> finishWithReadings(double high_n);
 
   CalibrationPlan plan_;
@@ -119,7 +126,8 @@ class CalibrationProcedure {
   Counts outer_{};
   Counts travel_{};
   Vector3 inwards_;
-  Vector3 drive_;  ///< unit: the part of the axis that the device can push along
+  Vector3 drive_;            ///< unit: the part of the axis that the device can push along
+  double driven_share_ = 1;  ///< cosine between the two
   double mm_per_count_ = 0;
   std::optional<double> friction_in_;  ///< shares
   std::optional<double> friction_out_;

@@ -10,7 +10,8 @@
 
 namespace tactus::haptics {
 
-/// What a device says is wrong with it. Everything but kNone means that no force should be asked for.
+/// What a device says is wrong with it. Everything but kNone means that no force should be asked for; one that is on
+/// may fade where docs/servo.md, "Trips", says so.
 enum class DeviceFault : std::uint8_t {
   kNone,
   kLost,           ///< unplugged, or it does not answer any more

@@ -3,8 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/base/error.h"
 #include "core/haptics/axis_mapping.h"
@@ -25,7 +23,7 @@ struct DeviceCalibration {
   std::optional<double> friction_out_n;  ///< against withdrawal
   bool silent_when_still = false;        ///< the device sends nothing while nothing moves
   std::string measured_at;               ///< UTC, e.g. 2026-11-21T08:00:00Z
-  std::string procedure;                 ///< how it was measured, e.g. `guided 1`
+  std::string procedure;                 ///< how it was measured, e.g. `guided 2`
 
   bool operator==(const DeviceCalibration&) const = default;
 };
@@ -33,19 +31,10 @@ struct DeviceCalibration {
 /// Refused: a value outside the ranges above, or not finite.
 base::Result<void> checkCalibration(const DeviceCalibration& calibration);
 
+/// Refused: a vector that is not finite, or not of length 1.
+base::Result<void> checkDirection(const char* key, const Vector3& direction);
+
 /// The insertion axis of a checked calibration.
 AxisMapping axisOf(const DeviceCalibration& calibration);
-
-/// The entries of the JSON file `path`; none where there is no file. Refused, with the place: what is not of this
-/// format, an unknown or missing key, nonsense numbers, two entries of one device, a file above 1 MiB.
-base::Result<std::vector<DeviceCalibration>> readCalibrations(const std::string& path);
-
-/// Puts `calibration` into the file, in the place of an older entry of the same device and serial number. The file
-/// appears whole or stays as it was; one that cannot be read is not overwritten.
-base::Result<void> storeCalibration(const std::string& path, const DeviceCalibration& calibration);
-
-/// The entry of a device, or null.
-const DeviceCalibration* findCalibration(const std::vector<DeviceCalibration>& entries, std::string_view device,
-                                         std::string_view serial);
 
 }  // namespace tactus::haptics

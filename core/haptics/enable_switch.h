@@ -26,6 +26,8 @@ class EnableSwitch {
   void update(const SwitchInput& input, const EnableSettings& settings) noexcept;
 
   bool on() const noexcept { return on_; }
+  /// Whoever holds it has to let go and press again. Before `update` of the same tick.
+  void spend() noexcept { rest(); }
   /// The contact was seen up since the last call with `armed` true: the hand has let go.
   bool letGo() const noexcept { return let_go_; }
 

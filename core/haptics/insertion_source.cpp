@@ -23,9 +23,10 @@ void InsertionSource::place(double start_depth_mm) noexcept {
   next.fault = state_.fault;
   next.position_mm = state_.position_mm;
   next.speed_mm_s = state_.speed_mm_s;
-  // The force of the placement before goes as after a release.
+  // The force of the placement before goes as after a release; what fades already fades no slower.
   next.force_n = next.fading_n = state_.force_n;
-  next.fading_rate_n_s = std::abs(state_.force_n) / render::kReleaseFadeS;
+  next.fading_rate_n_s =
+      std::max(std::abs(state_.force_n) / render::kReleaseFadeS, state_.fading_n != 0 ? state_.fading_rate_n_s : 0);
   state_ = next;
 }
 
@@ -52,8 +53,9 @@ double InsertionSource::tick(const InsertionTick& tick) noexcept {
 
 void InsertionSource::takeScene(const ServoScene* scene) noexcept {
   const bool engaged = state_.phase != render::Phase::kReleased;
-  const bool another = scene != scene_;
-  scene_ = scene;
+  const std::uint64_t serial = scene != nullptr ? scene->serial() : 0;
+  const bool another = serial != scene_;
+  scene_ = serial;
   if (another && scene != nullptr) {
     unasked_ = true;
     ++conditions_;

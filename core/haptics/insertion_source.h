@@ -64,7 +64,7 @@ class InsertionSource {
   double largest_stiffness_n_mm_;
   render::RendererState state_;
   render::RendererSettings settings_;  ///< as rendered
-  const void* scene_ = nullptr;        ///< only to see whether another one comes; never followed
+  std::uint64_t scene_ = 0;            ///< serial number of the scene in use, to see whether another one comes; 0: none
   bool stiffness_limited_ = false;
 
   fuzzy::RendererParameters target_;  ///< where the rendered parameters go

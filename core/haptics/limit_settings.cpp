@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/text.h"
 
@@ -39,6 +40,8 @@ constexpr Field kFields[] = {
 
 /// A device that says nothing sensible of its force gets none.
 double lower(double limit, double device) { return device >= 0 ? std::min(limit, device) : 0; }
+
+bool size(double value) noexcept { return std::isfinite(value) && value >= 0; }
 
 base::Result<void> within(const char* name, double value, double min, double max, const char* why) {
   if (value >= min && value <= max) return {};
@@ -82,6 +85,17 @@ base::Result<void> check(const EnableSettings& enable) {
     return base::fail(base::ErrorCode::kValue, "start_zone_mm", base::formatNumber(*enable.start_zone_mm),
                       "a number above 0");
   return {};
+}
+
+bool wellFormed(const LimitSettings& limits) noexcept {
+  return size(limits.force_cap_n) && size(limits.continuous_force_n) &&
+         std::all_of(std::begin(kFields), std::end(kFields),
+                     [&](const Field& field) { return size(limits.*field.member); });
+}
+
+bool wellFormed(const EnableSettings& enable) noexcept {
+  return size(enable.press_debounce_s) && std::isfinite(enable.release_zone_mm) &&
+         (!enable.start_zone_mm || size(*enable.start_zone_mm));
 }
 
 }  // namespace tactus::haptics

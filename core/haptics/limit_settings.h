@@ -57,4 +57,9 @@ base::Result<void> check(const LimitSettings& limits, const DeviceInfo& info, bo
 /// The same for the switch: a button without a mask, a debounce outside 10 to 100 ms, zones that are none.
 base::Result<void> check(const EnableSettings& enable);
 
+/// What no part of the program may order, expert or test: a limit or a debounce that is not finite or below 0 (a slew
+/// of NaN would limit nothing), a zone that is not finite. Thread: any.
+bool wellFormed(const LimitSettings& limits) noexcept;
+bool wellFormed(const EnableSettings& enable) noexcept;
+
 }  // namespace tactus::haptics

@@ -1,6 +1,7 @@
 #include "core/haptics/passivity_guard.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/haptics/seconds.h"
 #include "core/render/low_pass.h"
@@ -67,6 +68,8 @@ void PassivityGuard::observe(std::int64_t now_ns, double position_mm, double hel
 
   const double left = render::decay(elapsed_s, kSpeedFilterS);
   speed_mm_s_ = left * speed_mm_s_ + (1 - left) * way_mm / elapsed_s;
+  if (std::abs(speed_mm_s_) < render::kSmallest) speed_mm_s_ = 0;
+  if (std::abs(energy_mj_) < render::kSmallest) energy_mj_ = 0;
 }
 
 double PassivityGuard::control(double asked_n) const noexcept {

@@ -50,6 +50,7 @@ double slewed(double from_n, double to_n, double step_s, const LimitSettings& li
 void Safety::begin(const SafetyInput& input, const EnableSettings& enable, const LimitSettings& limits) noexcept {
   passTime(input, limits);
   if (input.armed != armed_) arm(input.armed);
+  if (input.let_go) switch_.spend();
   switch_.update({now_ns_, armed_, contact(input, enable), input.position_mm}, enable);
 
   const Trip speeding = velocity_.check(limits);
@@ -91,7 +92,6 @@ void Safety::arm(bool armed) noexcept {
   faded_in_s_ = 0;
   if (!switch_.letGo()) return;
   trip_ = {};
-  cut_ = false;
 }
 
 std::optional<bool> Safety::contact(const SafetyInput& input, const EnableSettings& enable) const noexcept {
@@ -117,10 +117,11 @@ Trip Safety::wrong(const SafetyInput& input, const LimitSettings& limits) const 
 }
 
 void Safety::trip(const Trip& trip) noexcept {
-  if (!armed_ || trip_ || !trip) return;
+  if (!trip) return;
+  cut_ = cut_ || cuts(trip);
+  if (!armed_ || trip_) return;
   trip_ = trip;
   trip_.time_ns = now_ns_;
-  cut_ = cuts(trip);
   disable();
 }
 
@@ -139,6 +140,7 @@ LimitedForce Safety::limit(double resistance_n, const LimitSettings& limits) noe
   const double share = sample_age_s_ ? staleShare(*sample_age_s_, limits) : 0;
   if (share < 1) force_n = std::clamp(force_n, -share * fresh_n_, share * fresh_n_);
   if (cut_ || !std::isfinite(force_n) || std::abs(force_n) < kSmallestN) force_n = 0;
+  cut_ = false;  // once at zero, a force comes back through a press alone
   if (share == 1) fresh_n_ = std::abs(force_n);
 
   if (share < 1) out.limited |= kLimitedByStaleDevice;

@@ -29,6 +29,7 @@ struct SafetyInput {
   bool follows_motion = true;
   /// Positions mean something else than at the last tick (another axis): no motion lies between the two.
   bool another_axis = false;
+  bool let_go = false;  ///< the press is spent: the force fades like after a release, until the hand presses again
 };
 
 struct LimitedForce {
@@ -44,7 +45,8 @@ struct LimitedForce {
 /// can no longer be trusted to be felt or answered it is cut in one tick (force or position not finite, device lost or
 /// silent, write stuck, servo late, device without calibration, switched off or failed, Stop); where position and
 /// device are sound it fades within `release_s` like a release, because a cut is felt as a kick of its own (velocity
-/// guard, renderer, warm motors, a force that the device limited).
+/// guard, renderer, warm motors, a force that the device limited). The first cause stays, but whatever calls for a cut
+/// later ends any force that still fades, armed or not.
 /// Plain state, copyable; time comes in with the input.
 /// Thread: servo. Real-time safe: yes.
 class Safety {
@@ -53,7 +55,8 @@ class Safety {
 
   /// The hand holds the device and no trip, no stale device and no silent program forbids forces.
   bool enabled() const noexcept { return enabled_; }
-  /// Latches a trip of somebody else, e.g. of the renderer. The first one stays. Without effect while disarmed.
+  /// Latches a trip of somebody else, e.g. of the renderer; the first one stays, and while disarmed none is latched.
+  /// One that calls for a cut cuts in any case.
   void trip(const Trip& trip) noexcept;
 
   /// `resistance_n` as the source asks for it. Not finite trips.
@@ -92,7 +95,7 @@ class Safety {
   PassivityGuard passivity_;
 
   Trip trip_;
-  bool cut_ = false;      ///< the trip allows no fade
+  bool cut_ = false;      ///< something in this tick allows no fade
   bool engaged_ = false;  ///< since the press the hand was slow enough once
   bool enabled_ = false;
   bool gui_silent_ = false;

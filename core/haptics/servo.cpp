@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/base/check.h"
+
 namespace tactus::haptics {
 
 Servo::Servo(HapticDevice& device) : device_(device), core_(device.info()) {}
@@ -29,13 +31,16 @@ void Servo::tick(std::int64_t now_ns) noexcept {
   input.heartbeat_ns = heartbeat_ns_.load(std::memory_order_relaxed);
   const Sample sample = core_.tick(input);
 
-  device_.write(posted.orders.axis.forceOnHand(sample.force_n), now_ns);
+  device_.write(core_.axis().forceOnHand(sample.force_n), now_ns);
   ring_.push(sample);
   recorder_.record(sample, core_.tripped());
   publish();
 }
 
-std::uint64_t Servo::post(ServoOrders orders) { return mailbox_.post({std::move(orders), meter_.ticks()}); }
+std::uint64_t Servo::post(ServoOrders orders) {
+  TACTUS_CHECK(wellFormed(orders.limits) && wellFormed(orders.enable));
+  return mailbox_.post({std::move(orders), meter_.ticks()});
+}
 
 void Servo::publish() noexcept {
   const SceneCounters& counters = core_.counters();

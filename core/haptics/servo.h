@@ -43,7 +43,8 @@ class Servo final : public Ticked {
   void pause() noexcept { meter_.pause(); }
 
   /// Hands over new orders; the next tick uses them. Returns their number (from 1), which samples carry. Orders that
-  /// the servo does not read any more are freed here. Thread: one poster. Real-time safe: no.
+  /// the servo does not read any more are freed here. Limits and switch are wellFormed; what a person may set is for
+  /// the poster to `check` before. Thread: one poster. Real-time safe: no.
   std::uint64_t post(ServoOrders orders);
   /// Sign of life of the program. Without the first one none is expected. Thread: any. Real-time safe: yes.
   void heartbeat(std::int64_t now_ns) noexcept { heartbeat_ns_.store(now_ns, std::memory_order_relaxed); }

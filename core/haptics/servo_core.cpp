@@ -23,14 +23,16 @@ ServoCore::ServoCore(const DeviceInfo& device)
 
 Sample ServoCore::tick(const ServoTick& tick) noexcept {
   const ServoOrders& orders = *tick.orders;
-  const double position_mm = orders.axis.positionMm(tick.device.position_mm);
+  // A force goes to zero along the axis that it came from; then the other one is in force, and the hand presses anew.
+  const bool turned = !sameAxis(axis_, orders.axis);
+  const bool another_axis = turned && force_n_ == 0;
+  if (another_axis) axis_ = orders.axis;
+  const double position_mm = axis_.positionMm(tick.device.position_mm);
   // Two ticks at the same time are told from each other; a long one is for the watchdogs.
   const double dt_s =
       ticks_ == 0 ? period_s_ : std::max(render::kShortestTickS, static_cast<double>(tick.now_ns - last_ns_) * 1e-9);
   ++ticks_;
   last_ns_ = tick.now_ns;
-  const bool another_axis = !sameAxis(axis_, orders.axis);
-  axis_ = orders.axis;
   // From nowhere, or along another axis, there is no motion.
   if (!sampled_ || another_axis) insertion_.forgetPosition();
   sampled_ = tick.device.number > 0;
@@ -45,10 +47,12 @@ Sample ServoCore::tick(const ServoTick& tick) noexcept {
   input.heartbeat_ns = tick.heartbeat_ns;
   input.follows_motion = orders.source == ForceSource::kInsertion;
   input.another_axis = another_axis;
+  input.let_go = turned;
   safety_.begin(input, orders.enable, orders.limits);
 
   const double source_n = sources(tick, position_mm, dt_s);
   const LimitedForce limited = safety_.limit(source_n, orders.limits);
+  force_n_ = limited.force_n;
 
   Sample sample = sampleOf(tick);
   sample.position_mm = position_mm;

@@ -30,9 +30,11 @@ class ServoCore {
   /// `device` tells how stiff a spring it can render; its rate is > 0, its delay and damping are >= 0.
   explicit ServoCore(const DeviceInfo& device);
 
-  /// Thread: servo. Real-time safe: yes. The force for the device is `orders.axis.forceOnHand(sample.force_n)`.
+  /// Thread: servo. Real-time safe: yes. The force for the device is `axis().forceOnHand(sample.force_n)`.
   Sample tick(const ServoTick& tick) noexcept;
 
+  /// The axis in force: that of the orders, but for the at most 30 ms in which a force along another one fades.
+  const AxisMapping& axis() const noexcept { return axis_; }
   const Trip& tripped() const noexcept { return safety_.tripped(); }
   const SceneCounters& counters() const noexcept { return insertion_.counters(); }
   /// Share of the thermal budget in use, [0, 1].
@@ -50,7 +52,8 @@ class ServoCore {
   std::int64_t last_ns_ = 0;                ///< of the last tick
   bool sampled_ = false;                    ///< the device had a sample at the last tick
   std::optional<std::uint64_t> placement_;  ///< of the last tick
-  AxisMapping axis_;                        ///< of the last tick
+  AxisMapping axis_;                        ///< in force
+  double force_n_ = 0;                      ///< of the last tick
 };
 
 /// The stiffest spring that stays passive on `device` with a pinch grip: half of b / (T / 2 + delay), b = device + 1.7

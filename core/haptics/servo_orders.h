@@ -21,7 +21,7 @@ struct ServoOrders {
   Stimulus stimulus;
   std::uint64_t placement = 0;  ///< another number begins another placement: the tube is out, at `start_depth_mm`
   double start_depth_mm = 0;
-  AxisMapping axis;
+  AxisMapping axis;  ///< another one: the force lets go along the old axis, and begins along this at the next press
   EnableSettings enable;
   LimitSettings limits;
 };

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/text.h"
@@ -103,9 +105,16 @@ double measuredCostS(const ServoScene& scene, const Variable* depth, const Varia
   return cost_s;
 }
 
+std::uint64_t nextSerial() noexcept {
+  static std::atomic<std::uint64_t> last{0};  // each stands for itself: relaxed
+  return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
 std::string microseconds(double time_s) { return base::formatFixed(time_s * 1e6, 1) + " microseconds"; }
 
 }  // namespace
+
+ServoScene::ServoScene(fuzzy::Scene scene) : scene_(std::move(scene)), serial_(nextSerial()) {}
 
 base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceModel& model, const Conditions& conditions,
                                                                  const SceneSettings& settings) {

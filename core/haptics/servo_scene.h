@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -49,6 +50,8 @@ class ServoScene {
   /// The force where the renderer asks; bit by bit that of CompiledModel::evaluate. Real-time safe: yes.
   render::ModelForce force(const render::ForcePoint& point) const noexcept;
 
+  /// Another number for each scene of this process, never 0: an address may be used again. Nothing is computed from it.
+  std::uint64_t serial() const noexcept { return serial_; }
   const fuzzy::RendererParameters& renderer() const noexcept { return renderer_; }
   /// End of the model's depth, offset included; infinite for a model without depth.
   double depthEndMm() const noexcept { return depth_end_mm_; }
@@ -57,9 +60,10 @@ class ServoScene {
   double costS() const noexcept { return cost_s_; }
 
  private:
-  explicit ServoScene(fuzzy::Scene scene) : scene_(std::move(scene)) {}
+  explicit ServoScene(fuzzy::Scene scene);
 
   fuzzy::Scene scene_;
+  std::uint64_t serial_;
   fuzzy::RendererParameters renderer_;
   std::optional<std::size_t> depth_;  ///< place among the free inputs
   std::optional<std::size_t> speed_;

@@ -48,10 +48,11 @@ double StimulusSource::tick(const StimulusTick& tick, const Stimulus& stimulus, 
   return force_n_;
 }
 
-/// What is felt now fades; a stimulus that follows begins from nothing beside it.
+/// What is felt now fades, no slower than what fades already; a stimulus that follows begins from nothing beside it.
 void StimulusSource::letGo() noexcept {
+  const double running_n_s = fading_n_ != 0 ? fading_n_s_ : 0;
   fading_n_ = std::isfinite(force_n_) ? force_n_ : 0;
-  fading_n_s_ = std::abs(fading_n_) / render::kReleaseFadeS;
+  fading_n_s_ = std::max(running_n_s, std::abs(fading_n_) / render::kReleaseFadeS);
   level_ = 0;
 }
 

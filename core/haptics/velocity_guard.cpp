@@ -20,7 +20,11 @@ Value median(std::array<Value, kSize>& values, int count) noexcept {
 }  // namespace
 
 void VelocityGuard::add(std::uint64_t number, std::int64_t time_ns, double position_mm) noexcept {
-  if (number == number_) return;
+  if (number == number_) {
+    // Renewed and nothing else: a device that is silent when still. After a whole window of it the hand rests.
+    if (count_ > 0 && time_ns - back(0).time_ns >= kSpanNs) speed_mm_s_ = 0;
+    return;
+  }
   number_ = number;
   if (count_ > 0 && time_ns < back(0).time_ns) count_ = 0;  // another clock or another device
   if (count_ > 0 && time_ns - back(0).time_ns < kClosestNs) return;

@@ -15,7 +15,9 @@ namespace tactus::haptics {
 /// state. Thread: servo. Real-time safe: yes.
 class VelocityGuard {
  public:
-  /// One sample of the device. `number`: its number, the same sample again is ignored; `time_ns`: when it arrived.
+  /// One sample of the device. `number`: its number; `time_ns`: when it arrived. The same sample again is ignored, but
+  /// where it was renewed 15 ms later or more (HapticDevice, silent when still) the hand rests: the speed is 0. A stall
+  /// renews nothing, so the next sample gives the mean speed since the last one.
   void add(std::uint64_t number, std::int64_t time_ns, double position_mm) noexcept;
   /// Inwards positive, about 5 ms late; 0 until the samples span 8 ms.
   double speedMmS() const noexcept { return speed_mm_s_; }

@@ -280,7 +280,7 @@ FeelRun feelRun(std::uint64_t number) {
     }
     haptics::ServoTick tick{now_ns, state, &orders, orders_number, false, false, now_ns};
     const Sample sample = core.tick(tick);
-    (*device)->write(orders.axis.forceOnHand(sample.force_n), now_ns);
+    (*device)->write(core.axis().forceOnHand(sample.force_n), now_ns);
     watch.see(sample, (state.buttons & 1U) != 0, orders.limits.force_cap_n, orders.limits);
     if (sample.enabled && now_ns > static_cast<std::int64_t>(kStartS * 1e9) + 300 * kTickNs)
       felt.push_back({sample.position_mm, sample.force_n});

@@ -63,7 +63,7 @@ class Person {
 
 base::Result<haptics::DeviceCalibration> calibrate(haptics::HapticDevice& device, DeviceProcess& hand,
                                                    const TrueHandle& truth) {
-  CalibrationProcedure procedure({device.info().id, device.info().serial, {true, false, truth.force_axes == 2}});
+  CalibrationProcedure procedure(haptics::planFor(device.info()));
   Person person(hand, truth);
   auto step = CalibrationStep::kDone;
   int entered_ms = 0;

@@ -6,6 +6,9 @@
 #include <csignal>
 #include <utility>
 
+#include "core/base/text.h"
+#include "core/haptics/driven_axes.h"
+
 namespace tactus::haptics {
 namespace {
 
@@ -43,6 +46,16 @@ base::Result<std::unique_ptr<HidPidDevice>> HidPidDevice::open(std::unique_ptr<H
   if (!descriptor) return base::inFile(descriptor.error(), identity.id);
   auto layout = PidLayout::find(*descriptor);
   if (!layout) return base::inFile(layout.error(), identity.id);
+  if (calibration) {
+    const double driven = drivenShare(calibration->inwards, drivenAxes(layout->force_axes));
+    if (driven < kLeastDrivenShare)
+      return base::inFile(
+          base::fail(base::ErrorCode::kValue, "insertion axis",
+                     "a cosine of " + base::formatFixed(driven, 2) + " to the motors",
+                     "at least " + base::formatNumber(kLeastDrivenShare) + " (calibrate it again, along its motors)")
+              .value(),
+          identity.id);
+  }
   std::unique_ptr<HidPidDevice> device(new HidPidDevice(std::move(transport), *std::move(layout), std::move(timing)));
   device->describe(identity, calibration);
   return device;
@@ -66,6 +79,8 @@ void HidPidDevice::describe(const HidIdentity& identity, const std::optional<Dev
   calibrated_ = calibration.has_value();
   if (calibration) {
     calibration_ = *calibration;
+    // Not above 1 by the rounding of a file.
+    driven_share_ = std::min(drivenShare(calibration->inwards, drivenAxes(layout_.force_axes)), 1.0);
   } else {
     calibration_.full_scale_n = 1;
     calibration_.mm_per_count = 1;
@@ -78,7 +93,7 @@ void HidPidDevice::describe(const HidIdentity& identity, const std::optional<Dev
   info_.position_axes = static_cast<int>(std::count_if(layout_.axes.begin(), layout_.axes.end(), has));
   info_.force_axes = layout_.force_axes;
   info_.buttons = static_cast<int>(std::count_if(layout_.buttons.begin(), layout_.buttons.end(), has));
-  info_.max_force_n = calibration_.full_scale_n;
+  info_.max_force_n = driven_share_ * calibration_.full_scale_n;
   info_.delay_s = kUsbDelayS;
   info_.quiet_after_s = PidSession::kQuietAfterS;
   if (!calibration) return;
@@ -92,12 +107,13 @@ base::Result<void> HidPidDevice::start() {
   samples_.put({});
   lost_.store(false, std::memory_order_relaxed);
   written_ns_.store(0, std::memory_order_relaxed);
-  session_.emplace(*transport_, layout_, [this](int ms) { timing_.pause(std::int64_t{ms} * 1'000'000); });
+  session_.emplace(
+      *transport_, layout_, [this](int ms) { timing_.pause(std::int64_t{ms} * 1'000'000); }, timing_.now_ns);
   if (auto begun = session_->begin(timing_.now_ns()); !begun) {
     session_.reset();
     return base::inFile(begun.error(), info_.id);
   }
-  writer_.emplace(*session_, calibration_);
+  writer_.emplace(*session_, calibration_, driven_share_);
   reader_ends_.store(false, std::memory_order_relaxed);
   writer_ends_.store(false, std::memory_order_relaxed);
   reader_ = startThread([this] { readerLoop(); });

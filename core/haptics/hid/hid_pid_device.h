@@ -43,10 +43,12 @@ struct HidPidCounters {
 
 /// The servo thread touches atomics only. A reader thread keeps the newest sample, a writer thread sends the newest
 /// force; neither is hurried by the servo, nor does it wait for them. Without a calibration positions are counts, 1 N
-/// is full scale, and the state says kNotCalibrated.
+/// is full scale, and the state says kNotCalibrated. With one, a force asked along the insertion axis is felt along it,
+/// even where the axis leaves the motors by some degrees.
 class HidPidDevice final : public HapticDevice {
  public:
-  /// Reads the descriptor. Refused: a device that is no PID device, or lacks what is needed.
+  /// Reads the descriptor. Refused: a device that is no PID device, or lacks what is needed; a calibration whose
+  /// insertion axis has less than kLeastDrivenShare along the motors.
   static base::Result<std::unique_ptr<HidPidDevice>> open(std::unique_ptr<HidTransport> transport,
                                                           const HidIdentity& identity,
                                                           const std::optional<DeviceCalibration>& calibration = {},
@@ -80,6 +82,7 @@ class HidPidDevice final : public HapticDevice {
   DeviceInfo info_;
   DeviceCalibration calibration_;
   bool calibrated_ = false;
+  double driven_share_ = 1;  ///< of the insertion axis
 
   std::optional<PidSession> session_;  ///< touched by the owner, and by the writer between start and stop
   std::optional<PidWriter> writer_;    ///< the same, but for its command box

@@ -17,8 +17,20 @@ bool says(std::span<const std::uint8_t> report, const std::optional<PidChoice>& 
 
 }  // namespace
 
-PidSession::PidSession(HidTransport& transport, PidLayout layout, std::function<void(int)> pause)
-    : transport_(transport), layout_(std::move(layout)), pause_(std::move(pause)) {}
+PidSession::PidSession(HidTransport& transport, PidLayout layout, std::function<void(int)> pause,
+                       std::function<std::int64_t()> now_ns)
+    : transport_(transport), layout_(std::move(layout)), pause_(std::move(pause)), now_ns_(std::move(now_ns)) {}
+
+PidSession::Done PidSession::askPool() {
+  if (!layout_.pool) return {};
+  // The answer is not needed; some firmwares set up their memory when they are asked, others refuse.
+  auto report = layout_.pool->blank();
+  const std::int64_t asked_ns = now_ns_();
+  const bool answered = transport_.getFeature(report).has_value();
+  if (answered || now_ns_() - asked_ns < kSilentNs) return {};
+  return base::fail(base::ErrorCode::kIo, "device", "no answer to the first question",
+                    "a device that answers (unplug it, then plug it in again)");
+}
 
 PidSession::Done PidSession::control(const std::optional<PidChoice> PidLayout::Control::*what) {
   if (!layout_.control || !((*layout_.control).*what)) return {};
@@ -29,11 +41,7 @@ PidSession::Done PidSession::control(const std::optional<PidChoice> PidLayout::C
 
 PidSession::Done PidSession::begin(std::int64_t now_ns) {
   effects_.clear();
-  if (layout_.pool) {
-    // The answer is not needed; some firmwares set up their memory when they are asked.
-    auto report = layout_.pool->blank();
-    (void)transport_.getFeature(report);
-  }
+  if (auto asked = askPool(); !asked) return asked;
   Done done = control(&PidLayout::Control::reset);
   if (done) done = control(&PidLayout::Control::enable);
   if (done && layout_.gain) {

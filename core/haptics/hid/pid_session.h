@@ -19,14 +19,17 @@ class PidSession {
  public:
   static constexpr double kQuietAfterS = 0.1;  ///< a dead host means no force after this time …
   static constexpr double kDurationS = 0.09;   ///< … with 10 ms for the last start on its way to the device
-  static constexpr std::int64_t kRestartNs = 40'000'000;  ///< longer than half of the duration would forgive no miss
-  static constexpr std::int64_t kRefreshNs = 10'000'000;  ///< a value that did not change is sent again after this
-  static constexpr int kLoadPolls = 60;                   ///< 1 ms apart, as the Linux kernel does
+  static constexpr std::int64_t kRestartNs = 40'000'000;    ///< longer than half of the duration would forgive no miss
+  static constexpr std::int64_t kRefreshNs = 10'000'000;    ///< a value that did not change is sent again after this
+  static constexpr int kLoadPolls = 60;                     ///< 1 ms apart, as the Linux kernel does
+  static constexpr std::int64_t kSilentNs = 1'000'000'000;  ///< a device refuses in milliseconds; Linux waits 5 s
 
-  /// `transport` must outlive the session. `pause(ms)` waits.
-  PidSession(HidTransport& transport, PidLayout layout, std::function<void(int)> pause);
+  /// `transport` must outlive the session. `pause(ms)` waits; `now_ns` is a monotonic clock.
+  PidSession(HidTransport& transport, PidLayout layout, std::function<void(int)> pause,
+             std::function<std::int64_t()> now_ns);
 
-  /// Reset, actuators on, full gain, effects created and started with force 0. On an error what was begun is ended.
+  /// Reset, actuators on, full gain, effects created and started with force 0. On an error what was begun is ended. A
+  /// device that lets the first question go unanswered is given up.
   base::Result<void> begin(std::int64_t now_ns);
 
   /// The force as shares of full scale, -1..1, x and y; beyond is clamped, not a number is 0. Sends what changed or is
@@ -50,6 +53,7 @@ class PidSession {
     std::int64_t started_ns = 0;
   };
 
+  Done askPool();
   Done control(const std::optional<PidChoice> PidLayout::Control::*what);
   Done createEffect(std::size_t axis, std::int64_t now_ns);
   base::Result<std::int64_t> loadedBlock();
@@ -61,6 +65,7 @@ class PidSession {
   HidTransport& transport_;
   PidLayout layout_;
   std::function<void(int)> pause_;
+  std::function<std::int64_t()> now_ns_;
   std::vector<Effect> effects_;
 };
 

@@ -29,8 +29,12 @@ class PidWriter {
  public:
   static constexpr std::int64_t kCommandLifeNs = 50'000'000;  ///< as the write watchdog of the limits
 
-  PidWriter(PidSession& session, const DeviceCalibration& calibration)
-      : session_(session), full_scale_n_(calibration.full_scale_n), sign_(calibration.force_sign) {}
+  /// `driven_share`, (0, 1]: cosine between the insertion axis and the motors. A force along the axis loses that factor
+  /// on the way to the motors and once more on the way back, so it is divided by its square.
+  PidWriter(PidSession& session, const DeviceCalibration& calibration, double driven_share = 1)
+      : session_(session),
+        full_scale_n_(driven_share * driven_share * calibration.full_scale_n),
+        sign_(calibration.force_sign) {}
 
   /// The servo puts its commands here.
   NewestValue<PidCommand>& commands() { return commands_; }
@@ -44,7 +48,7 @@ class PidWriter {
  private:
   NewestValue<PidCommand> commands_;
   PidSession& session_;
-  double full_scale_n_;
+  double full_scale_n_;  ///< the asked force whose driven part is the device's largest value
   Vector3 sign_;
 };
 

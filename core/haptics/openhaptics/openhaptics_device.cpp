@@ -1,10 +1,12 @@
 #include "core/haptics/openhaptics/openhaptics_device.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
 
 #include "core/haptics/openhaptics/openhaptics_info.h"
+#include "core/haptics/seconds.h"
 
 namespace tactus::haptics {
 namespace {
@@ -12,10 +14,23 @@ namespace {
 constexpr int kQuietFrames = 30;                  ///< of zero force before the loop is stopped: the arm comes to rest
 constexpr int kLongestWaitForQuiet = 100;         ///< ms; a driver that stands still is not waited for
 constexpr std::uint64_t kCalibrationEvery = 100;  ///< frames between two looks
+constexpr double kFadeS = 0.030;                  ///< a device that is sound lets a force go no faster than a release
 constexpr std::int64_t kRecoverAfterNs = 500'000'000;
 
 std::int64_t systemClockNs() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The motors are warm, or the device refused a force: it is sound, and a hand may lean on what it gives.
+bool fades(DeviceFault fault) noexcept {
+  return fault == DeviceFault::kWarmMotors || fault == DeviceFault::kForceLimited;
+}
+
+double length(const Vector3& v) noexcept { return std::hypot(v.x, v.y, v.z); }
+
+Vector3 shortened(const Vector3& v, double most) noexcept {
+  const double now = length(v);
+  return now > most ? (most / now) * v : v;
 }
 
 bool finite(const Vector3& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -55,6 +70,7 @@ base::Result<void> OpenHapticsDevice::start() {
   calibration_.look();
   state_ = {};
   command_ = {};
+  given_n_ = 0;
   fault_ = DeviceFault::kNone;
   quiet_frames_.store(0, std::memory_order_relaxed);
   stopping_.store(false, std::memory_order_relaxed);
@@ -135,8 +151,7 @@ void OpenHapticsDevice::write(const Vector3& force_n, std::int64_t) noexcept {
     command_ = {};
     return;
   }
-  const double length_n = std::hypot(force_n.x, force_n.y, force_n.z);
-  command_ = length_n > info_.max_force_n ? (info_.max_force_n / length_n) * force_n : force_n;
+  command_ = shortened(force_n, info_.max_force_n);
 }
 
 std::uint32_t OpenHapticsDevice::frame() noexcept {
@@ -145,7 +160,8 @@ std::uint32_t OpenHapticsDevice::frame() noexcept {
   if (state_.number % kCalibrationEvery == 0 || calibration_.requested()) calibration_.look();
   sample(now_ns);
   const bool ticked = tickProgram(now_ns);
-  const Vector3 force = allowedForce(ticked);
+  const Vector3 force = allowedForce(ticked, now_ns);
+  given_n_ = length(force);
   const double values[3] = {force.x, force.y, force.z};
   api_.set_doublev(hd::kCurrentForce, values);
   api_.end_frame(handle_);
@@ -187,15 +203,22 @@ bool OpenHapticsDevice::tickProgram(std::int64_t now_ns) noexcept {
   return true;
 }
 
-Vector3 OpenHapticsDevice::allowedForce(bool ticked) const noexcept {
-  const bool allowed = ticked && state_.fault == DeviceFault::kNone && !stopping_.load(std::memory_order_relaxed);
-  return allowed ? command_ : Vector3{};
+Vector3 OpenHapticsDevice::allowedForce(bool ticked, std::int64_t now_ns) const noexcept {
+  if (!ticked || stopping_.load(std::memory_order_relaxed)) return {};
+  if (state_.fault == DeviceFault::kNone) return command_;
+  if (!fades(state_.fault)) return {};
+  const double left = 1 - secondsBetween(faulted_ns_, now_ns) / kFadeS;
+  return left > 0 ? shortened(command_, std::min(given_n_, left * fading_n_)) : Vector3{};
 }
 
 void OpenHapticsDevice::heed(const HdErrors& errors, std::int64_t now_ns) noexcept {
   if (errors.count > 0) {
     last_error_.store(errors.gravest.code, std::memory_order_relaxed);
     last_internal_.store(errors.gravest.internal_code, std::memory_order_relaxed);
+    if (fault_ == DeviceFault::kNone) {
+      faulted_ns_ = now_ns;
+      fading_n_ = given_n_;
+    }
     fault_ = errors.fault;
     unforced_since_ns_ = now_ns;
   } else if (fault_ != DeviceFault::kNone) {

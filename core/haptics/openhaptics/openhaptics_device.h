@@ -26,8 +26,9 @@ struct OpenHapticsSettings {
 
 /// In each callback of the driver: begin the frame, take a sample, tick the program, write the force, end the frame,
 /// empty the error stack. Force is zero while nobody ticks, while the device has a fault, and for 30 ms before it is
-/// stopped. Forces are warm, refused or limited: the fault stays until the program has asked for no force for 0.5 s,
-/// then the actuators are switched on again. A lost connection or a dead timer: one last tick says so, then the loop
+/// stopped. Where motors are warm, or a force was refused or limited, the program has 30 ms to fade its force, which
+/// meanwhile may only fall; the fault stays until the program has asked for no force for 0.5 s, then the actuators are
+/// switched on again. A lost connection or a dead timer: one last tick says so, then the loop
 /// ends.
 /// Only one process can have the device open, and this process only once.
 class OpenHapticsDevice final : public HapticDevice, private DeviceLoop {
@@ -81,7 +82,7 @@ class OpenHapticsDevice final : public HapticDevice, private DeviceLoop {
   std::uint32_t frame() noexcept;
   void sample(std::int64_t now_ns) noexcept;
   bool tickProgram(std::int64_t now_ns) noexcept;
-  Vector3 allowedForce(bool ticked) const noexcept;
+  Vector3 allowedForce(bool ticked, std::int64_t now_ns) const noexcept;
   void heed(const HdErrors& errors, std::int64_t now_ns) noexcept;
   void recover(std::int64_t now_ns) noexcept;
   void waitForQuiet() noexcept;
@@ -109,7 +110,10 @@ class OpenHapticsDevice final : public HapticDevice, private DeviceLoop {
   // The driver's thread alone.
   DeviceState state_;
   Vector3 command_;
+  double given_n_ = 0;  // length of the force in the last frame
   DeviceFault fault_ = DeviceFault::kNone;
+  std::int64_t faulted_ns_ = 0;  // since when it has one
+  double fading_n_ = 0;          // the force at that time
   std::int64_t unforced_since_ns_ = 0;
 };
 

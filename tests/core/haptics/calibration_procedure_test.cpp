@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace tactus::haptics {
 namespace {
@@ -161,7 +162,7 @@ TEST(CalibrationProcedure, FindsTheNumbersOfADevice) {
     EXPECT_NEAR(*result->friction_in_n, 0.30, kFrictionToleranceN);
     EXPECT_NEAR(*result->friction_out_n, 0.45, kFrictionToleranceN);
     EXPECT_FALSE(result->silent_when_still);
-    EXPECT_EQ(result->procedure, "guided 1, spring scale");
+    EXPECT_EQ(result->procedure, "guided 2, spring scale");
     EXPECT_LE(person.device.largest_share, CalibrationProcedure::kHighShare + 1e-12);
     EXPECT_EQ(person.device.last_share, (Vector3{})) << "no force after the end";
   }
@@ -305,6 +306,70 @@ TEST(CalibrationProcedure, AFaultOrTheEndOfPatienceStopsTheForce) {
   EXPECT_EQ(other.procedure.tick(other.device.state(), other.device.now_ns + 2), (Vector3{}));
 }
 
+/// A path in the plane of x and z on a device with one motor, along z.
+class PathBesideTheMotor : public testing::Test {
+ protected:
+  /// To the end of the way inwards, 60 mm, `angle_deg` off the motor.
+  void moveAlong(double angle_deg) {
+    angle_ = angle_deg * std::numbers::pi / 180;
+    person_.proceed();
+    person_.untilNotIn(Step::kRest);
+    person_.untilNotIn(Step::kSign);
+    ASSERT_EQ(person_.procedure.step(), Step::kOuterEnd);
+    at(0);
+    person_.proceed();
+    at(60);
+    person_.proceed();
+  }
+  void at(double depth_mm) {
+    person_.device.position_mm.x = depth_mm * std::sin(angle_);
+    person_.hold(20 - depth_mm * std::cos(angle_));
+  }
+
+  Person person_{plan(), {}};
+  double angle_ = 0;
+};
+
+TEST_F(PathBesideTheMotor, FullScaleIsThatOfTheMotorAndFrictionThatAlongThePath) {
+  moveAlong(20);
+  ASSERT_EQ(person_.procedure.step(), Step::kRuler) << person_.procedure.instruction();
+  person_.enter(60);
+  person_.hold(0);
+  person_.letGo();
+  person_.proceed();
+  person_.untilNotIn(Step::kFrictionIn);
+  person_.untilNotIn(Step::kFrictionOut);
+  EXPECT_EQ(person_.procedure.instruction(),
+            "Hold the handle back with a spring scale that pulls inwards, straight along z (toward you and away), 20 "
+            "degrees beside the way of the tube, so that it cannot move outwards. Then continue.");
+  person_.hold(0);
+  person_.proceed();
+  person_.ticks(600);
+  person_.enter(person_.device.springScaleN());
+  person_.ticks(600);
+  person_.enter(person_.device.springScaleN());
+  const auto result = person_.procedure.result("");
+  ASSERT_TRUE(result) << result.error().message();
+  EXPECT_NEAR(result->full_scale_n, 8, 1e-9);
+  // Places are known to a count of 3000, so the direction to 0.03 %.
+  EXPECT_NEAR(result->inwards.x, std::sin(angle_), 5e-4);
+  EXPECT_NEAR(result->inwards.z, -std::cos(angle_), 5e-4);
+  EXPECT_NEAR(*result->friction_in_n, 0.30 * std::cos(angle_), kFrictionToleranceN);
+  EXPECT_NEAR(*result->friction_out_n, 0.45 * std::cos(angle_), kFrictionToleranceN);
+}
+
+TEST_F(PathBesideTheMotor, OneThatIsTooFarOffIsRefused) {
+  moveAlong(25);
+  EXPECT_EQ(person_.procedure.step(), Step::kRuler) << "cos 25 degrees is 0.906";
+  Person other(plan(), {});
+  person_ = other;
+  moveAlong(27);
+  EXPECT_EQ(person_.procedure.step(), Step::kFailed) << "cos 27 degrees is 0.891";
+  EXPECT_EQ(person_.procedure.instruction(),
+            "This way is 27 degrees off the motors, which push along z (toward you and away); 26 degrees are the most. "
+            "Begin anew with a way along them.");
+}
+
 TEST(CalibrationProcedure, AnAxisWithoutAMotorIsRefused) {
   CalibrationPlan along_x = plan();
   along_x.driven = {true, false, false};
@@ -317,8 +382,21 @@ TEST(CalibrationProcedure, AnAxisWithoutAMotorIsRefused) {
   person.hold(-40);
   person.proceed();
   EXPECT_EQ(person.procedure.step(), Step::kFailed);
-  EXPECT_EQ(person.procedure.instruction(),
-            "The device cannot push along this way. Choose a direction in which it has a motor.");
+  EXPECT_TRUE(person.procedure.instruction().starts_with("This way is 90 degrees off the motors"))
+      << person.procedure.instruction();
+}
+
+TEST(CalibrationPlanFor, DrivesTheAxesThatHaveMotors) {
+  DeviceInfo info;
+  info.id = "hid:1209:ffb0:7";
+  info.serial = "7";
+  info.force_axes = 1;
+  EXPECT_EQ(planFor(info).driven, (DrivenAxes{true, false, false}));
+  // HID's second axis, Y, points to the person (HID 1.11, 5.9), which is z here.
+  info.force_axes = 2;
+  EXPECT_EQ(planFor(info).driven, (DrivenAxes{true, false, true}));
+  EXPECT_EQ(planFor(info).device, "hid:1209:ffb0:7");
+  EXPECT_EQ(planFor(info).serial, "7");
 }
 
 }  // namespace

@@ -340,6 +340,41 @@ TEST(InsertionSource, ADepthOffsetIsFeltWithoutAStep) {
   EXPECT_LE(tube.largest_step_n, kCalmStepN);
 }
 
+TEST(InsertionSource, AnotherSceneAtTheSameAddressIsAnotherScene) {
+  const ScenePointer first = constantScene(0.4, undamped());
+  const ScenePointer second = constantScene(0.9, undamped());
+  EXPECT_NE(first->serial(), 0U);
+  EXPECT_NE(first->serial(), second->serial());
+  ServoScene place = *first;
+  Tube tube(first);
+  tube.tick.scene = &place;
+  tube.rest(1);
+  tube.moveBy(1, 100);
+  EXPECT_EQ(tube.asked(), 1U);
+  // As when several sets of orders come and go between two ticks, and memory is used again.
+  place = *second;
+  for (int i = 0; i <= kFadeTicks; ++i) {
+    tube.rest(1);
+    EXPECT_NEAR(tube.dynamicN(), 0.4 + 0.5 * i / kFadeTicks, kRounding);
+  }
+  EXPECT_EQ(tube.asked(), 2U);
+}
+
+TEST(InsertionSource, PlacementsInARowDoNotDelayTheFade) {
+  Tube tube(constantScene(1.2, undamped()));
+  tube.rest(1);
+  tube.moveBy(30, 600);
+  const double before_n = tube.force_n;
+  tube.tick.enabled = false;
+  tube.largest_step_n = 0;
+  for (int i = 0; i < 30; ++i) {
+    if (i % 5 == 0) tube.source.place(100 + i);
+    tube.rest(1);
+  }
+  EXPECT_NEAR(tube.force_n, 0, kRounding);
+  EXPECT_LE(tube.largest_step_n, before_n / 30 + kRounding);
+}
+
 TEST(InsertionSource, WithoutASceneThereIsNoForce) {
   Tube tube(constantScene(0.5));
   tube.rest(1);

@@ -131,5 +131,34 @@ TEST(EnableSettings, RefusesASwitchThatNobodyCanPress) {
   EXPECT_EQ(message(check(enable)), "release_zone_mm: found nan, wanted a finite number");
 }
 
+TEST(LimitSettings, NumbersThatAreNoneOrBelowZeroAreNotWellFormed) {
+  EXPECT_TRUE(wellFormed(LimitSettings{}));
+  LimitSettings limits;
+  limits.servo_trip_s = 1e6;  // looser than a person may set, but a limit
+  EXPECT_TRUE(wellFormed(limits));
+  for (double LimitSettings::*member : {&LimitSettings::force_cap_n, &LimitSettings::continuous_force_n,
+                                        &LimitSettings::release_slew_n_s, &LimitSettings::stimulus_hold_s}) {
+    for (const double bad : {std::nan(""), -1.0, HUGE_VAL}) {
+      limits = {};
+      limits.*member = bad;
+      EXPECT_FALSE(wellFormed(limits)) << bad;
+    }
+  }
+}
+
+TEST(EnableSettings, NumbersThatAreNoneAreNotWellFormed) {
+  EnableSettings enable;
+  enable.start_zone_mm = 5;
+  EXPECT_TRUE(wellFormed(enable));
+  enable.start_zone_mm = std::nan("");
+  EXPECT_FALSE(wellFormed(enable));
+  enable = {};
+  enable.release_zone_mm = -HUGE_VAL;
+  EXPECT_FALSE(wellFormed(enable));
+  enable = {};
+  enable.press_debounce_s = -0.001;
+  EXPECT_FALSE(wellFormed(enable));
+}
+
 }  // namespace
 }  // namespace tactus::haptics

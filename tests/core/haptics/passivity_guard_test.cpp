@@ -2,6 +2,7 @@
 #include "core/haptics/passivity_guard.h"
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -261,6 +262,20 @@ TEST(PassivityGuard, AddsAtMostHalfANewton) {
     const double low_n = std::min(0.0, asked_n) - 0.5;
     const double high_n = std::max(0.0, asked_n) + 0.5;
     ASSERT_TRUE(guarded_n >= low_n && guarded_n <= high_n) << i;
+  }
+}
+
+TEST(PassivityGuard, AtRestNothingOfItDecaysIntoSubnormalNumbers) {
+  for (const double way_mm : {1.0, -1.0}) {
+    PassivityGuard guard;
+    guard.reset(0, 0);
+    std::int64_t now_ns = 0;
+    for (int i = 1; i <= 10; ++i) guard.observe(now_ns += kMs, i * way_mm / 10, 0.5, 0.001);
+    EXPECT_NE(guard.energyMj(), 0);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    for (int i = 0; i < 2'000'000; ++i) guard.observe(now_ns += kMs, way_mm, 0, 0.001);  // 33 minutes
+    EXPECT_EQ(guard.energyMj(), 0);
+    EXPECT_EQ(std::fetestexcept(FE_UNDERFLOW), 0);
   }
 }
 

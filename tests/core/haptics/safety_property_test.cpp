@@ -35,6 +35,7 @@ class Adversary {
   SafetyLoop loop;
   double step_ms = 1;
   bool down = false;
+  bool cuts = false;  ///< something in the last tick allows no fade
 
   void tick() {
     source();
@@ -44,7 +45,12 @@ class Adversary {
     step_ms = 1;
     if (chance(0.01)) step_ms = random_.uniform(0.2, 4);
     if (chance(0.001)) step_ms = random_.uniform(4, 150);
-    loop.input.stop = chance(0.0002);
+    const bool fading = !loop.safety.enabled() && loop.out.force_n != 0;
+    loop.input.stop = chance(fading ? 0.02 : 0.0002);
+    const DeviceFault fault = loop.device.fault;
+    const bool sound =
+        fault == DeviceFault::kNone || fault == DeviceFault::kWarmMotors || fault == DeviceFault::kForceLimited;
+    cuts = loop.input.stop || !sound || !std::isfinite(loop.asked_n) || !std::isfinite(loop.input.position_mm);
     loop.tick(step_ms);
   }
 
@@ -114,12 +120,19 @@ class Watch {
 
     ASSERT_TRUE(std::isfinite(force_n));
     ASSERT_LE(size_n, limits.force_cap_n);
+    // Whatever was latched before, and whatever fades.
+    if (adversary.cuts) {
+      ASSERT_EQ(force_n, 0);
+      cut_ticks += before_n != 0 ? 1 : 0;
+    }
     // Away from zero by the slew of at most 2 ms. Toward it by its own slew; only a cut or a deadline may be faster.
     const bool across = force_n * before_n < 0;
     const double grown_n = across ? size_n : size_n - std::abs(before_n);
     ASSERT_LE(grown_n, limits.slew_n_s * std::min(step_s, 0.002) + kRounding);
     const double shrunk_n = across ? std::abs(before_n) : std::abs(before_n) - size_n;
-    const bool sound = !loop.safety.tripped() && adversary.step_ms <= 2;
+    const double write_age_s = 1e-9 * static_cast<double>(loop.now_ns - loop.device.written_ns);
+    const bool cut = loop.safety.tripped() || adversary.cuts || write_age_s > limits.write_trip_s;
+    const bool sound = !cut && adversary.step_ms <= 2;
     if (sound) {
       ASSERT_LE(shrunk_n, kLargestShrinkNS * step_s + kRounding);
     }
@@ -172,6 +185,7 @@ class Watch {
 
   int active_ticks = 0;
   int trips = 0;
+  int cut_ticks = 0;  ///< that ended a force
 
  private:
   static constexpr double kRounding = 1e-9;
@@ -223,6 +237,7 @@ class Rms {
 TEST(SafetyProperties, HoldWhateverSourceHandDeviceAndProgramDo) {
   int active = 0;
   int tripped = 0;
+  int cut = 0;
   for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
     SCOPED_TRACE(seed);
     Adversary adversary(seed);
@@ -234,8 +249,10 @@ TEST(SafetyProperties, HoldWhateverSourceHandDeviceAndProgramDo) {
     }
     active += watch.active_ticks;
     tripped += watch.trips;
+    cut += watch.cut_ticks;
   }
-  // The adversary leaves room for forces and for trips.
+  // The adversary leaves room for forces, for trips and for cuts.
+  EXPECT_GT(cut, 100);
   EXPECT_GT(active, 300000);
   EXPECT_GT(tripped, 100000);
 }

@@ -1,9 +1,11 @@
 #include "core/haptics/servo_core.h"
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,7 @@ struct Hand {
   ServoTick tick;
   Sample sample;
   double position_mm = 0;
+  std::optional<Vector3> at_mm;  ///< where the device is; nothing: at `position_mm` along the axis of the orders
   double largest_step_n = 0;
   std::vector<ScenePointer> scenes;
 
@@ -56,7 +59,7 @@ struct Hand {
       tick.orders = &orders;
       ++tick.device.number;
       tick.device.time_ns = tick.device.written_ns = tick.now_ns;
-      tick.device.position_mm = orders.axis.originMm() + position_mm * orders.axis.inwards();
+      tick.device.position_mm = at_mm.value_or(orders.axis.originMm() + position_mm * orders.axis.inwards());
       const double before_n = sample.force_n;
       sample = core.tick(tick);
       largest_step_n = std::max(largest_step_n, std::abs(sample.force_n - before_n));
@@ -239,15 +242,124 @@ TEST(ServoCore, AnotherAxisIsNoMotion) {
   hand.post(constantScene(0.6));
   hand.step(300, 10);
   const Sample before = hand.sample;
-  hand.position_mm -= 55;
+  hand.at_mm = hand.tick.device.position_mm;
   hand.orders.axis = *AxisMapping::make({1, 0, 0}, {40, 0, 0});
-  hand.step();
+  hand.step(50);
+  EXPECT_EQ(hand.sample.position_mm, -40);
+  hand.tick.device.buttons = 0;
+  hand.step(5);
+  hand.tick.device.buttons = 1;
+  hand.step(30);
+  EXPECT_TRUE(hand.sample.enabled);
   EXPECT_EQ(hand.sample.trip, TripCause::kNone);
-  // 240 ms after break-away the friction still relaxes by less than this.
-  EXPECT_NEAR(hand.sample.depth_mm, before.depth_mm, 1e-6);
-  EXPECT_NEAR(hand.sample.stretch_mm, before.stretch_mm, 1e-6);
+  EXPECT_EQ(hand.sample.depth_mm, before.depth_mm);
+  EXPECT_EQ(hand.sample.stretch_mm, 0);
+  hand.at_mm.reset();
+  hand.position_mm = -40;
   hand.step(300, 10);
-  EXPECT_NEAR(hand.sample.depth_mm, before.depth_mm + 10, 1e-6);
+  EXPECT_NEAR(hand.sample.depth_mm + hand.sample.stretch_mm, before.depth_mm + 10, kRounding);
+}
+
+TEST(ServoCore, AnotherAxisLetsTheForceGoAlongTheOldOne) {
+  const Vector3 old_inwards = AxisMapping().inwards();
+  Hand hand(ForceSource::kStimulus);
+  hand.orders.stimulus.number = 1;
+  hand.orders.stimulus.force_n = 0.8;
+  hand.step(200);
+  ASSERT_EQ(hand.sample.force_n, 0.8);
+  hand.orders.axis = *AxisMapping::make(-1 * old_inwards);
+  for (int i = 1; i < 30; ++i) {
+    hand.step();
+    ASSERT_NEAR(hand.sample.force_n, 0.8 * (1 - i / 30.0), 1e-9);
+    ASSERT_EQ(hand.core.axis().inwards(), old_inwards);
+    ASSERT_FALSE(hand.sample.enabled);
+  }
+  hand.step(2);
+  EXPECT_EQ(hand.core.axis().inwards(), hand.orders.axis.inwards());
+  // Nothing along the new one before the next press, whatever is ordered.
+  hand.orders.stimulus.number = 2;
+  hand.largest_step_n = 0;
+  hand.step(500);
+  EXPECT_EQ(hand.sample.force_n, 0);
+  EXPECT_EQ(hand.largest_step_n, 0);
+  hand.tick.device.buttons = 0;
+  hand.step(5);
+  hand.tick.device.buttons = 1;
+  hand.step(200);
+  EXPECT_EQ(hand.sample.force_n, 0.8);
+}
+
+TEST(ServoCore, AnAxisThatComesBackDuringTheFadeBringsNoForceBack) {
+  Hand hand(ForceSource::kStimulus);
+  hand.orders.stimulus.number = 1;
+  hand.orders.stimulus.force_n = 0.8;
+  hand.step(200);
+  hand.orders.axis = *AxisMapping::make({1, 0, 0});
+  hand.step(10);
+  hand.orders.axis = AxisMapping();
+  hand.step();
+  EXPECT_NEAR(hand.sample.force_n, 0.8 * 19 / 30, 1e-9);
+  hand.step(19);
+  EXPECT_EQ(hand.sample.force_n, 0);
+  hand.step(200);
+  EXPECT_FALSE(hand.sample.enabled);
+}
+
+double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
+
+TEST(ServoCore, TheForceOnTheHandKeepsTheSlewLimitsAsAVector) {
+  constexpr double kRoundingN = 1e-9;
+  base::Random random(21);
+  const auto direction = [&] { return Vector3{random.normal(), random.normal(), random.normal()}; };
+  Hand hand(ForceSource::kInsertion);
+  hand.orders.limits.guard_velocity = false;
+  hand.orders.stimulus.force_n = 1.3;
+  hand.orders.stimulus.ramp_s = 0;
+  hand.post(constantScene(1.2));
+  hand.at_mm = Vector3{};
+  Vector3 velocity_mm_s;
+  Vector3 before_n;
+  int turned_under_force = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    if (random.below(400) == 0) {
+      hand.orders.axis = *AxisMapping::make(direction(), 20 * direction());
+      turned_under_force += length(before_n) > 0.5 ? 1 : 0;
+    }
+    if (random.below(400) == 0) {
+      const bool insertion = hand.orders.source == ForceSource::kInsertion;
+      hand.orders.source = insertion ? ForceSource::kStimulus : ForceSource::kInsertion;
+      ++hand.orders.stimulus.number;
+    }
+    if (random.below(hand.tick.device.buttons == 1 ? 300 : 20) == 0) hand.tick.device.buttons ^= 1U;
+    velocity_mm_s = 0.99 * velocity_mm_s + 20 * direction();
+    hand.at_mm = *hand.at_mm + 0.001 * velocity_mm_s;
+    hand.step();
+    const Vector3 force_n = hand.core.axis().forceOnHand(hand.sample.force_n);
+    ASSERT_LE(length(force_n - before_n), 0.5 + kRoundingN) << i;           // 500 N/s toward zero
+    ASSERT_LE(length(force_n) - length(before_n), 0.25 + kRoundingN) << i;  // 250 N/s away from it
+    before_n = force_n;
+  }
+  EXPECT_GT(turned_under_force, 20);
+}
+
+// 20 minutes of a hand that holds the device and does nothing, after motion: what decays ends at 0. A subnormal number
+// that decays further raises the flag.
+TEST(ServoCore, NothingDecaysIntoSubnormalNumbers) {
+  for (const ForceSource source : {ForceSource::kInsertion, ForceSource::kStimulus, ForceSource::kFree}) {
+    Hand hand(source);
+    hand.orders.stimulus.number = 1;
+    hand.orders.stimulus.force_n = 0.3;
+    hand.orders.stimulus.hold_limit_s = 0.5;
+    hand.post(constantScene(0.4));
+    hand.step(500, 20);
+    hand.step(200, -1.3);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    hand.step(source == ForceSource::kInsertion ? 1'200'000 : 10'000);
+    EXPECT_TRUE(hand.sample.enabled);
+    hand.tick.device.buttons = 0;
+    hand.step(5'000);
+    EXPECT_EQ(std::fetestexcept(FE_UNDERFLOW), 0) << name(source);
+  }
 }
 
 TEST(ServoCore, TheFirstSampleOfADeviceIsNoMotion) {

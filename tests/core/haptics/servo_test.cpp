@@ -1,7 +1,9 @@
 // The servo around its core, in virtual time: a device that the test scripts, one tick per millisecond.
 #include "core/haptics/servo.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -130,6 +132,28 @@ TEST_F(ServoInVirtualTime, ArmingAgainAfterAStopGivesForcesAndAnotherRecord) {
   const auto record = servo_.takeFlightRecord();
   ASSERT_TRUE(record.has_value());
   EXPECT_EQ(record->trip.cause, TripCause::kStopped);
+}
+
+TEST_F(ServoInVirtualTime, AnotherAxisTurnsNoForceAround) {
+  feelStimulus(0.8);
+  orders_.axis = *AxisMapping::make({0, 0, 1});
+  servo_.post(orders_);
+  double before_n = 0.8;
+  for (int i = 0; i < 200; ++i) {
+    servo_.tick(now_ns_ += kTickNs);
+    ASSERT_LE(device_.z_n, before_n);
+    ASSERT_GE(device_.z_n, std::max(0.0, before_n - 0.5));
+    before_n = device_.z_n;
+  }
+  EXPECT_EQ(device_.z_n, 0);
+}
+
+TEST_F(ServoInVirtualTime, LimitsThatLimitNothingAreABugOfThePoster) {
+  orders_.limits.slew_n_s = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_DEATH(servo_.post(orders_), "wellFormed");
+  orders_.limits = {};
+  orders_.enable.press_debounce_s = -1;
+  EXPECT_DEATH(servo_.post(orders_), "wellFormed");
 }
 
 TEST_F(ServoInVirtualTime, ThePedalReachesTheEnableSwitch) {

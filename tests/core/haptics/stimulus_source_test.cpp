@@ -66,6 +66,20 @@ TEST(StimulusSource, WaitsForTheHandInsideTheStartZone) {
   EXPECT_EQ(judging.force_n, 0.6);
 }
 
+TEST(StimulusSource, NumbersInARowDoNotDelayTheFade) {
+  Judging judging(0.9);
+  judging.step(200);
+  judging.stimulus.start_zone_mm = 5;
+  judging.tick.position_mm = 60;  // none of those that follow begins
+  judging.largest_step_n = 0;
+  for (int i = 0; i < 30; ++i) {
+    if (i % 5 == 0) ++judging.stimulus.number;
+    judging.step();
+  }
+  EXPECT_NEAR(judging.force_n, 0, kRounding);
+  EXPECT_LE(judging.largest_step_n, 0.9 / 30 + kRounding);
+}
+
 TEST(StimulusSource, EndsAfterItsHoldLimit) {
   Judging judging(0.6);
   judging.stimulus.hold_limit_s = 2;

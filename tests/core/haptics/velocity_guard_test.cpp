@@ -28,6 +28,10 @@ class VelocityGuardTest : public testing::Test {
   void sample(double position_mm) {
     guard_.add(++number_, static_cast<std::int64_t>(1e6 * time_ms_), counted(position_mm));
   }
+  /// The device says that nothing has changed since the last sample.
+  void renew(double after_ms) {
+    guard_.add(number_, static_cast<std::int64_t>(1e6 * (time_ms_ + after_ms)), counted(position_mm_));
+  }
   void move(double speed_mm_s, int ms) {
     for (int i = 0; i < ms; ++i) {
       time_ms_ += 1;
@@ -121,6 +125,33 @@ TEST_F(VelocityGuardTest, ALateStampIsNotSpeed) {
     sample(0.35 * i);
     if (i <= 20) continue;
     ASSERT_NEAR(guard_.speedMmS(), 350, 0.2 * 350) << i;
+  }
+}
+
+TEST_F(VelocityGuardTest, ASampleThatIsOnlyRenewedIsAHandAtRest) {
+  move(-500, 100);
+  // Reports that come as late as the device sends them are no rest.
+  renew(14.9);
+  EXPECT_NEAR(guard_.speedMmS(), -500, kCountErrorMmS);
+  renew(15.1);
+  EXPECT_EQ(guard_.speedMmS(), 0);
+  renew(10000);
+  EXPECT_EQ(guard_.speedMmS(), 0);
+  // A slip from there is seen as ever.
+  time_ms_ += 10000;
+  int ms = 0;
+  for (; ms < 50 && !guard_.check(limits_); ++ms) move(-1000, 1);
+  EXPECT_LE(ms, 15);
+}
+
+TEST_F(VelocityGuardTest, AStallIsNoRest) {
+  move(-350, 100);
+  time_ms_ += 49;
+  position_mm_ -= 49 * 0.350;
+  EXPECT_NEAR(guard_.speedMmS(), -350, kCountErrorMmS);  // nobody knows better
+  for (int i = 0; i < 30; ++i) {
+    move(-350, 1);
+    ASSERT_NEAR(guard_.speedMmS(), -350, kShortCountErrorMmS);
   }
 }
 

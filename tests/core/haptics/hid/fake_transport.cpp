@@ -74,6 +74,9 @@ base::Result<void> FakeTransport::sendFeature(std::span<const std::uint8_t> repo
 
 base::Result<std::size_t> FakeTransport::getFeature(std::span<std::uint8_t> report) {
   const std::lock_guard lock(line_->mutex_);
+  ++line_->questions;
+  line_->now_ns += line_->unanswered_takes_ns.load();
+  if (line_->unanswered_takes_ns > 0) return broken("feature report");
   const Bytes answer = line_->device_.getFeature(report[0]);
   if (line_->unplugged || answer.empty()) return broken("feature report");
   const std::size_t length = std::min(answer.size(), report.size());

@@ -33,6 +33,8 @@ class FakeLine {
   std::atomic<std::int64_t> write_takes_ns{0};  ///< the clock goes on by this at every write
   std::atomic<bool> writes_fail{false};
   std::atomic<bool> unplugged{false};
+  std::atomic<std::int64_t> unanswered_takes_ns{0};  ///< a GET_REPORT gets no answer: the clock goes on by this
+  std::atomic<int> questions{0};                     ///< GET_REPORTs so far
 
   /// Writes that begin from now on wait until `resume`, then get through.
   void stall();

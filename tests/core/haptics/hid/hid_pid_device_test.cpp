@@ -1,7 +1,9 @@
 #include "core/haptics/hid/hid_pid_device.h"
 
 #include <chrono>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <thread>
 
 #include "tests/core/haptics/hid/fake_transport.h"
@@ -33,6 +35,7 @@ DeviceCalibration calibration() {
   c.full_scale_n = 10;
   c.mm_per_count = 0.01;
   c.friction_in_n = 0.1;
+  c.inwards = {1, 0, 0};  // along the first motor, which all models have
   return c;
 }
 
@@ -281,6 +284,37 @@ TEST_F(HidPidDeviceTest, ReadAndWriteKeepTheRulesOfTheServo) {
   }
   trap.disarm();
   EXPECT_EQ(trap.hits(), 0) << trap.first();
+}
+
+/// One motor, along x, and a path that leaves it by 20 degrees. A handle on this path feels of a push of the motor what
+/// lies along the path: the cosine.
+TEST_F(HidPidDeviceTest, ANewtonAskedForIsANewtonAlongAPathBesideTheMotor) {
+  const double angle = 20 * std::numbers::pi / 180;
+  auto beside = calibration();
+  beside.inwards = {std::cos(angle), 0, -std::sin(angle)};
+  start(PidModel::kWheel, beside);
+  const AxisMapping axis = axisOf(beside);
+  for (const double asked_n : {1.0, -1.0, 3.0}) {
+    tick(axis.forceOnHand(asked_n));
+    EXPECT_TRUE(eventually([&] {
+      const double motor_n = 10 * force()[0];  // full scale is 10 N
+      const double resistance_n = -motor_n * std::cos(angle);
+      return std::abs(resistance_n - asked_n) < 2e-3;  // one step of 10,000 is 1 mN
+    })) << asked_n
+        << " N: " << -10 * force()[0] * std::cos(angle);
+  }
+  EXPECT_NEAR(device_->info().max_force_n, 10 * std::cos(angle), 1e-12) << "what the motor can do along the path";
+}
+
+TEST_F(HidPidDeviceTest, AnAxisThatIsTooFarOffTheMotorsIsRefused) {
+  auto across = calibration();
+  across.inwards = {0.6, 0, -0.8};
+  auto line = std::make_shared<FakeLine>(PidModel::kWheel);
+  EXPECT_EQ(HidPidDevice::open(std::make_unique<FakeTransport>(line), kIdentity, across).error().message(),
+            "hid:1209:ffb0:7: insertion axis: found a cosine of 0.60 to the motors, wanted at least 0.9 (calibrate it "
+            "again, along its motors)");
+  open(PidModel::kBoard, across);  // its second motor is along z
+  EXPECT_EQ(device_->info().max_force_n, 10);
 }
 
 TEST_F(HidPidDeviceTest, RefusesWhatItCannotUse) {

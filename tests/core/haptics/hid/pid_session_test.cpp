@@ -21,10 +21,13 @@ class PidRun {
   explicit PidRun(PidModel model)
       : line(std::make_shared<FakeLine>(model)),
         transport(line),
-        session(transport, *PidLayout::find(*ReportDescriptor::parse(*transport.descriptor())), [this](int ms) {
-          line->now_ns += ms * kMs;
-          ++pauses;
-        }) {}
+        session(
+            transport, *PidLayout::find(*ReportDescriptor::parse(*transport.descriptor())),
+            [this](int ms) {
+              line->now_ns += ms * kMs;
+              ++pauses;
+            },
+            [this] { return now(); }) {}
 
   std::int64_t now() const { return line->now_ns; }
   void send(double x, double y) {
@@ -226,7 +229,8 @@ TEST(PidSession, ADeviceWithoutRoomIsRefusedAndLeftQuiet) {
   });
   PidLayout layout = run.session.layout();
   layout.control->reset.reset();
-  PidSession session(run.transport, layout, [](int) {});
+  PidSession session(
+      run.transport, layout, [](int) {}, [&] { return run.now(); });
   const auto begun = session.begin(run.now());
   ASSERT_FALSE(begun);
   EXPECT_EQ(begun.error().message(),
@@ -240,12 +244,38 @@ TEST(PidSession, ADeviceThatNeverAnswersIsGivenUpAfter60Questions) {
   PidLayout layout = run.session.layout();
   layout.block_load.success->value = 9;
   int pauses = 0;
-  PidSession session(run.transport, layout, [&](int ms) { pauses += ms; });
+  PidSession session(
+      run.transport, layout, [&](int ms) { pauses += ms; }, [&] { return run.now(); });
   const auto begun = session.begin(run.now());
   ASSERT_FALSE(begun);
   EXPECT_EQ(begun.error().message(),
             "force effect: found no answer of the device after 60 questions, wanted a loaded effect");
   EXPECT_EQ(pauses, 59);
+}
+
+TEST(PidSession, ADeviceThatLeavesTheFirstQuestionUnansweredIsGivenUpAtOnce) {
+  PidRun run(PidModel::kBoard);
+  ASSERT_TRUE(run.session.layout().pool) << "what is asked first";
+  const std::int64_t begin_ns = run.now();
+  run.line->unanswered_takes_ns = 5000 * kMs;  // as the kernel waits
+  const auto begun = run.session.begin(run.now());
+  ASSERT_FALSE(begun);
+  EXPECT_EQ(begun.error().message(),
+            "device: found no answer to the first question, wanted a device that answers (unplug it, then plug it in "
+            "again)");
+  EXPECT_EQ(run.line->questions, 1);
+  EXPECT_TRUE(run.reports().empty());
+  EXPECT_EQ(run.now() - begin_ns, 5000 * kMs);
+}
+
+TEST(PidSession, ADeviceThatRefusesThePoolReportIsUsed) {
+  PidRun run(PidModel::kBoard);
+  PidLayout layout = run.session.layout();
+  layout.pool->id = 0x7F;  // the model knows none
+  PidSession session(
+      run.transport, layout, [](int) {}, [&] { return run.now(); });
+  const auto begun = session.begin(run.now());
+  EXPECT_TRUE(begun) << begun.error().message();
 }
 
 /// Ten newtons at full scale, y turned round.

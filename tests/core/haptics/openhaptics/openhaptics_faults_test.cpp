@@ -1,4 +1,6 @@
 // What becomes of errors that the driver reports while the loop runs.
+#include <algorithm>
+
 #include "tests/core/haptics/openhaptics/loaded_stand_in.h"
 
 namespace tactus::haptics {
@@ -21,7 +23,7 @@ class OpenHapticsFaults : public WithStandIn {
   std::unique_ptr<Asking> program_;
 };
 
-TEST_F(OpenHapticsFaults, ForceErrorsShowInTheNextTickAndTakeTheForceAway) {
+TEST_F(OpenHapticsFaults, ForceErrorsShowInTheNextTickAndTakeTheForceAwayWithin30Ms) {
   struct Case {
     unsigned code;
     DeviceFault fault;
@@ -29,14 +31,53 @@ TEST_F(OpenHapticsFaults, ForceErrorsShowInTheNextTickAndTakeTheForceAway) {
   for (const Case& one : {Case{0x0200, DeviceFault::kWarmMotors}, Case{0x0201, DeviceFault::kForceLimited},
                           Case{0x0202, DeviceFault::kForceLimited}, Case{0x0203, DeviceFault::kForceLimited},
                           Case{0x0204, DeviceFault::kForceLimited}, Case{0x0300, DeviceFault::kFailed}}) {
+    device_.reset();
+    SetUp();
+    ASSERT_EQ(standIn().force_n[2], 1);
     standIn().errors_of_next_frame = {one.code};
     step();
-    step();
-    EXPECT_EQ(program_->seen.fault, one.fault) << one.code;
+    // The program asks on; a device that is sound lets it fade, any other gives nothing.
+    const bool fades = one.fault != DeviceFault::kFailed;
+    for (int i = 1; i <= 100; ++i) {
+      step();
+      ASSERT_EQ(program_->seen.fault, one.fault) << one.code;
+      ASSERT_NEAR(standIn().force_n[2], fades ? std::max(0.0, 1 - i / 30.0) : 0, 1e-9) << one.code;
+    }
     EXPECT_EQ(standIn().force_n[2], 0) << one.code;
     EXPECT_TRUE(device_->lastError());
   }
   EXPECT_EQ(*device_->lastError(), "the device reports a fault (0x0300, internal 42, 'words of the driver')");
+}
+
+TEST_F(OpenHapticsFaults, AForceThatTheProgramFadesIsGivenAsItIs) {
+  standIn().errors_of_next_frame = {0x0200};
+  step();
+  for (const double asked_n : {0.9, 0.7, 0.3, -0.3}) {
+    program_->force_n = {0, 0, asked_n};
+    step();
+    EXPECT_EQ(standIn().force_n[2], asked_n);
+  }
+  // Nothing is made larger again.
+  program_->force_n = {0, 2, 0};
+  step();
+  EXPECT_EQ(standIn().force_n[1], 0.3);
+  program_->force_n = {};
+  step();
+  program_->force_n = {0, 0, 0.5};
+  step();
+  EXPECT_EQ(standIn().force_n[2], 0);
+}
+
+TEST_F(OpenHapticsFaults, AGraverErrorEndsTheFadeAndTheSameOneDoesNotProlongIt) {
+  for (int i = 1; i <= 10; ++i) {
+    standIn().errors_of_next_frame = {0x0200};
+    step();
+  }
+  EXPECT_NEAR(standIn().force_n[2], 1 - 9 / 30.0, 1e-9);
+  standIn().errors_of_next_frame = {0x0300};
+  step();
+  step();
+  EXPECT_EQ(standIn().force_n[2], 0);
 }
 
 TEST_F(OpenHapticsFaults, AForceThatWasRefusedIsNotCountedAsWritten) {
