@@ -37,8 +37,12 @@ QString quantityText(double value, const std::string& unit, int decimals) {
 }
 
 double placeOf(const fuzzy::Variable& variable, double value) {
+  return std::clamp(roundedPlace(variable, value), variable.min, variable.max);
+}
+
+double roundedPlace(const fuzzy::Variable& variable, double value) {
   const double scale = std::pow(10.0, placeDigits(variable));
-  return std::clamp(std::round(value * scale) / scale, variable.min, variable.max);
+  return std::round(value * scale) / scale;
 }
 
 QString placeText(const fuzzy::Variable& variable, double value) {

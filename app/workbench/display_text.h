@@ -22,6 +22,8 @@ QString quantityText(double value, const std::string& unit, int decimals = 2);
 
 /// `value` as precise as a mouse can set it: rounded to a thousandth of the universe or a little finer.
 double placeOf(const fuzzy::Variable& variable, double value);
+/// `value` rounded in the same way, also beyond the universe.
+double roundedPlace(const fuzzy::Variable& variable, double value);
 /// That place with its unit.
 QString placeText(const fuzzy::Variable& variable, double value);
 

@@ -25,8 +25,8 @@ int main(int argc, char** argv) {
                                   QStringLiteral("[model]"));
   arguments.process(application);
 
-  tactus::workbench::theme::apply(application);
   QSettings settings;
+  tactus::workbench::theme::apply(application, tactus::workbench::theme::storedLook(settings));
   tactus::workbench::Workbench workbench(settings);
   workbench.window.show();
   if (!arguments.positionalArguments().isEmpty()) workbench.models.open(arguments.positionalArguments().first());

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QPalette>
+#include <QSettings>
 #include <QStyleFactory>
 #include <algorithm>
 #include <array>
@@ -15,6 +16,11 @@ QColor mixed(const QColor& from, const QColor& to, double share) {
   return {mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue())};
 }
 
+constexpr auto kLookKey = "look";
+constexpr auto kDark = "dark";
+
+QColor pick(QRgb light, QRgb dark) { return QColor::fromRgb(isDark() ? dark : light); }
+
 QFont scaled(double points, QFont::Weight weight) {
   QFont font = QApplication::font();
   font.setPointSizeF(font.pointSizeF() + points);
@@ -24,18 +30,28 @@ QFont scaled(double points, QFont::Weight weight) {
 
 }  // namespace
 
-QColor window() { return {0xF3, 0xF5, 0xF7}; }
-QColor card() { return Qt::white; }
-QColor border() { return {0xD9, 0xE0, 0xE6}; }
-QColor grid() { return {0xE8, 0xEC, 0xF0}; }
-QColor ink() { return {0x1F, 0x29, 0x33}; }
-QColor mutedInk() { return {0x52, 0x60, 0x6D}; }
-QColor accent() { return {0x0B, 0x65, 0x9E}; }
-QColor warningInk() { return {0x7A, 0x4B, 0x00}; }
-QColor warningFill() { return {0xFF, 0xF1, 0xD0}; }
-QColor errorInk() { return {0x9B, 0x1C, 0x1C}; }
-QColor errorFill() { return {0xFD, 0xEC, 0xEA}; }
-QColor mean() { return {0x2B, 0x35, 0x40}; }
+Look storedLook(const QSettings& settings) {
+  return settings.value(QLatin1String(kLookKey)).toString() == QLatin1String(kDark) ? Look::kDark : Look::kLight;
+}
+
+void storeLook(QSettings& settings, Look look) {
+  settings.setValue(QLatin1String(kLookKey), QLatin1String(look == Look::kDark ? kDark : "light"));
+}
+
+bool isDark() { return QApplication::palette().color(QPalette::Window).lightness() < 128; }
+
+QColor window() { return pick(0xF3F5F7, 0x15191E); }
+QColor card() { return pick(0xFFFFFF, 0x1E242B); }
+QColor border() { return pick(0xD9E0E6, 0x39434D); }
+QColor grid() { return pick(0xE8ECF0, 0x2B333B); }
+QColor ink() { return pick(0x1F2933, 0xE4E9EE); }
+QColor mutedInk() { return pick(0x52606D, 0xA2AEBA); }
+QColor accent() { return pick(0x0B659E, 0x2F87C4); }
+QColor warningInk() { return pick(0x7A4B00, 0xFFCC66); }
+QColor warningFill() { return pick(0xFFF1D0, 0x42340F); }
+QColor errorInk() { return pick(0x9B1C1C, 0xFF9A94); }
+QColor errorFill() { return pick(0xFDECEA, 0x4A1F1E); }
+QColor mean() { return pick(0x2B3540, 0xF2F5F8); }
 
 QColor expert(std::size_t index) {
   static constexpr std::array<QColor, 6> kColors = {QColor(0x00, 0x72, 0xB2), QColor(0xD5, 0x5E, 0x00),
@@ -59,29 +75,32 @@ QFont titleFont() { return scaled(3, QFont::DemiBold); }
 QFont headingFont() { return scaled(0, QFont::DemiBold); }
 QFont smallFont() { return scaled(-1, QFont::Normal); }
 
-void apply(QApplication& application) {
+void apply(QApplication& application, Look look) {
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QFont font = QApplication::font();
   if (font.pointSizeF() < 9.5) font.setPointSizeF(9.5);
   QApplication::setFont(font);
 
+  // The colors above are those of the look that the palette of the application has.
   QPalette palette;
+  palette.setColor(QPalette::Window, look == Look::kDark ? Qt::black : Qt::white);
+  application.setPalette(palette);
   palette.setColor(QPalette::Window, window());
   palette.setColor(QPalette::WindowText, ink());
   palette.setColor(QPalette::Base, card());
   palette.setColor(QPalette::AlternateBase, window());
   palette.setColor(QPalette::Text, ink());
   palette.setColor(QPalette::PlaceholderText, mutedInk());
-  palette.setColor(QPalette::Button, QColor(0xFB, 0xFC, 0xFD));
+  palette.setColor(QPalette::Button, pick(0xFBFCFD, 0x2A323A));
   palette.setColor(QPalette::ButtonText, ink());
   palette.setColor(QPalette::BrightText, Qt::white);
-  palette.setColor(QPalette::Highlight, accent());
+  palette.setColor(QPalette::Highlight, pick(0x0B659E, 0x1F6F9F));
   palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::ToolTipBase, ink());
+  palette.setColor(QPalette::ToolTipBase, pick(0x1F2933, 0x39434D));
   palette.setColor(QPalette::ToolTipText, Qt::white);
   palette.setColor(QPalette::Link, accent());
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-    palette.setColor(QPalette::Disabled, role, QColor(0x9A, 0xA5, 0xB1));
+    palette.setColor(QPalette::Disabled, role, pick(0x9AA5B1, 0x66717C));
   }
   application.setPalette(palette);
 }

@@ -6,11 +6,21 @@
 #include <cstddef>
 
 class QApplication;
+class QSettings;
 
 namespace tactus::workbench::theme {
 
 inline constexpr int kGrid = 8;          ///< px; every distance is a multiple of it or half of it
 inline constexpr int kCornerRadius = 8;  ///< px, of cards and banners
+
+enum class Look { kLight, kDark };
+
+/// The look that was chosen last; light before somebody chose.
+Look storedLook(const QSettings& settings);
+void storeLook(QSettings& settings, Look look);
+
+/// Whether the application has the dark look.
+bool isDark();
 
 QColor window();    ///< behind the cards
 QColor card();      ///< cards and plots
@@ -34,14 +44,14 @@ QColor expert(std::size_t index);
 /// Color of term `index` of `count`: a ramp from dark blue to amber that rises in lightness, so that the order of the
 /// terms survives any kind of color vision and a print in gray.
 QColor term(std::size_t index, std::size_t count);
-/// The same color, dark enough for small text on a card.
+/// The same color, with enough contrast for small text on a card.
 QColor termText(std::size_t index, std::size_t count);
 
 QFont titleFont();    ///< name of the model
 QFont headingFont();  ///< heads of cards and panels
 QFont smallFont();    ///< notes, readouts, labels in plots
 
-/// The calm light look on the Fusion style, the same on every desktop.
-void apply(QApplication& application);
+/// The calm look on the Fusion style, the same on every desktop. Windows that are there keep the colors they took.
+void apply(QApplication& application, Look look = Look::kLight);
 
 }  // namespace tactus::workbench::theme

@@ -1,9 +1,13 @@
 // The composition root of tactus-workbench: owns the controllers and the window, and passes them down.
 #pragma once
 
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/feel_controller.h"
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/recent_files.h"
 #include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/controllers/term_controller.h"
+#include "app/workbench/views/edit_parts.h"
 #include "app/workbench/views/main_window.h"
 
 class QSettings;
@@ -11,12 +15,23 @@ class QSettings;
 namespace tactus::workbench {
 
 struct Workbench {
-  explicit Workbench(QSettings& settings) : scene(models), recent(settings), window(models, scene, recent, settings) {}
+  explicit Workbench(QSettings& settings)
+      : scene(models),
+        feel(scene),
+        edits(models),
+        terms(edits),
+        recent(settings),
+        window(models, scene, feel, recent, settings),
+        edit_parts(window, edits, terms, scene) {}
 
   ModelController models;
   SceneController scene;
+  FeelController feel;  ///< before the window, so that an edit is felt before it is drawn
+  EditController edits;
+  TermController terms;
   RecentFiles recent;
   MainWindow window;
+  EditParts edit_parts;
 };
 
 }  // namespace tactus::workbench

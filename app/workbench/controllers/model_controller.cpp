@@ -2,7 +2,30 @@
 
 #include <QFileInfo>
 
+#include "app/editing/edit.h"
+#include "core/base/check.h"
+#include "core/model_io/model_file.h"
+
 namespace tactus::workbench {
+base::Result<void> ModelController::edit(fuzzy::ForceModel model) {
+  auto compiled = fuzzy::compile(model);
+  if (!compiled) return tl::unexpected(compiled.error());
+  edit(std::move(model), std::move(*compiled));
+  return {};
+}
+
+void ModelController::edit(fuzzy::ForceModel model, fuzzy::CompiledModel compiled) {
+  TACTUS_CHECK(current_ != nullptr);
+  OpenModel next;
+  next.path = current_->path;
+  next.model = std::move(model);
+  next.compiled = std::move(compiled);
+  next.warnings = current_->warnings;
+  next.simulated = current_->simulated || saysSimulated(next.model);
+  current_ = std::make_shared<const OpenModel>(std::move(next));
+  emit edited();
+  setModified(current_->model != on_disk_->model);
+}
 
 void ModelController::open(const QString& path) {
   const QString absolute_path = QFileInfo(path).absoluteFilePath();
@@ -12,11 +35,40 @@ void ModelController::open(const QString& path) {
     return;
   }
   current_ = std::make_shared<const OpenModel>(std::move(*read));
+  on_disk_ = current_;
   emit opened();
+  setModified(false);
 }
 
 void ModelController::reopen() {
   if (current_) open(current_->path);
+}
+
+void ModelController::save() {
+  if (current_) saveAs(current_->path);
+}
+
+void ModelController::saveAs(const QString& path) {
+  TACTUS_CHECK(current_ != nullptr);
+  OpenModel next = *current_;
+  next.path = QFileInfo(path).absoluteFilePath();
+  // An edit changes the forces that travel with the model as checks; a file with wrong ones cannot be written.
+  editing::refreshChecks(next.model, next.compiled);
+  const base::Result<void> written = model_io::writeModel(next.model, next.path.toStdString());
+  if (!written) {
+    emit saveFailed(next.path, QString::fromStdString(written.error().message()));
+    return;
+  }
+  current_ = std::make_shared<const OpenModel>(std::move(next));
+  on_disk_ = current_;
+  emit saved(current_->path);
+  setModified(false);
+}
+
+void ModelController::setModified(bool modified) {
+  if (modified == modified_) return;
+  modified_ = modified;
+  emit modifiedChanged(modified);
 }
 
 }  // namespace tactus::workbench

@@ -1,4 +1,5 @@
-// Opens model files. The model that is open stays until another one was read without an error.
+// The open model: opened from a file, edited, saved. It stays until another one was read without an error, and an edit
+// that makes no sense leaves it as it was.
 #pragma once
 
 #include <QObject>
@@ -15,22 +16,43 @@ class ModelController : public QObject {
  public:
   using QObject::QObject;
 
-  /// The open model, or null before the first one.
+  /// The open model, or null before the first one. What it points to never changes; an edit makes a new one.
   std::shared_ptr<const OpenModel> current() const { return current_; }
+
+  /// Whether the open model differs from its file, as it was read or saved last. Undoing every edit clears it.
+  bool isModified() const { return modified_; }
+
+  /// Puts `model` in the place of the open one, which keeps its path, and emits `edited`. A model that does not make
+  /// sense is refused with the error of `fuzzy::validate`. A model must be open.
+  base::Result<void> edit(fuzzy::ForceModel model);
+  /// The same for a model that is compiled already: `compiled` is made from `model`.
+  void edit(fuzzy::ForceModel model, fuzzy::CompiledModel compiled);
 
  public slots:
   /// Reads the model file `path`; ends with `opened` or `openFailed`.
   void open(const QString& path);
   /// Reads the file of the open model again.
   void reopen();
+  /// Writes the open model to its file, whole or not at all; ends with `saved` or `saveFailed`.
+  void save();
+  /// Writes the open model to `path`, which is its file from then on.
+  void saveAs(const QString& path);
 
  signals:
   void opened();
   /// One sentence for the person: what, where, found, wanted.
   void openFailed(const QString& path, const QString& sentence);
+  void edited();
+  void modifiedChanged(bool modified);
+  void saved(const QString& path);
+  void saveFailed(const QString& path, const QString& sentence);
 
  private:
+  void setModified(bool modified);
+
   std::shared_ptr<const OpenModel> current_;
+  std::shared_ptr<const OpenModel> on_disk_;  ///< as the file has it
+  bool modified_ = false;
 };
 
 }  // namespace tactus::workbench

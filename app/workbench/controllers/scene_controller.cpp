@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/check.h"
 
@@ -18,10 +19,35 @@ std::optional<std::size_t> indexOf(const fuzzy::ForceModel& model, const std::st
   return std::nullopt;
 }
 
+std::optional<std::size_t> expertWithOwnTerms(const fuzzy::ForceModel& model, const std::string& id) {
+  for (std::size_t i = 0; i < model.experts.size(); ++i) {
+    if (model.experts[i].id == id && !model.experts[i].overrides.empty()) return i;
+  }
+  return std::nullopt;
+}
+
+// Whether what is on the axes and in the lists stays: a view then only refreshes what it shows.
+bool sameFrame(const fuzzy::ForceModel& a, const fuzzy::ForceModel& b) {
+  const auto same_variable = [](const fuzzy::Variable& one, const fuzzy::Variable& other) {
+    return one.id == other.id && one.label == other.label && one.unit == other.unit && one.min == other.min &&
+           one.max == other.max;
+  };
+  const auto same_expert = [](const fuzzy::Expert& one, const fuzzy::Expert& other) {
+    return one.id == other.id && one.label == other.label && one.weight == other.weight &&
+           one.overrides.empty() == other.overrides.empty();
+  };
+  return a.name == b.name && same_variable(a.output, b.output) &&
+         std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(), same_variable) &&
+         std::equal(a.experts.begin(), a.experts.end(), b.experts.begin(), b.experts.end(), same_expert);
+}
+
 }  // namespace
 
 SceneController::SceneController(const ModelController& models, QObject* parent) : QObject(parent), models_(models) {
   connect(&models_, &ModelController::opened, this, &SceneController::adoptModel);
+  connect(&models_, &ModelController::edited, this, &SceneController::adoptEdit);
+  // Only the path differs, which nobody reads off the scene while it is looked at.
+  connect(&models_, &ModelController::saved, this, [this] { model_ = models_.current(); });
 }
 
 const std::vector<fuzzy::Term>& SceneController::terms(const fuzzy::Variable& variable) const {
@@ -30,24 +56,41 @@ const std::vector<fuzzy::Term>& SceneController::terms(const fuzzy::Variable& va
 
 const ForceCurves& SceneController::curves() const {
   TACTUS_CHECK(model_ != nullptr);
-  if (!curves_) curves_ = computeCurves(model_->model, model_->compiled, x_input_, values_);
+  if (!curves_) {
+    curves_ = computeCurves(model_->model, model_->compiled, x_input_, values_);
+    countEvaluations(curves_->x.size() * (1 + curves_->experts.size()));
+  }
   return *curves_;
 }
 
-Reading SceneController::reading() const {
+std::vector<double> SceneController::readingPoint() const {
   TACTUS_CHECK(model_ != nullptr);
-  std::array<double, fuzzy::kMostInputs> buffer{};
-  std::copy(values_.begin(), values_.end(), buffer.begin());
-  const std::span<double> inputs(buffer.data(), values_.size());
-  inputs[x_input_] = readingX();
+  std::vector<double> point = values_;
+  point[x_input_] = readingX();
+  return point;
+}
 
-  Reading reading;
+const Reading& SceneController::reading() const {
+  if (reading_) return *reading_;
+  const std::vector<double> point = readingPoint();
+  Reading& reading = reading_.emplace();
   reading.x = readingX();
-  reading.mean = model_->compiled.evaluate(inputs);
+  reading.mean = model_->compiled.evaluate(point);
   for (std::size_t i = 0; i < model_->compiled.expertCount(); ++i) {
-    reading.experts.push_back(model_->compiled.evaluateExpert(i, inputs));
+    reading.experts.push_back(model_->compiled.evaluateExpert(i, point));
   }
+  countEvaluations(1 + reading.experts.size());
   return reading;
+}
+
+const analysis::Explanation& SceneController::explanation() const {
+  if (!explanation_) {
+    auto explained = analysis::explain(model_->model, model_->compiled, readingPoint());
+    TACTUS_CHECK(explained.has_value());
+    explanation_ = std::move(*explained);
+    countEvaluations(1 + explanation_->experts.size());
+  }
+  return *explanation_;
 }
 
 void SceneController::setXInput(std::size_t input) {
@@ -55,7 +98,7 @@ void SceneController::setXInput(std::size_t input) {
   if (input == x_input_) return;
   x_input_ = input;
   hover_.reset();
-  curves_.reset();
+  dropCurves();
   emit xInputChanged();
   announceCurves();
 }
@@ -86,12 +129,14 @@ void SceneController::setHover(double x) {
   const double place = clamped(xVariable(), x);
   if (hover_ == place) return;
   hover_ = place;
+  dropReading();
   emit readingChanged();
 }
 
 void SceneController::clearHover() {
   if (!hover_) return;
   hover_.reset();
+  dropReading();
   emit readingChanged();
 }
 
@@ -106,6 +151,7 @@ void SceneController::adoptModel() {
   const std::shared_ptr<const OpenModel> previous = model_;
   const std::vector<double> previous_values = values_;
   const std::size_t previous_x = x_input_;
+  const std::optional<std::size_t> previous_terms = std::exchange(terms_of_, std::nullopt);
   model_ = models_.current();
   const fuzzy::ForceModel& model = model_->model;
 
@@ -113,8 +159,7 @@ void SceneController::adoptModel() {
   for (const fuzzy::Variable& input : model.inputs) values_.push_back(std::midpoint(input.min, input.max));
   x_input_ = indexOf(model, "depth").value_or(model.inputs.size() - 1);
   hover_.reset();
-  terms_of_.reset();
-  curves_.reset();
+  dropCurves();
 
   // The last preset compares the experts, which is what the window shows first.
   const std::vector<FigurePreset> presets = figurePresets(model);
@@ -132,8 +177,21 @@ void SceneController::adoptModel() {
       values_[i] = clamped(model.inputs[i], previous_values[*old]);
       if (*old == previous_x) x_input_ = i;
     }
+    if (previous_terms) terms_of_ = expertWithOwnTerms(model, previous->model.experts[*previous_terms].id);
   }
   emit modelChanged();
+}
+
+void SceneController::adoptEdit() {
+  if (!sameFrame(model_->model, models_.current()->model)) {
+    adoptModel();
+    return;
+  }
+  model_ = models_.current();
+  dropCurves();
+  emit modelEdited();
+  emit termsChanged();
+  announceCurves();
 }
 
 bool SceneController::storeValue(std::size_t input, double value) {
@@ -141,9 +199,24 @@ bool SceneController::storeValue(std::size_t input, double value) {
   const double inside = clamped(model_->model.inputs[input], value);
   if (values_[input] == inside) return false;
   values_[input] = inside;
-  if (input != x_input_) curves_.reset();
+  if (input == x_input_) {
+    dropReading();
+  } else {
+    dropCurves();
+  }
   emit valueChanged(input);
   return true;
+}
+
+// What is read lies on the curves.
+void SceneController::dropCurves() {
+  curves_.reset();
+  dropReading();
+}
+
+void SceneController::dropReading() {
+  reading_.reset();
+  explanation_.reset();
 }
 
 void SceneController::announceCurves() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "app/workbench/controllers/figure_presets.h"
 #include "app/workbench/controllers/force_curves.h"
 #include "app/workbench/controllers/model_controller.h"
+#include "core/analysis/explain.h"
 
 namespace tactus::workbench {
 
@@ -28,6 +30,8 @@ class SceneController : public QObject {
 
   /// The model that is looked at, or null. Everything below may be called with a model only.
   const OpenModel* model() const { return model_.get(); }
+  /// The same, to keep.
+  std::shared_ptr<const OpenModel> shared() const { return model_; }
 
   std::size_t xInput() const { return x_input_; }
   const fuzzy::Variable& xVariable() const { return model_->model.inputs[x_input_]; }
@@ -42,8 +46,18 @@ class SceneController : public QObject {
   const ForceCurves& curves() const;
 
   /// The forces at the place under the mouse, or at the value of the input on the x axis.
-  Reading reading() const;
+  const Reading& reading() const;
+  /// How the force comes about there.
+  const analysis::Explanation& explanation() const;
+  /// The place itself: one value per input.
+  std::vector<double> readingPoint() const;
   double readingX() const { return hover_.value_or(values_[x_input_]); }
+
+  /// How many forces have been computed for this scene: one for each expert and one for the mean at each place. What
+  /// nobody sees adds nothing.
+  std::uint64_t evaluations() const { return evaluations_; }
+  /// Adds forces that others compute for this scene.
+  void countEvaluations(std::uint64_t forces) const { evaluations_ += forces; }
 
  public slots:
   void setXInput(std::size_t input);
@@ -56,7 +70,11 @@ class SceneController : public QObject {
   void setTermsOf(std::optional<std::size_t> expert);
 
  signals:
+  /// Another model: other variables or experts.
   void modelChanged();
+  /// The same variables and experts with other terms or rules; followed by `termsChanged`, `curvesChanged` and
+  /// `readingChanged`.
+  void modelEdited();
   void xInputChanged();
   void valueChanged(std::size_t input);
   void curvesChanged();
@@ -65,7 +83,10 @@ class SceneController : public QObject {
 
  private:
   void adoptModel();
+  void adoptEdit();
   bool storeValue(std::size_t input, double value);
+  void dropCurves();
+  void dropReading();
   void announceCurves();
 
   const ModelController& models_;
@@ -74,7 +95,11 @@ class SceneController : public QObject {
   std::vector<double> values_;
   std::optional<double> hover_;
   std::optional<std::size_t> terms_of_;
+  // Computed when asked for.
   mutable std::optional<ForceCurves> curves_;
+  mutable std::optional<Reading> reading_;
+  mutable std::optional<analysis::Explanation> explanation_;
+  mutable std::uint64_t evaluations_ = 0;
 };
 
 }  // namespace tactus::workbench

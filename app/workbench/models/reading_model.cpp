@@ -8,7 +8,6 @@ namespace tactus::workbench {
 ReadingModel::ReadingModel(const SceneController& scene, QObject* parent) : QAbstractTableModel(parent), scene_(scene) {
   if (scene_.model()) adoptModel();
   connect(&scene_, &SceneController::modelChanged, this, &ReadingModel::adoptModel);
-  connect(&scene_, &SceneController::readingChanged, this, &ReadingModel::updateReading);
 }
 
 int ReadingModel::rowCount(const QModelIndex& parent) const {
@@ -53,17 +52,15 @@ bool ReadingModel::setData(const QModelIndex& index, const QVariant& value, int 
 void ReadingModel::adoptModel() {
   beginResetModel();
   shown_.assign(scene_.model()->model.experts.size() + 1, true);
-  reading_ = scene_.reading();
   endResetModel();
 }
 
-void ReadingModel::updateReading() {
-  reading_ = scene_.reading();
+void ReadingModel::announceReading() {
   emit dataChanged(index(0, kForce), index(rowCount() - 1, kForce), {Qt::DisplayRole, Qt::ForegroundRole});
 }
 
 const fuzzy::Evaluation& ReadingModel::evaluation(int row) const {
-  return row == kMeanRow ? reading_.mean : reading_.experts[static_cast<std::size_t>(row) - 1];
+  return row == kMeanRow ? scene_.reading().mean : scene_.reading().experts[static_cast<std::size_t>(row) - 1];
 }
 
 QString ReadingModel::nameOf(int row) const {

@@ -24,18 +24,20 @@ class ReadingModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
+ public slots:
+  /// Has the forces read again; called by whoever shows them, so that hidden ones are never computed.
+  void announceReading();
+
  signals:
   void rowShownChanged(int row, bool shown);
 
  private:
   void adoptModel();
-  void updateReading();
   const fuzzy::Evaluation& evaluation(int row) const;
   QString nameOf(int row) const;
   QString readingOf(int row) const;
 
   const SceneController& scene_;
-  Reading reading_;
   std::vector<bool> shown_;
 };
 

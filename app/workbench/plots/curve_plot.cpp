@@ -6,6 +6,7 @@
 
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
+#include "app/workbench/plots/landmark_marks.h"
 #include "app/workbench/plots/picture_export.h"
 #include "app/workbench/plots/plot_style.h"
 #include "app/workbench/plots/reading_cursor.h"
@@ -54,6 +55,7 @@ CurvePlot::CurvePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
   bands_ = new TermBands(*plot_);
   silence_ = new SilenceMarks(*plot_);
   labels_ = new TermLabels(*plot_, kLabelRows);
+  landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kInside);
   cursor_ = new ReadingCursor(*plot_);
   plot_->axisRect()->setAutoMargins(QCP::msLeft | QCP::msBottom);
   plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
@@ -71,6 +73,8 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   plot_->xAxis->setLabel(axisText(x));
   plot_->yAxis->setLabel(axisText(output));
   plot_->xAxis->grid()->setVisible(false);
+  landmarks_->setVariable(x);
+  setToolTip(landmarks_->explanation());
 
   plot_->clearGraphs();
   addLine(*plot_, tr("Mean"), QPen(theme::mean(), 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

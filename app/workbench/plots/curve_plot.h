@@ -14,6 +14,7 @@ class QMouseEvent;
 
 namespace tactus::workbench {
 
+class LandmarkMarks;
 class ReadingCursor;
 class SilenceMarks;
 class TermBands;
@@ -58,6 +59,7 @@ class CurvePlot : public QWidget {
   TermBands* bands_;
   SilenceMarks* silence_;
   TermLabels* labels_;
+  LandmarkMarks* landmarks_;
   ReadingCursor* cursor_;
   fuzzy::Variable x_;
   fuzzy::Variable output_;

@@ -1,12 +1,13 @@
 #include "app/workbench/plots/membership_plot.h"
 
 #include <QVBoxLayout>
-#include <algorithm>
 #include <utility>
 
 #include "app/workbench/display_text.h"
+#include "app/workbench/plots/landmark_marks.h"
 #include "app/workbench/plots/plot_style.h"
 #include "app/workbench/plots/term_labels.h"
+#include "app/workbench/plots/term_outline.h"
 #include "app/workbench/plots/value_marker.h"
 #include "app/workbench/theme.h"
 #include "core/base/text.h"
@@ -16,45 +17,6 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kLabelRows = 2;
-
-struct Outline {
-  QVector<double> x;
-  QVector<double> membership;
-};
-
-void addPoint(Outline& outline, const fuzzy::MembershipFunction& function, double x) {
-  outline.x << x;
-  outline.membership << function(x);
-}
-
-// The corners of the shape inside the universe; a vertical edge has two points at one place.
-Outline outlineOf(const fuzzy::Variable& variable, const fuzzy::Term& term) {
-  const fuzzy::MembershipFunction function = fuzzy::MembershipFunction::of(term);
-  Outline outline;
-  if (function.gaussian) {
-    constexpr int kSteps = 96;
-    for (int i = 0; i <= kSteps; ++i) {
-      addPoint(outline, function, variable.min + (variable.max - variable.min) * i / kSteps);
-    }
-    return outline;
-  }
-  const double low = std::max(variable.min, function.a);
-  const double high = std::min(variable.max, function.d);
-  if (function.a >= variable.min) {
-    outline.x << function.a;
-    outline.membership << 0;
-  }
-  addPoint(outline, function, low);
-  for (const double corner : {function.b, function.c}) {
-    if (corner > low && corner < high) addPoint(outline, function, corner);
-  }
-  addPoint(outline, function, high);
-  if (function.d <= variable.max) {
-    outline.x << function.d;
-    outline.membership << 0;
-  }
-  return outline;
-}
 
 std::vector<std::string> numbers(const std::vector<double>& points) {
   std::vector<std::string> texts;
@@ -98,6 +60,8 @@ MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
   plot_->axisRect()->setAutoMargins(QCP::msBottom);
   plot_->axisRect()->setMargins(QMargins(kLeftMargin, labels_->height(), kRightMargin, 0));
 
+  auto* landmarks = new LandmarkMarks(*plot_, LandmarkMarks::Place::kBars);
+  landmarks->setVariable(variable);
   marker_ = new ValueMarker(*plot_);
 
   connect(plot_, &QCustomPlot::mousePress, this, &MembershipPlot::onMouse);
@@ -108,7 +72,7 @@ void MembershipPlot::setTerms(const std::vector<fuzzy::Term>& terms) {
   terms_ = terms;
   plot_->clearGraphs();
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    const Outline outline = outlineOf(variable_, terms[i]);
+    const TermOutline outline = outlineOf(terms[i], variable_.min, variable_.max);
     QColor color = theme::term(i, terms.size());
     QCPGraph* graph = plot_->addGraph();
     graph->setAdaptiveSampling(false);

@@ -1,7 +1,5 @@
 #include "app/workbench/plots/plot_style.h"
 
-#include <algorithm>
-
 #include "app/workbench/theme.h"
 
 namespace tactus::workbench {
@@ -46,19 +44,6 @@ QVector<double> UniverseTicker::createTickVector(double step, const QCPRange& ra
   ticks.prepend(range.lower);
   ticks.append(range.upper);
   return ticks;
-}
-
-double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term) {
-  const auto inside = [&variable](double x) { return std::clamp(x, variable.min, variable.max); };
-  switch (term.shape) {
-    case fuzzy::Shape::kTrapezoid:
-      return (inside(term.points[1]) + inside(term.points[2])) / 2;
-    case fuzzy::Shape::kTriangle:
-      return inside(term.points[1]);
-    case fuzzy::Shape::kGaussian:
-      return inside(term.points[0]);
-  }
-  return variable.min;
 }
 
 }  // namespace tactus::workbench

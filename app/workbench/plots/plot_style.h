@@ -19,7 +19,4 @@ class UniverseTicker : public QCPAxisTicker {
   QVector<double> createTickVector(double step, const QCPRange& range) override;
 };
 
-/// The middle of the part of `variable`'s universe that belongs fully to `term`.
-double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term);
-
 }  // namespace tactus::workbench

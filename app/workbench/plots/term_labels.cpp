@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <algorithm>
 
+#include "app/workbench/controllers/patient.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/label_layout.h"
 #include "app/workbench/theme.h"

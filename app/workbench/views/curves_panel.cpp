@@ -6,6 +6,8 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStyle>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/workbench/controllers/scene_controller.h"
@@ -13,6 +15,7 @@
 #include "app/workbench/models/reading_model.h"
 #include "app/workbench/plots/curve_plot.h"
 #include "app/workbench/theme.h"
+#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 namespace {
@@ -37,8 +40,10 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
       title_(new QLabel(this)),
       x_input_(new QComboBox(this)),
       presets_(new QPushButton(tr("Figures of the paper"), this)),
-      save_(new QPushButton(tr("Save picture…"), this)),
-      plot_(new CurvePlot(this)) {
+      save_(new QToolButton(this)),
+      plot_(new CurvePlot(this)),
+      draw_curves_(new Refresh(this, [this] { plot_->setCurves(scene_.curves()); })),
+      draw_reading_(new Refresh(this, [this] { plot_->setReading(scene_.reading()); })) {
   title_->setFont(theme::headingFont());
   title_->setTextFormat(Qt::PlainText);
   title_->setBuddy(x_input_);
@@ -46,7 +51,11 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   x_input_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   presets_->setMenu(new QMenu(presets_));
   // The style leaves no air around the text.
-  for (QPushButton* button : {presets_, save_}) button->setMinimumWidth(button->sizeHint().width() + 2 * theme::kGrid);
+  presets_->setMinimumWidth(presets_->sizeHint().width() + 2 * theme::kGrid);
+  save_->setIcon(style()->standardIcon(QStyle::SP_DialogSaveButton));
+  save_->setToolTip(tr("Save the curves as a picture…"));
+  save_->setAccessibleName(save_->toolTip());
+  save_->setAutoRaise(true);
   presets_->setToolTip(tr("Set the inputs as in a figure of the paper"));
 
   auto* head = new QHBoxLayout;
@@ -64,7 +73,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   layout->addWidget(plot_, 1);
 
   connect(x_input_, &QComboBox::activated, this, &CurvesPanel::onXInputChosen);
-  connect(save_, &QPushButton::clicked, this, &CurvesPanel::savePictureRequested);
+  connect(save_, &QToolButton::clicked, this, &CurvesPanel::savePictureRequested);
   connect(plot_, &CurvePlot::hovered, &scene_, &SceneController::setHover);
   connect(plot_, &CurvePlot::hoverLeft, &scene_, &SceneController::clearHover);
   connect(plot_, &CurvePlot::picked, &scene_, [this](double x) { scene_.setValue(scene_.xInput(), x); });
@@ -72,12 +81,13 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   connect(&scene_, &SceneController::modelChanged, this, &CurvesPanel::adoptModel);
   connect(&scene_, &SceneController::xInputChanged, this, &CurvesPanel::showAxes);
   connect(&scene_, &SceneController::termsChanged, this, &CurvesPanel::showTerms);
-  connect(&scene_, &SceneController::curvesChanged, this, &CurvesPanel::showCurves);
-  connect(&scene_, &SceneController::readingChanged, this, &CurvesPanel::showReading);
+  connect(&scene_, &SceneController::curvesChanged, draw_curves_, &Refresh::request);
+  connect(&scene_, &SceneController::readingChanged, draw_reading_, &Refresh::request);
 }
 
 base::Result<void> CurvesPanel::savePicture(const QString& path) {
   const OpenModel& open = *scene_.model();
+  plot_->setCurves(scene_.curves());
   QString note = settingText();
   if (open.simulated) note += QStringLiteral(" – ") + tr("contains simulated data");
   return plot_->savePicture(path, text(open.model.name), note);
@@ -100,8 +110,8 @@ void CurvesPanel::adoptModel() {
   presets_->setVisible(!presets.empty());
 
   showAxes();
-  showCurves();
-  showReading();
+  draw_curves_->request();
+  draw_reading_->request();
 }
 
 void CurvesPanel::showAxes() {
@@ -114,10 +124,6 @@ void CurvesPanel::showAxes() {
 
 void CurvesPanel::showTerms() { plot_->setTerms(scene_.xVariable(), scene_.terms(scene_.xVariable())); }
 
-void CurvesPanel::showCurves() { plot_->setCurves(scene_.curves()); }
-
-void CurvesPanel::showReading() { plot_->setReading(scene_.reading()); }
-
 void CurvesPanel::onXInputChosen(int index) { scene_.setXInput(static_cast<std::size_t>(index)); }
 
 void CurvesPanel::onRowShown(int row, bool shown) {
@@ -126,7 +132,7 @@ void CurvesPanel::onRowShown(int row, bool shown) {
   } else {
     plot_->setExpertShown(static_cast<std::size_t>(row) - 1, shown);
   }
-  showReading();
+  draw_reading_->request();
 }
 
 QString CurvesPanel::settingText() const {

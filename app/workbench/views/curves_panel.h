@@ -7,11 +7,13 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace tactus::workbench {
 
 class CurvePlot;
 class ReadingModel;
+class Refresh;
 class SceneController;
 
 class CurvesPanel : public Card {
@@ -29,8 +31,6 @@ class CurvesPanel : public Card {
   void adoptModel();
   void showAxes();
   void showTerms();
-  void showCurves();
-  void showReading();
   void onXInputChosen(int index);
   void onRowShown(int row, bool shown);
   QString settingText() const;
@@ -39,8 +39,10 @@ class CurvesPanel : public Card {
   QLabel* title_;
   QComboBox* x_input_;
   QPushButton* presets_;
-  QPushButton* save_;
+  QToolButton* save_;
   CurvePlot* plot_;
+  Refresh* draw_curves_;
+  Refresh* draw_reading_;
 };
 
 }  // namespace tactus::workbench

@@ -16,15 +16,6 @@
 #include "app/workbench/views/number_box.h"
 
 namespace tactus::workbench {
-namespace {
-
-// A power of ten that divides the universe into 90 to 900 steps.
-double stepOf(const fuzzy::Variable& variable) {
-  return std::pow(10.0, std::floor(std::log10((variable.max - variable.min) / 90)));
-}
-
-}  // namespace
-
 InputCard::InputCard(SceneController& scene, std::size_t input, QWidget* parent)
     : Card(parent),
       scene_(scene),

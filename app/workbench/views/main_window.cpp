@@ -1,16 +1,19 @@
 #include "app/workbench/views/main_window.h"
 
+#include <QActionGroup>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/version.h"
 #include "app/workbench/controllers/model_controller.h"
@@ -18,14 +21,28 @@
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
-#include "app/workbench/views/explore_view.h"
+#include "app/workbench/views/bench_view.h"
+#include "app/workbench/views/feel_status.h"
 #include "app/workbench/views/message_banner.h"
+#include "app/workbench/views/operating_strip.h"
+#include "app/workbench/views/panel_area.h"
+#include "app/workbench/views/shortcut_sheet.h"
+#include "app/workbench/views/stage_rail.h"
 #include "app/workbench/views/start_view.h"
 
 namespace tactus::workbench {
 namespace {
 
 constexpr auto kGeometryKey = "window_geometry";
+constexpr auto kStageKey = "stage";
+
+Stage lastStage(const QSettings& settings) {
+  const QString id = settings.value(QLatin1String(kStageKey)).toString();
+  for (const Stage stage : kStages) {
+    if (stageId(stage) == id && isReady(stage)) return stage;
+  }
+  return Stage::kTune;
+}
 
 // The one model file that is dragged, or an empty path.
 QString draggedModel(const QMimeData& data) {
@@ -37,7 +54,8 @@ QString draggedModel(const QMimeData& data) {
 
 }  // namespace
 
-MainWindow::MainWindow(ModelController& models, SceneController& scene, RecentFiles& recent, QSettings& settings)
+MainWindow::MainWindow(ModelController& models, SceneController& scene, FeelController& feel, RecentFiles& recent,
+                       QSettings& settings)
     : models_(models),
       scene_(scene),
       recent_(recent),
@@ -45,16 +63,29 @@ MainWindow::MainWindow(ModelController& models, SceneController& scene, RecentFi
       banner_(new MessageBanner(this)),
       screens_(new QStackedWidget(this)),
       start_(new StartView(recent, this)),
-      explore_(new ExploreView(scene, this)) {
+      bench_(new BenchView(scene, feel, settings, this)),
+      rail_(new StageRail(this)),
+      strip_(new OperatingStrip(models, scene, this)) {
   screens_->addWidget(start_);
-  screens_->addWidget(explore_);
+  screens_->addWidget(bench_);
   auto* content = new QWidget(this);
-  auto* layout = new QVBoxLayout(content);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(theme::kGrid);
+  column->addWidget(banner_);
+  column->addWidget(screens_, 1);
+  column->addWidget(strip_);
+  auto* layout = new QHBoxLayout(content);
   layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid);
-  layout->addWidget(banner_);
-  layout->addWidget(screens_, 1);
+  layout->addWidget(rail_);
+  layout->addLayout(column, 1);
   setCentralWidget(content);
+  auto* feel_status = new FeelStatus(feel);
+  strip_->setDeviceState(feel_status);
+  connect(feel_status, &FeelStatus::latencyChanged, strip_, &OperatingStrip::showLatency);
+  // There is nothing to do in a stage before a model is open.
+  rail_->hide();
+  strip_->hide();
   setAcceptDrops(true);
   setWindowTitle(tr("Tactus Workbench"));
 
@@ -73,29 +104,68 @@ void MainWindow::buildMenus() {
   reopen_->setShortcut(Qt::Key_F5);
   reopen_->setEnabled(false);
   file->addSeparator();
-  save_picture_ = file->addAction(tr("Save &picture…"));
-  save_picture_->setShortcut(Qt::CTRL | Qt::Key_E);
-  save_picture_->setEnabled(false);
+  save_ = file->addAction(tr("&Save"));
+  save_->setShortcut(QKeySequence::Save);
+  save_as_ = file->addAction(tr("Save &as…"));
+  save_as_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_S);
+  file->addSeparator();
+  save_curves_ = file->addAction(tr("Save &picture of the curves…"));
+  save_curves_->setShortcut(Qt::CTRL | Qt::Key_E);
+  save_map_ = file->addAction(tr("Save picture of the &map…"));
+  save_map_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
+  for (QAction* action : {save_, save_as_, save_curves_, save_map_}) action->setEnabled(false);
   file->addSeparator();
   quit_ = file->addAction(tr("&Quit"));
   quit_->setShortcut(Qt::CTRL | Qt::Key_Q);
 
+  view_menu_ = menuBar()->addMenu(tr("&View"));
+  stage_menu_ = view_menu_->addMenu(tr("&Stage"));
+  int number = 0;
+  for (const Stage stage : kStages) {
+    QAction* action = stage_menu_->addAction(stageName(stage));
+    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number++)));
+    action->setEnabled(isReady(stage));
+    connect(action, &QAction::triggered, this, [this, stage] { enter(stage); });
+  }
+  panel_menu_ = view_menu_->addMenu(tr("&Panels"));
+  look_menu_ = view_menu_->addMenu(tr("&Look"));
+  listLooks();
+  reset_layout_ = view_menu_->addAction(tr("&Reset layout"));
+  reset_layout_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_R);
+  for (QAction* action : {stage_menu_->menuAction(), panel_menu_->menuAction(), reset_layout_}) {
+    action->setEnabled(false);
+  }
+
   QMenu* help = menuBar()->addMenu(tr("&Help"));
+  shortcuts_ = help->addAction(tr("&Keyboard shortcuts"));
+  shortcuts_->setShortcut(QKeySequence::HelpContents);
   about_ = help->addAction(tr("&About Tactus Workbench"));
 }
 
 void MainWindow::connectAll() {
   connect(open_, &QAction::triggered, this, &MainWindow::chooseModel);
-  connect(reopen_, &QAction::triggered, &models_, &ModelController::reopen);
-  connect(save_picture_, &QAction::triggered, this, &MainWindow::choosePicture);
+  connect(reopen_, &QAction::triggered, this, &MainWindow::reopen);
+  connect(save_, &QAction::triggered, &models_, &ModelController::save);
+  connect(save_as_, &QAction::triggered, this, &MainWindow::chooseCopy);
+  connect(save_curves_, &QAction::triggered, this, &MainWindow::chooseCurvesPicture);
+  connect(save_map_, &QAction::triggered, this, &MainWindow::chooseMapPicture);
   connect(quit_, &QAction::triggered, this, &QWidget::close);
+  connect(panel_menu_, &QMenu::aboutToShow, this, &MainWindow::listPanels);
+  connect(reset_layout_, &QAction::triggered, &panels(), &PanelArea::resetLayout);
+  connect(shortcuts_, &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(about_, &QAction::triggered, this, &MainWindow::showAbout);
   connect(start_, &StartView::openRequested, this, &MainWindow::chooseModel);
-  connect(start_, &StartView::recentRequested, &models_, &ModelController::open);
-  connect(explore_, &ExploreView::savePictureRequested, this, &MainWindow::choosePicture);
+  connect(start_, &StartView::recentRequested, this, &MainWindow::openFile);
+  connect(rail_, &StageRail::chosen, this, &MainWindow::enter);
+  connect(bench_, &BenchView::saveCurvesRequested, this, &MainWindow::chooseCurvesPicture);
+  connect(bench_, &BenchView::saveMapRequested, this, &MainWindow::chooseMapPicture);
   connect(&recent_, &RecentFiles::changed, this, &MainWindow::listRecent);
   connect(&models_, &ModelController::openFailed, this, &MainWindow::showFailure);
-  connect(&scene_, &SceneController::modelChanged, this, &MainWindow::showModel);
+  connect(&models_, &ModelController::saveFailed, this,
+          [this](const QString& /*path*/, const QString& sentence) { banner_->showError(sentence); });
+  connect(&models_, &ModelController::saved, this, &MainWindow::showTitle);
+  connect(&models_, &ModelController::modifiedChanged, this, &MainWindow::setWindowModified);
+  connect(&models_, &ModelController::opened, this, &MainWindow::showModel);
 }
 
 void MainWindow::restorePlace() {
@@ -112,10 +182,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = draggedModel(*event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
-  models_.open(path);
+  openFile(path);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLoseChanges()) {
+    event->ignore();
+    return;
+  }
+  panels().storeLayout();
   settings_.setValue(QLatin1String(kGeometryKey), saveGeometry());
   QMainWindow::closeEvent(event);
 }
@@ -125,35 +200,89 @@ void MainWindow::chooseModel() {
   const QString folder = open ? QFileInfo(open->path).absolutePath() : QString();
   const QString path =
       QFileDialog::getOpenFileName(this, tr("Open a model file"), folder, tr("Force models (*.json);;All files (*)"));
-  if (!path.isEmpty()) models_.open(path);
+  if (!path.isEmpty()) openFile(path);
 }
 
-void MainWindow::choosePicture() {
-  const auto open = models_.current();
-  if (!open) return;
-  const QFileInfo model_file(open->path);
-  const QString proposal =
-      model_file.absolutePath() + QLatin1Char('/') + model_file.baseName() + QStringLiteral(".png");
-  QString path = QFileDialog::getSaveFileName(this, tr("Save the curves as a picture"), proposal,
-                                              tr("Pictures (*.png *.svg *.pdf)"));
+void MainWindow::chooseCopy() {
+  QString path = QFileDialog::getSaveFileName(this, tr("Save the model"), models_.current()->path,
+                                              tr("Force models (*.tactus.json)"));
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) path += QStringLiteral(".tactus.json");
+  models_.saveAs(path);
+}
+
+void MainWindow::choosePicture(const QString& title, const QString& name,
+                               const std::function<base::Result<void>(QString)>& save) {
+  const QFileInfo model_file(models_.current()->path);
+  const QString proposal = model_file.absolutePath() + QLatin1Char('/') + model_file.baseName() + name;
+  QString path = QFileDialog::getSaveFileName(this, title, proposal, tr("Pictures (*.png *.svg *.pdf)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
-  const auto saved = explore_->savePicture(path);
+  const auto saved = save(path);
   if (!saved) banner_->showError(text(saved.error().message()));
 }
 
+void MainWindow::chooseCurvesPicture() {
+  choosePicture(tr("Save the curves as a picture"), QStringLiteral(".png"),
+                [this](const QString& path) { return bench_->saveCurves(path); });
+}
+
+void MainWindow::chooseMapPicture() {
+  choosePicture(tr("Save the map as a picture"), QStringLiteral("-map.png"),
+                [this](const QString& path) { return bench_->saveMap(path); });
+}
+
+void MainWindow::openFile(const QString& path) {
+  if (mayLoseChanges()) models_.open(path);
+}
+
+void MainWindow::reopen() {
+  if (mayLoseChanges()) models_.reopen();
+}
+
+bool MainWindow::mayLoseChanges() {
+  if (!models_.isModified()) return true;
+  const auto answer = QMessageBox::question(
+      this, tr("Changes not saved"), tr("%1 has changes that are not saved.").arg(text(models_.current()->model.name)),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) models_.save();
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && !models_.isModified());
+}
+
+PanelArea& MainWindow::panels() { return bench_->panels(); }
+
+void MainWindow::enter(Stage stage) {
+  panels().enter(stage);
+  rail_->setStage(stage);
+  settings_.setValue(QLatin1String(kStageKey), stageId(stage));
+}
+
 void MainWindow::showModel() {
-  const OpenModel& open = *scene_.model();
-  screens_->setCurrentWidget(explore_);
-  reopen_->setEnabled(true);
-  save_picture_->setEnabled(true);
-  setWindowTitle(QStringLiteral("%1 – %2").arg(text(open.model.name), QFileInfo(open.path).fileName()));
-  recent_.add(open.path);
+  const OpenModel& open = *models_.current();
+  screens_->setCurrentWidget(bench_);
+  rail_->show();
+  strip_->show();
+  for (QAction* action : {reopen_, save_, save_as_, save_curves_, save_map_, stage_menu_->menuAction(),
+                          panel_menu_->menuAction(), reset_layout_}) {
+    action->setEnabled(true);
+  }
+  if (!panels().stage()) {
+    // The panels take their shares of the room that the window has now.
+    centralWidget()->layout()->activate();
+    enter(lastStage(settings_));
+  }
+  showTitle();
   if (open.warnings.isEmpty()) {
     banner_->hide();
   } else {
     banner_->showNote(tr("Parts of the file were not used: %1").arg(open.warnings.join(QStringLiteral("; "))));
   }
+}
+
+void MainWindow::showTitle() {
+  const OpenModel& open = *models_.current();
+  setWindowTitle(QStringLiteral("%1 – %2[*]").arg(text(open.model.name), QFileInfo(open.path).fileName()));
+  recent_.add(open.path);
 }
 
 void MainWindow::showFailure(const QString& path, const QString& sentence) {
@@ -167,9 +296,36 @@ void MainWindow::listRecent() {
     QAction* action = recent_menu_->addAction(QString(path).replace(QLatin1Char('&'), QLatin1String("&&")));
     // Queued, because opening the file rebuilds this menu and with it the action.
     connect(
-        action, &QAction::triggered, &models_, [this, path] { models_.open(path); }, Qt::QueuedConnection);
+        action, &QAction::triggered, this, [this, path] { openFile(path); }, Qt::QueuedConnection);
   }
   recent_menu_->setEnabled(!recent_menu_->isEmpty());
+}
+
+void MainWindow::listPanels() {
+  panel_menu_->clear();
+  panel_menu_->addActions(panels().toggleActions());
+}
+
+void MainWindow::listLooks() {
+  auto* group = new QActionGroup(look_menu_);
+  const std::pair<theme::Look, QString> looks[] = {{theme::Look::kLight, tr("&Light")},
+                                                   {theme::Look::kDark, tr("&Dark")}};
+  const theme::Look now = theme::storedLook(settings_);
+  for (const auto& [look, name] : looks) {
+    QAction* action = look_menu_->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(look == now);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, chosen = look] {
+      theme::storeLook(settings_, chosen);
+      banner_->showNote(tr("The look changes with the next start of the workbench."));
+    });
+  }
+}
+
+void MainWindow::showShortcuts() {
+  ShortcutSheet sheet(*menuBar(), this);
+  sheet.exec();
 }
 
 void MainWindow::showAbout() {

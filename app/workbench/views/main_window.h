@@ -2,6 +2,10 @@
 #pragma once
 
 #include <QMainWindow>
+#include <functional>
+
+#include "app/workbench/views/stage.h"
+#include "core/base/error.h"
 
 class QAction;
 class QMenu;
@@ -10,18 +14,31 @@ class QStackedWidget;
 
 namespace tactus::workbench {
 
-class ExploreView;
+class BenchView;
+class FeelController;
 class MessageBanner;
 class ModelController;
+class OperatingStrip;
+class PanelArea;
 class RecentFiles;
 class SceneController;
+class StageRail;
 class StartView;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  MainWindow(ModelController& models, SceneController& scene, RecentFiles& recent, QSettings& settings);
+  MainWindow(ModelController& models, SceneController& scene, FeelController& feel, RecentFiles& recent,
+             QSettings& settings);
+
+  /// Where panels of the stages are added, before a model is opened.
+  PanelArea& panels();
+  OperatingStrip& strip() { return *strip_; }
+  MessageBanner& banner() { return *banner_; }
+
+ public slots:
+  void enter(tactus::workbench::Stage stage);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -33,10 +50,20 @@ class MainWindow : public QMainWindow {
   void connectAll();
   void restorePlace();
   void chooseModel();
-  void choosePicture();
+  void chooseCopy();
+  void choosePicture(const QString& title, const QString& name, const std::function<base::Result<void>(QString)>& save);
+  void chooseCurvesPicture();
+  void chooseMapPicture();
+  void openFile(const QString& path);
+  void reopen();
+  bool mayLoseChanges();
   void showModel();
+  void showTitle();
   void showFailure(const QString& path, const QString& sentence);
   void listRecent();
+  void listPanels();
+  void listLooks();
+  void showShortcuts();
   void showAbout();
 
   ModelController& models_;
@@ -46,12 +73,23 @@ class MainWindow : public QMainWindow {
   MessageBanner* banner_;
   QStackedWidget* screens_;
   StartView* start_;
-  ExploreView* explore_;
+  BenchView* bench_;
+  StageRail* rail_;
+  OperatingStrip* strip_;
   QMenu* recent_menu_ = nullptr;
+  QMenu* view_menu_ = nullptr;
+  QMenu* stage_menu_ = nullptr;
+  QMenu* panel_menu_ = nullptr;
+  QMenu* look_menu_ = nullptr;
   QAction* open_ = nullptr;
   QAction* reopen_ = nullptr;
-  QAction* save_picture_ = nullptr;
+  QAction* save_ = nullptr;
+  QAction* save_as_ = nullptr;
+  QAction* save_curves_ = nullptr;
+  QAction* save_map_ = nullptr;
   QAction* quit_ = nullptr;
+  QAction* reset_layout_ = nullptr;
+  QAction* shortcuts_ = nullptr;
   QAction* about_ = nullptr;
 };
 

@@ -56,17 +56,14 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   layout->addWidget(terms_of_);
 
   connect(&scene_, &SceneController::modelChanged, this, &ModelHeader::adoptModel);
+  connect(&scene_, &SceneController::modelEdited, this, &ModelHeader::countRules);
   connect(terms_of_, &QComboBox::activated, this, &ModelHeader::onTermsChosen);
 }
 
 void ModelHeader::adoptModel() {
   const OpenModel& open = *scene_.model();
   name_->setFullText(text(open.model.name));
-  const std::size_t experts = open.model.experts.size();
-  std::size_t rules = 0;
-  for (const fuzzy::Expert& expert : open.model.experts) rules += expert.rules.size();
-  summary_->setText((experts == 1 ? tr("1 expert") : tr("%1 experts").arg(experts)) + QStringLiteral(" · ") +
-                    (rules == 1 ? tr("1 rule") : tr("%1 rules").arg(rules)));
+  countRules();
   simulated_->setVisible(open.simulated);
   simulated_->setToolTip(open.model.provenance ? text(open.model.provenance->notes) : QString());
 
@@ -77,9 +74,19 @@ void ModelHeader::adoptModel() {
     if (open.model.experts[i].overrides.empty()) continue;
     choices_.emplace_back(i);
     terms_of_->addItem(labelOf(open.model.experts[i]));
+    if (scene_.termsOf() == i) terms_of_->setCurrentIndex(terms_of_->count() - 1);
   }
   terms_label_->setVisible(choices_.size() > 1);
   terms_of_->setVisible(choices_.size() > 1);
+}
+
+void ModelHeader::countRules() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const std::size_t experts = model.experts.size();
+  std::size_t rules = 0;
+  for (const fuzzy::Expert& expert : model.experts) rules += expert.rules.size();
+  summary_->setText((experts == 1 ? tr("1 expert") : tr("%1 experts").arg(experts)) + QStringLiteral(" · ") +
+                    (rules == 1 ? tr("1 rule") : tr("%1 rules").arg(rules)));
 }
 
 void ModelHeader::onTermsChosen(int index) { scene_.setTermsOf(choices_[static_cast<std::size_t>(index)]); }

@@ -22,6 +22,7 @@ class ModelHeader : public QWidget {
 
  private:
   void adoptModel();
+  void countRules();
   void onTermsChosen(int index);
 
   SceneController& scene_;

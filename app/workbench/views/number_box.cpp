@@ -7,6 +7,10 @@
 
 namespace tactus::workbench {
 
+double stepOf(const fuzzy::Variable& variable) {
+  return std::pow(10.0, std::floor(std::log10((variable.max - variable.min) / 90)));
+}
+
 NumberBox::NumberBox(const fuzzy::Variable& variable, double step, QWidget* parent) : QDoubleSpinBox(parent) {
   setLocale(QLocale::c());
   setGroupSeparatorShown(false);

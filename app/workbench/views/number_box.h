@@ -7,6 +7,9 @@
 
 namespace tactus::workbench {
 
+/// A step that divides the universe of `variable` into 90 to 900 parts, a power of ten in its unit.
+double stepOf(const fuzzy::Variable& variable);
+
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 

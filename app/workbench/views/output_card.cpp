@@ -11,6 +11,7 @@
 #include "app/workbench/plots/membership_plot.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 
@@ -43,18 +44,18 @@ OutputCard::OutputCard(SceneController& scene, QWidget* parent)
   layout->addSpacing(QSlider(Qt::Horizontal).sizeHint().height() + layout->spacing());
   layout->addWidget(terms_);
 
-  showTerms();
-  connect(&scene_, &SceneController::readingChanged, this, &OutputCard::showReading);
+  plot_->setTerms(scene_.terms(variable_));
+  auto* reading = new Refresh(this, [this] { showReading(); });
+  reading->request();
+  connect(&scene_, &SceneController::readingChanged, reading, &Refresh::request);
+  connect(&scene_, &SceneController::termsChanged, reading, &Refresh::request);
   connect(&scene_, &SceneController::termsChanged, this, &OutputCard::showTerms);
 }
 
-void OutputCard::showTerms() {
-  plot_->setTerms(scene_.terms(variable_));
-  showReading();
-}
+void OutputCard::showTerms() { plot_->setTerms(scene_.terms(variable_)); }
 
 void OutputCard::showReading() {
-  const Reading reading = scene_.reading();
+  const Reading& reading = scene_.reading();
   if (!reading.mean.fired) {
     number_->setText(tr("no rule fires"));
     terms_->setFullText({});

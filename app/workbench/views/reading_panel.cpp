@@ -9,6 +9,7 @@
 #include "app/workbench/display_text.h"
 #include "app/workbench/models/reading_model.h"
 #include "app/workbench/theme.h"
+#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 
@@ -47,7 +48,11 @@ ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings,
   layout->addWidget(hint_);
 
   connect(&scene_, &SceneController::modelChanged, this, &ReadingPanel::showPlace);
-  connect(&scene_, &SceneController::readingChanged, this, &ReadingPanel::showPlace);
+  auto* refresh = new Refresh(this, [this, &readings] {
+    readings.announceReading();
+    showPlace();
+  });
+  connect(&scene_, &SceneController::readingChanged, refresh, &Refresh::request);
 }
 
 void ReadingPanel::showPlace() {

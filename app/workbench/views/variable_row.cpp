@@ -36,6 +36,9 @@ QSize VariableRow::sizeHint() const {
   return {4 * kNarrowestCard, kHeight + (scrolls ? horizontalScrollBar()->sizeHint().height() : 0)};
 }
 
+// One card at least; the others are scrolled to.
+QSize VariableRow::minimumSizeHint() const { return {kNarrowestCard, sizeHint().height()}; }
+
 void VariableRow::build() {
   const fuzzy::ForceModel& model = scene_.model()->model;
   auto* row = new QWidget;

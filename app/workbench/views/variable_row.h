@@ -14,7 +14,7 @@ class VariableRow : public QScrollArea {
   explicit VariableRow(SceneController& scene, QWidget* parent = nullptr);
 
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return sizeHint(); }
+  QSize minimumSizeHint() const override;
 
  private:
   void build();

@@ -102,6 +102,43 @@ TEST_F(SceneControllerTest, ReopeningKeepsTheSetting) {
   EXPECT_EQ(scene.value(kDepth), 8);
 }
 
+TEST_F(SceneControllerTest, AnEditKeepsTheOperatingPoint) {
+  scene.setXInput(kSpeed);
+  scene.setValue(kSpeed, 20);
+  scene.setValue(kDepth, 2);
+  scene.setTermsOf(1);
+  scene.setHover(30);
+  const double before = scene.curves().mean.front().force_n;
+  const QSignalSpy another(&scene, &SceneController::modelChanged);
+  const QSignalSpy edited(&scene, &SceneController::modelEdited);
+  const QSignalSpy curves_changed(&scene, &SceneController::curvesChanged);
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.experts[0].rules[0].then = "high";
+  ASSERT_TRUE(models.edit(model));
+  EXPECT_EQ(another.count(), 0);
+  EXPECT_EQ(edited.count(), 1);
+  EXPECT_EQ(curves_changed.count(), 1);
+  EXPECT_EQ(scene.xInput(), kSpeed);
+  EXPECT_EQ(scene.value(kSpeed), 20);
+  EXPECT_EQ(scene.value(kDepth), 2);
+  EXPECT_EQ(scene.readingX(), 30);
+  EXPECT_EQ(scene.termsOf(), 1U);
+  EXPECT_NEAR(before, 0.25, kRounding);
+  EXPECT_NEAR(scene.curves().mean.front().force_n, 0.75, kRounding);
+}
+
+TEST_F(SceneControllerTest, AnEditOfTheExpertsIsAnotherModel) {
+  scene.setValue(kSpeed, 20);
+  scene.setTermsOf(1);
+  const QSignalSpy another(&scene, &SceneController::modelChanged);
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.experts.erase(model.experts.begin());
+  ASSERT_TRUE(models.edit(model));
+  EXPECT_EQ(another.count(), 1);
+  EXPECT_EQ(scene.value(kSpeed), 20);
+  EXPECT_EQ(scene.termsOf(), 0U);  // still expert B
+}
+
 TEST_F(SceneControllerTest, PresetsNeedTheInputsOfTheStudy) {
   EXPECT_TRUE(figurePresets(scene.model()->model).empty());
   fuzzy::ForceModel model = tests::twoExperts();

@@ -15,7 +15,7 @@
 
 #include "app/workbench/models/reading_model.h"
 #include "app/workbench/plots/curve_plot.h"
-#include "app/workbench/views/explore_view.h"
+#include "app/workbench/views/bench_view.h"
 #include "app/workbench/views/message_banner.h"
 #include "app/workbench/views/start_view.h"
 #include "app/workbench/workbench.h"
@@ -47,7 +47,7 @@ class MainWindowTest : public testing::Test {
   }
 
   QImage curves() {
-    QCoreApplication::processEvents();
+    QTest::qWait(40);  // two frames of the screen
     return window.findChild<CurvePlot*>()->grab().toImage();
   }
 
@@ -71,14 +71,14 @@ class MainWindowTest : public testing::Test {
 
 TEST_F(MainWindowTest, StartsFriendlyAndEmpty) {
   EXPECT_TRUE(window.findChild<StartView*>()->isVisible());
-  EXPECT_FALSE(window.findChild<ExploreView*>()->isVisible());
+  EXPECT_FALSE(window.findChild<BenchView*>()->isVisible());
   EXPECT_FALSE(window.findChild<MessageBanner*>()->isVisible());
 }
 
 TEST_F(MainWindowTest, ShowsAModelAndRemembersItsFile) {
   openSample();
-  EXPECT_TRUE(window.findChild<ExploreView*>()->isVisible());
-  EXPECT_EQ(window.windowTitle(), QStringLiteral("Two experts – sample.tactus.json"));
+  EXPECT_TRUE(window.findChild<BenchView*>()->isVisible());
+  EXPECT_EQ(window.windowTitle(), QStringLiteral("Two experts – sample.tactus.json[*]"));
   EXPECT_EQ(bench.recent.paths(), QStringList{folder.path(QStringLiteral("sample.tactus.json"))});
 }
 
@@ -88,7 +88,7 @@ TEST_F(MainWindowTest, ARecentFileOpensWithAClick) {
   ASSERT_NE(button, nullptr);
   QTest::mouseClick(button, Qt::LeftButton);
   QCoreApplication::processEvents();
-  EXPECT_TRUE(window.findChild<ExploreView*>()->isVisible());
+  EXPECT_TRUE(window.findChild<BenchView*>()->isVisible());
 }
 
 TEST_F(MainWindowTest, TheSliderMovesTheCurves) {
@@ -142,7 +142,7 @@ TEST_F(MainWindowTest, ABrokenFileGivesASentenceAndKeepsTheModel) {
   const auto* banner = window.findChild<MessageBanner*>();
   EXPECT_TRUE(banner->isVisible());
   EXPECT_TRUE(banner->message().contains(QStringLiteral("missing.json")));
-  EXPECT_TRUE(window.findChild<ExploreView*>()->isVisible());
+  EXPECT_TRUE(window.findChild<BenchView*>()->isVisible());
   openSample();
   EXPECT_FALSE(banner->isVisible());
 }
@@ -171,16 +171,16 @@ TEST_F(MainWindowTest, AModelFileCanBeDropped) {
 
 TEST_F(MainWindowTest, SavesPicturesByTheirEnding) {
   openSample();
-  auto* view = window.findChild<ExploreView*>();
+  auto* view = window.findChild<BenchView*>();
   const QImage before = curves();
   const std::pair<const char*, const char*> kinds[] = {{"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}};
   for (const auto& [name, start] : kinds) {
-    ASSERT_TRUE(view->savePicture(folder.path(QString::fromLatin1(name))));
+    ASSERT_TRUE(view->saveCurves(folder.path(QString::fromLatin1(name))));
     QFile file(folder.path(QString::fromLatin1(name)));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_TRUE(file.readAll().startsWith(start)) << name;
   }
-  const auto refused = view->savePicture(folder.path(QStringLiteral("a.bmp")));
+  const auto refused = view->saveCurves(folder.path(QStringLiteral("a.bmp")));
   ASSERT_FALSE(refused);
   EXPECT_FALSE(QFile::exists(folder.path(QStringLiteral("a.bmp"))));
   // The caption of the picture leaves no trace in the window.

@@ -1,0 +1,96 @@
+// Edits of the open model with undo: gestures that are shown while they go on, one entry in the history for each, and
+// what each did to the force. Every part of the program that changes the model does it here.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <optional>
+#include <vector>
+
+#include "app/editing/edit_history.h"
+#include "app/workbench/controllers/model_controller.h"
+
+namespace tactus::workbench {
+
+class EditController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Follows `models`: a model that is opened begins a history of its own.
+  explicit EditController(ModelController& models, QObject* parent = nullptr);
+
+  /// Whether a model is open. Everything below may be called with a model only.
+  bool isOpen() const { return history_.has_value(); }
+  /// The model as it stands, a gesture that goes on included.
+  const fuzzy::ForceModel& model() const { return history_->model(); }
+  /// The model at the beginning of the gesture, from which its edits start.
+  const fuzzy::ForceModel& base() const { return history_->base(); }
+  bool inGesture() const { return history_ && history_->inGesture(); }
+  /// Why the gesture went less far than asked; empty where it did not stop.
+  const QString& stopped() const { return stopped_; }
+
+  /// A gesture: begun, updated any number of times, committed or cancelled. Its models go to the ModelController at
+  /// most once in 16 ms, the latest one wins; the last one always arrives.
+  void begin();
+  /// Shows the edit, made from `base()`. An error is announced and leaves the gesture as it was. Returns whether it was
+  /// none.
+  bool update(base::Result<editing::Edit> edit);
+  void commit();
+  void cancel();
+  /// An edit of `model()` that is a gesture by itself.
+  bool apply(base::Result<editing::Edit> edit);
+  /// Says that something could not be done, in one sentence.
+  void refuse(const QString& sentence);
+
+  bool canUndo() const { return history_ && (history_->canUndo() || inGesture()); }
+  bool canRedo() const { return history_ && history_->canRedo(); }
+  /// What undo takes back, and what redo brings again; empty where there is nothing.
+  QString undoText() const;
+  QString redoText() const;
+
+  /// One state of the model in the undo list.
+  struct Entry {
+    editing::StateId state = 0;
+    QString label;   ///< what changed
+    QString effect;  ///< `max ΔF 0.032 N (0.4 JND)`; empty for the model that was opened
+    bool current = false;
+  };
+  /// From the model that was opened over the current state to the end of redo.
+  std::vector<Entry> entries();
+
+ public slots:
+  void undo();
+  void redo();
+  /// Back or forward to any state of the list.
+  void returnTo(tactus::editing::StateId state);
+
+ signals:
+  /// Another model was opened; the history is empty.
+  void modelReset();
+  /// `model()` changed.
+  void changed();
+  /// Undo, redo or the list of entries changed.
+  void historyChanged();
+  /// After an edit: what changed and what it does to the force.
+  void reported(const QString& sentence);
+  void refused(const QString& sentence);
+
+ private:
+  void adoptModel();
+  void schedule();
+  void send();
+  void settle(const base::Result<void>& moved, const QString& sentence);
+  void report();
+  editing::Stamp stamp() const;
+  QString effectOf(editing::StateId state);
+
+  ModelController& models_;
+  std::optional<editing::EditHistory> history_;
+  QString stopped_;
+  QTimer frame_;      ///< runs for 16 ms after a model was sent
+  bool due_ = false;  ///< a newer one waits for its end
+  QTimer report_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,295 @@
+#include "app/workbench/controllers/feel_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/workbench/controllers/feel_run.h"
+#include "app/workbench/controllers/patient.h"
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "core/base/check.h"
+#include "core/haptics/simulated/virtual_device.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kBeatMs = 16;            // the refresh of a screen
+constexpr double kEditFadeS = 0.05;    // docs/servo.md
+constexpr double kGestureFadeS = 1.0;  // a neck is not flexed faster
+// Coarser than the noise of a held hand, so that a hand at rest moves nothing on the screen.
+constexpr double kDepthStepMm = 0.1;
+constexpr double kSpeedStepMmS = 1;
+
+double rounded(double value, double step) { return std::round(value / step) * step; }
+
+QString sentenceCase(QString sentence) {
+  if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+  return sentence;
+}
+
+}  // namespace
+
+FeelSettings realFeel() {
+  return {[](const std::string& id) { return devices::open(id, devices::settingsOfProcess()); }, threadedLoop};
+}
+
+FeelController::FeelController(SceneController& scene, FeelSettings settings, QObject* parent)
+    : QObject(parent), scene_(scene), settings_(std::move(settings)) {
+  beat_.setInterval(kBeatMs);
+  beat_.setTimerType(Qt::PreciseTimer);
+  connect(&beat_, &QTimer::timeout, this, &FeelController::beat);
+  connect(&scene_, &SceneController::modelChanged, this, &FeelController::onModel);
+  connect(&scene_, &SceneController::modelEdited, this, &FeelController::onModel);
+  connect(&scene_, &SceneController::valueChanged, this, &FeelController::onValue);
+  connect(this, &FeelController::handMoved, this, &FeelController::onHandMoved);
+}
+
+FeelController::~FeelController() = default;
+
+std::optional<haptics::DeviceInfo> FeelController::device() const {
+  if (!run_) return std::nullopt;
+  return run_->info();
+}
+
+bool FeelController::isHandLive() const { return run_ && run_->liveHand() != nullptr; }
+
+bool FeelController::isHeldByKey() const { return run_ && run_->orders().enable.kind == haptics::EnableKind::kPedal; }
+
+QString FeelController::priorityText() const { return run_ ? run_->loop().priorityText() : QString(); }
+
+double FeelController::depthMm() const { return latest_.depth_mm + depth_offset_mm_; }
+
+haptics::LoopStatistics FeelController::statistics() const {
+  return run_ ? run_->servo().statistics() : haptics::LoopStatistics{};
+}
+
+bool FeelController::isNeckFlexed() const {
+  if (!scene_.model()) return false;
+  const auto& inputs = scene_.model()->model.inputs;
+  const auto input = inputNamed(scene_.model()->model, kNeckFlexionId);
+  const auto postures = input ? neckPostures(inputs[*input]) : std::nullopt;
+  return postures && scene_.value(*input) > (postures->upright + postures->flexed) / 2;
+}
+
+void FeelController::start(const QString& id) {
+  TACTUS_CHECK(scene_.model() != nullptr);
+  stop();
+  auto servo_scene = makeScene(kEditFadeS);
+  if (!servo_scene) {
+    emit failed(text(servo_scene.error().message()));
+    return;
+  }
+  auto opened = settings_.open_device(id.toStdString());
+  if (!opened) {
+    emit failed(text(opened.error().message()));
+    return;
+  }
+  haptics::ServoOrders orders;
+  orders.source = haptics::ForceSource::kInsertion;
+  orders.armed = true;
+  orders.scene = std::move(*servo_scene);
+  orders.placement = ++placements_;
+  const haptics::DeviceInfo& info = opened->device->info();
+  const bool by_key = info.simulated || info.buttons == 0;
+  orders.enable.kind = by_key ? haptics::EnableKind::kPedal : haptics::EnableKind::kButton;
+  depth_offset_mm_ = orders.scene->renderer().depth_offset_mm;
+  auto run = FeelRun::begin(std::move(*opened), settings_.make_loop, std::move(orders));
+  if (!run) {
+    emit failed(text(run.error().message()));
+    return;
+  }
+  run_ = std::move(*run);
+  latest_ = {};
+  history_.clear();
+  latency_.reset();
+  pending_edits_.clear();
+  conditions_new_ = false;
+  trip_.reset();
+  held_ = false;
+  target_mm_ = 0;
+  meter_.begin(1);
+  arming_ = 0;
+  beat_.start();
+  emit tripChanged();
+  enter(FeelState::kRunning);
+}
+
+void FeelController::stop() {
+  if (!run_) return;
+  beat_.stop();
+  run_->end();
+  for (const haptics::Sample& sample : run_->drain()) take(sample);
+  endPlacement();
+  run_.reset();
+  latest_.force_n = latest_.source_force_n = latest_.model_force_n = latest_.stretch_mm = 0;
+  latest_.phase = render::Phase::kReleased;
+  latest_.enabled = false;
+  held_ = false;
+  enter(FeelState::kStopped);
+}
+
+void FeelController::rearm() {
+  if (state_ != FeelState::kTripped) return;
+  run_->orders().armed = false;
+  arming_ = run_->post();
+  enter(FeelState::kRearming);
+}
+
+void FeelController::newPlacement() {
+  if (!run_) return;
+  beat();
+  endPlacement();
+  run_->orders().placement = ++placements_;
+  meter_.begin(run_->post());
+}
+
+void FeelController::setHeld(bool held) {
+  held_ = held && run_ != nullptr;
+  if (run_) run_->servo().pedal(held_);
+}
+
+void FeelController::setTarget(double position_mm) {
+  target_mm_ = position_mm;
+  if (isHandLive()) run_->liveHand()->setTarget(position_mm);
+}
+
+void FeelController::setNeckFlexed(bool flexed) {
+  if (!scene_.model()) return;
+  const auto input = inputNamed(scene_.model()->model, kNeckFlexionId);
+  const auto postures = input ? neckPostures(scene_.model()->model.inputs[*input]) : std::nullopt;
+  if (!postures) return;
+  flexing_ = true;
+  scene_.setValue(*input, flexed ? postures->flexed : postures->upright);
+  flexing_ = false;
+}
+
+void FeelController::setFollowsHand(bool follows) { follows_hand_ = follows; }
+
+void FeelController::beat() {
+  if (!run_) return;
+  run_->heartbeat();
+  if (conditions_new_) postScene(kEditFadeS);
+  const double depth_before_mm = rounded(depthMm(), kDepthStepMm);
+  const auto speedOf = [](const haptics::Sample& sample) {
+    return sample.phase == render::Phase::kSlidingIn ? std::max(0.0, rounded(sample.slip_speed_mm_s, kSpeedStepMmS))
+                                                     : 0;
+  };
+  const double speed_before_mm_s = speedOf(latest_);
+  const auto samples = run_->drain();
+  for (const haptics::Sample& sample : samples) take(sample);
+  watchTrip();
+  watchRelease();
+  if (samples.empty()) return;
+  const double depth_mm = rounded(depthMm(), kDepthStepMm);
+  const double speed_mm_s = speedOf(latest_);
+  if (depth_mm != depth_before_mm || speed_mm_s != speed_before_mm_s) emit handMoved(depth_mm, speed_mm_s);
+  emit advanced();
+}
+
+void FeelController::onModel() {
+  if (run_) postScene(kEditFadeS);
+}
+
+void FeelController::onValue(std::size_t input) {
+  const std::string& id = scene_.model()->model.inputs[input].id;
+  if (id == kNeckFlexionId) emit neckChanged();
+  if (!run_ || id == kDepthId || id == kSpeedId) return;
+  if (flexing_) {
+    postScene(kGestureFadeS);
+  } else {
+    conditions_new_ = true;
+  }
+}
+
+void FeelController::onHandMoved(double depth_mm, double speed_mm_s) {
+  if (!follows_hand_) return;
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  if (const auto speed = inputNamed(model, kSpeedId)) scene_.setValue(*speed, speed_mm_s);
+  if (const auto depth = inputNamed(model, kDepthId)) scene_.setValue(*depth, depth_mm);
+}
+
+base::Result<std::shared_ptr<const haptics::ServoScene>> FeelController::makeScene(double fade_s) const {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  haptics::Conditions conditions;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const std::string& id = model.inputs[i].id;
+    if (id != kDepthId && id != kSpeedId) conditions[id] = scene_.value(i);
+  }
+  haptics::SceneSettings settings;
+  settings.moved = {kDepthId, kSpeedId};
+  settings.fade_s = fade_s;
+  return haptics::ServoScene::make(model, conditions, settings);
+}
+
+void FeelController::postScene(double fade_s) {
+  const std::uint64_t ticks_before = run_->servo().ticks();
+  conditions_new_ = false;
+  auto servo_scene = makeScene(fade_s);
+  if (!servo_scene) {
+    emit failed(tr("The edit is not felt: %1").arg(text(servo_scene.error().message())));
+    return;
+  }
+  depth_offset_mm_ = (*servo_scene)->renderer().depth_offset_mm;
+  run_->orders().scene = std::move(*servo_scene);
+  pending_edits_.push_back({run_->post(), ticks_before});
+}
+
+void FeelController::take(const haptics::Sample& sample) {
+  latest_ = sample;
+  history_.add(sample);
+  meter_.add(sample, depthMm());
+  for (; !pending_edits_.empty() && pending_edits_.front().number <= sample.orders; pending_edits_.pop_front()) {
+    EditLatency latency = latency_.value_or(EditLatency{});
+    latency.last_ticks = sample.tick - pending_edits_.front().ticks_before;
+    latency.longest_ticks = std::max(latency.longest_ticks, latency.last_ticks);
+    latency_ = latency;
+  }
+}
+
+void FeelController::watchTrip() {
+  // A sample from before the arming still tells of the trip that it cleared.
+  const bool armed = state_ == FeelState::kRunning && latest_.orders >= arming_;
+  if (armed && latest_.trip != haptics::TripCause::kNone) {
+    const std::string_view cause = haptics::describe(latest_.trip);
+    trip_ = FeelTrip{sentenceCase(text(std::string(cause))), QTime::currentTime()};
+    enter(FeelState::kTripped);
+    emit tripChanged();
+  }
+  // The record of the trip, which knows value and limit, is complete 0.2 s after it.
+  if (const auto record = run_->servo().takeFlightRecord(); record && trip_) {
+    trip_->sentence = sentenceCase(text(haptics::sentence(record->trip)));
+    const bool uncalibrated = record->trip.cause == haptics::TripCause::kDeviceFault &&
+                              record->trip.value == static_cast<double>(haptics::DeviceFault::kNotCalibrated);
+    if (uncalibrated) trip_->sentence += QStringLiteral("; ") + text(run_->calibrationAdvice());
+    emit tripChanged();
+  }
+}
+
+void FeelController::watchRelease() {
+  if (state_ != FeelState::kRearming || latest_.orders < arming_) return;
+  const haptics::EnableSettings& enable = run_->orders().enable;
+  const bool down = enable.kind == haptics::EnableKind::kPedal ? held_ : (latest_.buttons & enable.button_mask) != 0;
+  if (down) return;
+  run_->orders().armed = true;
+  arming_ = run_->post();
+  trip_.reset();
+  emit tripChanged();
+  enter(FeelState::kRunning);
+}
+
+void FeelController::endPlacement() {
+  auto summary = meter_.summary();
+  meter_.begin(0);
+  if (!summary) return;
+  summary->simulated = run_->info().simulated;
+  last_placement_ = summary;
+  emit placementEnded();
+}
+
+void FeelController::enter(FeelState state) {
+  state_ = state;
+  emit stateChanged();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,164 @@
+// Feeling the open model: runs the servo on a device, keeps it up to date with every edit, and tells what is felt.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTime>
+#include <QTimer>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/devices/open_device.h"
+#include "app/workbench/controllers/feel_history.h"
+#include "app/workbench/controllers/feel_loop.h"
+#include "app/workbench/controllers/placement.h"
+#include "core/haptics/device.h"
+#include "core/haptics/loop_statistics.h"
+#include "core/haptics/sample.h"
+#include "core/haptics/trip.h"
+
+namespace tactus::workbench {
+
+class FeelRun;
+class SceneController;
+
+enum class FeelState {
+  kStopped,   ///< no servo, nothing is computed
+  kRunning,   ///< forces are possible
+  kTripped,   ///< zero force until somebody arms again
+  kRearming,  ///< waits for the hand to let go
+};
+
+/// What ended the force, for the screen.
+struct FeelTrip {
+  QString sentence;  ///< cause, and value and limit once they are known
+  QTime at;          ///< time of day
+};
+
+/// How long an edit took until it was in the force, in ticks of the servo.
+struct EditLatency {
+  std::uint64_t last_ticks = 0;     ///< from the edit to the first tick that used it, making the scene included
+  std::uint64_t longest_ticks = 0;  ///< of all edits since the start
+};
+
+/// Where devices and loops come from; a test gives its own.
+struct FeelSettings {
+  std::function<base::Result<devices::OpenedDevice>(const std::string& id)> open_device;
+  MakeFeelLoop make_loop;
+};
+/// Devices of this computer under a thread of their own.
+FeelSettings realFeel();
+
+/// Thread: gui. Only FeelRun's servo has another thread.
+class FeelController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Reads the model and its conditions from `scene`, and moves its depth and speed with the hand.
+  explicit FeelController(SceneController& scene, FeelSettings settings = realFeel(), QObject* parent = nullptr);
+  ~FeelController() override;
+
+  FeelState state() const { return state_; }
+  bool isRunning() const { return run_ != nullptr; }
+  /// What is felt on; nothing while stopped.
+  std::optional<haptics::DeviceInfo> device() const;
+  /// The hand is one that mouse and keyboard drive.
+  bool isHandLive() const;
+  /// The tube is held with a key or the mouse, not with a button of the device.
+  bool isHeldByKey() const;
+  QString priorityText() const;
+  std::optional<FeelTrip> trip() const { return trip_; }
+
+  /// The newest sample; of a run that has ended, without force.
+  const haptics::Sample& latest() const { return latest_; }
+  /// Depth of the tip as the model counts it, mm.
+  double depthMm() const;
+  /// How far the wish of a live hand is ahead of the tube's grip, mm.
+  double lagMm() const { return target_mm_ - (latest_.position_mm - latest_.stretch_mm); }
+  double targetMm() const { return target_mm_; }
+  const FeelHistory& history() const { return history_; }
+  std::uint32_t strokes() const { return meter_.strokes(); }
+  std::optional<PlacementSummary> lastPlacement() const { return last_placement_; }
+  /// Nothing before the first edit of this run.
+  std::optional<EditLatency> editLatency() const { return latency_; }
+  /// Of the present run; empty while stopped.
+  haptics::LoopStatistics statistics() const;
+  bool followsHand() const { return follows_hand_; }
+  bool isNeckFlexed() const;
+
+ public slots:
+  /// Starts on the device `id` of the list of devices; ends with `stateChanged` or `failed`. A model must be open.
+  void start(const QString& id);
+  /// No force from the next tick on, then the servo ends. The placement ends.
+  void stop();
+  /// After a trip: disarms, waits until the hand lets go, and arms.
+  void rearm();
+  /// The tube is taken out: the placement ends and another one begins.
+  void newPlacement();
+  /// Pedal, key or mouse button that holds the tube.
+  void setHeld(bool held);
+  /// Where a live hand wants to be along its axis, mm.
+  void setTarget(double position_mm);
+  /// Asks the patient to flex the neck or to hold the head upright; the force follows within a second.
+  void setNeckFlexed(bool flexed);
+  /// Whether the operating point of the scene follows the hand.
+  void setFollowsHand(bool follows);
+  /// What has happened since the last time; called 60 times a second while running.
+  void beat();
+
+ signals:
+  void stateChanged();
+  /// New samples; at most 60 times a second, and never while stopped.
+  void advanced();
+  void tripChanged();
+  /// The hand moved the tube: depth in mm of the model, speed of the tube inwards in mm/s.
+  void handMoved(double depth_mm, double speed_mm_s);
+  void placementEnded();
+  void neckChanged();
+  /// One sentence: what could not be started or felt, and why.
+  void failed(const QString& sentence);
+
+ private:
+  void onModel();
+  void onValue(std::size_t input);
+  void onHandMoved(double depth_mm, double speed_mm_s);
+  void postScene(double fade_s);
+  base::Result<std::shared_ptr<const haptics::ServoScene>> makeScene(double fade_s) const;
+  void take(const haptics::Sample& sample);
+  void watchTrip();
+  void watchRelease();
+  void endPlacement();
+  void enter(FeelState state);
+
+  SceneController& scene_;
+  const FeelSettings settings_;
+  QTimer beat_;
+  std::unique_ptr<FeelRun> run_;
+  FeelState state_ = FeelState::kStopped;
+  haptics::Sample latest_;
+  double depth_offset_mm_ = 0;  ///< of the scene that was posted last
+  FeelHistory history_;
+  std::optional<FeelTrip> trip_;
+  double target_mm_ = 0;
+  bool held_ = false;
+  bool follows_hand_ = true;
+  bool flexing_ = false;         ///< the change of neck flexion that is coming is a gesture
+  bool conditions_new_ = false;  ///< posted at the next beat: a slider that is dragged changes them more often
+  std::uint64_t placements_ = 0;
+  PlacementMeter meter_;
+  std::optional<PlacementSummary> last_placement_;
+
+  struct PendingEdit {
+    std::uint64_t number = 0;
+    std::uint64_t ticks_before = 0;
+  };
+  std::deque<PendingEdit> pending_edits_;  ///< posted, and not yet seen in a sample
+  std::optional<EditLatency> latency_;
+  std::uint64_t arming_ = 0;  ///< number of the orders that disarm, while re-arming; then of those that arm
+};
+
+}  // namespace tactus::workbench

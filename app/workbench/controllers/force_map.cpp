@@ -1,0 +1,158 @@
+#include "app/workbench/controllers/force_map.h"
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/workbench/controllers/scene_controller.h"
+#include "core/base/check.h"
+
+namespace tactus::workbench {
+namespace {
+
+std::vector<double> evenly(const fuzzy::Variable& variable, std::size_t count) {
+  std::vector<double> places(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    places[i] = std::lerp(variable.min, variable.max, static_cast<double>(i) / static_cast<double>(count - 1));
+  }
+  return places;
+}
+
+}  // namespace
+
+ForceMapController::ForceMapController(const SceneController& scene, QObject* parent) : QObject(parent), scene_(scene) {
+  slices_.setInterval(0);
+  connect(&slices_, &QTimer::timeout, this, &ForceMapController::work);
+  connect(&scene_, &SceneController::modelChanged, this, &ForceMapController::adoptModel);
+  if (scene_.model()) adoptModel();
+}
+
+fuzzy::Evaluation ForceMapController::forceAtPoint() const {
+  const OpenModel& open = *scene_.model();
+  std::vector<double> point;
+  for (std::size_t i = 0; i < open.model.inputs.size(); ++i) point.push_back(scene_.value(i));
+  scene_.countEvaluations(1);
+  return expert_ ? open.compiled.evaluateExpert(*expert_, point) : open.compiled.evaluate(point);
+}
+
+void ForceMapController::setAxes(std::size_t x_input, std::size_t y_input) {
+  if (x_input == y_input) {
+    // The input that was chosen a second time leaves its old axis to the other one.
+    if (x_input == x_input_) {
+      x_input = y_input_;
+    } else {
+      y_input = x_input_;
+    }
+  }
+  if (x_input == x_input_ && y_input == y_input_) return;
+  stop();
+  x_input_ = x_input;
+  y_input_ = y_input;
+  map_.reset();
+  emit choiceChanged();
+}
+
+void ForceMapController::setExpert(std::optional<std::size_t> expert) {
+  if (expert == expert_) return;
+  stop();
+  expert_ = expert;
+  map_.reset();
+  emit choiceChanged();
+}
+
+void ForceMapController::compute() {
+  stop();
+  if (!scene_.model() || x_input_ == y_input_) return;
+  model_ = scene_.shared();
+  std::vector<std::optional<double>> fixed;
+  point_.clear();
+  for (std::size_t i = 0; i < model_->model.inputs.size(); ++i) {
+    point_.push_back(scene_.value(i));
+    fixed.push_back(i == x_input_ || i == y_input_ ? std::nullopt : std::optional(point_[i]));
+  }
+  auto order = fuzzy::Scene::specialise(model_->compiled, fixed);
+  TACTUS_CHECK(order.has_value());
+  order_ = std::move(*order);
+  level_ = 0;
+  beginLevel();
+  work();
+}
+
+void ForceMapController::stop() {
+  slices_.stop();
+  level_ = kSides.size();
+}
+
+void ForceMapController::adoptModel() {
+  stop();
+  map_.reset();
+  const std::vector<fuzzy::Variable>& inputs = scene_.model()->model.inputs;
+  const auto find = [&inputs](const char* id, std::size_t otherwise) {
+    const auto found = std::find_if(inputs.begin(), inputs.end(), [id](const auto& input) { return input.id == id; });
+    return found == inputs.end() ? otherwise : static_cast<std::size_t>(found - inputs.begin());
+  };
+  // Depth and speed as in Fig. 9 of the paper. A model with one input has no map.
+  x_input_ = find("depth", inputs.size() - 1);
+  y_input_ = find("speed", 0);
+  if (x_input_ == y_input_) y_input_ = x_input_ == 0 ? inputs.size() - 1 : 0;
+  expert_.reset();
+  emit choiceChanged();
+}
+
+void ForceMapController::work() {
+  QElapsedTimer clock;
+  clock.start();
+  bool finished_one = false;
+  while (level_ < kSides.size() && clock.elapsed() < kSliceMs) {
+    computeRow();
+    if (row_ < growing_.side) continue;
+    finished_one = true;
+    map_ = std::move(growing_);
+    ++level_;
+    if (level_ < kSides.size()) beginLevel();
+  }
+  if (level_ == kSides.size()) {
+    slices_.stop();
+  } else if (!slices_.isActive()) {
+    slices_.start();
+  }
+  if (finished_one) emit mapChanged();
+}
+
+void ForceMapController::beginLevel() {
+  growing_ = {};
+  growing_.x_input = x_input_;
+  growing_.y_input = y_input_;
+  growing_.side = kSides[level_];
+  growing_.force_n.resize(growing_.side * growing_.side);
+  growing_.fired.resize(growing_.side * growing_.side);
+  xs_ = evenly(model_->model.inputs[x_input_], growing_.side);
+  ys_ = evenly(model_->model.inputs[y_input_], growing_.side);
+  row_ = 0;
+}
+
+void ForceMapController::computeRow() {
+  const std::size_t side = growing_.side;
+  const std::span<double> forces = std::span(growing_.force_n).subspan(row_ * side, side);
+  const std::span<std::uint8_t> fired = std::span(growing_.fired).subspan(row_ * side, side);
+  if (expert_) {
+    point_[y_input_] = ys_[row_];
+    for (std::size_t i = 0; i < side; ++i) {
+      point_[x_input_] = xs_[i];
+      const fuzzy::Evaluation here = model_->compiled.evaluateExpert(*expert_, point_);
+      forces[i] = here.force_n;
+      fired[i] = here.fired ? 1 : 0;
+    }
+  } else {
+    const std::vector<double> same_y(side, ys_[row_]);
+    // The varying inputs stand in the order of the model.
+    std::array<std::span<const double>, 2> inputs = {xs_, same_y};
+    if (y_input_ < x_input_) std::swap(inputs[0], inputs[1]);
+    order_->evaluateBatch(inputs, {forces, fired});
+  }
+  scene_.countEvaluations(side * (expert_ ? 1 : 1 + model_->compiled.expertCount()));
+  ++row_;
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,134 @@
+#include "app/workbench/plots/force_map_plot.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <limits>
+
+#include "app/workbench/controllers/contour_lines.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/plots/landmark_marks.h"
+#include "app/workbench/plots/map_marks.h"
+#include "app/workbench/plots/picture_export.h"
+#include "app/workbench/plots/plot_style.h"
+#include "app/workbench/theme.h"
+
+namespace tactus::workbench {
+namespace {
+
+// The ramp of the terms: what is amber as a term of the output is amber as a force.
+QCPColorGradient forceColors() {
+  constexpr std::size_t kStops = 16;
+  QCPColorGradient gradient;
+  gradient.clearColorStops();
+  for (std::size_t i = 0; i < kStops; ++i) {
+    gradient.setColorStopAt(static_cast<double>(i) / (kStops - 1), theme::term(i, kStops));
+  }
+  gradient.setNanHandling(QCPColorGradient::nhTransparent);
+  return gradient;
+}
+
+// Where no rule fires the ground shows, with the hatching of the curves' gaps.
+QBrush silentGround() { return {theme::border(), Qt::BDiagPattern}; }
+
+}  // namespace
+
+ForceMapPlot::ForceMapPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setMinimumSize(260, 180);
+
+  colors_ = new QCPColorMap(plot_->xAxis, plot_->yAxis);
+  scale_ = new QCPColorScale(plot_);
+  scale_->setBarWidth(2 * theme::kGrid);
+  plot_->plotLayout()->addElement(0, 1, scale_);
+  colors_->setColorScale(scale_);
+  colors_->setGradient(forceColors());
+  auto* margins = new QCPMarginGroup(plot_);
+  plot_->axisRect()->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+  scale_->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+  plot_->axisRect()->setBackground(silentGround());
+  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid, 0, 0));
+
+  contours_ = new ContourMarks(*plot_);
+  landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kAbove);
+  cross_ = new MapCross(*plot_);
+  connect(plot_, &QCustomPlot::mousePress, this, &ForceMapPlot::onMouse);
+  connect(plot_, &QCustomPlot::mouseMove, this, &ForceMapPlot::onMouse);
+}
+
+void ForceMapPlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, const fuzzy::Variable& output) {
+  x_ = x;
+  y_ = y;
+  styleAxis(*plot_->xAxis, x);
+  styleAxis(*plot_->yAxis, y);
+  styleAxis(*scale_->axis(), output);
+  plot_->xAxis->setLabel(axisText(x));
+  plot_->yAxis->setLabel(axisText(y));
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->grid()->setVisible(false);
+  scale_->axis()->setLabel(axisText(output));
+  scale_->setDataRange(QCPRange(output.min, output.max));
+  landmarks_->setVariable(x);
+  setToolTip(landmarks_->explanation());
+  plot_->axisRect()->setMinimumMargins(QMargins(0, std::max(theme::kGrid, landmarks_->height()), 0, 0));
+  setMap(nullptr);
+}
+
+void ForceMapPlot::setMap(const ForceMap* map) {
+  if (!map) {
+    colors_->data()->clear();
+    contours_->set({});
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+    return;
+  }
+  const int side = static_cast<int>(map->side);
+  QCPColorMapData* cells = colors_->data();
+  cells->setSize(side, side);
+  cells->setRange(QCPRange(x_.min, x_.max), QCPRange(y_.min, y_.max));
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const auto column = static_cast<std::size_t>(x);
+      const auto row = static_cast<std::size_t>(y);
+      cells->setCell(x, y,
+                     map->isFired(column, row) ? map->force(column, row) : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  const double step_x = (x_.max - x_.min) / (side - 1);
+  const double step_y = (y_.max - y_.min) / (side - 1);
+  std::vector<ContourMarks::Line> lines;
+  const QCPRange range = scale_->dataRange();
+  for (const double level : contourLevels(range.lower, range.upper)) {
+    ContourMarks::Line line{numberText(level), contourLines(*map, level)};
+    for (QLineF& piece : line.pieces) {
+      piece.setLine(x_.min + piece.x1() * step_x, y_.min + piece.y1() * step_y, x_.min + piece.x2() * step_x,
+                    y_.min + piece.y2() * step_y);
+    }
+    lines.push_back(std::move(line));
+  }
+  contours_->set(std::move(lines));
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ForceMapPlot::setPoint(double x, double y, const QString& tag) {
+  cross_->set(x, y, tag);
+  cross_->layer()->replot();
+}
+
+base::Result<void> ForceMapPlot::savePicture(const QString& path, const QString& title, const QString& note) {
+  cross_->setVisible(false);
+  auto saved = workbench::savePicture(*plot_, path, title, note);
+  cross_->setVisible(true);
+  plot_->replot();
+  return saved;
+}
+
+void ForceMapPlot::onMouse(QMouseEvent* event) {
+  if (!event->buttons().testFlag(Qt::LeftButton)) return;
+  if (event->type() == QEvent::MouseButtonPress && !plot_->axisRect()->rect().contains(event->position().toPoint())) {
+    return;
+  }
+  emit picked(placeOf(x_, plot_->xAxis->pixelToCoord(event->position().x())),
+              placeOf(y_, plot_->yAxis->pixelToCoord(event->position().y())));
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,95 @@
+#include "app/workbench/plots/force_trace_plot.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/controllers/feel_history.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/plots/plot_style.h"
+#include "app/workbench/theme.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr double kHeadroom = 1.08;
+
+QCPGraph* addLine(QCustomPlot& plot, const QPen& pen) {
+  QCPGraph* graph = plot.addGraph();
+  graph->setPen(pen);
+  return graph;
+}
+
+fuzzy::Variable axisOf(const char* id, const QString& label, const char* unit, double min, double max) {
+  return {id, label.toStdString(), unit, min, max, {}};
+}
+
+}  // namespace
+
+ForceTracePlot::ForceTracePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setMinimumSize(240, 120);
+
+  // The limits first, so that the lines stand above the fill.
+  limits_ = addLine(*plot_, Qt::NoPen);
+  model_ = addLine(*plot_, QPen(theme::expert(2), 1.4));
+  friction_ = addLine(*plot_, QPen(theme::expert(1), 1.4));
+  force_ = addLine(*plot_, QPen(theme::accent(), 2));
+  QColor taken = theme::errorInk();
+  taken.setAlpha(60);
+  limits_->setBrush(taken);
+  limits_->setChannelFillGraph(force_);
+
+  const fuzzy::Variable time = axisOf("time", tr("Time"), "s", -FeelHistory::kTraceS, 0);
+  styleAxis(*plot_->xAxis, time);
+  plot_->xAxis->setLabel(axisText(time));
+  const fuzzy::Variable force = axisOf("force", tr("Force"), "N", 0, full_n_);
+  styleAxis(*plot_->yAxis, force);
+  plot_->yAxis->setLabel(axisText(force));
+  plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
+  plot_->yAxis->ticker()->setTickCount(3);
+  plot_->axisRect()->setAutoMargins(QCP::msLeft | QCP::msBottom);
+  plot_->axisRect()->setMargins(QMargins(0, theme::kGrid, 2 * theme::kGrid, 0));
+  setSplit(false);
+}
+
+void ForceTracePlot::setFullScale(double full_n) {
+  if (full_n == full_n_) return;
+  full_n_ = full_n;
+  plot_->yAxis->setRange(0, full_n_);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ForceTracePlot::setSplit(bool split) {
+  split_ = split;
+  for (QCPGraph* part : {limits_, model_, friction_}) part->setVisible(split);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ForceTracePlot::setHistory(const FeelHistory& history) {
+  const auto& trace = history.trace();
+  QVector<double> time, force, friction, model;
+  for (QVector<double>* column : {&time, &force, &friction, &model})
+    column->reserve(static_cast<qsizetype>(trace.size()));
+  double lowest_n = 0;
+  double highest_n = full_n_ / kHeadroom;
+  for (const TracePoint& point : trace) {
+    time << point.time_s - history.nowS();
+    force << point.force_n;
+    friction << point.friction_n;
+    model << point.model_n;
+    lowest_n = std::min({lowest_n, point.force_n, split_ ? point.friction_n : 0});
+    highest_n = std::max({highest_n, point.force_n, split_ ? std::max(point.friction_n, point.model_n) : 0});
+  }
+  force_->setData(time, force, true);
+  if (split_) {
+    friction_->setData(time, friction, true);
+    limits_->setData(time, friction, true);
+    model_->setData(time, model, true);
+  }
+  plot_->yAxis->setRange(lowest_n * kHeadroom, highest_n * kHeadroom);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace tactus::workbench

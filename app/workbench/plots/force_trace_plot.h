@@ -1,0 +1,37 @@
+// The force of the last ten seconds: what the hand feels, or split into fuzzy force, friction and limits.
+#pragma once
+
+#include <QWidget>
+
+class QCustomPlot;
+class QCPGraph;
+
+namespace tactus::workbench {
+
+class FeelHistory;
+
+class ForceTracePlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ForceTracePlot(QWidget* parent = nullptr);
+
+  /// End of the force axis, > 0; a larger force makes it longer.
+  void setFullScale(double full_n);
+  /// Shows what makes up the force as well.
+  void setSplit(bool split);
+  bool isSplit() const { return split_; }
+  /// Draws the last ten seconds; the newest point is at the right.
+  void setHistory(const FeelHistory& history);
+
+ private:
+  QCustomPlot* plot_;
+  QCPGraph* force_;
+  QCPGraph* friction_;
+  QCPGraph* model_;
+  QCPGraph* limits_;  ///< fills what the limits took, between friction and force
+  bool split_ = false;
+  double full_n_ = 1;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,41 @@
+// Landmarks of the anatomy at an edge of a plot with a depth axis: a bar or a tick, and a name. Only files of
+// plots/ include this.
+#pragma once
+
+#include <vector>
+
+#include "app/workbench/controllers/landmarks.h"
+#include "app/workbench/plots/plot_style.h"
+
+namespace tactus::workbench {
+
+class LandmarkMarks : public QCPLayerable {
+  Q_OBJECT
+
+ public:
+  enum class Place {
+    kInside,  ///< at the lower edge, over the ground of the plot
+    kAbove,   ///< on top of the plot, which leaves height() for them
+    kBars,    ///< at the lower edge without names, where the plot is small
+  };
+
+  LandmarkMarks(QCustomPlot& plot, Place place);
+
+  /// The landmarks of the axis of `variable`, none where it is not the depth.
+  void setVariable(const fuzzy::Variable& variable);
+  /// One line per landmark with its place and its source; empty where there are none.
+  QString explanation() const;
+  /// Room that the bars and two rows of names take, px; 0 without landmarks.
+  int height() const;
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+  void draw(QCPPainter* painter) override;
+
+ private:
+  Place place_;
+  std::vector<Landmark> landmarks_;
+  QFont font_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,52 @@
+// What lies over a color map: lines of equal force, and the cross at the operating point. Only files of plots/ include
+// this.
+#pragma once
+
+#include <QLineF>
+#include <vector>
+
+#include "app/workbench/plots/plot_style.h"
+
+namespace tactus::workbench {
+
+class ContourMarks : public QCPLayerable {
+  Q_OBJECT
+
+ public:
+  struct Line {
+    QString text;                ///< the level, as it is written beside the line
+    std::vector<QLineF> pieces;  ///< in the units of the axes
+  };
+
+  explicit ContourMarks(QCustomPlot& plot);
+
+  void set(std::vector<Line> lines) { lines_ = std::move(lines); }
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+  void draw(QCPPainter* painter) override;
+
+ private:
+  std::vector<Line> lines_;
+};
+
+class MapCross : public QCPLayerable {
+  Q_OBJECT
+
+ public:
+  explicit MapCross(QCustomPlot& plot);
+
+  void set(double x, double y, QString tag);
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+  void draw(QCPPainter* painter) override;
+
+ private:
+  double x_ = 0;
+  double y_ = 0;
+  QString tag_;
+  QFont font_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,78 @@
+#include "app/workbench/plots/output_sets_plot.h"
+
+#include <QVBoxLayout>
+
+#include "app/workbench/display_text.h"
+#include "app/workbench/plots/plot_style.h"
+#include "app/workbench/plots/reading_cursor.h"
+#include "app/workbench/theme.h"
+
+namespace tactus::workbench {
+
+OutputSetsPlot::OutputSetsPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setMinimumSize(200, 120);
+  cursor_ = new ReadingCursor(*plot_);
+  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
+}
+
+void OutputSetsPlot::showExpert(const fuzzy::ForceModel& model, const analysis::Explanation& explanation,
+                                std::size_t expert) {
+  begin(model.output);
+  const analysis::ExplainedExpert& explained = explanation.experts[expert];
+  for (std::size_t i = 0; i < explained.output_terms.size(); ++i) {
+    addSet(explained.output_terms[i].set, theme::term(i, explained.output_terms.size()), 0.45F, 1);
+  }
+  addSet(explained.aggregated, theme::ink(), 0, 1.6);
+  finish(!explained.abstains, explained.force_n,
+         tr("centroid %1").arg(forceText(explained.force_n, model.output.unit)));
+}
+
+void OutputSetsPlot::showExperts(const fuzzy::ForceModel& model, const analysis::Explanation& explanation) {
+  begin(model.output);
+  for (std::size_t i = 0; i < explanation.experts.size(); ++i) {
+    addSet(explanation.experts[i].aggregated, theme::expert(i), 0.1F, 1.6);
+  }
+  finish(explanation.fired, explanation.force_n, tr("mean %1").arg(forceText(explanation.force_n, model.output.unit)));
+}
+
+void OutputSetsPlot::begin(const fuzzy::Variable& output) {
+  styleAxis(*plot_->xAxis, output);
+  styleAxis(*plot_->yAxis, output);
+  plot_->xAxis->setLabel(axisText(output));
+  plot_->xAxis->grid()->setVisible(false);
+  plot_->yAxis->setRange(0, 1.06);
+  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
+  ticker->setTickStep(0.5);
+  plot_->yAxis->setTicker(ticker);
+  plot_->clearGraphs();
+}
+
+void OutputSetsPlot::addSet(const analysis::Polyline& set, const QColor& color, float fill_alpha, double width) {
+  if (set.empty()) return;
+  QVector<double> x{set.front().x};
+  QVector<double> height{0};
+  for (const analysis::Vertex& vertex : set) {
+    x << vertex.x;
+    height << vertex.height;
+  }
+  x << set.back().x;
+  height << 0;
+  QCPGraph* graph = plot_->addGraph();
+  graph->setAdaptiveSampling(false);
+  graph->setPen(QPen(color, width));
+  QColor fill = color;
+  fill.setAlphaF(fill_alpha);
+  graph->setBrush(fill_alpha > 0 ? QBrush(fill) : QBrush(Qt::NoBrush));
+  graph->setData(x, height, true);
+}
+
+void OutputSetsPlot::finish(bool fired, double force_n, const QString& tag) {
+  cursor_->setVisible(fired);
+  cursor_->set(force_n, tag, {});
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace tactus::workbench

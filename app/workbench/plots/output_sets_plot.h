@@ -1,0 +1,35 @@
+// The sets that the rules make of the output terms, the set they make together, and its centroid, which is the force.
+#pragma once
+
+#include <QWidget>
+
+#include "core/analysis/explain.h"
+#include "core/fuzzy/force_model.h"
+
+class QCustomPlot;
+
+namespace tactus::workbench {
+
+class ReadingCursor;
+
+class OutputSetsPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OutputSetsPlot(QWidget* parent = nullptr);
+
+  /// The sets of one expert in the colors of their terms.
+  void showExpert(const fuzzy::ForceModel& model, const analysis::Explanation& explanation, std::size_t expert);
+  /// The set of every expert in the color of the expert, and the mean.
+  void showExperts(const fuzzy::ForceModel& model, const analysis::Explanation& explanation);
+
+ private:
+  void begin(const fuzzy::Variable& output);
+  void addSet(const analysis::Polyline& set, const QColor& color, float fill_alpha, double width);
+  void finish(bool fired, double force_n, const QString& tag);
+
+  QCustomPlot* plot_;
+  ReadingCursor* cursor_;
+};
+
+}  // namespace tactus::workbench

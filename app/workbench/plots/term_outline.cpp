@@ -1,0 +1,44 @@
+#include "app/workbench/plots/term_outline.h"
+
+#include <algorithm>
+
+#include "core/fuzzy/membership.h"
+
+namespace tactus::workbench {
+namespace {
+
+void addPoint(TermOutline& outline, const fuzzy::MembershipFunction& function, double x) {
+  outline.x << x;
+  outline.membership << function(x);
+}
+
+}  // namespace
+
+TermOutline outlineOf(const fuzzy::Term& term, double low, double high) {
+  const fuzzy::MembershipFunction function = fuzzy::MembershipFunction::of(term);
+  TermOutline outline;
+  if (function.gaussian) {
+    constexpr int kSteps = 96;
+    for (int i = 0; i <= kSteps; ++i) addPoint(outline, function, low + (high - low) * i / kSteps);
+    return outline;
+  }
+  const double first = std::max(low, function.a);
+  const double last = std::min(high, function.d);
+  if (first > last) return outline;
+  if (function.a >= low) {
+    outline.x << function.a;
+    outline.membership << 0;
+  }
+  addPoint(outline, function, first);
+  for (const double corner : {function.b, function.c}) {
+    if (corner > first && corner < last) addPoint(outline, function, corner);
+  }
+  addPoint(outline, function, last);
+  if (function.d <= high) {
+    outline.x << function.d;
+    outline.membership << 0;
+  }
+  return outline;
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,51 @@
+// The device: which one, Start and Stop, and how it is doing. It says when the device is simulated.
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace tactus::workbench {
+
+class Card;
+class DeviceSearch;
+class FeelController;
+
+class DeviceBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent = nullptr);
+
+  /// A model is open, so that there is something to feel.
+  void setModelOpen(bool open);
+  /// Shows `sentence` until the next start.
+  void showFailure(const QString& sentence);
+  /// Reads the state that changes while running: latency and rate.
+  void showProgress();
+
+ private:
+  void listDevices();
+  void showState();
+  void toggle();
+  QString stateText() const;
+  void setMessage(const QString& sentence, bool bad);
+
+  FeelController& feel_;
+  DeviceSearch& search_;
+  QComboBox* devices_;
+  QToolButton* look_;
+  QPushButton* start_;
+  QLabel* simulated_;
+  QLabel* state_;
+  Card* message_card_;
+  QLabel* message_;
+  QPushButton* rearm_;
+  QString failure_;
+  bool model_open_ = false;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,70 @@
+#include "app/workbench/views/edit_parts.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStatusBar>
+
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/controllers/term_controller.h"
+#include "app/workbench/views/history_panel.h"
+#include "app/workbench/views/main_window.h"
+#include "app/workbench/views/membership_editor.h"
+#include "app/workbench/views/panel_area.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kMessageMs = 15000;
+constexpr int kLongestAction = 60;  // characters of a label in the menu
+
+// `Undo: Insertion depth / Nasopharynx: right foot 125 to 132 mm`, cut where a menu would get too wide.
+QString actionText(const QString& action, const QString& label) {
+  if (label.isEmpty()) return action;
+  QString shown = label.size() > kLongestAction ? label.left(kLongestAction - 1) + QStringLiteral("…") : label;
+  return action + QStringLiteral(": ") + shown.replace(QLatin1Char('&'), QLatin1String("&&"));
+}
+
+}  // namespace
+
+EditParts::EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene)
+    : window_(window), edits_(edits) {
+  buildMenu();
+  addPanels(terms, scene);
+  connect(undo_, &QAction::triggered, &edits_, &EditController::undo);
+  connect(redo_, &QAction::triggered, &edits_, &EditController::redo);
+  connect(&edits_, &EditController::historyChanged, this, &EditParts::showUndo);
+  connect(&edits_, &EditController::reported, this, &EditParts::say);
+  connect(&edits_, &EditController::refused, this, &EditParts::say);
+  window_.statusBar()->setSizeGripEnabled(false);
+  showUndo();
+}
+
+void EditParts::buildMenu() {
+  auto* menu = new QMenu(tr("&Edit"), &window_);
+  undo_ = menu->addAction(tr("&Undo"));
+  undo_->setShortcut(Qt::CTRL | Qt::Key_Z);
+  redo_ = menu->addAction(tr("&Redo"));
+  redo_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+  const QList<QAction*> menus = window_.menuBar()->actions();
+  window_.menuBar()->insertMenu(menus.value(1), menu);
+}
+
+void EditParts::addPanels(TermController& terms, SceneController& scene) {
+  PanelArea& panels = window_.panels();
+  panels.addPanel(QStringLiteral("membership_editor"), tr("Membership function editor"),
+                  new MembershipEditor(edits_, terms, scene));
+  panels.addPanel(QStringLiteral("history"), tr("Undo list"), new HistoryPanel(edits_));
+}
+
+void EditParts::showUndo() {
+  undo_->setEnabled(edits_.canUndo());
+  undo_->setText(actionText(tr("&Undo"), edits_.undoText()));
+  redo_->setEnabled(edits_.canRedo());
+  redo_->setText(actionText(tr("&Redo"), edits_.redoText()));
+}
+
+void EditParts::say(const QString& sentence) { window_.statusBar()->showMessage(sentence, kMessageMs); }
+
+}  // namespace tactus::workbench

@@ -1,0 +1,35 @@
+// Puts what edits the model into the window: the Edit menu, the membership function editor, the undo list, and the
+// message after each edit.
+#pragma once
+
+#include <QObject>
+
+class QAction;
+
+namespace tactus::workbench {
+
+class EditController;
+class MainWindow;
+class SceneController;
+class TermController;
+
+class EditParts : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Before a model is opened: a stage takes its layout when it is entered first.
+  EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene);
+
+ private:
+  void buildMenu();
+  void addPanels(TermController& terms, SceneController& scene);
+  void showUndo();
+  void say(const QString& sentence);
+
+  MainWindow& window_;
+  EditController& edits_;
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,278 @@
+#include "app/workbench/views/feel_panel.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/workbench/controllers/depth_regions.h"
+#include "app/workbench/controllers/device_search.h"
+#include "app/workbench/controllers/feel_controller.h"
+#include "app/workbench/controllers/patient.h"
+#include "app/workbench/controllers/procedure.h"
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/plots/force_trace_plot.h"
+#include "app/workbench/theme.h"
+#include "app/workbench/views/card.h"
+#include "app/workbench/views/device_bar.h"
+#include "app/workbench/views/force_bar.h"
+#include "app/workbench/views/patient_controls.h"
+#include "app/workbench/views/placement_card.h"
+#include "app/workbench/views/procedure_panel.h"
+#include "app/workbench/views/sagittal_view.h"
+#include "app/workbench/views/tube_pad.h"
+#include "core/haptics/limit_bit.h"
+#include "core/haptics/sample.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kSideBySide = 640;  // px: from this width on hand and patient stand next to each other
+
+Card* cardOf(QLayout* layout, QWidget* parent) {
+  auto* card = new Card(parent);
+  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid);
+  card->setLayout(layout);
+  return card;
+}
+
+QString swatch(const QColor& color, const QString& name) {
+  return QStringLiteral("<span style=\"color:%1\">■</span> %2").arg(color.name(), name.toHtmlEscaped());
+}
+
+bool isTyping(const QWidget* focus) {
+  return focus && (focus->inherits("QLineEdit") || focus->inherits("QAbstractSpinBox") || focus->inherits("QTextEdit"));
+}
+
+}  // namespace
+
+FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* parent)
+    : QWidget(parent),
+      scene_(scene),
+      feel_(feel),
+      search_(new DeviceSearch(this)),
+      device_(new DeviceBar(feel, *search_, this)),
+      patient_(new PatientControls(scene, feel, this)),
+      pad_(new TubePad(this)),
+      force_(new QLabel(this)),
+      bar_(new ForceBar(this)),
+      limits_(new QLabel(this)),
+      split_(new QCheckBox(tr("Split"), this)),
+      follow_(new QCheckBox(tr("Plots follow the hand"), this)),
+      legend_(new QLabel(this)),
+      trace_(new ForceTracePlot(this)),
+      sagittal_(new SagittalView(this)),
+      procedure_(new ProcedurePanel(ngtProcedure(), this)),
+      placement_(new PlacementCard(this)) {
+  build();
+  connectAll();
+  if (scene_.model()) adoptModel();
+  showState();
+  showFelt();
+}
+
+FeelPanel::~FeelPanel() = default;
+
+void FeelPanel::build() {
+  force_->setFont(theme::titleFont());
+  force_->setTextFormat(Qt::PlainText);
+  for (QLabel* label : {limits_, legend_}) label->setFont(theme::smallFont());
+  limits_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  QPalette warning = limits_->palette();
+  warning.setColor(QPalette::WindowText, theme::warningInk());
+  limits_->setPalette(warning);
+  for (QCheckBox* box : {split_, follow_}) box->setFocusPolicy(Qt::TabFocus);
+  split_->setToolTip(tr("Show what makes up the force: fuzzy force, friction and limits"));
+  follow_->setToolTip(tr("Depth and speed of all plots are those of the tube in the hand"));
+  follow_->setChecked(feel_.followsHand());
+  legend_->setText(swatch(theme::accent(), tr("felt")) + QStringLiteral("  ") +
+                   swatch(theme::expert(2), tr("fuzzy force")) + QStringLiteral("  ") +
+                   swatch(theme::expert(1), tr("with friction")) + QStringLiteral("  ") +
+                   swatch(QColor(0xD9, 0xA3, 0xA3), tr("taken by limits")));
+  legend_->setVisible(false);
+
+  auto* device = new QVBoxLayout;
+  device->addWidget(device_);
+
+  auto* number_row = new QHBoxLayout;
+  number_row->addWidget(force_);
+  number_row->addWidget(limits_, 1);
+  auto* hand = new QVBoxLayout;
+  hand->setSpacing(theme::kGrid);
+  hand->addWidget(pad_);
+  hand->addLayout(number_row);
+  hand->addWidget(bar_);
+
+  auto* options = new QHBoxLayout;
+  options->setSpacing(2 * theme::kGrid);
+  options->addWidget(split_);
+  options->addWidget(follow_);
+  options->addStretch(1);
+  auto* trace = new QVBoxLayout;
+  trace->setSpacing(4);
+  trace->addLayout(options);
+  trace->addWidget(legend_);
+  trace->addWidget(trace_, 1);
+
+  auto* picture_row = new QHBoxLayout;
+  picture_row->setSpacing(theme::kGrid);
+  picture_row->addWidget(sagittal_, 3);
+  picture_row->addWidget(procedure_, 2);
+  auto* patient = new QVBoxLayout;
+  patient->setSpacing(theme::kGrid);
+  patient->addWidget(patient_);
+  patient->addLayout(picture_row, 1);
+  patient->addWidget(placement_);
+
+  auto* content = new QWidget;
+  auto* hand_half = new QVBoxLayout;
+  hand_half->setSpacing(theme::kGrid);
+  hand_half->addWidget(cardOf(device, content));
+  hand_half->addWidget(cardOf(hand, content));
+  hand_half->addWidget(cardOf(trace, content), 1);
+  halves_ = new QBoxLayout(QBoxLayout::TopToBottom, content);
+  halves_->setContentsMargins(0, 0, 0, 0);
+  halves_->setSpacing(theme::kGrid);
+  halves_->addLayout(hand_half, 1);
+  halves_->addWidget(cardOf(patient, content), 1);
+
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(content);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(scroll);
+  setMinimumWidth(content->minimumSizeHint().width() + theme::kGrid);
+}
+
+void FeelPanel::connectAll() {
+  connect(pad_, &TubePad::targetMoved, &feel_, &FeelController::setTarget);
+  connect(pad_, &TubePad::gripped, &feel_, &FeelController::setHeld);
+  connect(split_, &QCheckBox::toggled, this, [this](bool split) {
+    trace_->setSplit(split);
+    legend_->setVisible(split);
+    trace_->setHistory(feel_.history());
+  });
+  connect(follow_, &QCheckBox::toggled, &feel_, &FeelController::setFollowsHand);
+  connect(placement_, &PlacementCard::newPlacementRequested, &feel_, &FeelController::newPlacement);
+  connect(&feel_, &FeelController::stateChanged, this, &FeelPanel::showState);
+  connect(&feel_, &FeelController::advanced, this, &FeelPanel::showFelt);
+  connect(&feel_, &FeelController::failed, device_, &DeviceBar::showFailure);
+  connect(&feel_, &FeelController::neckChanged, this, [this] { sagittal_->setNeckFlexed(feel_.isNeckFlexed()); });
+  connect(&feel_, &FeelController::placementEnded, this, [this] { placement_->setSummary(feel_.lastPlacement()); });
+  connect(&scene_, &SceneController::modelChanged, this, &FeelPanel::adoptModel);
+  connect(&scene_, &SceneController::modelEdited, this, &FeelPanel::adoptModel);
+}
+
+void FeelPanel::adoptModel() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const auto input = inputNamed(model, kDepthId);
+  const auto depth = input ? std::optional(model.inputs[*input]) : std::nullopt;
+  if (depth != depth_) {
+    depth_ = depth;
+    sagittal_->setRegions(depth ? depthRegions(*depth) : std::vector<DepthRegion>());
+  }
+  sagittal_->setNeckFlexed(feel_.isNeckFlexed());
+  trace_->setFullScale(model.output.max);
+  device_->setModelOpen(true);
+  showFelt();
+}
+
+void FeelPanel::showState() {
+  const bool running = feel_.isRunning();
+  // Nothing listens to the keys of the program while there is no force to stop.
+  if (running != filtering_) {
+    if (running) {
+      qApp->installEventFilter(this);
+    } else {
+      qApp->removeEventFilter(this);
+    }
+    filtering_ = running;
+  }
+  placement_->setRunning(running);
+  showFelt();
+}
+
+void FeelPanel::showFelt() {
+  if (!isVisible()) return;
+  const haptics::Sample& sample = feel_.latest();
+  const double depth_mm = feel_.depthMm();
+  showForce();
+  TubePad::Reading reading;
+  reading.hand_mm = sample.position_mm;
+  reading.tube_mm = sample.position_mm - sample.stretch_mm;
+  reading.target_mm = feel_.targetMm();
+  reading.running = feel_.isRunning();
+  reading.live = feel_.isHandLive();
+  reading.held = sample.phase != render::Phase::kReleased;
+  pad_->setReading(reading);
+  sagittal_->setDepth(depth_mm);
+  procedure_->setDepth(depth_mm);
+  placement_->setProgress(feel_.strokes(), depth_mm, sagittal_->regionText());
+  device_->showProgress();
+  trace_due_ = !trace_due_;
+  if (trace_due_ || !feel_.isRunning()) trace_->setHistory(feel_.history());
+}
+
+void FeelPanel::showForce() {
+  const haptics::Sample& sample = feel_.latest();
+  bar_->setForces(sample.force_n, sample.source_force_n);
+  const QString force = forceText(sample.force_n, "N");
+  if (force != force_->text()) force_->setText(force);
+  const QString limits = limitText();
+  if (limits != limits_->text()) limits_->setText(limits);
+}
+
+QString FeelPanel::limitText() const {
+  if (!feel_.isRunning()) return {};
+  struct Limit {
+    std::uint32_t bit;
+    QString text;
+  };
+  const std::uint32_t limited = feel_.latest().limited;
+  for (const Limit& limit :
+       {Limit{haptics::kLimitedByThermal, tr("the device rests")},
+        Limit{haptics::kLimitedByStaleDevice, tr("the device is silent")},
+        Limit{haptics::kLimitedByGui, tr("the program was silent")},
+        Limit{haptics::kLimitedByPassivity, tr("vibration damped")},
+        Limit{haptics::kLimitedByCap, tr("at the force cap")}, Limit{haptics::kLimitedByFadeIn, tr("fading in")},
+        Limit{haptics::kLimitedByStiffness,
+              tr("spring softened to %1 N/mm").arg(numberText(feel_.latest().stiffness_n_mm))}}) {
+    if ((limited & limit.bit) != 0) return limit.text;
+  }
+  return {};
+}
+
+bool FeelPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ApplicationDeactivate) feel_.setHeld(false);
+  const bool press = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  if (!press && event->type() != QEvent::KeyRelease) return QWidget::eventFilter(watched, event);
+  const auto* key = static_cast<QKeyEvent*>(event);
+  if (key->key() == Qt::Key_Escape && press) {
+    feel_.stop();
+    event->accept();
+    return true;
+  }
+  if (key->key() != Qt::Key_Space || isTyping(QApplication::focusWidget())) return QWidget::eventFilter(watched, event);
+  if (!key->isAutoRepeat()) feel_.setHeld(press);
+  event->accept();
+  return true;
+}
+
+void FeelPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const auto direction = width() >= kSideBySide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+  if (halves_->direction() != direction) halves_->setDirection(direction);
+}
+
+void FeelPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  showFelt();
+}
+
+}  // namespace tactus::workbench

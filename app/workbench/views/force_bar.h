@@ -1,0 +1,31 @@
+// The force on the hand as a bar, up to the force cap of the servo.
+#pragma once
+
+#include <QWidget>
+
+namespace tactus::workbench {
+
+class ForceBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ForceBar(QWidget* parent = nullptr);
+
+  /// `force_n` fills the bar; `friction_n`, what was asked for, is a mark where the limits took some of it.
+  void setForces(double force_n, double friction_n);
+  /// End of the scale, > 0.
+  void setFullScale(double full_n);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  double force_n_ = 0;
+  double friction_n_ = 0;
+  double full_n_ = 2;
+};
+
+}  // namespace tactus::workbench

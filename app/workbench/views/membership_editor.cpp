@@ -1,0 +1,245 @@
+#include "app/workbench/views/membership_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QTabBar>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/editing/edit_steps.h"
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/controllers/term_controller.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/plots/membership_editor_plot.h"
+#include "app/workbench/theme.h"
+#include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/number_box.h"
+#include "app/workbench/views/popup_form.h"
+#include "app/workbench/views/term_table.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kRefusalMs = 8000;  // long enough to read two sentences
+
+void setInk(QWidget& widget, const QColor& ink) {
+  QPalette colors = widget.palette();
+  colors.setColor(QPalette::WindowText, ink);
+  widget.setPalette(colors);
+}
+
+}  // namespace
+
+MembershipEditor::MembershipEditor(EditController& edits, TermController& terms, SceneController& scene,
+                                   QWidget* parent)
+    : Card(parent),
+      edits_(edits),
+      terms_(terms),
+      scene_(scene),
+      variables_(new QTabBar(this)),
+      whose_(new QComboBox(this)),
+      own_(new QCheckBox(tr("Own terms"), this)),
+      keeps_sum_(new QCheckBox(tr("Terms sum to one"), this)),
+      add_(new QToolButton(this)),
+      plot_(new MembershipEditorPlot(this)),
+      hint_(new ElidedLabel(this)),
+      hint_time_(new QTimer(this)),
+      table_(new TermTable(terms, this)) {
+  variables_->setExpanding(false);
+  variables_->setDrawBase(false);
+  variables_->setUsesScrollButtons(false);
+  variables_->setElideMode(Qt::ElideRight);
+  variables_->setFont(theme::smallFont());
+  variables_->setAccessibleName(tr("Variable"));
+  whose_->setAccessibleName(tr("Whose terms"));
+  whose_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  whose_->setToolTip(tr("The terms that experts share, or those of one expert"));
+  own_->setToolTip(tr("The expert has terms of its own for this variable; otherwise the shared ones hold"));
+  keeps_sum_->setToolTip(tr("The memberships sum to one everywhere: a vertex takes that of its neighbor along"));
+  add_->setText(tr("Add term…"));
+  hint_->setFont(theme::smallFont());
+  hint_time_->setSingleShot(true);
+  hint_time_->setInterval(kRefusalMs);
+
+  buildPlace();
+  connectAll();
+  showModel();
+}
+
+void MembershipEditor::buildPlace() {
+  auto* modes = new QHBoxLayout;
+  modes->setSpacing(theme::kGrid);
+  modes->addWidget(whose_);
+  modes->addWidget(own_);
+  modes->addWidget(keeps_sum_);
+  modes->addStretch(1);
+  modes->addWidget(add_);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setSpacing(4);
+  layout->addWidget(variables_);
+  layout->addLayout(modes);
+  layout->addWidget(plot_, 3);
+  layout->addWidget(hint_);
+  layout->addWidget(table_, 2);
+}
+
+void MembershipEditor::connectAll() {
+  connect(variables_, &QTabBar::currentChanged, this, [this](int index) {
+    if (!filling_ && index >= 0) terms_.setVariable(variables_->tabData(index).toString().toStdString());
+  });
+  connect(whose_, &QComboBox::activated, this,
+          [this](int index) { terms_.setExpert(whose_->itemData(index).toString().toStdString()); });
+  connect(own_, &QCheckBox::clicked, this, [this](bool own) {
+    terms_.setOwnList(own);
+    showModes();
+  });
+  connect(keeps_sum_, &QCheckBox::clicked, &terms_, &TermController::setKeepsSum);
+  connect(add_, &QToolButton::clicked, this, &MembershipEditor::askAdd);
+
+  connect(plot_, &MembershipEditorPlot::selected, &terms_, &TermController::select);
+  connect(plot_, &MembershipEditorPlot::moveBegun, &terms_, &TermController::beginMove);
+  connect(plot_, &MembershipEditorPlot::moved, &terms_, &TermController::moveBy);
+  connect(plot_, &MembershipEditorPlot::moveEnded, &terms_, &TermController::endMove);
+  connect(plot_, &MembershipEditorPlot::moveCancelled, &terms_, &TermController::cancelMove);
+  connect(plot_, &MembershipEditorPlot::stepped, &terms_, &TermController::step);
+  connect(plot_, &MembershipEditorPlot::stepsEnded, &terms_, &TermController::endSteps);
+  connect(plot_, &MembershipEditorPlot::nextWanted, &terms_, &TermController::selectNext);
+
+  connect(&edits_, &EditController::modelReset, this, &MembershipEditor::showModel);
+  connect(&edits_, &EditController::refused, this, &MembershipEditor::showRefusal);
+  connect(&terms_, &TermController::listChanged, this, &MembershipEditor::showList);
+  connect(&terms_, &TermController::termsChanged, this, &MembershipEditor::showTerms);
+  connect(&terms_, &TermController::locksChanged, this, &MembershipEditor::showLocks);
+  connect(&terms_, &TermController::selectionChanged, this, &MembershipEditor::showSelection);
+  connect(&scene_, &SceneController::readingChanged, this, &MembershipEditor::showValue);
+  connect(hint_time_, &QTimer::timeout, this, &MembershipEditor::showHint);
+}
+
+void MembershipEditor::showEvent(QShowEvent* event) {
+  // Hidden, it followed nothing.
+  showModel();
+  Card::showEvent(event);
+}
+
+void MembershipEditor::showModel() {
+  setEnabled(terms_.isOpen());
+  if (!terms_.isOpen() || !isVisible()) return;
+  const fuzzy::ForceModel& model = terms_.model();
+  filling_ = true;
+  while (variables_->count() > 0) variables_->removeTab(0);
+  const auto add_tab = [this](const fuzzy::Variable& variable) {
+    const int index = variables_->addTab(labelOf(variable));
+    variables_->setTabData(index, text(variable.id));
+    variables_->setTabToolTip(index, axisText(variable));
+    if (variable.id == terms_.list().variable) variables_->setCurrentIndex(index);
+  };
+  for (const fuzzy::Variable& input : model.inputs) add_tab(input);
+  add_tab(model.output);
+  filling_ = false;
+  showList();
+  showHint();
+}
+
+void MembershipEditor::showExperts() {
+  const QSignalBlocker no_signal(whose_);
+  whose_->clear();
+  whose_->addItem(tr("Shared terms"), QString());
+  for (const fuzzy::Expert& expert : terms_.model().experts) {
+    whose_->addItem(tr("Terms of %1").arg(labelOf(expert)), text(expert.id));
+  }
+  whose_->setCurrentIndex(std::max(0, whose_->findData(text(terms_.expert()))));
+}
+
+void MembershipEditor::showList() {
+  if (!terms_.isOpen() || !isVisible()) return;
+  showExperts();
+  showTerms();
+  showSelection();
+  showLocks();
+}
+
+void MembershipEditor::showTerms() {
+  if (!isVisible()) return;
+  plot_->setTerms(terms_.variable(), terms_.terms());
+  plot_->setStopped(edits_.stopped());
+  showModes();
+  showValue();
+}
+
+void MembershipEditor::showModes() {
+  const bool of_expert = !terms_.expert().empty();
+  own_->setVisible(of_expert);
+  own_->setChecked(!terms_.list().expert.empty());
+  keeps_sum_->setChecked(terms_.keepsSum());
+  plot_->setSumToOne(terms_.keepsSum());
+}
+
+void MembershipEditor::showLocks() {
+  std::vector<std::vector<bool>> locked;
+  for (const fuzzy::Term& term : terms_.terms()) {
+    std::vector<bool> of_term;
+    for (std::size_t p = 0; p < term.points.size(); ++p) of_term.push_back(terms_.isLocked(term.id, p));
+    locked.push_back(std::move(of_term));
+  }
+  plot_->setLocked(std::move(locked));
+}
+
+void MembershipEditor::showSelection() { plot_->setSelected(terms_.selected()); }
+
+void MembershipEditor::showValue() {
+  if (!scene_.model() || !terms_.isOpen() || !isVisible()) return;
+  const std::string& variable = terms_.list().variable;
+  const auto& inputs = scene_.model()->model.inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (inputs[i].id != variable) continue;
+    plot_->setValue(i == scene_.xInput() ? scene_.readingX() : scene_.value(i));
+    return;
+  }
+  const Reading reading = scene_.reading();
+  plot_->setValue(reading.mean.fired ? std::optional(reading.mean.force_n) : std::nullopt);
+}
+
+void MembershipEditor::showRefusal(const QString& sentence) {
+  setInk(*hint_, theme::warningInk());
+  hint_->setFullText(sentence);
+  hint_time_->start();
+}
+
+void MembershipEditor::showHint() {
+  setInk(*hint_, theme::mutedInk());
+  hint_->setFullText(tr("Drag a vertex, an edge or a term. Arrow keys move it, with Shift farther; Esc takes back."));
+}
+
+void MembershipEditor::askAdd() {
+  if (!terms_.isOpen()) return;
+  const fuzzy::Variable variable = terms_.variable();
+  auto* form = new PopupForm(tr("Add a term to %1").arg(labelOf(variable)), tr("Add"), this);
+  if (terms_.keepsSum()) form->setNote(tr("The term that holds this place makes room for the new one."));
+  auto* name = new QLineEdit(form);
+  name->setAccessibleName(tr("Name of the new term"));
+  auto* place = new NumberBox(variable, editing::editStep(variable, editing::StepSize::kFine), form);
+  place->setAccessibleName(tr("Place of the new term"));
+  place->setValue(roundedPlace(variable, terms_.roomiestPlace()));
+  form->addField(tr("Name:"), name);
+  form->addField(tr("Around:"), place);
+  connect(form, &PopupForm::accepted, this, [this, form, name, place] {
+    if (name->text().trimmed().isEmpty()) {
+      form->setNote(tr("The new term needs a name."));
+      name->setFocus();
+      return;
+    }
+    form->close();
+    terms_.add(name->text(), place->value());
+  });
+  form->openAt(*add_);
+}
+
+}  // namespace tactus::workbench

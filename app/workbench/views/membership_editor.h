@@ -1,0 +1,61 @@
+// The membership function editor: one variable of the model, its terms to be moved by hand and typed as numbers.
+#pragma once
+
+#include "app/workbench/views/card.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QTabBar;
+class QTimer;
+class QToolButton;
+
+namespace tactus::workbench {
+
+class EditController;
+class ElidedLabel;
+class MembershipEditorPlot;
+class SceneController;
+class TermController;
+class TermTable;
+
+class MembershipEditor : public Card {
+  Q_OBJECT
+
+ public:
+  MembershipEditor(EditController& edits, TermController& terms, SceneController& scene, QWidget* parent = nullptr);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void buildPlace();
+  void connectAll();
+  void showModel();
+  void showExperts();
+  void showList();
+  void showTerms();
+  void showModes();
+  void showLocks();
+  void showSelection();
+  void showValue();
+  void showRefusal(const QString& sentence);
+  void showHint();
+  void askAdd();
+
+  EditController& edits_;
+  TermController& terms_;
+  SceneController& scene_;
+  QTabBar* variables_;
+  QComboBox* whose_;
+  QCheckBox* own_;
+  QCheckBox* keeps_sum_;
+  QToolButton* add_;
+  MembershipEditorPlot* plot_;
+  ElidedLabel* hint_;
+  QTimer* hint_time_;
+  TermTable* table_;
+  bool filling_ = false;
+};
+
+}  // namespace tactus::workbench

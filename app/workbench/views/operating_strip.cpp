@@ -1,0 +1,95 @@
+#include "app/workbench/views/operating_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include "app/workbench/controllers/model_controller.h"
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/theme.h"
+#include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/number_box.h"
+
+namespace tactus::workbench {
+namespace {
+
+void setInk(QLabel& label, const QColor& ink) {
+  QPalette colors = label.palette();
+  colors.setColor(QPalette::WindowText, ink);
+  label.setPalette(colors);
+}
+
+}  // namespace
+
+OperatingStrip::OperatingStrip(const ModelController& models, SceneController& scene, QWidget* parent)
+    : QWidget(parent),
+      models_(models),
+      scene_(scene),
+      layout_(new QHBoxLayout(this)),
+      point_(new QWidget(this)),
+      latency_(new QLabel(this)),
+      saved_(new QLabel(this)) {
+  for (QLabel* label : {latency_, saved_}) label->setTextFormat(Qt::PlainText);
+  setInk(*latency_, theme::mutedInk());
+  latency_->setToolTip(tr("From the last edit to the first force that uses it"));
+  latency_->hide();
+  layout_->setContentsMargins(4, 0, 4, 0);
+  layout_->setSpacing(2 * theme::kGrid);
+  layout_->addWidget(point_);
+  layout_->addStretch(1);
+  layout_->addWidget(latency_);
+  layout_->addWidget(saved_);
+
+  connect(&scene_, &SceneController::modelChanged, this, &OperatingStrip::build);
+  connect(&scene_, &SceneController::valueChanged, this, &OperatingStrip::showValue);
+  connect(&models_, &ModelController::modifiedChanged, this, &OperatingStrip::showSaved);
+  connect(&models_, &ModelController::saved, this, &OperatingStrip::showSaved);
+}
+
+void OperatingStrip::setDeviceState(QWidget* state) { layout_->insertWidget(layout_->indexOf(latency_), state); }
+
+void OperatingStrip::showLatency(const QString& latency) {
+  latency_->setText(latency);
+  latency_->setVisible(!latency.isEmpty());
+}
+
+void OperatingStrip::build() {
+  delete point_;
+  point_ = new QWidget(this);
+  layout_->insertWidget(0, point_);
+  numbers_.clear();
+  auto* row = new QHBoxLayout(point_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(theme::kGrid);
+  const std::vector<fuzzy::Variable>& inputs = scene_.model()->model.inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    auto* label = new ElidedLabel(point_);
+    label->setFullText(labelOf(inputs[i]));
+    setInk(*label, theme::mutedInk());
+    auto* number = new NumberBox(inputs[i], stepOf(inputs[i]), point_);
+    number->setAccessibleName(tr("%1 of the operating point").arg(labelOf(inputs[i])));
+    number->setToolTip(tr("%1: type a value, or use the arrow keys").arg(labelOf(inputs[i])));
+    connect(number, &NumberBox::valueChanged, &scene_, [this, i](double value) { scene_.setValue(i, value); });
+    row->addWidget(label);
+    row->addWidget(number);
+    if (i + 1 < inputs.size()) row->addSpacing(theme::kGrid);
+    numbers_.push_back(number);
+    showValue(i);
+  }
+  showSaved();
+}
+
+void OperatingStrip::showValue(std::size_t input) {
+  const QSignalBlocker no_signal(numbers_[input]);
+  numbers_[input]->setValue(scene_.value(input));
+}
+
+void OperatingStrip::showSaved() {
+  const bool modified = models_.isModified();
+  saved_->setText(modified ? tr("● Changes not saved") : tr("Saved"));
+  saved_->setToolTip(models_.current()->path);
+  setInk(*saved_, modified ? theme::warningInk() : theme::mutedInk());
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,99 @@
+#include "app/workbench/views/patient_controls.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/workbench/controllers/feel_controller.h"
+#include "app/workbench/controllers/patient.h"
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/theme.h"
+
+namespace tactus::workbench {
+
+PatientControls::PatientControls(SceneController& scene, FeelController& feel, QWidget* parent)
+    : QWidget(parent),
+      scene_(scene),
+      feel_(feel),
+      lubrication_(new QLabel(tr("Lubrication"), this)),
+      terms_(new QWidget(this)),
+      terms_layout_(new QHBoxLayout(terms_)),
+      term_buttons_(new QButtonGroup(this)),
+      neck_(new QPushButton(this)) {
+  terms_layout_->setContentsMargins(0, 0, 0, 0);
+  terms_layout_->setSpacing(2);
+  // Checked where the value is; the group must not insist, because a value may be in no term.
+  term_buttons_->setExclusive(false);
+  neck_->setCheckable(true);
+  neck_->setFocusPolicy(Qt::TabFocus);
+  neck_->setToolTip(tr("The head moves within a second, and the force with it"));
+
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(lubrication_);
+  layout->addWidget(terms_);
+  layout->addStretch(1);
+  layout->addWidget(neck_);
+
+  connect(term_buttons_, &QButtonGroup::idClicked, this, [this](int term) {
+    const auto input = inputNamed(scene_.model()->model, kLubricationId);
+    const fuzzy::Variable& variable = scene_.model()->model.inputs[*input];
+    scene_.setValue(*input, coreMiddle(variable, variable.terms[static_cast<std::size_t>(term)]));
+    showValues();
+  });
+  connect(neck_, &QPushButton::clicked, &feel_, &FeelController::setNeckFlexed);
+  connect(&scene_, &SceneController::modelChanged, this, &PatientControls::build);
+  connect(&scene_, &SceneController::modelEdited, this, &PatientControls::build);
+  connect(&scene_, &SceneController::valueChanged, this, &PatientControls::onValue);
+  if (scene_.model()) build();
+}
+
+void PatientControls::build() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const auto lubrication = inputNamed(model, kLubricationId);
+  const auto neck = inputNamed(model, kNeckFlexionId);
+  lubrication_->setVisible(lubrication.has_value());
+  terms_->setVisible(lubrication.has_value());
+  neck_->setVisible(neck && neckPostures(model.inputs[*neck]).has_value());
+  const std::vector<fuzzy::Term> none;
+  const std::vector<fuzzy::Term>& terms = lubrication ? model.inputs[*lubrication].terms : none;
+
+  const QList<QAbstractButton*> old = term_buttons_->buttons();
+  bool same = old.size() == static_cast<qsizetype>(terms.size());
+  for (qsizetype i = 0; same && i < old.size(); ++i)
+    same = old[i]->text() == labelOf(terms[static_cast<std::size_t>(i)]);
+  if (!same) {
+    qDeleteAll(old);
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      auto* button = new QPushButton(labelOf(terms[i]), terms_);
+      button->setCheckable(true);
+      button->setFocusPolicy(Qt::TabFocus);
+      button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + 2 * theme::kGrid);
+      terms_layout_->addWidget(button);
+      term_buttons_->addButton(button, static_cast<int>(i));
+    }
+  }
+  showValues();
+}
+
+void PatientControls::onValue(std::size_t input) {
+  const std::string& id = scene_.model()->model.inputs[input].id;
+  if (id == kLubricationId || id == kNeckFlexionId) showValues();
+}
+
+void PatientControls::showValues() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  if (const auto input = inputNamed(model, kLubricationId)) {
+    const auto term = strongestTerm(model.inputs[*input], scene_.value(*input));
+    const QList<QAbstractButton*> buttons = term_buttons_->buttons();
+    for (qsizetype i = 0; i < buttons.size(); ++i) buttons[i]->setChecked(term == static_cast<std::size_t>(i));
+  }
+  const bool flexed = feel_.isNeckFlexed();
+  neck_->setChecked(flexed);
+  neck_->setText(flexed ? tr("Head up") : tr("Flex the neck"));
+}
+
+}  // namespace tactus::workbench

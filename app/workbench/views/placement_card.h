@@ -1,0 +1,34 @@
+// The placement in numbers: strokes and depth while it lasts, and what the last one came to.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/workbench/controllers/placement.h"
+
+class QLabel;
+class QPushButton;
+
+namespace tactus::workbench {
+
+class PlacementCard : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlacementCard(QWidget* parent = nullptr);
+
+  void setProgress(unsigned strokes, double depth_mm, const QString& region);
+  void setSummary(const std::optional<PlacementSummary>& summary);
+  /// Whether another placement can be begun.
+  void setRunning(bool running);
+
+ signals:
+  void newPlacementRequested();
+
+ private:
+  QLabel* progress_;
+  QLabel* summary_;
+  QPushButton* next_;
+};
+
+}  // namespace tactus::workbench

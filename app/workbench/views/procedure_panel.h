@@ -1,0 +1,36 @@
+// The steps of the procedure; the one at hand is lit by the depth of the tip.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/controllers/procedure.h"
+
+class QLabel;
+
+namespace tactus::workbench {
+
+class ProcedurePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent = nullptr);
+
+  /// Depth of the tip, mm.
+  void setDepth(double depth_mm);
+
+ private:
+  struct Row {
+    QLabel* number;
+    QLabel* title;
+  };
+  void show(std::size_t step);
+
+  std::vector<ProcedureStep> steps_;
+  std::vector<Row> rows_;
+  QLabel* text_;
+  std::optional<std::size_t> shown_;
+};
+
+}  // namespace tactus::workbench

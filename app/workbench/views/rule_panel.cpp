@@ -1,0 +1,117 @@
+#include "app/workbench/views/rule_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "app/workbench/plots/output_sets_plot.h"
+#include "app/workbench/theme.h"
+#include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/expert_flow.h"
+#include "app/workbench/views/refresh.h"
+#include "app/workbench/views/rule_flow.h"
+
+namespace tactus::workbench {
+
+RulePanel::RulePanel(const SceneController& scene, QWidget* parent)
+    : Card(parent),
+      scene_(scene),
+      who_(new QComboBox(this)),
+      summary_(new ElidedLabel(this)),
+      area_(new QScrollArea(this)),
+      flows_(new QStackedWidget),
+      rules_(new RuleFlow),
+      experts_(new ExpertFlow),
+      sets_(new OutputSetsPlot(this)),
+      refresh_(new Refresh(this, [this] { explain(); })) {
+  who_->setAccessibleName(tr("Whose rules are shown"));
+  who_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  summary_->setFont(theme::headingFont());
+  flows_->addWidget(experts_);
+  flows_->addWidget(rules_);
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setWidgetResizable(true);
+  area_->setWidget(flows_);
+  area_->viewport()->setAutoFillBackground(false);
+  flows_->setAutoFillBackground(false);
+
+  auto* head = new QHBoxLayout;
+  head->setSpacing(theme::kGrid);
+  head->addWidget(who_);
+  head->addWidget(summary_, 1);
+  auto* body = new QHBoxLayout;
+  body->setSpacing(theme::kGrid);
+  body->addWidget(area_, 5);
+  body->addWidget(sets_, 3);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setSpacing(theme::kGrid);
+  layout->addLayout(head);
+  layout->addLayout(body, 1);
+
+  connect(who_, &QComboBox::activated, this, &RulePanel::choose);
+  connect(experts_, &ExpertFlow::chosen, this, [this](std::size_t expert) { choose(static_cast<int>(expert) + 1); });
+  connect(&scene_, &SceneController::modelChanged, this, &RulePanel::adoptModel);
+  connect(&scene_, &SceneController::modelEdited, refresh_, &Refresh::request);
+  connect(&scene_, &SceneController::readingChanged, refresh_, &Refresh::request);
+}
+
+void RulePanel::adoptModel() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  who_->clear();
+  who_->addItem(tr("Mean"));
+  for (const fuzzy::Expert& expert : model.experts) who_->addItem(labelOf(expert));
+  // With one expert the mean is that expert, whose rules say more.
+  choose(model.experts.size() == 1 ? 1 : 0);
+}
+
+void RulePanel::choose(int row) {
+  who_->setCurrentIndex(row);
+  flows_->setCurrentIndex(row == 0 ? 0 : 1);
+  area_->verticalScrollBar()->setValue(0);
+  refresh_->request();
+}
+
+void RulePanel::explain() {
+  const analysis::Explanation& explanation = scene_.explanation();
+  const int row = who_->currentIndex();
+  if (row == 0) {
+    experts_->set(scene_.shared(), explanation);
+    sets_->showExperts(scene_.model()->model, explanation);
+  } else {
+    const auto expert = static_cast<std::size_t>(row) - 1;
+    rules_->set(scene_.shared(), explanation, expert);
+    sets_->showExpert(scene_.model()->model, explanation, expert);
+  }
+  summary_->setFullText(summary());
+}
+
+QString RulePanel::summary() const {
+  const analysis::Explanation& explanation = scene_.explanation();
+  if (who_->currentIndex() == 0) {
+    const auto speaking = std::count_if(explanation.experts.begin(), explanation.experts.end(),
+                                        [](const auto& expert) { return !expert.abstains; });
+    if (speaking == 0) return tr("no rule fires");
+    return tr("%1 of %2 experts speak · mean %3")
+        .arg(speaking)
+        .arg(explanation.experts.size())
+        .arg(forceText(explanation.force_n, scene_.model()->model.output.unit));
+  }
+  const analysis::ExplainedExpert& expert = explanation.experts[static_cast<std::size_t>(who_->currentIndex()) - 1];
+  if (expert.abstains) return tr("no rule fires");
+  const auto acting =
+      std::count_if(expert.rules.begin(), expert.rules.end(), [](const auto& rule) { return rule.strength > 0; });
+  return tr("%1 of %2 rules act · %3")
+      .arg(acting)
+      .arg(expert.rules.size())
+      .arg(forceText(expert.force_n, scene_.model()->model.output.unit));
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,60 @@
+#include "app/workbench/views/set_sketch.h"
+
+#include <QPainter>
+
+#include "app/workbench/theme.h"
+
+namespace tactus::workbench {
+
+SetSketch::SetSketch(QPainter& painter, const QRectF& area, const fuzzy::Variable& variable)
+    : painter_(painter), area_(area), min_(variable.min), max_(variable.max) {}
+
+void SetSketch::ground() {
+  painter_.setPen(QPen(theme::border(), 1));
+  painter_.drawLine(area_.bottomLeft(), area_.bottomRight());
+}
+
+void SetSketch::term(const fuzzy::Term& term, const QColor& color) {
+  const auto function = fuzzy::MembershipFunction::of(term);
+  painter_.setPen(QPen(color, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter_.setBrush(Qt::NoBrush);
+  painter_.drawPolyline(polygon(analysis::impliedSet(function, 1, fuzzy::Implication::kScale, min_, max_)));
+}
+
+void SetSketch::implied(const fuzzy::Term& term, double strength, fuzzy::Implication implication, const QColor& color) {
+  if (strength <= 0) return;
+  set(analysis::impliedSet(fuzzy::MembershipFunction::of(term), strength, implication, min_, max_), color);
+}
+
+void SetSketch::set(const analysis::Polyline& set, const QColor& color) {
+  QColor fill = color;
+  fill.setAlphaF(0.45F);
+  painter_.setPen(QPen(color, 1));
+  painter_.setBrush(fill);
+  painter_.drawPolygon(polygon(set));
+}
+
+void SetSketch::mark(double x, const QColor& color) {
+  painter_.setPen(QPen(color, 1.4));
+  painter_.drawLine(at(x, 0), at(x, 1.1));
+}
+
+void SetSketch::level(double height, double from_x, const QColor& color) {
+  painter_.setPen(QPen(color, 1, Qt::DotLine));
+  painter_.drawLine(at(from_x, height), QPointF(area_.right(), at(from_x, height).y()));
+}
+
+QPointF SetSketch::at(double x, double height) const {
+  return {area_.left() + (x - min_) / (max_ - min_) * area_.width(), area_.bottom() - height / 1.1 * area_.height()};
+}
+
+QPolygonF SetSketch::polygon(const analysis::Polyline& set) const {
+  QPolygonF points;
+  if (set.empty()) return points;
+  points << at(set.front().x, 0);
+  for (const analysis::Vertex& vertex : set) points << at(vertex.x, vertex.height);
+  points << at(set.back().x, 0);
+  return points;
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,17 @@
+// The sheet of all shortcuts: those of the menus, read from their actions, and what the mouse and the keys do in plots.
+#pragma once
+
+#include <QDialog>
+
+class QMenuBar;
+
+namespace tactus::workbench {
+
+class ShortcutSheet : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit ShortcutSheet(const QMenuBar& menus, QWidget* parent = nullptr);
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,22 @@
+// The stages of the research mode, in the order in which a study goes through them.
+#pragma once
+
+#include <QString>
+#include <array>
+
+namespace tactus::workbench {
+
+enum class Stage { kCollect, kUnderstand, kTune, kAgree, kDeliver };
+
+inline constexpr std::array<Stage, 5> kStages = {Stage::kCollect, Stage::kUnderstand, Stage::kTune, Stage::kAgree,
+                                                 Stage::kDeliver};
+
+/// The name in settings; never translated.
+QString stageId(Stage stage);
+QString stageName(Stage stage);
+/// What is done there, in a few words.
+QString stageHint(Stage stage);
+/// Whether it can be entered; the others have their place in the rail and say what will be there.
+bool isReady(Stage stage);
+
+}  // namespace tactus::workbench

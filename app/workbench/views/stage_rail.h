@@ -1,0 +1,29 @@
+// The rail on the left: Collect, Understand, Tune, Agree, Deliver.
+#pragma once
+
+#include <QMap>
+#include <QWidget>
+
+#include "app/workbench/views/stage.h"
+
+namespace tactus::workbench {
+
+class StageButton;
+
+class StageRail : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StageRail(QWidget* parent = nullptr);
+
+  void setStage(Stage stage);
+
+ signals:
+  /// Somebody chose `stage`, which can be entered.
+  void chosen(tactus::workbench::Stage stage);
+
+ private:
+  QMap<Stage, StageButton*> buttons_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,63 @@
+// The terms of the list that is edited, one row each: name, shape, every point as a number with its lock, split and
+// remove.
+#pragma once
+
+#include <QScrollArea>
+#include <string>
+#include <vector>
+
+#include "core/fuzzy/force_model.h"
+
+class QComboBox;
+class QGridLayout;
+class QLineEdit;
+
+namespace tactus::workbench {
+
+class LockButton;
+class NumberBox;
+class TermController;
+
+class TermTable : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit TermTable(TermController& terms, QWidget* parent = nullptr);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Point {
+    NumberBox* number = nullptr;
+    LockButton* lock = nullptr;
+  };
+  struct Row {
+    std::string term;
+    fuzzy::Shape shape = fuzzy::Shape::kTrapezoid;
+    QWidget* band = nullptr;  ///< behind the row; tinted where the term is selected
+    QLineEdit* name = nullptr;
+    QComboBox* shapes = nullptr;
+    std::vector<Point> points;
+  };
+
+  void follow();
+  void build();
+  void buildHeads(QGridLayout& grid);
+  void buildRow(QGridLayout& grid, std::size_t index);
+  Point buildPoint(QGridLayout& grid, std::size_t index, std::size_t point);
+  void buildButtons(QGridLayout& grid, std::size_t index);
+  bool sameRows() const;
+  void showValues();
+  void showLocks();
+  void showSelection();
+  void askSplit(const std::string& term, const QWidget& anchor);
+  void askRemove(const std::string& term, const QWidget& anchor);
+
+  TermController& terms_;
+  std::vector<Row> rows_;
+  bool building_ = false;
+};
+
+}  // namespace tactus::workbench

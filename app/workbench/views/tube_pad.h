@@ -1,0 +1,49 @@
+// Where the mouse is the hand: left and right moves the tube along its axis, the button holds it. Shows how far the
+// tube lags behind the cursor, which on a virtual device is what a force looks like.
+#pragma once
+
+#include <QWidget>
+
+namespace tactus::workbench {
+
+class TubePad : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TubePad(QWidget* parent = nullptr);
+
+  struct Reading {
+    double hand_mm = 0;    ///< along the axis
+    double tube_mm = 0;    ///< where the hand took the tube
+    double target_mm = 0;  ///< what the cursor wants
+    bool live = false;     ///< mouse and keyboard drive the hand
+    bool held = false;     ///< the hand holds the tube
+    bool running = false;
+
+    bool operator==(const Reading&) const = default;
+  };
+  void setReading(const Reading& reading);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {240, sizeHint().height()}; }
+
+ signals:
+  void targetMoved(double position_mm);
+  void gripped(bool held);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  double xOf(double position_mm) const;
+  double positionAt(double x) const;
+  QString hint() const;
+
+  Reading reading_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,76 @@
+#include "tests/gui/stepped_feel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/haptics/simulated/virtual_device.h"
+
+namespace tactus::tests {
+namespace {
+
+constexpr std::int64_t kTickNs = 1'000'000;
+constexpr int kBeatMs = 16;
+
+}  // namespace
+
+class SteppedFeel::Loop final : public workbench::FeelLoop {
+ public:
+  Loop(SteppedFeel& owner, haptics::Servo& servo) : owner_(owner), servo_(servo) { owner_.loop_ = this; }
+  ~Loop() override { owner_.loop_ = nullptr; }
+
+  base::Result<void> start() override {
+    running_ = true;
+    return {};
+  }
+  void stop() noexcept override {
+    if (running_) servo_.release(owner_.now_ns_);
+    running_ = false;
+  }
+  std::int64_t nowNs() const noexcept override { return owner_.now_ns_; }
+  QString priorityText() const override { return QStringLiteral("virtual time"); }
+
+  void tick() {
+    if (!running_) return;
+    servo_.tick(owner_.now_ns_);
+    ++owner_.ticks_;
+  }
+
+ private:
+  SteppedFeel& owner_;
+  haptics::Servo& servo_;
+  bool running_ = false;
+};
+
+workbench::FeelSettings SteppedFeel::settings() {
+  workbench::FeelSettings settings;
+  settings.open_device = [this](const std::string&) -> base::Result<devices::OpenedDevice> {
+    auto device = haptics::VirtualDevice::make(device_);
+    if (!device) return tl::unexpected(device.error());
+    devices::OpenedDevice opened;
+    opened.device = std::move(*device);
+    return opened;
+  };
+  settings.make_loop = [this](haptics::Servo& servo) { return std::make_unique<Loop>(*this, servo); };
+  return settings;
+}
+
+void SteppedFeel::advance(workbench::FeelController& feel, int milliseconds) {
+  for (int ms = 1; ms <= milliseconds; ++ms) {
+    now_ns_ += kTickNs;
+    if (loop_ != nullptr) loop_->tick();
+    if (ms % kBeatMs == 0 || ms == milliseconds) feel.beat();
+  }
+}
+
+void SteppedFeel::moveTo(workbench::FeelController& feel, double position_mm, double speed_mm_s) {
+  const double start_mm = feel.targetMm();
+  const double way_mm = position_mm - start_mm;
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(way_mm) / speed_mm_s * 1000 / kBeatMs)));
+  for (int i = 1; i <= steps; ++i) {
+    feel.setTarget(start_mm + way_mm * i / steps);
+    advance(feel, kBeatMs);
+  }
+  advance(feel, 100);
+}
+
+}  // namespace tactus::tests

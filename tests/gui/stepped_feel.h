@@ -1,0 +1,37 @@
+// Feeling in virtual time: the servo ticks when a test says so, on a virtual device.
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <memory>
+
+#include "app/workbench/controllers/feel_controller.h"
+#include "core/haptics/simulated/virtual_device_settings.h"
+
+namespace tactus::tests {
+
+/// Outlives the controller that has its settings.
+class SteppedFeel {
+ public:
+  explicit SteppedFeel(haptics::VirtualDeviceSettings device = {}) : device_(std::move(device)) {}
+
+  workbench::FeelSettings settings();
+
+  /// Ticks once per millisecond; `feel` gets a beat every 16 ms and one at the end.
+  void advance(workbench::FeelController& feel, int milliseconds);
+  /// The wish of the hand goes to `position_mm` with `speed_mm_s`, and rests there for 0.1 s.
+  void moveTo(workbench::FeelController& feel, double position_mm, double speed_mm_s);
+
+  /// Ticks of all loops so far.
+  std::uint64_t ticks() const { return ticks_; }
+
+ private:
+  class Loop;
+
+  haptics::VirtualDeviceSettings device_;
+  Loop* loop_ = nullptr;  ///< of the present run
+  std::int64_t now_ns_ = 1'000'000'000;
+  std::uint64_t ticks_ = 0;
+};
+
+}  // namespace tactus::tests

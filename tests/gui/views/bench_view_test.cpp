@@ -1,0 +1,196 @@
+#include "app/workbench/views/bench_view.h"
+
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMenuBar>
+#include <QSettings>
+#include <QTest>
+#include <gtest/gtest.h>
+#include <utility>
+
+#include "app/workbench/plots/force_map_plot.h"
+#include "app/workbench/views/operating_strip.h"
+#include "app/workbench/views/panel_area.h"
+#include "app/workbench/views/shortcut_sheet.h"
+#include "app/workbench/views/stage_button.h"
+#include "app/workbench/workbench.h"
+
+#include "tests/gui/sample_models.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kSettled = 60;       // ms, some frames of the screen
+constexpr int kPatience = 10'000;  // ms, for a busy machine
+
+class BenchViewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    bench.window.resize(1280, 720);
+    bench.window.show();
+    bench.models.open(folder.write(tests::twoExperts()));
+    bench.window.enter(Stage::kUnderstand);
+    settle();
+  }
+
+  /// Until nothing on the screen changes any more.
+  void settle() {
+    QImage last;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          QTest::qWait(kSettled);
+          const QImage now = bench.window.grab().toImage();
+          return std::exchange(last, now) == now;
+        },
+        kPatience));
+  }
+
+  QDockWidget* dock(const char* id) { return bench.window.findChild<QDockWidget*>(QLatin1String(id)); }
+
+  void hideAll() {
+    for (QDockWidget* panel : bench.window.findChildren<QDockWidget*>()) panel->hide();
+    QTest::qWait(kSettled);
+  }
+
+  tests::ModelFolder folder;
+  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
+  Workbench bench{settings};
+};
+
+TEST_F(BenchViewTest, HiddenPanelsComputeNothing) {
+  hideAll();
+  const std::uint64_t before = bench.scene.evaluations();
+  fuzzy::ForceModel model = tests::twoExperts();
+  for (int i = 0; i < 20; ++i) {
+    bench.scene.setValue(0, i);
+    bench.scene.setValue(1, i * 0.1);
+    bench.scene.setHover(i * 0.2);
+    model.inputs[0].terms[0].points[2] = 40 + 0.1 * i;
+    ASSERT_TRUE(bench.models.edit(model));
+    QTest::qWait(2);
+  }
+  QTest::qWait(kSettled);
+  EXPECT_EQ(bench.scene.evaluations(), before);
+}
+
+TEST_F(BenchViewTest, AShownPanelCatchesUp) {
+  hideAll();
+  bench.scene.setValue(0, 20);
+  const std::uint64_t before = bench.scene.evaluations();
+  dock("curves")->show();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bench.scene.evaluations() > before; }, kPatience));
+}
+
+TEST_F(BenchViewTest, AnIdleWindowComputesNothing) {
+  QTest::qWait(2 * kSettled);
+  const std::uint64_t before = bench.scene.evaluations();
+  QTest::qWait(3 * kSettled);
+  EXPECT_EQ(bench.scene.evaluations(), before);
+}
+
+TEST_F(BenchViewTest, OnlyPanelsWhoseInputsChangedCompute) {
+  hideAll();
+  dock("map")->show();
+  settle();
+  const std::uint64_t before = bench.scene.evaluations();
+  bench.scene.setValue(0, 33);  // an axis of the map: only the force at the cross is new
+  QTest::qWait(kSettled);
+  EXPECT_LE(bench.scene.evaluations() - before, 1U);
+}
+
+TEST_F(BenchViewTest, AClickInTheMapSetsTheOperatingPoint) {
+  auto* plot = bench.window.findChild<ForceMapPlot*>();
+  ASSERT_TRUE(plot->isVisible());
+  QWidget* canvas = plot->findChild<QWidget*>();
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(plot->width() / 3, plot->height() / 2));
+  const double depth = bench.scene.value(1);
+  const double speed = bench.scene.value(0);
+  EXPECT_GT(depth, 0);
+  EXPECT_LT(depth, 5);
+  EXPECT_GT(speed, 25);
+  EXPECT_LT(speed, 75);
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(plot->width() / 2, plot->height() / 4));
+  EXPECT_GT(bench.scene.value(1), depth);
+  EXPECT_GT(bench.scene.value(0), speed);
+}
+
+TEST_F(BenchViewTest, TheMapFollowsAnEdit) {
+  auto* plot = bench.window.findChild<ForceMapPlot*>();
+  const QImage before = plot->grab().toImage();
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.experts[0].rules[0].then = "high";
+  ASSERT_TRUE(bench.models.edit(model));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return plot->grab().toImage() != before; }, kPatience));
+  ASSERT_TRUE(bench.models.edit(tests::twoExperts()));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return plot->grab().toImage() == before; }, kPatience));
+}
+
+TEST_F(BenchViewTest, TheStripTypesTheOperatingPoint) {
+  auto* strip = bench.window.findChild<OperatingStrip*>();
+  const auto boxes = strip->findChildren<QDoubleSpinBox*>();
+  ASSERT_EQ(boxes.size(), 2);
+  boxes[0]->selectAll();
+  QTest::keyClicks(boxes[0], QStringLiteral("12.5"));
+  QTest::keyClick(boxes[0], Qt::Key_Return);
+  EXPECT_EQ(bench.scene.value(0), 12.5);
+  bench.scene.setValue(1, 3);
+  EXPECT_EQ(boxes[1]->value(), 3);
+}
+
+TEST_F(BenchViewTest, TheWindowSaysWhatIsNotSaved) {
+  EXPECT_FALSE(bench.window.isWindowModified());
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.experts[0].rules[0].then = "high";
+  ASSERT_TRUE(bench.models.edit(model));
+  EXPECT_TRUE(bench.window.isWindowModified());
+  bench.models.save();
+  EXPECT_FALSE(bench.window.isWindowModified());
+}
+
+TEST_F(BenchViewTest, EachStageKeepsItsLayout) {
+  EXPECT_TRUE(dock("map")->isVisible());
+  EXPECT_FALSE(dock("terms")->isVisible());
+  dock("map")->close();
+  bench.window.enter(Stage::kTune);
+  EXPECT_TRUE(dock("terms")->isVisible());
+  EXPECT_FALSE(dock("map")->isVisible());
+  bench.window.enter(Stage::kUnderstand);
+  EXPECT_FALSE(dock("map")->isVisible());
+  EXPECT_TRUE(dock("rules")->isVisible());
+  bench.window.panels().resetLayout();
+  EXPECT_TRUE(dock("map")->isVisible());
+}
+
+TEST_F(BenchViewTest, TheLayoutIsThereAtTheNextStart) {
+  dock("rules")->close();
+  ASSERT_TRUE(bench.window.close());
+  Workbench next(settings);
+  next.window.resize(1280, 720);
+  next.window.show();
+  next.models.open(folder.path(QStringLiteral("sample.tactus.json")));
+  QTest::qWait(kSettled);
+  EXPECT_EQ(next.window.panels().stage(), Stage::kUnderstand);
+  EXPECT_FALSE(next.window.findChild<QDockWidget*>(QStringLiteral("rules"))->isVisible());
+  EXPECT_TRUE(next.window.findChild<QDockWidget*>(QStringLiteral("map"))->isVisible());
+}
+
+TEST_F(BenchViewTest, OnlyStagesThatWorkCanBeEntered) {
+  for (const StageButton* button : bench.window.findChildren<StageButton*>()) {
+    const bool works = button->text() == QStringLiteral("Understand") || button->text() == QStringLiteral("Tune");
+    EXPECT_EQ(button->isEnabled(), works) << button->text().toStdString();
+    EXPECT_FALSE(button->accessibleDescription().isEmpty());
+  }
+}
+
+TEST_F(BenchViewTest, TheSheetListsEveryShortcutOnce) {
+  const ShortcutSheet sheet(*bench.window.menuBar(), &bench.window);
+  QStringList texts;
+  for (const QLabel* label : sheet.findChildren<QLabel*>()) texts << label->text();
+  for (const char* keys : {"Ctrl+O", "Ctrl+S", "F5", "Ctrl+3", "F1", "Ctrl+Shift+R"}) {
+    EXPECT_EQ(texts.count(QLatin1String(keys)), 1) << keys;
+  }
+}
+
+}  // namespace
+}  // namespace tactus::workbench

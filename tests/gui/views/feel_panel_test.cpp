@@ -1,0 +1,107 @@
+#include "app/workbench/views/feel_panel.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "app/workbench/controllers/feel_controller.h"
+#include "app/workbench/controllers/model_controller.h"
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/views/tube_pad.h"
+
+#include "tests/gui/sample_models.h"
+#include "tests/gui/stepped_feel.h"
+
+namespace tactus::workbench {
+namespace {
+
+class FeelPanelTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    panel.resize(440, 900);
+    panel.show();
+    models.open(folder.write(tests::twoExperts()));
+    QCoreApplication::processEvents();
+  }
+
+  template <class Widget>
+  Widget* saying(const QString& text) {
+    const QList<Widget*> all = panel.findChildren<Widget*>();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Widget* widget) {
+      return widget->isVisibleTo(&panel) && widget->text().contains(text);
+    });
+    return found == all.end() ? nullptr : *found;
+  }
+
+  void click(const QString& button) { QTest::mouseClick(saying<QPushButton>(button), Qt::LeftButton); }
+
+  // Takes the tube in the pad and pushes it to the right.
+  void push() {
+    TubePad* pad = panel.findChild<TubePad*>();
+    time.advance(feel, 20);  // the hand has to be seen open once
+    QTest::mousePress(pad, Qt::LeftButton, Qt::NoModifier, {40, 20});
+    time.advance(feel, 1500);
+    for (int x = 41; x <= 50; ++x) {
+      QTest::mouseMove(pad, {x, 20});
+      time.advance(feel, 100);
+    }
+  }
+
+  tests::ModelFolder folder;
+  ModelController models;
+  SceneController scene{models};
+  tests::SteppedFeel time;
+  FeelController feel{scene, time.settings()};
+  FeelPanel panel{scene, feel};
+};
+
+TEST_F(FeelPanelTest, SaysThatTheVirtualDeviceIsSimulated) { EXPECT_NE(saying<QLabel>("SIMULATED"), nullptr); }
+
+TEST_F(FeelPanelTest, TheMousePushesTheTubeAndTheForceIsShown) {
+  click("Start");
+  push();
+  EXPECT_TRUE(feel.latest().enabled);
+  EXPECT_GT(feel.latest().force_n, 0.05);
+  EXPECT_NE(saying<QLabel>("1 stroke"), nullptr);
+  EXPECT_EQ(saying<QLabel>("0.000 N"), nullptr);
+  QTest::mouseRelease(panel.findChild<TubePad*>(), Qt::LeftButton, Qt::NoModifier, {50, 20});
+  time.advance(feel, 60);
+  EXPECT_NE(saying<QLabel>("0.000 N"), nullptr);
+  click("Stop");
+  EXPECT_NE(saying<QLabel>("Last placement (simulated device)"), nullptr);
+}
+
+TEST_F(FeelPanelTest, SpaceHoldsTheTubeAndEscapeStops) {
+  click("Start");
+  time.advance(feel, 50);
+  QTest::keyPress(&panel, Qt::Key_Space);
+  time.advance(feel, 50);
+  EXPECT_TRUE(feel.latest().enabled);
+  QTest::keyRelease(&panel, Qt::Key_Space);
+  time.advance(feel, 50);
+  EXPECT_FALSE(feel.latest().enabled);
+  QTest::keyPress(&panel, Qt::Key_Escape);
+  EXPECT_FALSE(feel.isRunning());
+}
+
+TEST_F(FeelPanelTest, TheForceCanBeSplit) {
+  EXPECT_EQ(saying<QLabel>("fuzzy force"), nullptr);
+  panel.findChildren<QCheckBox*>().front()->setChecked(true);
+  EXPECT_NE(saying<QLabel>("fuzzy force"), nullptr);
+}
+
+TEST_F(FeelPanelTest, AFailureIsSaidInTheDeviceCard) {
+  fuzzy::ForceModel inches = tests::twoExperts();
+  inches.inputs[1].unit = "in";
+  models.open(folder.write(inches, QStringLiteral("inches.tactus.json")));
+  click("Start");
+  EXPECT_NE(saying<QLabel>("'in'"), nullptr);
+  EXPECT_FALSE(feel.isRunning());
+}
+
+}  // namespace
+}  // namespace tactus::workbench
