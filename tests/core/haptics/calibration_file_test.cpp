@@ -5,26 +5,11 @@
 
 #include "core/base/file.h"
 
+#include "tests/core/haptics/sample_calibration.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::haptics {
 namespace {
-
-DeviceCalibration sample() {
-  DeviceCalibration c;
-  c.device = "hid:1209:ffb0:7";
-  c.serial = "7";
-  c.full_scale_n = 12.5;
-  c.force_sign = {1, 1, -1};
-  c.mm_per_count = 0.0125;
-  c.inwards = {0.6, 0, -0.8};
-  c.origin_mm = {1, 2, 3.25};
-  c.friction_in_n = 0.31;
-  c.silent_when_still = true;
-  c.measured_at = "2026-11-21T08:00:00Z";
-  c.procedure = "guided 1, spring scale";
-  return c;
-}
 
 class CalibrationFile : public testing::Test {
  protected:
