@@ -25,15 +25,29 @@ ForceMapController::ForceMapController(const SceneController& scene, QObject* pa
   slices_.setInterval(0);
   connect(&slices_, &QTimer::timeout, this, &ForceMapController::work);
   connect(&scene_, &SceneController::modelChanged, this, &ForceMapController::adoptModel);
+  connect(&scene_, &SceneController::modelEdited, this, [this] {
+    stale_ = true;
+    here_.reset();
+  });
+  connect(&scene_, &SceneController::valueChanged, this, &ForceMapController::dropPoint);
   if (scene_.model()) adoptModel();
 }
 
-fuzzy::Evaluation ForceMapController::forceAtPoint() const {
+const fuzzy::Evaluation& ForceMapController::forceAtPoint() const {
+  if (here_) return *here_;
   const OpenModel& open = *scene_.model();
   std::vector<double> point;
   for (std::size_t i = 0; i < open.model.inputs.size(); ++i) point.push_back(scene_.value(i));
   scene_.countEvaluations(1);
-  return expert_ ? open.compiled.evaluateExpert(*expert_, point) : open.compiled.evaluate(point);
+  here_ = expert_ ? open.compiled.evaluateExpert(*expert_, point) : open.compiled.evaluate(point);
+  return *here_;
+}
+
+void ForceMapController::removeViewer() {
+  TACTUS_CHECK(viewers_ > 0);
+  if (--viewers_ > 0 || isFinest()) return;
+  stop();
+  stale_ = true;
 }
 
 void ForceMapController::setAxes(std::size_t x_input, std::size_t y_input) {
@@ -50,6 +64,7 @@ void ForceMapController::setAxes(std::size_t x_input, std::size_t y_input) {
   x_input_ = x_input;
   y_input_ = y_input;
   map_.reset();
+  stale_ = true;
   emit choiceChanged();
 }
 
@@ -58,12 +73,24 @@ void ForceMapController::setExpert(std::optional<std::size_t> expert) {
   stop();
   expert_ = expert;
   map_.reset();
+  here_.reset();
+  stale_ = true;
   emit choiceChanged();
+}
+
+void ForceMapController::update() {
+  if (!stale_ || !scene_.model() || x_input_ == y_input_) return;
+  stale_ = false;
+  compute();
+}
+
+void ForceMapController::dropPoint(std::size_t input) {
+  here_.reset();
+  if (input != x_input_ && input != y_input_) stale_ = true;
 }
 
 void ForceMapController::compute() {
   stop();
-  if (!scene_.model() || x_input_ == y_input_) return;
   model_ = scene_.shared();
   std::vector<std::optional<double>> fixed;
   point_.clear();
@@ -87,6 +114,8 @@ void ForceMapController::stop() {
 void ForceMapController::adoptModel() {
   stop();
   map_.reset();
+  here_.reset();
+  stale_ = true;
   const std::vector<fuzzy::Variable>& inputs = scene_.model()->model.inputs;
   const auto find = [&inputs](const char* id, std::size_t otherwise) {
     const auto found = std::find_if(inputs.begin(), inputs.end(), [id](const auto& input) { return input.id == id; });

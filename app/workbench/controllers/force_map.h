@@ -1,4 +1,4 @@
-// Force over two inputs while the others stay: the numbers behind the color map, from coarse to fine.
+// Force over two inputs while the others stay: the numbers behind the color map and the surface, from coarse to fine.
 #pragma once
 
 #include <QObject>
@@ -28,7 +28,8 @@ struct ForceMap {
   bool isFired(std::size_t x, std::size_t y) const { return fired[y * side + x] != 0; }
 };
 
-/// Computes the map of a scene in slices that leave the window alive. A newer order takes the place of an older one.
+/// Computes the map of a scene in slices that leave the window alive, once for all views that show it. A newer order
+/// takes the place of an older one.
 class ForceMapController : public QObject {
   Q_OBJECT
 
@@ -48,16 +49,20 @@ class ForceMapController : public QObject {
   /// Nothing is left to compute.
   bool isFinest() const { return level_ == kSides.size(); }
   /// The force of the map's expert, or the mean, at the operating point.
-  fuzzy::Evaluation forceAtPoint() const;
+  const fuzzy::Evaluation& forceAtPoint() const;
+
+  /// A view of the map came to the screen. While there is none, nothing is computed.
+  void addViewer() { ++viewers_; }
+  /// It left the screen: what is not finished then waits for the next `update`.
+  void removeViewer();
 
  public slots:
   /// Chooses the axes; equal inputs change places.
   void setAxes(std::size_t x_input, std::size_t y_input);
   void setExpert(std::optional<std::size_t> expert);
-  /// Computes the map for the scene as it is now: the first slice at once, the others from the event loop.
-  void compute();
-  /// Computes no further, until `compute`.
-  void stop();
+  /// Sees to it that the map is that of the scene as it is now: the first slice at once, the others from the event
+  /// loop. Costs nothing where it is already, or is in work.
+  void update();
 
  signals:
   /// The axes or the expert are others; the map is not computed yet.
@@ -67,6 +72,9 @@ class ForceMapController : public QObject {
 
  private:
   void adoptModel();
+  void dropPoint(std::size_t input);
+  void compute();
+  void stop();
   void work();
   void beginLevel();
   void computeRow();
@@ -76,6 +84,9 @@ class ForceMapController : public QObject {
   std::size_t y_input_ = 0;
   std::optional<std::size_t> expert_;
   std::optional<ForceMap> map_;
+  mutable std::optional<fuzzy::Evaluation> here_;  ///< at the operating point, computed when asked for
+  int viewers_ = 0;
+  bool stale_ = true;  ///< neither there nor in work for the scene as it is now
 
   // The order in work.
   std::shared_ptr<const OpenModel> model_;

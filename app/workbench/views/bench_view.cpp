@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 
+#include "app/workbench/controllers/force_map.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/models/reading_model.h"
 #include "app/workbench/theme.h"
@@ -31,7 +32,8 @@ BenchView::BenchView(SceneController& scene, FeelController& feel, QSettings& se
     : QWidget(parent), panels_(new PanelArea(settings, this)) {
   auto* readings = new ReadingModel(scene, this);
   curves_ = new CurvesPanel(scene, *readings);
-  map_ = new MapPanel(scene);
+  auto* map = new ForceMapController(scene, this);
+  map_ = new MapPanel(scene, *map);
   panels_->addPanel(QLatin1String(kTerms), tr("Membership functions"), new VariableRow(scene));
   panels_->addPanel(QLatin1String(kCurves), tr("Force curves"), curves_);
   panels_->addPanel(QLatin1String(kReading), tr("Forces here"), new ReadingPanel(scene, *readings));

@@ -22,7 +22,7 @@ class ForceMapTest : public testing::Test {
   void SetUp() override { models.open(folder.write(tests::twoExperts())); }
 
   void finish() {
-    map.compute();
+    map.update();
     ASSERT_TRUE(QTest::qWaitFor([this] { return map.isFinest(); }));
   }
 
@@ -73,7 +73,7 @@ TEST_F(ForceMapTest, OneExpertAlone) {
 
 TEST_F(ForceMapTest, TheFirstMapIsThereAtOnceAndTheNewestOrderWins) {
   const QSignalSpy changed(&map, &ForceMapController::mapChanged);
-  map.compute();
+  map.update();
   EXPECT_GE(changed.count(), 1);
   fuzzy::ForceModel model = tests::twoExperts();
   model.experts[0].rules[0].then = "high";
@@ -82,12 +82,39 @@ TEST_F(ForceMapTest, TheFirstMapIsThereAtOnceAndTheNewestOrderWins) {
   EXPECT_NEAR(map.map()->force(40, 40), 0.75, kRounding);
 }
 
-TEST_F(ForceMapTest, AStoppedMapComputesNothing) {
-  map.compute();
-  map.stop();
+TEST_F(ForceMapTest, AMapThatNobodySeesIsComputedNoFurther) {
+  map.addViewer();
+  map.addViewer();
+  map.update();
+  map.removeViewer();
+  map.removeViewer();
   const std::uint64_t before = scene.evaluations();
   QTest::qWait(20);
   EXPECT_EQ(scene.evaluations(), before);
+  map.addViewer();
+  finish();
+  EXPECT_EQ(map.map()->side, ForceMapController::kSides.back());
+}
+
+TEST_F(ForceMapTest, TwoViewsCostNoMoreThanOne) {
+  finish();
+  scene.setValue(kSpeed, 33);  // an axis of the map
+  const std::uint64_t before = scene.evaluations();
+  map.update();
+  EXPECT_EQ(scene.evaluations(), before);
+  EXPECT_TRUE(map.isFinest());
+  EXPECT_EQ(&map.forceAtPoint(), &map.forceAtPoint());
+  EXPECT_EQ(scene.evaluations(), before + 1);
+}
+
+TEST_F(ForceMapTest, TheForceAtThePointIsThatOfTheScene) {
+  scene.setValue(kSpeed, 20);
+  scene.setValue(kDepth, 8);
+  EXPECT_NEAR(map.forceAtPoint().force_n, 0.5, kRounding);  // A says 0.75 N, B 0.25 N
+  map.setExpert(0);
+  EXPECT_NEAR(map.forceAtPoint().force_n, 0.75, kRounding);
+  scene.setValue(kDepth, 5.5);
+  EXPECT_FALSE(map.forceAtPoint().fired);
 }
 
 }  // namespace
