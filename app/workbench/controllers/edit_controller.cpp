@@ -3,14 +3,15 @@
 #include <chrono>
 #include <utility>
 
+#include "app/editing/same_bits.h"
 #include "app/workbench/display_text.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kFrameMs = 16;  // a refresh of the screen at 60 Hz; more often nobody sees
-constexpr auto kAuthor = "researcher";
+constexpr int kFrameMs = 16;         // a refresh of the screen at 60 Hz; more often nobody sees
+constexpr auto kNobody = "unnamed";  // nobody said who edits
 
 }  // namespace
 
@@ -28,6 +29,25 @@ EditController::EditController(ModelController& models, QObject* parent) : QObje
   connect(&models_, &ModelController::opened, this, &EditController::adoptModel);
   if (models_.current()) adoptModel();
 }
+
+void EditController::markStored(const study::RecordId& id) {
+  if (!history_) return;
+  history_->markStored(id);
+  emit stored();
+}
+
+void EditController::adopt(editing::EditHistory history, VersionReader read) {
+  TACTUS_CHECK(isOpen());
+  begin(std::move(history), std::move(read));
+  if (!editing::sameBits(models_.current()->model, history_->model())) {
+    models_.edit(history_->model(), history_->compiled());
+  }
+  emit modelReset();
+  emit changed();
+  emit historyChanged();
+}
+
+void EditController::setAuthor(const QString& name) { author_ = name.trimmed(); }
 
 void EditController::begin() {
   commit();
@@ -103,6 +123,7 @@ void EditController::undo() {
   if (!canUndo()) return;
   commit();
   const QString what = undoText();
+  fetch(history_->states()[history_->current()].parent);
   settle(history_->undo(stamp()), tr("Undone: %1").arg(what));
 }
 
@@ -110,6 +131,7 @@ void EditController::redo() {
   if (!canRedo()) return;
   commit();
   const QString what = redoText();
+  fetch(history_->states()[history_->current()].redo);
   settle(history_->redo(stamp()), tr("Done again: %1").arg(what));
 }
 
@@ -117,19 +139,35 @@ void EditController::returnTo(editing::StateId state) {
   TACTUS_CHECK(isOpen());
   commit();
   if (state == history_->current()) return;
+  fetch(state);
   settle(history_->returnTo(state, stamp()), tr("Back to: %1").arg(text(history_->labelOf(state))));
 }
 
-void EditController::adoptModel() {
+// A state that cannot be read stays out of memory, and whoever needs it says so.
+void EditController::fetch(std::optional<editing::StateId> state) {
+  const auto missing = state ? history_->missing(*state) : std::nullopt;
+  if (!missing || !read_version_) return;
+  const auto version = read_version_(*missing);
+  const auto provided =
+      version ? editing::provideVersion(*history_, *state, *version) : tl::unexpected(version.error());
+  if (!provided) refuse(text(provided.error().message()));
+}
+
+void EditController::begin(editing::EditHistory history, VersionReader read) {
   due_ = false;
   frame_.stop();
   report_.stop();
   stopped_.clear();
+  history_ = std::move(history);
+  read_version_ = std::move(read);
+}
+
+void EditController::adoptModel() {
   const OpenModel& open = *models_.current();
   auto history = editing::EditHistory::open(open.model, tr("Opened").toStdString(), stamp(), study::RecordIds());
   // The model that is open was compiled, so it is valid.
   TACTUS_CHECK(history.has_value());
-  history_ = std::move(*history);
+  begin(std::move(*history), {});
   emit modelReset();
   emit historyChanged();
 }
@@ -168,7 +206,8 @@ void EditController::report() {
 editing::Stamp EditController::stamp() const {
   using std::chrono::duration_cast;
   using std::chrono::milliseconds;
-  return {kAuthor, duration_cast<milliseconds>(std::chrono::system_clock::now().time_since_epoch()).count()};
+  return {author_.isEmpty() ? kNobody : author_.toStdString(),
+          duration_cast<milliseconds>(std::chrono::system_clock::now().time_since_epoch()).count()};
 }
 
 QString EditController::effectOf(editing::StateId state) {

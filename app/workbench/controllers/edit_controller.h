@@ -5,10 +5,12 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "app/editing/edit_history.h"
+#include "app/editing/history_versions.h"
 #include "app/workbench/controllers/model_controller.h"
 
 namespace tactus::workbench {
@@ -29,6 +31,20 @@ class EditController : public QObject {
   bool inGesture() const { return history_ && history_->inGesture(); }
   /// Why the gesture went less far than asked; empty where it did not stop.
   const QString& stopped() const { return stopped_; }
+
+  /// Everything that happened to the model since it was opened: what a study file and a recovery store.
+  const editing::EditHistory& history() const { return *history_; }
+  /// The event is in a study file now.
+  void markStored(const study::RecordId& id);
+  /// Reads a version of the model from where it was stored.
+  using VersionReader = std::function<base::Result<study::ModelVersion>(const study::RecordId&)>;
+  /// Goes on with `history`, read from a study or after a crash, in the place of the present one, which is dropped. The
+  /// open model becomes its current one, over the same inputs. States that are not in memory come from `read`; without
+  /// one nobody can return to them.
+  void adopt(editing::EditHistory history, VersionReader read = {});
+  /// Who edits, from now on; empty where nobody said.
+  void setAuthor(const QString& name);
+  const QString& author() const { return author_; }
 
   /// A gesture: begun, updated any number of times, committed or cancelled. Its models go to the ModelController at
   /// most once in 16 ms, the latest one wins; the last one always arrives.
@@ -70,14 +86,18 @@ class EditController : public QObject {
   void modelReset();
   /// `model()` changed.
   void changed();
-  /// Undo, redo or the list of entries changed.
+  /// Undo, redo or the list of entries changed: there may be new events to store.
   void historyChanged();
+  /// An event was marked as stored.
+  void stored();
   /// After an edit: what changed and what it does to the force.
   void reported(const QString& sentence);
   void refused(const QString& sentence);
 
  private:
   void adoptModel();
+  void begin(editing::EditHistory history, VersionReader read);
+  void fetch(std::optional<editing::StateId> state);
   void schedule();
   void send();
   void settle(const base::Result<void>& moved, const QString& sentence);
@@ -87,6 +107,8 @@ class EditController : public QObject {
 
   ModelController& models_;
   std::optional<editing::EditHistory> history_;
+  VersionReader read_version_;
+  QString author_;
   QString stopped_;
   QTimer frame_;      ///< runs for 16 ms after a model was sent
   bool due_ = false;  ///< a newer one waits for its end

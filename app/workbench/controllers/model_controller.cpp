@@ -34,7 +34,11 @@ void ModelController::open(const QString& path) {
     emit openFailed(absolute_path, QString::fromStdString(read.error().message()));
     return;
   }
-  current_ = std::make_shared<const OpenModel>(std::move(*read));
+  openRead(std::move(*read));
+}
+
+void ModelController::openRead(OpenModel model) {
+  current_ = std::make_shared<const OpenModel>(std::move(model));
   on_disk_ = current_;
   emit opened();
   setModified(false);

@@ -27,6 +27,9 @@ class ModelController : public QObject {
   base::Result<void> edit(fuzzy::ForceModel model);
   /// The same for a model that is compiled already: `compiled` is made from `model`.
   void edit(fuzzy::ForceModel model, fuzzy::CompiledModel compiled);
+  /// Opens a model that was read already, from a study for example; its path is where `save` writes it. Ends with
+  /// `opened`.
+  void openRead(OpenModel model);
 
  public slots:
   /// Reads the model file `path`; ends with `opened` or `openFailed`.

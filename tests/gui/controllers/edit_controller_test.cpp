@@ -2,6 +2,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "app/editing/membership_edits.h"
@@ -120,6 +121,41 @@ TEST_F(EditControllerTest, AnotherModelBeginsAnotherHistory) {
   models.reopen();
   EXPECT_FALSE(edits.canUndo());
   EXPECT_EQ(edits.model(), tests::twoExperts());
+}
+
+TEST_F(EditControllerTest, StampsSayWhoEdits) {
+  edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 3));
+  edits.setAuthor(QStringLiteral(" M. Ortiz "));
+  edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 2));
+  const auto& events = edits.history().events();
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events[1].stamp.author, "unnamed");
+  EXPECT_EQ(events[2].stamp.author, "M. Ortiz");
+}
+
+TEST_F(EditControllerTest, GoesOnWithAHistoryThatWasStored) {
+  edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 3));
+  edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 2));
+  const auto versions = editing::unstoredVersions(edits.history());
+  ASSERT_EQ(versions.size(), 3U);
+  for (const auto& version : versions) edits.markStored(version.id);
+  EXPECT_TRUE(editing::unstoredVersions(edits.history()).empty());
+
+  models.reopen();
+  EXPECT_EQ(shown(), tests::twoExperts());
+  const QSignalSpy reset(&edits, &EditController::modelReset);
+  auto history = editing::historyFrom(versions, study::RecordIds(5));
+  ASSERT_TRUE(history.has_value());
+  edits.adopt(std::move(*history), [&](const study::RecordId& id) -> base::Result<study::ModelVersion> {
+    return *std::find_if(versions.begin(), versions.end(), [&](const auto& version) { return version.id == id; });
+  });
+  EXPECT_EQ(reset.count(), 1);
+  EXPECT_EQ(shown().inputs[1].terms[0].points[2], 2);
+  EXPECT_TRUE(models.isModified());
+  edits.undo();
+  edits.undo();
+  EXPECT_EQ(shown(), tests::twoExperts());
+  EXPECT_FALSE(edits.canUndo());
 }
 
 }  // namespace
