@@ -36,6 +36,11 @@ QString quantityText(double value, const std::string& unit, int decimals) {
   return unitText(unit).isEmpty() ? number : number + QLatin1Char(' ') + unitText(unit);
 }
 
+QString exactText(double value, const std::string& unit) {
+  const QString number = text(base::formatNumber(value));
+  return unitText(unit).isEmpty() ? number : number + QLatin1Char(' ') + unitText(unit);
+}
+
 double placeOf(const fuzzy::Variable& variable, double value) {
   return std::clamp(roundedPlace(variable, value), variable.min, variable.max);
 }

@@ -20,6 +20,9 @@ QString unitText(const std::string& unit);
 /// `value` and its unit: `30 mm/s`.
 QString quantityText(double value, const std::string& unit, int decimals = 2);
 
+/// `value` in full, as it reads back, and its unit: `33.333333333333336 mm/s`.
+QString exactText(double value, const std::string& unit);
+
 /// `value` as precise as a mouse can set it: rounded to a thousandth of the universe or a little finer.
 double placeOf(const fuzzy::Variable& variable, double value);
 /// `value` rounded in the same way, also beyond the universe.

@@ -106,6 +106,11 @@ void ForceMapController::compute() {
   work();
 }
 
+void ForceMapController::finish() {
+  update();
+  while (!isFinest()) work();
+}
+
 void ForceMapController::stop() {
   slices_.stop();
   level_ = kSides.size();

@@ -63,6 +63,8 @@ class ForceMapController : public QObject {
   /// Sees to it that the map is that of the scene as it is now: the first slice at once, the others from the event
   /// loop. Costs nothing where it is already, or is in work.
   void update();
+  /// The same, to the end at once: some milliseconds for a few experts. For what has to be whole: a file, a picture.
+  void finish();
 
  signals:
   /// The axes or the expert are others; the map is not computed yet.

@@ -7,7 +7,6 @@
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/landmark_marks.h"
-#include "app/workbench/plots/picture_export.h"
 #include "app/workbench/plots/plot_style.h"
 #include "app/workbench/plots/reading_cursor.h"
 #include "app/workbench/plots/silence_marks.h"
@@ -125,13 +124,20 @@ void CurvePlot::setReading(const Reading& reading) {
   cursor_->layer()->replot();
 }
 
-base::Result<void> CurvePlot::savePicture(const QString& path, const QString& title, const QString& note) {
-  cursor_->setVisible(false);
-  auto saved = workbench::savePicture(*plot_, path, title, note);
-  cursor_->setVisible(true);
-  plot_->replot();
-  return saved;
+bool CurvePlot::isMeanShown() const { return shown(kMeanGraph); }
+
+bool CurvePlot::isExpertShown(std::size_t expert) const { return shown(expert + 1); }
+
+std::vector<LegendEntry> CurvePlot::legend() const {
+  std::vector<LegendEntry> entries;
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    const QCPGraph& line = *plot_->graph(i);
+    if (line.visible()) entries.push_back({line.name(), line.pen()});
+  }
+  return entries;
 }
+
+void CurvePlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {cursor_}); }
 
 void CurvePlot::leaveEvent(QEvent* event) {
   emit hoverLeft();

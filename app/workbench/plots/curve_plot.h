@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/workbench/controllers/force_curves.h"
-#include "core/base/error.h"
+#include "app/workbench/plots/plot_source.h"
 #include "core/fuzzy/force_model.h"
 
 class QCustomPlot;
@@ -21,7 +21,7 @@ class TermBands;
 class TermLabels;
 struct Reading;
 
-class CurvePlot : public QWidget {
+class CurvePlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
@@ -35,10 +35,12 @@ class CurvePlot : public QWidget {
   /// Shows or hides the line of an expert.
   void setExpertShown(std::size_t expert, bool shown);
   void setMeanShown(bool shown);
+  bool isMeanShown() const;
+  bool isExpertShown(std::size_t expert) const;
   void setReading(const Reading& reading);
 
-  /// Writes the plot with a title, a note and a legend to `path`: PNG, SVG or PDF, by its ending.
-  base::Result<void> savePicture(const QString& path, const QString& title, const QString& note);
+  std::vector<LegendEntry> legend() const override;
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  signals:
   /// The mouse is at `x`, in the unit of the x axis.

@@ -8,7 +8,6 @@
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/landmark_marks.h"
 #include "app/workbench/plots/map_marks.h"
-#include "app/workbench/plots/picture_export.h"
 #include "app/workbench/plots/plot_style.h"
 #include "app/workbench/theme.h"
 
@@ -114,13 +113,7 @@ void ForceMapPlot::setPoint(double x, double y, const QString& tag) {
   cross_->layer()->replot();
 }
 
-base::Result<void> ForceMapPlot::savePicture(const QString& path, const QString& title, const QString& note) {
-  cross_->setVisible(false);
-  auto saved = workbench::savePicture(*plot_, path, title, note);
-  cross_->setVisible(true);
-  plot_->replot();
-  return saved;
-}
+void ForceMapPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {cross_}); }
 
 void ForceMapPlot::onMouse(QMouseEvent* event) {
   if (!event->buttons().testFlag(Qt::LeftButton)) return;

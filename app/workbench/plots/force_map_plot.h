@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/workbench/controllers/force_map.h"
-#include "core/base/error.h"
+#include "app/workbench/plots/plot_source.h"
 #include "core/fuzzy/force_model.h"
 
 class QCPColorMap;
@@ -19,7 +19,7 @@ class ContourMarks;
 class LandmarkMarks;
 class MapCross;
 
-class ForceMapPlot : public QWidget {
+class ForceMapPlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
@@ -31,8 +31,7 @@ class ForceMapPlot : public QWidget {
   /// The operating point and what stands beside it.
   void setPoint(double x, double y, const QString& tag);
 
-  /// Writes the plot with a title and a note to `path`: PNG, SVG or PDF, by its ending.
-  base::Result<void> savePicture(const QString& path, const QString& title, const QString& note);
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  signals:
   /// The mouse was pressed or dragged at a place, in the units of the axes.

@@ -92,4 +92,14 @@ void ForceTracePlot::setHistory(const FeelHistory& history) {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+std::vector<LegendEntry> ForceTracePlot::legend() const {
+  if (!split_) return {};
+  return {{tr("felt"), force_->pen()},
+          {tr("fuzzy force"), model_->pen()},
+          {tr("with friction"), friction_->pen()},
+          {tr("taken by limits"), Qt::NoPen, limits_->brush()}};
+}
+
+void ForceTracePlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
+
 }  // namespace tactus::workbench

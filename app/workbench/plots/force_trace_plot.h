@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include "app/workbench/plots/plot_source.h"
+
 class QCustomPlot;
 class QCPGraph;
 
@@ -10,7 +12,7 @@ namespace tactus::workbench {
 
 class FeelHistory;
 
-class ForceTracePlot : public QWidget {
+class ForceTracePlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
@@ -23,6 +25,10 @@ class ForceTracePlot : public QWidget {
   bool isSplit() const { return split_; }
   /// Draws the last ten seconds; the newest point is at the right.
   void setHistory(const FeelHistory& history);
+
+  QSize pictureSize() const override { return {1000, 360}; }
+  std::vector<LegendEntry> legend() const override;
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  private:
   QCustomPlot* plot_;

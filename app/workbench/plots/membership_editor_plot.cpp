@@ -329,4 +329,10 @@ void MembershipEditorPlot::leaveEvent(QEvent* event) {
   QWidget::leaveEvent(event);
 }
 
+void MembershipEditorPlot::fillTable(PlotTable& table) const { workbench::fillTable(table, variable_, terms_); }
+
+void MembershipEditorPlot::paintPicture(QCPPainter& painter, const QSize& size) {
+  paintPlot(*plot_, painter, size, {marker_, marks_});
+}
+
 }  // namespace tactus::workbench

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/workbench/controllers/term_grip.h"
+#include "app/workbench/plot_table.h"
+#include "app/workbench/plots/plot_source.h"
 #include "core/fuzzy/force_model.h"
 
 class QCustomPlot;
@@ -19,7 +21,7 @@ class TermLabels;
 class ValueMarker;
 struct PlotFrame;
 
-class MembershipEditorPlot : public QWidget {
+class MembershipEditorPlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
@@ -41,6 +43,11 @@ class MembershipEditorPlot : public QWidget {
 
   /// Where a handle is, px in this widget, for whoever points at it.
   QPointF pixelOf(double x, double membership) const;
+
+  /// The corners of the terms as they are drawn.
+  void fillTable(PlotTable& table) const;
+  QSize pictureSize() const override { return {1000, 420}; }
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  signals:
   void selected(std::optional<tactus::workbench::Grip> grip);

@@ -108,4 +108,10 @@ void MembershipPlot::updateMarker() {
   marker_->set(value_, std::move(memberships));
 }
 
+void MembershipPlot::fillTable(PlotTable& table) const { workbench::fillTable(table, variable_, terms_); }
+
+void MembershipPlot::paintPicture(QCPPainter& painter, const QSize& size) {
+  paintPlot(*plot_, painter, size, {marker_});
+}
+
 }  // namespace tactus::workbench

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/workbench/plot_table.h"
+#include "app/workbench/plots/plot_source.h"
 #include "core/fuzzy/force_model.h"
 
 class QCustomPlot;
@@ -15,7 +17,7 @@ namespace tactus::workbench {
 class TermLabels;
 class ValueMarker;
 
-class MembershipPlot : public QWidget {
+class MembershipPlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
@@ -25,6 +27,11 @@ class MembershipPlot : public QWidget {
   void setTerms(const std::vector<fuzzy::Term>& terms);
   /// The marker, or none.
   void setValue(std::optional<double> value);
+
+  /// The corners of the terms as they are drawn.
+  void fillTable(PlotTable& table) const;
+  QSize pictureSize() const override { return {800, 360}; }
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
 
   // Room to the left and right of the axis, px, for whoever lines something up with it.
   static constexpr int kLeftMargin = 24;

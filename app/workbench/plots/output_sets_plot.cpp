@@ -22,10 +22,11 @@ void OutputSetsPlot::showExpert(const fuzzy::ForceModel& model, const analysis::
                                 std::size_t expert) {
   begin(model.output);
   const analysis::ExplainedExpert& explained = explanation.experts[expert];
+  const std::vector<fuzzy::Term>& terms = fuzzy::termsFor(model.experts[expert], model.output);
   for (std::size_t i = 0; i < explained.output_terms.size(); ++i) {
-    addSet(explained.output_terms[i].set, theme::term(i, explained.output_terms.size()), 0.45F, 1);
+    addSet(labelOf(terms[i]), explained.output_terms[i].set, theme::term(i, explained.output_terms.size()), 0.45F, 1);
   }
-  addSet(explained.aggregated, theme::ink(), 0, 1.6);
+  addSet(tr("together"), explained.aggregated, theme::ink(), 0, 1.6);
   finish(!explained.abstains, explained.force_n,
          tr("centroid %1").arg(forceText(explained.force_n, model.output.unit)));
 }
@@ -33,12 +34,13 @@ void OutputSetsPlot::showExpert(const fuzzy::ForceModel& model, const analysis::
 void OutputSetsPlot::showExperts(const fuzzy::ForceModel& model, const analysis::Explanation& explanation) {
   begin(model.output);
   for (std::size_t i = 0; i < explanation.experts.size(); ++i) {
-    addSet(explanation.experts[i].aggregated, theme::expert(i), 0.1F, 1.6);
+    addSet(labelOf(model.experts[i]), explanation.experts[i].aggregated, theme::expert(i), 0.1F, 1.6);
   }
   finish(explanation.fired, explanation.force_n, tr("mean %1").arg(forceText(explanation.force_n, model.output.unit)));
 }
 
 void OutputSetsPlot::begin(const fuzzy::Variable& output) {
+  output_ = output;
   styleAxis(*plot_->xAxis, output);
   styleAxis(*plot_->yAxis, output);
   plot_->xAxis->setLabel(axisText(output));
@@ -50,7 +52,8 @@ void OutputSetsPlot::begin(const fuzzy::Variable& output) {
   plot_->clearGraphs();
 }
 
-void OutputSetsPlot::addSet(const analysis::Polyline& set, const QColor& color, float fill_alpha, double width) {
+void OutputSetsPlot::addSet(const QString& name, const analysis::Polyline& set, const QColor& color, float fill_alpha,
+                            double width) {
   if (set.empty()) return;
   QVector<double> x{set.front().x};
   QVector<double> height{0};
@@ -61,6 +64,7 @@ void OutputSetsPlot::addSet(const analysis::Polyline& set, const QColor& color, 
   x << set.back().x;
   height << 0;
   QCPGraph* graph = plot_->addGraph();
+  graph->setName(name);
   graph->setAdaptiveSampling(false);
   graph->setPen(QPen(color, width));
   QColor fill = color;
@@ -74,5 +78,25 @@ void OutputSetsPlot::finish(bool fired, double force_n, const QString& tag) {
   cursor_->set(force_n, tag, {});
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
+
+std::vector<LegendEntry> OutputSetsPlot::legend() const {
+  std::vector<LegendEntry> entries;
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    const QCPGraph& set = *plot_->graph(i);
+    entries.push_back({set.name(), set.pen(), set.brush()});
+  }
+  return entries;
+}
+
+void OutputSetsPlot::fillTable(PlotTable& table) const {
+  table.columns = {"set", columnName(output_), "height"};
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    const std::string name = plot_->graph(i)->name().toStdString();
+    for (const QCPGraphData& corner : *plot_->graph(i)->data()) table.rows.push_back({name, corner.key, corner.value});
+  }
+}
+
+// The force at the centroid is what the plot is about, so its mark stays.
+void OutputSetsPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
 
 }  // namespace tactus::workbench

@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include "app/workbench/plot_table.h"
+#include "app/workbench/plots/plot_source.h"
 #include "core/analysis/explain.h"
 #include "core/fuzzy/force_model.h"
 
@@ -12,7 +14,7 @@ namespace tactus::workbench {
 
 class ReadingCursor;
 
-class OutputSetsPlot : public QWidget {
+class OutputSetsPlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
@@ -23,12 +25,19 @@ class OutputSetsPlot : public QWidget {
   /// The set of every expert in the color of the expert, and the mean.
   void showExperts(const fuzzy::ForceModel& model, const analysis::Explanation& explanation);
 
+  /// The corners of the sets as they are drawn: set, force, height.
+  void fillTable(PlotTable& table) const;
+  QSize pictureSize() const override { return {800, 420}; }
+  std::vector<LegendEntry> legend() const override;
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
+
  private:
   void begin(const fuzzy::Variable& output);
-  void addSet(const analysis::Polyline& set, const QColor& color, float fill_alpha, double width);
+  void addSet(const QString& name, const analysis::Polyline& set, const QColor& color, float fill_alpha, double width);
   void finish(bool fired, double force_n, const QString& tag);
 
   QCustomPlot* plot_;
+  fuzzy::Variable output_;
   ReadingCursor* cursor_;
 };
 

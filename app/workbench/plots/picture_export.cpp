@@ -2,10 +2,16 @@
 
 #include <QBuffer>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QPageSize>
 #include <QPdfWriter>
+#include <QScreen>
 #include <QSvgGenerator>
+#include <QTextLayout>
+#include <algorithm>
+#include <cmath>
 
+#include "app/workbench/plots/plot_source.h"
 #include "app/workbench/plots/plot_style.h"
 #include "app/workbench/theme.h"
 #include "core/base/file.h"
@@ -13,105 +19,167 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kWidth = 1000;     // px of the layout
-constexpr int kHeight = 600;     // px of the layout
-constexpr double kPngScale = 2;  // sharp on paper at 16 cm width
+constexpr int kMargin = 3 * theme::kGrid;  // px around legend and caption
+constexpr int kSwatch = 3 * theme::kGrid;  // px, width of a line in the legend
 constexpr double kPointsPerInch = 72;
+constexpr double kMmPerInch = 25.4;
 
-// Adds title, note and legend around the plot for as long as it lives.
-class Caption {
+// The resolution of the screen, by which the plots measure their texts.
+int dotsPerInch() { return qRound(QGuiApplication::primaryScreen()->logicalDotsPerInch()); }
+
+// Where the parts of a picture stand: the plot, below it the legend in rows, below that the caption.
+class Picture {
  public:
-  Caption(QCustomPlot& plot, const QString& title, const QString& note) : plot_(plot) {
-    QCPLayoutGrid& grid = *plot_.plotLayout();
-    grid.insertRow(0);
-    grid.insertRow(0);
-    title_ = new QCPTextElement(&plot_, title, theme::titleFont());
-    note_ = new QCPTextElement(&plot_, note, theme::smallFont());
-    title_->setTextColor(theme::ink());
-    note_->setTextColor(theme::mutedInk());
-    grid.addElement(0, 0, title_);
-    grid.addElement(1, 0, note_);
+  Picture(PlotSource& plot, const QStringList& caption) : plot_(plot), size_(plot.pictureSize()) {
+    int y = size_.height();
+    placeLegend(y);
+    placeCaption(caption, y);
+    whole_ = QSize(size_.width(), y + kMargin / 2);
+  }
 
-    QCPLegend* legend = plot_.legend;
-    legend->clearItems();
-    for (int i = 0; i < plot_.graphCount(); ++i) {
-      if (plot_.graph(i)->visible()) plot_.graph(i)->addToLegend(legend);
+  QSize size() const { return whole_; }
+
+  void paint(QPaintDevice& device, double scale) {
+    QCPPainter painter;
+    painter.begin(&device);
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.setMode(QCPPainter::pmNoCaching);
+    painter.scale(scale, scale);
+    painter.fillRect(QRect(QPoint(0, 0), whole_), theme::card());
+    painter.save();
+    plot_.paintPicture(painter, size_);
+    painter.restore();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const Entry& entry : entries_) paintEntry(painter, entry);
+    for (const Line& line : lines_) {
+      painter.setFont(line.font);
+      painter.setPen(line.color);
+      painter.drawText(line.place, line.text);
     }
-    legend->setFont(theme::smallFont());
-    legend->setTextColor(theme::ink());
-    legend->setBorderPen(Qt::NoPen);
-    legend->setIconTextPadding(10);
-    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    legend->setWrap(8);
-    plot_.axisRect()->insetLayout()->take(legend);
-    grid.addElement(3, 0, legend);
-    grid.setRowStretchFactor(3, 0.001);
-    legend->setVisible(true);
+    painter.end();
   }
-
-  ~Caption() {
-    QCPLayoutGrid& grid = *plot_.plotLayout();
-    plot_.legend->setVisible(false);
-    grid.take(plot_.legend);
-    plot_.axisRect()->insetLayout()->addElement(plot_.legend, Qt::AlignTop | Qt::AlignRight);
-    grid.remove(title_);
-    grid.remove(note_);
-    grid.simplify();
-  }
-
-  Caption(const Caption&) = delete;
-  Caption& operator=(const Caption&) = delete;
 
  private:
-  QCustomPlot& plot_;
-  QCPTextElement* title_;
-  QCPTextElement* note_;
+  struct Entry {
+    LegendEntry what;
+    QPointF place;  ///< of the text, on its base line
+  };
+  struct Line {
+    QString text;
+    QFont font;
+    QColor color;
+    QPointF place;
+  };
+
+  void placeLegend(int& y) {
+    const QFontMetricsF metrics(theme::smallFont());
+    double x = kMargin;
+    bool any = false;
+    for (LegendEntry& entry : plot_.legend()) {
+      const double width = kSwatch + theme::kGrid + metrics.horizontalAdvance(entry.name);
+      if (x + width > size_.width() - kMargin && x > kMargin) {
+        x = kMargin;
+        y += qCeil(metrics.lineSpacing()) + 2;
+      }
+      const double text_x = x + kSwatch + theme::kGrid;
+      entries_.push_back({std::move(entry), QPointF(text_x, y + metrics.ascent())});
+      x += width + kMargin;
+      any = true;
+    }
+    if (any) y += qCeil(metrics.lineSpacing()) + theme::kGrid;
+  }
+
+  void placeCaption(const QStringList& caption, int& y) {
+    for (const QString& paragraph : caption) {
+      const bool title = lines_.empty();
+      const QFont font = title ? theme::headingFont() : theme::smallFont();
+      const QFontMetricsF metrics(font);
+      QTextLayout layout(paragraph, font);
+      layout.beginLayout();
+      for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(size_.width() - 2 * kMargin);
+        lines_.push_back({paragraph.mid(line.textStart(), line.textLength()), font,
+                          title ? theme::ink() : theme::mutedInk(), QPointF(kMargin, y + metrics.ascent())});
+        y += qCeil(metrics.lineSpacing()) + 2;
+      }
+      layout.endLayout();
+    }
+  }
+
+  static void paintEntry(QPainter& painter, const Entry& entry) {
+    const QFontMetricsF metrics(theme::smallFont());
+    const QPointF right = entry.place - QPointF(theme::kGrid, metrics.xHeight() / 2);
+    const QPointF left = right - QPointF(kSwatch, 0);
+    if (entry.what.fill.style() != Qt::NoBrush) {
+      painter.fillRect(QRectF(left - QPointF(0, 5), right + QPointF(0, 5)), entry.what.fill);
+    }
+    painter.setPen(entry.what.pen);
+    painter.drawLine(left, right);
+    if (entry.what.dots) {
+      painter.setBrush(entry.what.pen.color());
+      painter.drawEllipse((left + right) / 2, 2, 2);
+      painter.setBrush(Qt::NoBrush);
+    }
+    painter.setFont(theme::smallFont());
+    painter.setPen(theme::ink());
+    painter.drawText(entry.place, entry.what.name);
+  }
+
+  PlotSource& plot_;
+  QSize size_;
+  QSize whole_;
+  std::vector<Entry> entries_;
+  std::vector<Line> lines_;
 };
 
-void paint(QCustomPlot& plot, QPaintDevice& device) {
-  QCPPainter painter;
-  painter.begin(&device);
-  painter.setMode(QCPPainter::pmVectorized);
-  painter.setMode(QCPPainter::pmNoCaching);
-  plot.toPainter(&painter, kWidth, kHeight);
-  painter.end();
-}
-
-void paintSvg(QCustomPlot& plot, const QString& title, QIODevice& out) {
+void paintSvg(Picture& picture, const QString& title, QIODevice& out) {
   QSvgGenerator svg;
   svg.setOutputDevice(&out);
-  // The resolution of the screen, by which the plot measures its texts.
-  svg.setResolution(plot.logicalDpiX());
-  svg.setSize({kWidth, kHeight});
-  svg.setViewBox(QRect(0, 0, kWidth, kHeight));
+  svg.setResolution(dotsPerInch());
+  svg.setSize(picture.size());
+  svg.setViewBox(QRect(QPoint(0, 0), picture.size()));
   svg.setTitle(title);
-  paint(plot, svg);
+  picture.paint(svg, 1);
 }
 
-void paintPdf(QCustomPlot& plot, const QString& title, QIODevice& out) {
+void paintPdf(Picture& picture, const QString& title, QIODevice& out) {
   QPdfWriter pdf(&out);
   pdf.setTitle(title);
-  pdf.setResolution(plot.logicalDpiX());
-  const double point = kPointsPerInch / plot.logicalDpiX();
+  pdf.setResolution(dotsPerInch());
+  const double point = kPointsPerInch / dotsPerInch();
   pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
-  pdf.setPageSize(QPageSize(QSizeF(kWidth * point, kHeight * point), QPageSize::Point, {}, QPageSize::ExactMatch));
-  paint(plot, pdf);
+  pdf.setPageSize(QPageSize(QSizeF(picture.size().width() * point, picture.size().height() * point), QPageSize::Point,
+                            {}, QPageSize::ExactMatch));
+  picture.paint(pdf, 1);
 }
 
 }  // namespace
 
-base::Result<void> savePicture(QCustomPlot& plot, const QString& path, const QString& title, const QString& note) {
+QImage pictureOf(PlotSource& plot, const QStringList& caption) {
+  Picture picture(plot, caption);
+  QImage image(picture.size() * kPictureScale, QImage::Format_RGB32);
+  const int dots_per_meter = qRound(dotsPerInch() * 1000 / kMmPerInch);
+  // The texts have their size on the screen, and the scale of the painter enlarges them like everything else.
+  image.setDotsPerMeterX(dots_per_meter);
+  image.setDotsPerMeterY(dots_per_meter);
+  picture.paint(image, kPictureScale);
+  image.setDotsPerMeterX(qRound(dots_per_meter * kPictureScale));
+  image.setDotsPerMeterY(qRound(dots_per_meter * kPictureScale));
+  return image;
+}
+
+base::Result<void> savePicture(PlotSource& plot, const QStringList& caption, const QString& path) {
   const QString ending = QFileInfo(path).suffix().toLower();
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  const Caption caption(plot, title, note);
+  Picture picture(plot, caption);
   if (ending == QLatin1String("png")) {
-    plot.toPixmap(kWidth, kHeight, kPngScale).save(&buffer, "PNG");
+    pictureOf(plot, caption).save(&buffer, "PNG");
   } else if (ending == QLatin1String("svg")) {
-    paintSvg(plot, title, buffer);
+    paintSvg(picture, caption.value(0), buffer);
   } else if (ending == QLatin1String("pdf")) {
-    paintPdf(plot, title, buffer);
+    paintPdf(picture, caption.value(0), buffer);
   } else {
     return base::inFile({base::ErrorCode::kValue, {}, {}, base::quoted(ending.toStdString()), "png, svg or pdf"},
                         path.toStdString());

@@ -1,16 +1,24 @@
-// Writes a plot as a picture for a paper or a report. Only files of plots/ include this.
+// Plots as pictures for a paper, a report or the clipboard: the plot, its legend, and a caption with the settings.
 #pragma once
 
+#include <QImage>
 #include <QString>
+#include <QStringList>
 
 #include "core/base/error.h"
 
-class QCustomPlot;
-
 namespace tactus::workbench {
 
-/// Writes `plot` with `title` and `note` above it and a legend of the visible lines below it to `path`, whole or not at
-/// all: 1000 x 600 px, PNG at twice the resolution, SVG or PDF, by the ending of `path`.
-base::Result<void> savePicture(QCustomPlot& plot, const QString& path, const QString& title, const QString& note);
+class PlotSource;
+
+/// Pixels of the picture for one of its layout: sharp on paper at 16 cm width, and on any screen.
+inline constexpr double kPictureScale = 2;
+
+/// `plot` with its legend and the lines of `caption` below it, the first of which is the title.
+QImage pictureOf(PlotSource& plot, const QStringList& caption);
+
+/// Writes that picture to `path`, whole or not at all: PNG, SVG or PDF, by the ending of `path`. Refused: another
+/// ending, a file that cannot be written.
+base::Result<void> savePicture(PlotSource& plot, const QStringList& caption, const QString& path);
 
 }  // namespace tactus::workbench

@@ -1,5 +1,7 @@
 #include "app/workbench/plots/plot_style.h"
 
+#include <vector>
+
 #include "app/workbench/theme.h"
 
 namespace tactus::workbench {
@@ -33,6 +35,19 @@ void styleAxis(QCPAxis& axis, const fuzzy::Variable& variable) {
   axis.setLabelFont(theme::smallFont());
   axis.grid()->setPen(QPen(theme::grid(), 1));
   axis.grid()->setZeroLinePen(QPen(theme::grid(), 1));
+}
+
+void paintPlot(QCustomPlot& plot, QCPPainter& painter, const QSize& size, std::initializer_list<QCPLayerable*> hidden) {
+  std::vector<QCPLayerable*> shown;
+  for (QCPLayerable* part : hidden) {
+    if (!part->visible()) continue;
+    shown.push_back(part);
+    part->setVisible(false);
+  }
+  plot.toPainter(&painter, size.width(), size.height());
+  for (QCPLayerable* part : shown) part->setVisible(true);
+  // The picture has left its own layout behind.
+  if (plot.isVisible()) plot.replot();
 }
 
 QVector<double> UniverseTicker::createTickVector(double step, const QCPRange& range) {

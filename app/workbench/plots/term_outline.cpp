@@ -41,4 +41,20 @@ TermOutline outlineOf(const fuzzy::Term& term, double low, double high) {
   return outline;
 }
 
+void fillTable(PlotTable& table, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {
+  table.columns = {"term", columnName(variable), "membership"};
+  for (const fuzzy::Term& term : terms) {
+    double low = variable.min;
+    double high = variable.max;
+    if (term.shape != fuzzy::Shape::kGaussian) {
+      low = std::min(low, term.points.front());
+      high = std::max(high, term.points.back());
+    }
+    const TermOutline outline = outlineOf(term, low, high);
+    for (qsizetype i = 0; i < outline.x.size(); ++i) {
+      table.rows.push_back({term.id, outline.x[i], outline.membership[i]});
+    }
+  }
+}
+
 }  // namespace tactus::workbench

@@ -2,6 +2,9 @@
 // this.
 #pragma once
 
+#include <vector>
+
+#include "app/workbench/plot_table.h"
 #include "app/workbench/plots/plot_style.h"
 
 namespace tactus::workbench {
@@ -13,5 +16,9 @@ struct TermOutline {
 
 /// The corners of the shape between `low` and `high`; a vertical edge has two points at one place.
 TermOutline outlineOf(const fuzzy::Term& term, double low, double high);
+
+/// Columns `term`, the variable, and `membership`, and a row for every corner of every term, also of those beyond the
+/// universe; a Gaussian is sampled over the universe.
+void fillTable(PlotTable& table, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
 
 }  // namespace tactus::workbench

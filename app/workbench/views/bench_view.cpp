@@ -47,9 +47,6 @@ BenchView::BenchView(SceneController& scene, FeelController& feel, QSettings& se
   layout->setSpacing(theme::kGrid);
   layout->addWidget(new ModelHeader(scene, this));
   layout->addWidget(panels_, 1);
-
-  connect(curves_, &CurvesPanel::savePictureRequested, this, &BenchView::saveCurvesRequested);
-  connect(map_, &MapPanel::savePictureRequested, this, &BenchView::saveMapRequested);
 }
 
 void BenchView::place() {
@@ -67,8 +64,8 @@ void BenchView::place() {
                                     {kFeel, How::kTab, kCurves}});
 }
 
-base::Result<void> BenchView::saveCurves(const QString& path) { return curves_->savePicture(path); }
+PlotMenu& BenchView::curvesMenu() { return curves_->plotMenu(); }
 
-base::Result<void> BenchView::saveMap(const QString& path) { return map_->savePicture(path); }
+PlotMenu& BenchView::mapMenu() { return map_->plotMenu(); }
 
 }  // namespace tactus::workbench

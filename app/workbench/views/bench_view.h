@@ -4,7 +4,6 @@
 #include <QWidget>
 
 #include "app/workbench/views/stage.h"
-#include "core/base/error.h"
 
 class QSettings;
 
@@ -14,6 +13,7 @@ class CurvesPanel;
 class FeelController;
 class MapPanel;
 class PanelArea;
+class PlotMenu;
 class SceneController;
 
 class BenchView : public QWidget {
@@ -24,14 +24,9 @@ class BenchView : public QWidget {
 
   PanelArea& panels() { return *panels_; }
 
-  /// Writes the curves as a picture to `path` (PNG, SVG or PDF by its ending).
-  base::Result<void> saveCurves(const QString& path);
-  /// The same of the map.
-  base::Result<void> saveMap(const QString& path);
-
- signals:
-  void saveCurvesRequested();
-  void saveMapRequested();
+  /// What copies and saves the curves, and the map, whether they are shown or not.
+  PlotMenu& curvesMenu();
+  PlotMenu& mapMenu();
 
  private:
   void place();

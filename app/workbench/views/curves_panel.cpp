@@ -6,15 +6,16 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStyle>
-#include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
+#include "app/workbench/controllers/plot_caption.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/models/reading_model.h"
 #include "app/workbench/plots/curve_plot.h"
 #include "app/workbench/theme.h"
+#include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
@@ -40,8 +41,9 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
       title_(new QLabel(this)),
       x_input_(new QComboBox(this)),
       presets_(new QPushButton(tr("Figures of the paper"), this)),
-      save_(new QToolButton(this)),
       plot_(new CurvePlot(this)),
+      menu_(new PlotMenu(
+          *plot_, [this] { return table(); }, this)),
       draw_curves_(new Refresh(this, [this] { plot_->setCurves(scene_.curves()); })),
       draw_reading_(new Refresh(this, [this] { plot_->setReading(scene_.reading()); })) {
   title_->setFont(theme::headingFont());
@@ -52,10 +54,6 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   presets_->setMenu(new QMenu(presets_));
   // The style leaves no air around the text.
   presets_->setMinimumWidth(presets_->sizeHint().width() + 2 * theme::kGrid);
-  save_->setIcon(style()->standardIcon(QStyle::SP_DialogSaveButton));
-  save_->setToolTip(tr("Save the curves as a picture…"));
-  save_->setAccessibleName(save_->toolTip());
-  save_->setAutoRaise(true);
   presets_->setToolTip(tr("Set the inputs as in a figure of the paper"));
 
   auto* head = new QHBoxLayout;
@@ -64,7 +62,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   head->addWidget(x_input_);
   head->addStretch(1);
   head->addWidget(presets_);
-  head->addWidget(save_);
+  head->addWidget(menu_);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
@@ -73,7 +71,6 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   layout->addWidget(plot_, 1);
 
   connect(x_input_, &QComboBox::activated, this, &CurvesPanel::onXInputChosen);
-  connect(save_, &QToolButton::clicked, this, &CurvesPanel::savePictureRequested);
   connect(plot_, &CurvePlot::hovered, &scene_, &SceneController::setHover);
   connect(plot_, &CurvePlot::hoverLeft, &scene_, &SceneController::clearHover);
   connect(plot_, &CurvePlot::picked, &scene_, [this](double x) { scene_.setValue(scene_.xInput(), x); });
@@ -83,14 +80,6 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   connect(&scene_, &SceneController::termsChanged, this, &CurvesPanel::showTerms);
   connect(&scene_, &SceneController::curvesChanged, draw_curves_, &Refresh::request);
   connect(&scene_, &SceneController::readingChanged, draw_reading_, &Refresh::request);
-}
-
-base::Result<void> CurvesPanel::savePicture(const QString& path) {
-  const OpenModel& open = *scene_.model();
-  plot_->setCurves(scene_.curves());
-  QString note = settingText();
-  if (open.simulated) note += QStringLiteral(" – ") + tr("contains simulated data");
-  return plot_->savePicture(path, text(open.model.name), note);
 }
 
 void CurvesPanel::adoptModel() {
@@ -135,14 +124,28 @@ void CurvesPanel::onRowShown(int row, bool shown) {
   draw_reading_->request();
 }
 
-QString CurvesPanel::settingText() const {
+PlotTable CurvesPanel::table() {
   const fuzzy::ForceModel& model = scene_.model()->model;
-  QStringList parts;
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    if (i == scene_.xInput()) continue;
-    parts << labelOf(model.inputs[i]) + QLatin1Char(' ') + quantityText(scene_.value(i), model.inputs[i].unit);
+  const ForceCurves& curves = scene_.curves();
+  // Hidden, the plot has followed nothing.
+  plot_->setCurves(curves);
+  const std::size_t axes[] = {scene_.xInput()};
+  PlotTable out = captionedTable(scene_, tr("%1 along %2").arg(labelOf(model.output), labelOf(scene_.xVariable())),
+                                 axes, {}, QStringLiteral("-curves"));
+  out.columns = {columnName(scene_.xVariable())};
+  if (plot_->isMeanShown()) out.columns.push_back(columnName(model.output));
+  for (std::size_t i = 0; i < model.experts.size(); ++i) {
+    if (plot_->isExpertShown(i)) out.columns.push_back(columnName(model.output, model.experts[i]));
   }
-  return parts.join(QStringLiteral(" · "));
+  for (std::size_t row = 0; row < curves.x.size(); ++row) {
+    std::vector<PlotTable::Cell> cells{curves.x[row]};
+    if (plot_->isMeanShown()) cells.push_back(forceCell(curves.mean[row]));
+    for (std::size_t i = 0; i < model.experts.size(); ++i) {
+      if (plot_->isExpertShown(i)) cells.push_back(forceCell(curves.experts[i][row]));
+    }
+    out.rows.push_back(std::move(cells));
+  }
+  return out;
 }
 
 }  // namespace tactus::workbench

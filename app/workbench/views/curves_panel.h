@@ -1,17 +1,17 @@
 // The main area: the plot of the curves with the choice of the x axis and the settings of the paper's figures.
 #pragma once
 
+#include "app/workbench/plot_table.h"
 #include "app/workbench/views/card.h"
-#include "core/base/error.h"
 
 class QComboBox;
 class QLabel;
 class QPushButton;
-class QToolButton;
 
 namespace tactus::workbench {
 
 class CurvePlot;
+class PlotMenu;
 class ReadingModel;
 class Refresh;
 class SceneController;
@@ -22,10 +22,7 @@ class CurvesPanel : public Card {
  public:
   CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget* parent = nullptr);
 
-  base::Result<void> savePicture(const QString& path);
-
- signals:
-  void savePictureRequested();
+  PlotMenu& plotMenu() { return *menu_; }
 
  private:
   void adoptModel();
@@ -33,14 +30,14 @@ class CurvesPanel : public Card {
   void showTerms();
   void onXInputChosen(int index);
   void onRowShown(int row, bool shown);
-  QString settingText() const;
+  PlotTable table();
 
   SceneController& scene_;
   QLabel* title_;
   QComboBox* x_input_;
   QPushButton* presets_;
-  QToolButton* save_;
   CurvePlot* plot_;
+  PlotMenu* menu_;
   Refresh* draw_curves_;
   Refresh* draw_reading_;
 };

@@ -13,6 +13,7 @@
 #include "app/workbench/controllers/patient.h"
 #include "app/workbench/controllers/procedure.h"
 #include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/controllers/trace_table.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/force_trace_plot.h"
 #include "app/workbench/theme.h"
@@ -21,6 +22,7 @@
 #include "app/workbench/views/force_bar.h"
 #include "app/workbench/views/patient_controls.h"
 #include "app/workbench/views/placement_card.h"
+#include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/procedure_panel.h"
 #include "app/workbench/views/sagittal_view.h"
 #include "app/workbench/views/tube_pad.h"
@@ -111,6 +113,8 @@ void FeelPanel::build() {
   options->addWidget(split_);
   options->addWidget(follow_);
   options->addStretch(1);
+  options->addWidget(new PlotMenu(
+      *trace_, [this] { return traceTable(scene_, feel_.history(), traced_on_); }, this));
   auto* trace = new QVBoxLayout;
   trace->setSpacing(4);
   trace->addLayout(options);
@@ -185,6 +189,7 @@ void FeelPanel::adoptModel() {
 
 void FeelPanel::showState() {
   const bool running = feel_.isRunning();
+  if (const auto device = feel_.device()) traced_on_ = device;
   // Nothing listens to the keys of the program while there is no force to stop.
   if (running != filtering_) {
     if (running) {

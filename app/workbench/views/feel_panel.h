@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/fuzzy/force_model.h"
+#include "core/haptics/device.h"
 
 class QBoxLayout;
 class QCheckBox;
@@ -59,6 +60,7 @@ class FeelPanel : public QWidget {
   QCheckBox* follow_;
   QLabel* legend_;
   ForceTracePlot* trace_;
+  std::optional<haptics::DeviceInfo> traced_on_;  ///< what the trace was felt on
   SagittalView* sagittal_;
   ProcedurePanel* procedure_;
   PlacementCard* placement_;

@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/workbench/controllers/plot_caption.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/membership_plot.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
 #include "app/workbench/views/number_box.h"
+#include "app/workbench/views/plot_menu.h"
 
 namespace tactus::workbench {
 InputCard::InputCard(SceneController& scene, std::size_t input, QWidget* parent)
@@ -55,7 +57,12 @@ InputCard::InputCard(SceneController& scene, std::size_t input, QWidget* parent)
   layout->addLayout(head);
   layout->addWidget(plot_, 1);
   layout->addLayout(slider_row);
-  layout->addWidget(terms_);
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(0, 0, theme::kGrid - 4, 0);
+  foot->addWidget(terms_, 1);
+  foot->addWidget(new PlotMenu(
+      *plot_, [this] { return table(); }, this));
+  layout->addLayout(foot);
 
   showTerms();
 
@@ -96,5 +103,14 @@ void InputCard::showValue() {
 void InputCard::onSlider(int position) { scene_.setValue(input_, variable_.min + position * step_); }
 
 void InputCard::onNumber(double value) { scene_.setValue(input_, value); }
+
+PlotTable InputCard::table() {
+  PlotTable out =
+      captionedTerms(scene_, variable_,
+                     scene_.termsOf() ? tr("terms of %1").arg(labelOf(scene_.model()->model.experts[*scene_.termsOf()]))
+                                      : tr("shared terms"));
+  plot_->fillTable(out);
+  return out;
+}
 
 }  // namespace tactus::workbench

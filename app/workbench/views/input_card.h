@@ -1,6 +1,7 @@
 // One input: its membership functions, and its value as a marker, a slider and a number, with the terms it belongs to.
 #pragma once
 
+#include "app/workbench/plot_table.h"
 #include "app/workbench/views/card.h"
 #include "core/fuzzy/force_model.h"
 
@@ -21,6 +22,7 @@ class InputCard : public Card {
 
  private:
   void showTerms();
+  PlotTable table();
   void showValue();
   void onValue(std::size_t input);
   void onReading();

@@ -26,6 +26,7 @@
 #include "app/workbench/views/message_banner.h"
 #include "app/workbench/views/operating_strip.h"
 #include "app/workbench/views/panel_area.h"
+#include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/shortcut_sheet.h"
 #include "app/workbench/views/stage_rail.h"
 #include "app/workbench/views/start_view.h"
@@ -113,7 +114,10 @@ void MainWindow::buildMenus() {
   save_curves_->setShortcut(Qt::CTRL | Qt::Key_E);
   save_map_ = file->addAction(tr("Save picture of the &map…"));
   save_map_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
-  for (QAction* action : {save_, save_as_, save_curves_, save_map_}) action->setEnabled(false);
+  copy_picture_ = file->addAction(tr("&Copy picture of the plot"));
+  copy_picture_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_C);
+  copy_picture_->setToolTip(tr("The plot with the keyboard or under the mouse"));
+  for (QAction* action : {save_, save_as_, save_curves_, save_map_, copy_picture_}) action->setEnabled(false);
   file->addSeparator();
   quit_ = file->addAction(tr("&Quit"));
   quit_->setShortcut(Qt::CTRL | Qt::Key_Q);
@@ -147,8 +151,9 @@ void MainWindow::connectAll() {
   connect(reopen_, &QAction::triggered, this, &MainWindow::reopen);
   connect(save_, &QAction::triggered, &models_, &ModelController::save);
   connect(save_as_, &QAction::triggered, this, &MainWindow::chooseCopy);
-  connect(save_curves_, &QAction::triggered, this, &MainWindow::chooseCurvesPicture);
-  connect(save_map_, &QAction::triggered, this, &MainWindow::chooseMapPicture);
+  connect(save_curves_, &QAction::triggered, &bench_->curvesMenu(), &PlotMenu::choosePicture);
+  connect(save_map_, &QAction::triggered, &bench_->mapMenu(), &PlotMenu::choosePicture);
+  connect(copy_picture_, &QAction::triggered, this, &MainWindow::copyPicture);
   connect(quit_, &QAction::triggered, this, &QWidget::close);
   connect(panel_menu_, &QMenu::aboutToShow, this, &MainWindow::listPanels);
   connect(reset_layout_, &QAction::triggered, &panels(), &PanelArea::resetLayout);
@@ -157,8 +162,6 @@ void MainWindow::connectAll() {
   connect(start_, &StartView::openRequested, this, &MainWindow::chooseModel);
   connect(start_, &StartView::recentRequested, this, &MainWindow::openFile);
   connect(rail_, &StageRail::chosen, this, &MainWindow::enter);
-  connect(bench_, &BenchView::saveCurvesRequested, this, &MainWindow::chooseCurvesPicture);
-  connect(bench_, &BenchView::saveMapRequested, this, &MainWindow::chooseMapPicture);
   connect(&recent_, &RecentFiles::changed, this, &MainWindow::listRecent);
   connect(&models_, &ModelController::openFailed, this, &MainWindow::showFailure);
   connect(&models_, &ModelController::saveFailed, this,
@@ -211,25 +214,8 @@ void MainWindow::chooseCopy() {
   models_.saveAs(path);
 }
 
-void MainWindow::choosePicture(const QString& title, const QString& name,
-                               const std::function<base::Result<void>(QString)>& save) {
-  const QFileInfo model_file(models_.current()->path);
-  const QString proposal = model_file.absolutePath() + QLatin1Char('/') + model_file.baseName() + name;
-  QString path = QFileDialog::getSaveFileName(this, title, proposal, tr("Pictures (*.png *.svg *.pdf)"));
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
-  const auto saved = save(path);
-  if (!saved) banner_->showError(text(saved.error().message()));
-}
-
-void MainWindow::chooseCurvesPicture() {
-  choosePicture(tr("Save the curves as a picture"), QStringLiteral(".png"),
-                [this](const QString& path) { return bench_->saveCurves(path); });
-}
-
-void MainWindow::chooseMapPicture() {
-  choosePicture(tr("Save the map as a picture"), QStringLiteral("-map.png"),
-                [this](const QString& path) { return bench_->saveMap(path); });
+void MainWindow::copyPicture() {
+  if (PlotMenu* plot = currentPlot(*bench_)) plot->copyPicture();
 }
 
 void MainWindow::openFile(const QString& path) {
@@ -262,7 +248,7 @@ void MainWindow::showModel() {
   screens_->setCurrentWidget(bench_);
   rail_->show();
   strip_->show();
-  for (QAction* action : {reopen_, save_, save_as_, save_curves_, save_map_, stage_menu_->menuAction(),
+  for (QAction* action : {reopen_, save_, save_as_, save_curves_, copy_picture_, stage_menu_->menuAction(),
                           panel_menu_->menuAction(), reset_layout_}) {
     action->setEnabled(true);
   }
@@ -271,6 +257,7 @@ void MainWindow::showModel() {
     centralWidget()->layout()->activate();
     enter(lastStage(settings_));
   }
+  save_map_->setEnabled(open.model.inputs.size() > 1);
   showTitle();
   if (open.warnings.isEmpty()) {
     banner_->hide();

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <QMainWindow>
-#include <functional>
 
 #include "app/workbench/views/stage.h"
-#include "core/base/error.h"
 
 class QAction;
 class QMenu;
@@ -51,9 +49,7 @@ class MainWindow : public QMainWindow {
   void restorePlace();
   void chooseModel();
   void chooseCopy();
-  void choosePicture(const QString& title, const QString& name, const std::function<base::Result<void>(QString)>& save);
-  void chooseCurvesPicture();
-  void chooseMapPicture();
+  void copyPicture();
   void openFile(const QString& path);
   void reopen();
   bool mayLoseChanges();
@@ -87,6 +83,7 @@ class MainWindow : public QMainWindow {
   QAction* save_as_ = nullptr;
   QAction* save_curves_ = nullptr;
   QAction* save_map_ = nullptr;
+  QAction* copy_picture_ = nullptr;
   QAction* quit_ = nullptr;
   QAction* reset_layout_ = nullptr;
   QAction* shortcuts_ = nullptr;

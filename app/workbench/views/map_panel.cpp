@@ -2,16 +2,16 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QStyle>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/workbench/controllers/force_map.h"
+#include "app/workbench/controllers/map_table.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/force_map_plot.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/map_choice.h"
+#include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
@@ -22,21 +22,17 @@ MapPanel::MapPanel(SceneController& scene, ForceMapController& map, QWidget* par
       map_(map),
       choice_(new MapChoice(scene, map, this)),
       plot_(new ForceMapPlot(this)),
+      menu_(new PlotMenu(
+          *plot_, [this] { return table(); }, this)),
       missing_(new QLabel(tr("A map needs a model with two inputs."), this)),
       compute_(new Refresh(this, [this] { map_.update(); })),
       draw_map_(new Refresh(this, [this] { showMap(); })),
       draw_point_(new Refresh(this, [this] { showPoint(); })) {
   missing_->setAlignment(Qt::AlignCenter);
-  auto* save = new QToolButton(this);
-  save->setIcon(style()->standardIcon(QStyle::SP_DialogSaveButton));
-  save->setToolTip(tr("Save the map as a picture…"));
-  save->setAccessibleName(save->toolTip());
-  save->setAutoRaise(true);
-
   auto* head = new QHBoxLayout;
   head->setSpacing(theme::kGrid / 2);
   head->addWidget(choice_, 1);
-  head->addWidget(save);
+  head->addWidget(menu_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid);
@@ -45,7 +41,6 @@ MapPanel::MapPanel(SceneController& scene, ForceMapController& map, QWidget* par
   layout->addWidget(missing_, 1);
   missing_->hide();
 
-  connect(save, &QToolButton::clicked, this, &MapPanel::savePictureRequested);
   connect(plot_, &ForceMapPlot::picked, this, &MapPanel::setPoint);
   connect(&map_, &ForceMapController::choiceChanged, this, &MapPanel::showChoice);
   connect(&map_, &ForceMapController::mapChanged, this, &MapPanel::onMap);
@@ -55,16 +50,10 @@ MapPanel::MapPanel(SceneController& scene, ForceMapController& map, QWidget* par
   connect(&scene_, &SceneController::valueChanged, this, &MapPanel::onValue);
 }
 
-base::Result<void> MapPanel::savePicture(const QString& path) {
-  const OpenModel& open = *scene_.model();
-  QString note = settingText();
-  if (open.simulated) note += QStringLiteral(" – ") + tr("contains simulated data");
-  return plot_->savePicture(path, text(open.model.name), note);
-}
-
 void MapPanel::adoptModel() {
   const bool possible = scene_.model()->model.inputs.size() > 1;
   plot_->setVisible(possible);
+  menu_->setEnabled(possible);
   missing_->setVisible(!possible);
   showChoice();
 }
@@ -110,14 +99,11 @@ void MapPanel::setPoint(double x, double y) {
   scene_.setValue(map_.yInput(), y);
 }
 
-QString MapPanel::settingText() const {
-  const fuzzy::ForceModel& model = scene_.model()->model;
-  QStringList parts{choice_->who()};
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    if (i == map_.xInput() || i == map_.yInput()) continue;
-    parts << labelOf(model.inputs[i]) + QLatin1Char(' ') + quantityText(scene_.value(i), model.inputs[i].unit);
-  }
-  return parts.join(QStringLiteral(" · "));
+PlotTable MapPanel::table() {
+  PlotTable table = mapTable(scene_, map_, QStringLiteral("-map"));
+  // Hidden, the plot has followed nothing.
+  showMap();
+  return table;
 }
 
 }  // namespace tactus::workbench

@@ -1,8 +1,8 @@
 // Force over two inputs as a color map, with the choice of its axes and of whose force it shows.
 #pragma once
 
+#include "app/workbench/plot_table.h"
 #include "app/workbench/views/card.h"
-#include "core/base/error.h"
 
 class QLabel;
 
@@ -11,6 +11,7 @@ namespace tactus::workbench {
 class ForceMapController;
 class ForceMapPlot;
 class MapChoice;
+class PlotMenu;
 class Refresh;
 class SceneController;
 
@@ -20,11 +21,7 @@ class MapPanel : public Card {
  public:
   MapPanel(SceneController& scene, ForceMapController& map, QWidget* parent = nullptr);
 
-  /// Writes the map as a picture to `path` (PNG, SVG or PDF by its ending).
-  base::Result<void> savePicture(const QString& path);
-
- signals:
-  void savePictureRequested();
+  PlotMenu& plotMenu() { return *menu_; }
 
  private:
   void adoptModel();
@@ -34,12 +31,13 @@ class MapPanel : public Card {
   void onMap();
   void onValue(std::size_t input);
   void setPoint(double x, double y);
-  QString settingText() const;
+  PlotTable table();
 
   SceneController& scene_;
   ForceMapController& map_;
   MapChoice* choice_;
   ForceMapPlot* plot_;
+  PlotMenu* menu_;
   QLabel* missing_;
   Refresh* compute_;
   Refresh* draw_map_;

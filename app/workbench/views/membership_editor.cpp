@@ -13,6 +13,7 @@
 
 #include "app/editing/edit_steps.h"
 #include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/plot_caption.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/term_controller.h"
 #include "app/workbench/display_text.h"
@@ -20,6 +21,7 @@
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
 #include "app/workbench/views/number_box.h"
+#include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/popup_form.h"
 #include "app/workbench/views/term_table.h"
 
@@ -80,6 +82,8 @@ void MembershipEditor::buildPlace() {
   modes->addWidget(keeps_sum_);
   modes->addStretch(1);
   modes->addWidget(add_);
+  modes->addWidget(new PlotMenu(
+      *plot_, [this] { return table(); }, this));
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
@@ -240,6 +244,14 @@ void MembershipEditor::askAdd() {
     terms_.add(name->text(), place->value());
   });
   form->openAt(*add_);
+}
+
+PlotTable MembershipEditor::table() {
+  const std::string& expert = terms_.list().expert;
+  const QString whose = expert.empty() ? tr("shared terms") : tr("terms of %1").arg(text(expert));
+  PlotTable out = captionedTerms(scene_, terms_.variable(), whose);
+  plot_->fillTable(out);
+  return out;
 }
 
 }  // namespace tactus::workbench

@@ -1,6 +1,7 @@
 // The membership function editor: one variable of the model, its terms to be moved by hand and typed as numbers.
 #pragma once
 
+#include "app/workbench/plot_table.h"
 #include "app/workbench/views/card.h"
 
 class QCheckBox;
@@ -42,6 +43,7 @@ class MembershipEditor : public Card {
   void showRefusal(const QString& sentence);
   void showHint();
   void askAdd();
+  PlotTable table();
 
   EditController& edits_;
   TermController& terms_;

@@ -6,11 +6,13 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include "app/workbench/controllers/plot_caption.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/membership_plot.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
@@ -42,7 +44,12 @@ OutputCard::OutputCard(SceneController& scene, QWidget* parent)
   // The plot stands in line with those of the inputs, which have a slider below.
   number_->setMinimumHeight(QDoubleSpinBox().sizeHint().height());
   layout->addSpacing(QSlider(Qt::Horizontal).sizeHint().height() + layout->spacing());
-  layout->addWidget(terms_);
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(0, 0, theme::kGrid - 4, 0);
+  foot->addWidget(terms_, 1);
+  foot->addWidget(new PlotMenu(
+      *plot_, [this] { return table(); }, this));
+  layout->addLayout(foot);
 
   plot_->setTerms(scene_.terms(variable_));
   auto* reading = new Refresh(this, [this] { showReading(); });
@@ -66,6 +73,15 @@ void OutputCard::showReading() {
   number_->setText(tr("mean %1").arg(forceText(mean_n, variable_.unit)));
   terms_->setFullText(membershipText(scene_.terms(variable_), mean_n));
   plot_->setValue(mean_n);
+}
+
+PlotTable OutputCard::table() {
+  PlotTable out =
+      captionedTerms(scene_, variable_,
+                     scene_.termsOf() ? tr("terms of %1").arg(labelOf(scene_.model()->model.experts[*scene_.termsOf()]))
+                                      : tr("shared terms"));
+  plot_->fillTable(out);
+  return out;
 }
 
 }  // namespace tactus::workbench

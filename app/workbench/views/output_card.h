@@ -1,6 +1,7 @@
 // The output: its membership functions and the mean at the place that is read.
 #pragma once
 
+#include "app/workbench/plot_table.h"
 #include "app/workbench/views/card.h"
 #include "core/fuzzy/force_model.h"
 
@@ -20,6 +21,7 @@ class OutputCard : public Card {
 
  private:
   void showTerms();
+  PlotTable table();
   void showReading();
 
   SceneController& scene_;

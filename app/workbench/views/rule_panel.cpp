@@ -9,12 +9,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/workbench/controllers/plot_caption.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/output_sets_plot.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
 #include "app/workbench/views/expert_flow.h"
+#include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/refresh.h"
 #include "app/workbench/views/rule_flow.h"
 
@@ -46,6 +48,8 @@ RulePanel::RulePanel(const SceneController& scene, QWidget* parent)
   head->setSpacing(theme::kGrid);
   head->addWidget(who_);
   head->addWidget(summary_, 1);
+  head->addWidget(new PlotMenu(
+      *sets_, [this] { return table(); }, this));
   auto* body = new QHBoxLayout;
   body->setSpacing(theme::kGrid);
   body->addWidget(area_, 5);
@@ -112,6 +116,28 @@ QString RulePanel::summary() const {
       .arg(acting)
       .arg(expert.rules.size())
       .arg(forceText(expert.force_n, scene_.model()->model.output.unit));
+}
+
+PlotTable RulePanel::table() {
+  explain();
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const int row = who_->currentIndex();
+  const QString what =
+      row == 0
+          ? tr("sets of %1 that the experts' rules make, %2").arg(labelOf(model.output), summary())
+          : tr("sets of %1 that the rules of %2 make, %3").arg(labelOf(model.output), who_->currentText(), summary());
+  // What is read may be the place under the mouse.
+  const std::vector<double> point = scene_.readingPoint();
+  QStringList parts;
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    parts << labelOf(model.inputs[i]) + QLatin1Char(' ') + exactText(point[i], model.inputs[i].unit);
+    all.push_back(i);
+  }
+  PlotTable out =
+      captionedTable(scene_, what, all, {parts.join(QStringLiteral(" · "))}, QStringLiteral("-output-sets"));
+  sets_->fillTable(out);
+  return out;
 }
 
 }  // namespace tactus::workbench

@@ -2,6 +2,7 @@
 // for the mean.
 #pragma once
 
+#include "app/workbench/plot_table.h"
 #include "app/workbench/views/card.h"
 
 class QComboBox;
@@ -14,6 +15,7 @@ namespace tactus::workbench {
 class ElidedLabel;
 class ExpertFlow;
 class OutputSetsPlot;
+class PlotMenu;
 class Refresh;
 class RuleFlow;
 class SceneController;
@@ -29,6 +31,7 @@ class RulePanel : public Card {
   void choose(int row);
   void explain();
   QString summary() const;
+  PlotTable table();
 
   const SceneController& scene_;
   QComboBox* who_;

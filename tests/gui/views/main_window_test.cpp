@@ -17,6 +17,7 @@
 #include "app/workbench/plots/curve_plot.h"
 #include "app/workbench/views/bench_view.h"
 #include "app/workbench/views/message_banner.h"
+#include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/start_view.h"
 #include "app/workbench/workbench.h"
 
@@ -175,12 +176,12 @@ TEST_F(MainWindowTest, SavesPicturesByTheirEnding) {
   const QImage before = curves();
   const std::pair<const char*, const char*> kinds[] = {{"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}};
   for (const auto& [name, start] : kinds) {
-    ASSERT_TRUE(view->saveCurves(folder.path(QString::fromLatin1(name))));
+    ASSERT_TRUE(view->curvesMenu().savePicture(folder.path(QString::fromLatin1(name))));
     QFile file(folder.path(QString::fromLatin1(name)));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_TRUE(file.readAll().startsWith(start)) << name;
   }
-  const auto refused = view->saveCurves(folder.path(QStringLiteral("a.bmp")));
+  const auto refused = view->curvesMenu().savePicture(folder.path(QStringLiteral("a.bmp")));
   ASSERT_FALSE(refused);
   EXPECT_FALSE(QFile::exists(folder.path(QStringLiteral("a.bmp"))));
   // The caption of the picture leaves no trace in the window.
