@@ -63,6 +63,12 @@ QString labelOf(const fuzzy::Variable& variable) { return labelOrId(variable.lab
 QString labelOf(const fuzzy::Term& term) { return labelOrId(term.label, term.id); }
 QString labelOf(const fuzzy::Expert& expert) { return labelOrId(expert.label, expert.id); }
 
+QString shortLabelOf(const fuzzy::Variable& variable) {
+  QString words = text(variable.id).replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words;
+}
+
 QString axisText(const fuzzy::Variable& variable) {
   const QString unit = unitText(variable.unit);
   return unit.isEmpty() ? labelOf(variable) : QStringLiteral("%1 (%2)").arg(labelOf(variable), unit);

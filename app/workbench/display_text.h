@@ -38,6 +38,9 @@ QString labelOf(const fuzzy::Variable& variable);
 QString labelOf(const fuzzy::Term& term);
 QString labelOf(const fuzzy::Expert& expert);
 
+/// The id of a variable as words, where its label does not fit: `Neck flexion`.
+QString shortLabelOf(const fuzzy::Variable& variable);
+
 /// `Insertion depth (mm)`.
 QString axisText(const fuzzy::Variable& variable);
 

@@ -25,6 +25,12 @@ constexpr auto kReading = "reading";
 constexpr auto kMap = "map";
 constexpr auto kRules = "rules";
 constexpr auto kFeel = "feel";
+// Added by the parts of the window that own them.
+constexpr auto kMembershipEditor = "membership_editor";
+constexpr auto kRuleEditor = "rule_editor";
+constexpr auto kFindings = "findings";
+constexpr auto kSurface = "surface";
+constexpr auto kHistory = "history";
 
 }  // namespace
 
@@ -37,8 +43,8 @@ BenchView::BenchView(SceneController& scene, FeelController& feel, QSettings& se
   panels_->addPanel(QLatin1String(kTerms), tr("Membership functions"), new VariableRow(scene));
   panels_->addPanel(QLatin1String(kCurves), tr("Force curves"), curves_);
   panels_->addPanel(QLatin1String(kReading), tr("Forces here"), new ReadingPanel(scene, *readings));
-  panels_->addPanel(QLatin1String(kMap), tr("Force map"), map_);
-  panels_->addPanel(QLatin1String(kRules), tr("Rules that act here"), new RulePanel(scene));
+  panels_->addPanel(QLatin1String(kMap), tr("Map"), map_);
+  panels_->addPanel(QLatin1String(kRules), tr("Rules here"), new RulePanel(scene));
   panels_->addPanel(QLatin1String(kFeel), tr("Feel"), new FeelPanel(scene, feel));
   place();
 
@@ -52,16 +58,22 @@ BenchView::BenchView(SceneController& scene, FeelController& feel, QSettings& se
 void BenchView::place() {
   using How = PanelPlace::How;
   panels_->addPlaces(Stage::kUnderstand, {{kCurves, How::kFirst, "", 100},
-                                          {kRules, How::kBelow, kCurves, 48},
+                                          {kRules, How::kBelow, kCurves, 46},
                                           {kMap, How::kRight, kCurves, 44},
-                                          {kReading, How::kRight, kRules, 24}});
-  // The editor leads in this stage (edit_parts.cpp adds it); feeling is one click away.
-  panels_->addPlaces(Stage::kTune, {{"membership_editor", How::kFirst, "", 100},
-                                    {kCurves, How::kRight, "membership_editor", 46},
-                                    {kTerms, How::kBelow, kCurves, 44},
-                                    {kReading, How::kTab, kTerms},
-                                    {"history", How::kTab, kTerms},
-                                    {kFeel, How::kTab, kCurves}});
+                                          {kSurface, How::kTab, kMap},
+                                          {kTerms, How::kTab, kRules},
+                                          {kReading, How::kRight, kRules, 26}});
+  // What is edited, what that does to the curves, and how it feels, at one glance.
+  panels_->addPlaces(Stage::kTune, {{kMembershipEditor, How::kFirst, "", 100},
+                                    {kRuleEditor, How::kTab, kMembershipEditor},
+                                    {kFindings, How::kTab, kMembershipEditor},
+                                    {kCurves, How::kRight, kMembershipEditor, 51},
+                                    {kFeel, How::kBelow, kCurves, 52},
+                                    {kMap, How::kTab, kFeel},
+                                    {kSurface, How::kTab, kFeel},
+                                    {kRules, How::kTab, kFeel},
+                                    {kReading, How::kTab, kFeel},
+                                    {kHistory, How::kTab, kFeel}});
 }
 
 PlotMenu& BenchView::curvesMenu() { return curves_->plotMenu(); }

@@ -40,7 +40,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
       scene_(scene),
       title_(new QLabel(this)),
       x_input_(new QComboBox(this)),
-      presets_(new QPushButton(tr("Figures of the paper"), this)),
+      presets_(new QPushButton(tr("Figures"), this)),
       plot_(new CurvePlot(this)),
       menu_(new PlotMenu(
           *plot_, [this] { return table(); }, this)),

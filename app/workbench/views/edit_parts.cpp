@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QMenu>
 #include <QMenuBar>
-#include <QStatusBar>
 
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
@@ -16,7 +15,6 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kMessageMs = 15000;
 constexpr int kLongestAction = 60;  // characters of a label in the menu
 
 // `Undo: Insertion depth / Nasopharynx: right foot 125 to 132 mm`, cut where a menu would get too wide.
@@ -37,7 +35,6 @@ EditParts::EditParts(MainWindow& window, EditController& edits, TermController& 
   connect(&edits_, &EditController::historyChanged, this, &EditParts::showUndo);
   connect(&edits_, &EditController::reported, this, &EditParts::say);
   connect(&edits_, &EditController::refused, this, &EditParts::say);
-  window_.statusBar()->setSizeGripEnabled(false);
   showUndo();
 }
 
@@ -65,6 +62,6 @@ void EditParts::showUndo() {
   redo_->setText(actionText(tr("&Redo"), edits_.redoText()));
 }
 
-void EditParts::say(const QString& sentence) { window_.statusBar()->showMessage(sentence, kMessageMs); }
+void EditParts::say(const QString& sentence) { window_.say(sentence); }
 
 }  // namespace tactus::workbench

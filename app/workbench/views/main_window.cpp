@@ -36,6 +36,7 @@ namespace {
 
 constexpr auto kGeometryKey = "window_geometry";
 constexpr auto kStageKey = "stage";
+constexpr int kRoomyWidth = 1500;  // px: below it the rail takes less room
 
 Stage lastStage(const QSettings& settings) {
   const QString id = settings.value(QLatin1String(kStageKey)).toString();
@@ -74,12 +75,15 @@ MainWindow::MainWindow(ModelController& models, SceneController& scene, FeelCont
   column->setSpacing(theme::kGrid);
   column->addWidget(banner_);
   column->addWidget(screens_, 1);
-  column->addWidget(strip_);
-  auto* layout = new QHBoxLayout(content);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(rail_);
-  layout->addLayout(column, 1);
+  auto* stage = new QHBoxLayout;
+  stage->setSpacing(theme::kGrid);
+  stage->addWidget(rail_);
+  stage->addLayout(column, 1);
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
+  layout->setSpacing(theme::kGrid / 2);
+  layout->addLayout(stage, 1);
+  layout->addWidget(strip_);
   setCentralWidget(content);
   auto* feel_status = new FeelStatus(feel);
   strip_->setDeviceState(feel_status);
@@ -172,7 +176,7 @@ void MainWindow::connectAll() {
 }
 
 void MainWindow::restorePlace() {
-  setMinimumSize(960, 600);
+  setMinimumSize(1024, 640);
   resize(1280, 800);
   restoreGeometry(settings_.value(QLatin1String(kGeometryKey)).toByteArray());
 }
@@ -197,6 +201,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings_.setValue(QLatin1String(kGeometryKey), saveGeometry());
   QMainWindow::closeEvent(event);
 }
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  rail_->setCompact(width() < kRoomyWidth);
+}
+
+void MainWindow::say(const QString& sentence) { strip_->showMessage(sentence); }
 
 void MainWindow::chooseModel() {
   const auto open = models_.current();

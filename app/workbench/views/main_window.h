@@ -34,6 +34,8 @@ class MainWindow : public QMainWindow {
   PanelArea& panels();
   OperatingStrip& strip() { return *strip_; }
   MessageBanner& banner() { return *banner_; }
+  /// Says one sentence in the strip, for a while: what was done, or why something was not. Errors go to the banner.
+  void say(const QString& sentence);
 
  public slots:
   void enter(tactus::workbench::Stage stage);
@@ -42,6 +44,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void buildMenus();

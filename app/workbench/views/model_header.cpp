@@ -27,7 +27,7 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
       name_(new ElidedLabel(this)),
       summary_(new QLabel(this)),
       simulated_(new Card(this)),
-      terms_label_(new QLabel(tr("&Membership functions:"), this)),
+      terms_label_(new QLabel(tr("Te&rms:"), this)),
       terms_of_(new QComboBox(this)) {
   name_->setFont(theme::titleFont());
   summary_->setTextFormat(Qt::PlainText);

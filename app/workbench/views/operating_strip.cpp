@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QTimer>
 
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
@@ -13,6 +14,9 @@
 
 namespace tactus::workbench {
 namespace {
+
+constexpr int kMessageMs = 15'000;  // long enough to read two sentences
+constexpr int kRoomy = 1600;        // px: from this width on the labels of the model fit beside everything else
 
 void setInk(QLabel& label, const QColor& ink) {
   QPalette colors = label.palette();
@@ -28,19 +32,29 @@ OperatingStrip::OperatingStrip(const ModelController& models, SceneController& s
       scene_(scene),
       layout_(new QHBoxLayout(this)),
       point_(new QWidget(this)),
+      said_(new ElidedLabel(this)),
       latency_(new QLabel(this)),
-      saved_(new QLabel(this)) {
-  for (QLabel* label : {latency_, saved_}) label->setTextFormat(Qt::PlainText);
+      saved_(new QLabel(this)),
+      message_time_(new QTimer(this)) {
+  for (QLabel* label : {latency_, saved_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setFont(theme::smallFont());
+  }
+  said_->setAccessibleName(tr("Message"));
+  said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  message_time_->setSingleShot(true);
+  message_time_->setInterval(kMessageMs);
   setInk(*latency_, theme::mutedInk());
   latency_->setToolTip(tr("From the last edit to the first force that uses it"));
   latency_->hide();
   layout_->setContentsMargins(4, 0, 4, 0);
   layout_->setSpacing(2 * theme::kGrid);
   layout_->addWidget(point_);
-  layout_->addStretch(1);
+  layout_->addWidget(said_, 1);
   layout_->addWidget(latency_);
   layout_->addWidget(saved_);
 
+  connect(message_time_, &QTimer::timeout, this, [this] { showMessage({}); });
   connect(&scene_, &SceneController::modelChanged, this, &OperatingStrip::build);
   connect(&scene_, &SceneController::valueChanged, this, &OperatingStrip::showValue);
   connect(&models_, &ModelController::modifiedChanged, this, &OperatingStrip::showSaved);
@@ -54,30 +68,59 @@ void OperatingStrip::showLatency(const QString& latency) {
   latency_->setVisible(!latency.isEmpty());
 }
 
+void OperatingStrip::showMessage(const QString& sentence) {
+  message_ = sentence;
+  said_->setFullText(sentence);
+  if (sentence.isEmpty()) {
+    message_time_->stop();
+  } else {
+    message_time_->start();
+  }
+}
+
+void OperatingStrip::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  nameInputs();
+}
+
 void OperatingStrip::build() {
   delete point_;
   point_ = new QWidget(this);
   layout_->insertWidget(0, point_);
+  names_.clear();
   numbers_.clear();
   auto* row = new QHBoxLayout(point_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(theme::kGrid);
   const std::vector<fuzzy::Variable>& inputs = scene_.model()->model.inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    auto* label = new ElidedLabel(point_);
-    label->setFullText(labelOf(inputs[i]));
+    auto* label = new QLabel(point_);
+    label->setTextFormat(Qt::PlainText);
+    label->setFont(theme::smallFont());
     setInk(*label, theme::mutedInk());
     auto* number = new NumberBox(inputs[i], stepOf(inputs[i]), point_);
     number->setAccessibleName(tr("%1 of the operating point").arg(labelOf(inputs[i])));
     number->setToolTip(tr("%1: type a value, or use the arrow keys").arg(labelOf(inputs[i])));
     connect(number, &NumberBox::valueChanged, &scene_, [this, i](double value) { scene_.setValue(i, value); });
+    label->setBuddy(number);
     row->addWidget(label);
     row->addWidget(number);
     if (i + 1 < inputs.size()) row->addSpacing(theme::kGrid);
+    names_.push_back(label);
     numbers_.push_back(number);
     showValue(i);
   }
+  nameInputs();
   showSaved();
+}
+
+void OperatingStrip::nameInputs() {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const fuzzy::Variable& input = scene_.model()->model.inputs[i];
+    const QString name = width() < kRoomy ? shortLabelOf(input) : labelOf(input);
+    if (name != names_[i]->text()) names_[i]->setText(name);
+    names_[i]->setToolTip(axisText(input));
+  }
 }
 
 void OperatingStrip::showValue(std::size_t input) {

@@ -1,14 +1,18 @@
-// The strip at the bottom: the operating point as numbers that can be typed, and the state of things.
+// The strip at the bottom: the operating point as numbers that can be typed, what was said last, and the state of
+// things.
 #pragma once
 
+#include <QString>
 #include <QWidget>
 #include <vector>
 
 class QHBoxLayout;
 class QLabel;
+class QTimer;
 
 namespace tactus::workbench {
 
+class ElidedLabel;
 class ModelController;
 class NumberBox;
 class SceneController;
@@ -23,9 +27,16 @@ class OperatingStrip : public QWidget {
   void setDeviceState(QWidget* state);
   /// How long the last edit took until it was felt, or nothing while nothing is felt.
   void showLatency(const QString& latency);
+  /// One sentence, for as long as it takes to read it. Nothing in the window moves for it.
+  void showMessage(const QString& sentence);
+  const QString& message() const { return message_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void build();
+  void nameInputs();
   void showValue(std::size_t input);
   void showSaved();
 
@@ -33,8 +44,12 @@ class OperatingStrip : public QWidget {
   SceneController& scene_;
   QHBoxLayout* layout_;
   QWidget* point_;
+  ElidedLabel* said_;
   QLabel* latency_;
   QLabel* saved_;
+  QTimer* message_time_;
+  QString message_;
+  std::vector<QLabel*> names_;
   std::vector<NumberBox*> numbers_;
 };
 

@@ -1,32 +1,23 @@
 // The panels of the stages as dock widgets: moved, put on top of each other, taken out of the window, closed. Each
-// stage has a layout of its own, which is kept in the settings.
+// stage has a layout of its own, which is kept in the settings. A panel that stands alone has a slim title; where
+// panels share a place, their tabs are all there is, and a click with the right button on a tab moves or closes its
+// panel.
 #pragma once
 
 #include <QHash>
 #include <QMainWindow>
+#include <QTimer>
 #include <optional>
 #include <vector>
 
+#include "app/workbench/views/panel_place.h"
 #include "app/workbench/views/stage.h"
 
 class QDockWidget;
 class QSettings;
+class QTabBar;
 
 namespace tactus::workbench {
-
-/// Where a panel stands in the first layout of a stage.
-struct PanelPlace {
-  enum class How {
-    kFirst,  ///< takes all there is
-    kRight,  ///< the right part of what `beside` had
-    kBelow,  ///< the lower part of what `beside` had
-    kTab,    ///< behind `beside`
-  };
-  const char* panel = "";  ///< name given to addPanel
-  How how = How::kFirst;
-  const char* beside = "";
-  int percent = 50;  ///< of what `beside` had, for this panel
-};
 
 class PanelArea : public QMainWindow {
   Q_OBJECT
@@ -36,7 +27,8 @@ class PanelArea : public QMainWindow {
 
   /// Adds `panel` under the name `id`, which is kept in settings. It is shown in the stages that have a place for it.
   QDockWidget* addPanel(const QString& id, const QString& title, QWidget* panel);
-  /// The first layout of `stage`; a later call adds places to it.
+  /// The first layout of `stage`; a later call adds places to it. A panel that was not added is left out, and what
+  /// stands beside it moves up.
   void addPlaces(Stage stage, const std::vector<PanelPlace>& places);
 
   /// Shows the panels of `stage` where they were left there.
@@ -52,7 +44,13 @@ class PanelArea : public QMainWindow {
 
  private:
   void layOut(const std::vector<PanelPlace>& places);
+  void put(const PanelPlace& place);
   void shareRoom(const std::vector<PanelPlace>& places);
+  QStringList panelNames() const;
+  void showTitles();
+  void showMenu(QDockWidget& panel, const QPoint& place);
+  bool isBehind(const QDockWidget& panel) const;
+  QDockWidget* dockOfTab(const QTabBar& tabs, int index) const;
   QDockWidget* dock(const char* id) const { return docks_.value(QLatin1String(id)); }
 
   QSettings& settings_;
@@ -60,6 +58,7 @@ class PanelArea : public QMainWindow {
   QList<QDockWidget*> order_;
   QHash<int, std::vector<PanelPlace>> places_;
   std::optional<Stage> stage_;
+  QTimer titles_;  ///< once after any number of panels moved
 };
 
 }  // namespace tactus::workbench

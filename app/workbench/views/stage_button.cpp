@@ -12,6 +12,16 @@ namespace {
 constexpr int kPicture = 24;  // px
 constexpr int kText = 2 * theme::kGrid + kPicture;
 
+void paintPicture(QPainter& painter, Stage stage, QPoint corner, const QColor& ink) {
+  painter.save();
+  painter.translate(corner);
+  painter.setPen(QPen(ink, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(stagePicture(stage));
+  painter.restore();
+  painter.setPen(ink);
+}
+
 }  // namespace
 
 StageButton::StageButton(Stage stage, QWidget* parent) : QAbstractButton(parent), stage_(stage) {
@@ -23,10 +33,21 @@ StageButton::StageButton(Stage stage, QWidget* parent) : QAbstractButton(parent)
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
+void StageButton::setCompact(bool compact) {
+  compact_ = compact;
+  setToolTip(compact ? stageHint(stage_) : QString());
+  updateGeometry();
+  update();
+}
+
 QSize StageButton::sizeHint() const {
   const QFontMetrics name(theme::headingFont());
   const QFontMetrics hint(theme::smallFont());
   int widest = 0;
+  if (compact_) {
+    for (const Stage stage : kStages) widest = std::max(widest, hint.horizontalAdvance(stageName(stage)));
+    return {widest + 2 * theme::kGrid, 2 * theme::kGrid + kPicture + hint.height()};
+  }
   for (const Stage stage : kStages) widest = std::max(widest, name.horizontalAdvance(stageName(stage)));
   return {kText + widest + 2 * theme::kGrid, 2 * theme::kGrid + name.height() + 2 * hint.height() + 2};
 }
@@ -56,20 +77,30 @@ void StageButton::paintEvent(QPaintEvent* /*event*/) {
 
   const QColor disabled = palette().color(QPalette::Disabled, QPalette::WindowText);
   const QColor name = !isEnabled() ? disabled : isChecked() ? theme::accent() : theme::ink();
-  painter.save();
-  painter.translate(theme::kGrid + 2, theme::kGrid);
-  painter.setPen(QPen(name, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawPath(stagePicture(stage_));
-  painter.restore();
+  if (compact_) {
+    paintCompact(painter, name);
+  } else {
+    paintRoomy(painter, name, isEnabled() ? theme::mutedInk() : disabled);
+  }
+}
 
-  painter.setPen(name);
+void StageButton::paintRoomy(QPainter& painter, const QColor& ink, const QColor& hint) {
+  paintPicture(painter, stage_, QPoint(theme::kGrid + 2, theme::kGrid), ink);
   painter.setFont(theme::headingFont());
   painter.drawText(QRect(kText, theme::kGrid, width() - kText, QFontMetrics(theme::headingFont()).height()),
                    Qt::AlignLeft | Qt::AlignVCenter, text());
-  painter.setPen(isEnabled() ? theme::mutedInk() : disabled);
+  painter.setPen(hint);
   painter.setFont(theme::smallFont());
   painter.drawText(hintRect(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, stageHint(stage_));
+}
+
+void StageButton::paintCompact(QPainter& painter, const QColor& ink) {
+  paintPicture(painter, stage_, QPoint((width() - kPicture) / 2, theme::kGrid - 2), ink);
+  QFont font = theme::smallFont();
+  if (isChecked()) font.setWeight(QFont::DemiBold);
+  painter.setFont(font);
+  painter.drawText(QRect(0, theme::kGrid + kPicture, width(), height() - theme::kGrid - kPicture),
+                   Qt::AlignHCenter | Qt::AlignTop, text());
 }
 
 }  // namespace tactus::workbench

@@ -5,6 +5,8 @@
 
 #include "app/workbench/views/stage.h"
 
+class QPainter;
+
 namespace tactus::workbench {
 
 class StageButton : public QAbstractButton {
@@ -13,6 +15,9 @@ class StageButton : public QAbstractButton {
  public:
   explicit StageButton(Stage stage, QWidget* parent = nullptr);
 
+  /// The name below the picture, and what is done there as the tool tip.
+  void setCompact(bool compact);
+
   QSize sizeHint() const override;
 
  protected:
@@ -20,8 +25,11 @@ class StageButton : public QAbstractButton {
 
  private:
   QRect hintRect() const;
+  void paintRoomy(QPainter& painter, const QColor& ink, const QColor& hint);
+  void paintCompact(QPainter& painter, const QColor& ink);
 
   Stage stage_;
+  bool compact_ = false;
 };
 
 }  // namespace tactus::workbench

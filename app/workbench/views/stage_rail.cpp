@@ -24,4 +24,11 @@ StageRail::StageRail(QWidget* parent) : QWidget(parent) {
 
 void StageRail::setStage(Stage stage) { buttons_.value(stage)->setChecked(true); }
 
+void StageRail::setCompact(bool compact) {
+  if (compact == compact_) return;
+  compact_ = compact;
+  for (StageButton* button : buttons_) button->setCompact(compact);
+  setFixedWidth(buttons_.first()->sizeHint().width());
+}
+
 }  // namespace tactus::workbench

@@ -17,6 +17,8 @@ class StageRail : public QWidget {
   explicit StageRail(QWidget* parent = nullptr);
 
   void setStage(Stage stage);
+  /// Takes less room.
+  void setCompact(bool compact);
 
  signals:
   /// Somebody chose `stage`, which can be entered.
@@ -24,6 +26,7 @@ class StageRail : public QWidget {
 
  private:
   QMap<Stage, StageButton*> buttons_;
+  bool compact_ = false;
 };
 
 }  // namespace tactus::workbench

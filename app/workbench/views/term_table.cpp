@@ -33,7 +33,8 @@ using fuzzy::Term;
 enum Column { kSwatch, kName, kShape, kFirstPoint, kMore = kFirstPoint + 4, kColumns };
 
 constexpr int kSwatchSide = 12;  // px
-constexpr int kNarrowestName = 88;
+constexpr int kNarrowestName = 100;
+constexpr int kMoreWidth = 22;
 constexpr int kMostParts = 8;
 
 // A triangle has its peak where a trapezoid has its left shoulder; a Gaussian its mean.
@@ -133,7 +134,7 @@ void TermTable::build() {
   auto* content = new QWidget;
   auto* grid = new QGridLayout(content);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(4);
+  grid->setHorizontalSpacing(3);
   grid->setVerticalSpacing(2);
   grid->setColumnStretch(kName, 1);
   grid->setColumnMinimumWidth(kName, kNarrowestName);
@@ -207,6 +208,7 @@ void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
   row.shapes = new QComboBox;
   for (const fuzzy::Shape shape : fuzzy::kShapes) row.shapes->addItem(shapeText(shape), static_cast<int>(shape));
   row.shapes->setCurrentIndex(row.shapes->findData(static_cast<int>(term.shape)));
+  row.shapes->setFont(theme::smallFont());
   row.shapes->setAccessibleName(tr("Shape of %1").arg(labelOf(term)));
   row.shapes->setFocusPolicy(Qt::StrongFocus);
   row.shapes->installEventFilter(this);
@@ -240,9 +242,11 @@ TermTable::Point TermTable::buildPoint(QGridLayout& grid, std::size_t index, std
   if (term.shape == fuzzy::Shape::kGaussian) out.number->setPrefix(sigma ? QStringLiteral("σ ") : QStringLiteral("µ "));
   out.number->setRange(sigma ? 0 : variable.min - range, sigma ? 10 * range : variable.max + range);
   // Room for the end of the universe with two decimals.
-  out.number->setFixedWidth(fontMetrics().horizontalAdvance(numberText(variable.max) +
-                                                            (sigma ? QStringLiteral("σ .0") : QStringLiteral(".00"))) +
-                            14);
+  out.number->setFont(theme::smallFont());
+  out.number->setFixedWidth(
+      QFontMetrics(theme::smallFont())
+          .horizontalAdvance(numberText(variable.max) + (sigma ? QStringLiteral("σ .0") : QStringLiteral(".00"))) +
+      14);
   const QString name = text(editing::pointName(term.shape, point));
   out.number->setAccessibleName(QStringLiteral("%1: %2").arg(labelOf(term), name));
   out.number->setToolTip(name);
@@ -276,6 +280,7 @@ void TermTable::buildButtons(QGridLayout& grid, std::size_t index) {
   auto* more = new QToolButton;
   more->setText(QStringLiteral("⋯"));
   more->setAutoRaise(true);
+  more->setFixedWidth(kMoreWidth);
   more->setAccessibleName(tr("More for %1").arg(labelOf(term)));
   more->setToolTip(tr("Split or remove the term"));
   auto* menu = new QMenu(more);

@@ -48,6 +48,9 @@ class BenchViewTest : public testing::Test {
 
   QDockWidget* dock(const char* id) { return bench.window.findChild<QDockWidget*>(QLatin1String(id)); }
 
+  /// Whether the panel can be seen: not closed, and not behind a tab.
+  bool isSeen(const char* id) { return dock(id)->isVisible() && dock(id)->widget()->childAt(20, 20) != nullptr; }
+
   void hideAll() {
     for (QDockWidget* panel : bench.window.findChildren<QDockWidget*>()) panel->hide();
     QTest::qWait(kSettled);
@@ -149,17 +152,65 @@ TEST_F(BenchViewTest, TheWindowSaysWhatIsNotSaved) {
 }
 
 TEST_F(BenchViewTest, EachStageKeepsItsLayout) {
-  EXPECT_TRUE(dock("map")->isVisible());
-  EXPECT_FALSE(dock("terms")->isVisible());
+  EXPECT_TRUE(isSeen("map"));
+  EXPECT_FALSE(isSeen("membership_editor"));
   dock("map")->close();
   bench.window.enter(Stage::kTune);
-  EXPECT_TRUE(dock("terms")->isVisible());
-  EXPECT_FALSE(dock("map")->isVisible());
+  settle();
+  EXPECT_TRUE(isSeen("membership_editor"));
+  EXPECT_TRUE(isSeen("curves"));
+  EXPECT_TRUE(isSeen("feel"));
+  const QRect curves = dock("curves")->geometry();
+  EXPECT_GT(curves.left(), dock("membership_editor")->geometry().right());
+  EXPECT_GT(dock("feel")->geometry().top(), curves.bottom());
+  for (const char* id : {"membership_editor", "curves", "feel"}) EXPECT_GT(dock(id)->width(), 400) << id;
   bench.window.enter(Stage::kUnderstand);
-  EXPECT_FALSE(dock("map")->isVisible());
-  EXPECT_TRUE(dock("rules")->isVisible());
+  settle();
+  EXPECT_FALSE(isSeen("map"));
+  EXPECT_TRUE(isSeen("rules"));
   bench.window.panels().resetLayout();
-  EXPECT_TRUE(dock("map")->isVisible());
+  settle();
+  EXPECT_TRUE(isSeen("map"));
+  for (const char* id : {"curves", "map", "rules", "reading"}) EXPECT_GT(dock(id)->width(), 200) << id;
+}
+
+TEST_F(BenchViewTest, WhatIsBehindATabIsHiddenAndComputesNothing) {
+  bench.window.enter(Stage::kTune);
+  settle();
+  ASSERT_FALSE(isSeen("map"));
+  dock("curves")->close();
+  settle();
+  const std::uint64_t before = bench.scene.evaluations();
+  bench.scene.setValue(0, 20);
+  QTest::qWait(kSettled);
+  EXPECT_EQ(bench.scene.evaluations(), before);
+  dock("map")->raise();
+  settle();
+  EXPECT_TRUE(isSeen("map"));
+  EXPECT_FALSE(isSeen("feel"));
+  EXPECT_GT(bench.scene.evaluations(), before);
+}
+
+TEST_F(BenchViewTest, ATitleIsShownOnce) {
+  bench.window.enter(Stage::kTune);
+  settle();
+  EXPECT_GT(dock("curves")->titleBarWidget()->height(), 0);
+  EXPECT_EQ(dock("feel")->titleBarWidget()->height(), 0);
+  // Taken out of the window, it has no tab that names it.
+  dock("feel")->setFloating(true);
+  settle();
+  EXPECT_GT(dock("feel")->titleBarWidget()->height(), 0);
+  dock("feel")->setFloating(false);
+  settle();
+  EXPECT_EQ(dock("feel")->titleBarWidget()->height(), 0);
+}
+
+TEST_F(BenchViewTest, AMessageMovesNothing) {
+  const QRect before = bench.window.panels().geometry();
+  bench.window.say(QStringLiteral("Nasopharynx: right foot 125 to 132 mm"));
+  settle();
+  EXPECT_EQ(bench.window.strip().message(), QStringLiteral("Nasopharynx: right foot 125 to 132 mm"));
+  EXPECT_EQ(bench.window.panels().geometry(), before);
 }
 
 TEST_F(BenchViewTest, TheLayoutIsThereAtTheNextStart) {
