@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/editing/edit_text.h"
+#include "app/editing/hole_acceptance.h"
 #include "app/editing/rules_of_term.h"
 #include "app/editing/term_list.h"
 #include "core/analysis/coverage.h"
@@ -110,7 +111,7 @@ std::optional<Result<Edit>> stretched(const ForceModel& model, std::size_t reade
     to = to_the_right ? f.b : f.d;
   }
   stretch(*term, to_the_right, from, to);
-  text = "Stretch " + labelOf(*term) + " over the gap";
+  text = "Stretch " + (list.expert.empty() ? "" : labelOf(expert) + "'s ") + labelOf(*term) + " over the gap";
   std::string label = open->title() + " / " + labelOf(*term) + ": stretched over " + numberText(input, gap.low) +
                       " to " + quantityText(input, gap.high);
   return finished(std::move(out), std::move(label));
@@ -124,17 +125,18 @@ bool needsOwnList(const ForceModel& model, const std::string& expert, std::size_
          }) > 1;
 }
 
-}  // namespace
-
-Result<Edit> acceptHole(const ForceModel& model, const std::string& name) {
-  const auto& accepted = model.accepted_holes;
-  if (std::find(accepted.begin(), accepted.end(), name) != accepted.end()) {
-    return fail(ErrorCode::kValue, "accepted holes", name + " already", "a hole that is not accepted yet");
-  }
-  ForceModel out = model;
-  out.accepted_holes.push_back(name);
-  return finished(std::move(out), "Hole accepted: " + name);
+/// The edit without the acceptance of the hole `name`, where it closed that of the last expert.
+Result<Edit> withoutAcceptance(Edit edit, const std::string& name) {
+  auto& accepted = edit.model.accepted_holes;
+  const auto it = std::find(accepted.begin(), accepted.end(), name);
+  if (it == accepted.end()) return edit;
+  const auto names = holeNames(edit.model);
+  if (!names || std::find(names->begin(), names->end(), name) != names->end()) return edit;
+  accepted.erase(it);
+  return finished(std::move(edit.model), std::move(edit.label));
 }
+
+}  // namespace
 
 std::vector<std::pair<std::string, Result<Edit>>> closeHole(const ForceModel& model, const std::string& expert,
                                                             const std::string& name) {
@@ -143,23 +145,32 @@ std::vector<std::pair<std::string, Result<Edit>>> closeHole(const ForceModel& mo
   const auto hole =
       std::find_if(holes.begin(), holes.end(), [&](const Hole& one) { return analysis::describe(one, model) == name; });
   if (hole == holes.end()) return out;
+  const auto offer = [&](std::size_t reader, bool own, const InputRange& gap, bool to_the_right) {
+    std::string text;
+    auto edit = stretched(model, reader, own, gap, to_the_right, text);
+    if (!edit || !*edit) return;
+    const auto left = holesOf((*edit)->model, expert);
+    if (std::any_of(left.begin(), left.end(), [&](const Hole& one) { return overlap(one, *hole); })) return;
+    out.emplace_back(std::move(text), withoutAcceptance(std::move(**edit), name));
+  };
   for (const InputRange& gap : hole->ranges) {
     if (gap.whole_universe) continue;
+    std::vector<TermListId> tried;
     for (const std::size_t reader : expertsOf(model, expert)) {
       const bool own = needsOwnList(model, expert, reader, gap.input);
-      for (const bool to_the_right : {true, false}) {
-        std::string text;
-        auto edit = stretched(model, reader, own, gap, to_the_right, text);
-        if (!edit || !*edit) continue;
-        const auto left = holesOf((*edit)->model, expert);
-        if (std::any_of(left.begin(), left.end(), [&](const Hole& one) { return overlap(one, *hole); })) continue;
-        const bool known = std::any_of(out.begin(), out.end(),
-                                       [&](const auto& other) { return other.second->label == (*edit)->label; });
-        if (!known) out.emplace_back(std::move(text), std::move(*edit));
-      }
+      const TermListId list =
+          own ? TermListId{gap.input, model.experts[reader].id} : listOf(model.experts[reader], gap.input);
+      if (out.size() >= kMostStretches || std::find(tried.begin(), tried.end(), list) != tried.end()) continue;
+      tried.push_back(list);
+      for (const bool to_the_right : {true, false}) offer(reader, own, gap, to_the_right);
     }
   }
-  if (auto accepted = acceptHole(model, name)) out.emplace_back("Accept the hole", std::move(accepted));
+  const auto& accepted = model.accepted_holes;
+  if (std::find(accepted.begin(), accepted.end(), name) != accepted.end()) {
+    out.emplace_back("Take the acceptance back", withdrawAcceptance(model, name));
+  } else {
+    out.emplace_back("Accept the hole", acceptHole(model, name));
+  }
   return out;
 }
 

@@ -29,6 +29,7 @@ class Fixes {
   std::vector<Fix> run() {
     switch (finding_.kind) {
       case Kind::kHole:
+      case Kind::kAbstentionJump:
         for (auto& [text, edit] : closeHole(model_, finding_.expert, finding_.place)) add(text, std::move(edit));
         break;
       case Kind::kConflict:
@@ -42,7 +43,6 @@ class Fixes {
       case Kind::kUnreachableTerm:
         addTerm();
         break;
-      case Kind::kAbstentionJump:
       case Kind::kDirectionChange:
       case Kind::kDisagreement:
         break;
@@ -108,6 +108,8 @@ std::optional<Kind> kindOf(elicitation::RuleFinding::Kind kind) {
   switch (kind) {
     case From::kHole:
       return Kind::kHole;
+    case From::kAbstentionJump:
+      return Kind::kAbstentionJump;
     case From::kConflict:
       return Kind::kConflict;
     case From::kRedundantRule:
@@ -115,6 +117,7 @@ std::optional<Kind> kindOf(elicitation::RuleFinding::Kind kind) {
     case From::kUnreachableRule:
       return Kind::kUnreachableRule;
     case From::kUnusedTerm:
+    case From::kRegionWithoutRule:
       return Kind::kUnusedTerm;
     case From::kUnreachableTerm:
       return Kind::kUnreachableTerm;

@@ -19,13 +19,16 @@ struct Fix {
 
 /// What can be done about `finding`, found in this very `model` (valid, `compiled` from it); empty where only a person
 /// can tell. Nothing is decided here: the researcher picks one, best together with the expert.
-///   hole                stretch the term of either side over the gap, or accept the hole (hole_fixes.h)
+///   hole                stretch the term of either side over the gap, or accept the hole (hole_fixes.h); one that is
+///                       accepted: stretch, or take the acceptance back
+///   abstention jump     those of the expert's hole behind it
 ///   conflict            keep the one rule, disable the other; either way round
 ///   redundant rule, unreachable rule    disable it
 ///   unused or unreachable term          remove it; where the terms sum to one also so that its neighbours close up
 std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                           const analysis::Finding& finding);
-/// The same for a finding of the rule lint; those that the model's own lint does not know have no fix.
+/// The same for a finding of the rule lint. A region without a rule is an unused term; the others that the model's own
+/// lint does not know have no fix.
 std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                           const elicitation::RuleFinding& finding);
 

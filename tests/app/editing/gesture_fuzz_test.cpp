@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "app/editing/edit_history.h"
+#include "app/editing/hole_acceptance.h"
 #include "app/editing/partition.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/rule_grid.h"
@@ -32,7 +33,7 @@ class Gestures {
     const auto rules = random_.below(2) == 0 ? RulesOfTerm::kRefuse : RulesOfTerm::kRemove;
     const auto index = static_cast<std::size_t>(random_.below(static_cast<int>(model.experts[0].rules.size()) + 1));
     const bool coin = random_.below(2) == 0;
-    switch (random_.below(16)) {
+    switch (random_.below(17)) {
       case 0:
         return addTerm(model, list, suggestedTerm(variable, variable.terms, place(variable)));
       case 1:
@@ -59,6 +60,8 @@ class Gestures {
                     : removeRules(model, who, std::span(&index, 1));
       case 9:
         return coin ? setRuleWeight(model, who, index, number(1)) : setExpertWeight(model, who, number(2));
+      case 10:
+        return acceptance(model);
       default:
         return move(model, variable, term);
     }
@@ -105,6 +108,13 @@ class Gestures {
     std::optional<std::string> then;
     if (random_.below(4) != 0) then = pick(model.output.terms).id;
     return setAnswer(model, {who, condition.id, region.id}, cell, then);
+  }
+
+  base::Result<Edit> acceptance(const fuzzy::ForceModel& model) {
+    if (random_.below(4) == 0) return forgetLapsed(model);
+    if (!model.accepted_holes.empty() && random_.below(2) == 0)
+      return withdrawAcceptance(model, pick(model.accepted_holes));
+    return acceptHole(model, "depth " + std::to_string(random_.below(5)) + " to 6 mm");
   }
 
   double number(double range) {

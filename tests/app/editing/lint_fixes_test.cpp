@@ -101,6 +101,16 @@ TEST(LintFixes, AnUnusedTermIsRemoved) {
   EXPECT_EQ(count(fixes[1].edit.model, Finding::Kind::kHole), 0);
 }
 
+TEST(LintFixes, TheJumpOfTheMeanIsSettledAtTheHoleBehindIt) {
+  auto model = support::s4AsPrinted();
+  auto other = support::s4Shifted().experts[0];
+  other.id = "S1";
+  model.experts.push_back(other);
+  const auto fixes = fixesOfFirst(model, Finding::Kind::kAbstentionJump);
+  ASSERT_EQ(fixes.size(), 3);
+  EXPECT_EQ(fixes[0].edit.label, fixesOfFirst(model, Finding::Kind::kHole)[0].edit.label);
+}
+
 TEST(LintFixes, FindingsOfTheRuleLintHaveTheSame) {
   const auto model = support::s4AsPrinted();
   const auto compiled = fuzzy::compile(model).value();
@@ -110,6 +120,10 @@ TEST(LintFixes, FindingsOfTheRuleLintHaveTheSame) {
     if (finding.kind == elicitation::RuleFinding::Kind::kHole) {
       EXPECT_EQ(fixes.size(), 3);
       ++fixed;
+    }
+    if (finding.kind == elicitation::RuleFinding::Kind::kRegionWithoutRule) {
+      ASSERT_EQ(fixes.size(), 2);
+      EXPECT_EQ(fixes[0].text, "Remove oropharynx");
     }
     if (finding.kind == elicitation::RuleFinding::Kind::kAgainstDeclaration) {
       EXPECT_TRUE(fixes.empty());

@@ -1,0 +1,87 @@
+#include "app/editing/hole_acceptance.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "app/editing/hole_fixes.h"
+#include "app/editing/same_bits.h"
+
+#include "tests/app/editing/sample_models.h"
+
+namespace tactus::editing {
+namespace {
+
+using Names = std::vector<std::string>;
+using Points = std::vector<double>;
+
+const std::string kHole = "depth 125 to 138 mm";  // Table A2 has no oropharynx
+
+fuzzy::ForceModel accepted() { return must(acceptHole(support::s4AsPrinted(), kHole)).model; }
+
+/// The right foot of the nasopharynx, where the hole begins, at `to_mm`.
+fuzzy::ForceModel holeFrom(const fuzzy::ForceModel& model, double to_mm) {
+  return must(moveVertex(model, {kDepth, "nasopharynx", 3}, to_mm)).model;
+}
+
+TEST(HoleAcceptance, IsGivenAndTakenBackWithoutATrace) {
+  const auto model = support::s4AsPrinted();
+  EXPECT_EQ(holeNames(model), Names{kHole});
+  EXPECT_EQ(accepted().accepted_holes, Names{kHole});
+  EXPECT_TRUE(lapsedAcceptances(accepted()).empty());
+  EXPECT_TRUE(sameBits(must(withdrawAcceptance(accepted(), kHole)).model, model));
+  EXPECT_NE(refusal(acceptHole(accepted(), kHole)).find("already"), std::string::npos);
+  EXPECT_NE(refusal(withdrawAcceptance(model, kHole)).find(kHole), std::string::npos);
+}
+
+TEST(HoleAcceptance, LapsesWithTheBoundaryAndHoldsAgainWhenItIsBack) {
+  const auto moved = holeFrom(accepted(), 120);
+  EXPECT_EQ(holeNames(moved), Names{"depth 120 to 138 mm"});
+  EXPECT_EQ(moved.accepted_holes, Names{kHole});
+  EXPECT_EQ(lapsedAcceptances(moved), Names{kHole});
+  EXPECT_TRUE(lapsedAcceptances(holeFrom(moved, 125)).empty());
+}
+
+TEST(HoleAcceptance, TheHoleAsItIsNowTakesThePlaceOfTheOldOne) {
+  const auto edit = must(acceptHole(holeFrom(accepted(), 120), "depth 120 to 138 mm"));
+  EXPECT_EQ(edit.model.accepted_holes, Names{"depth 120 to 138 mm"});
+  EXPECT_NE(edit.label.find("in the place of " + kHole), std::string::npos) << edit.label;
+}
+
+TEST(HoleAcceptance, WhatLapsedIsForgottenOnRequest) {
+  const auto closed = must(moveVertex(accepted(), {kDepth, "nasopharynx", 3}, 140)).model;
+  EXPECT_EQ(holeNames(closed), Names{});
+  EXPECT_TRUE(must(forgetLapsed(closed)).model.accepted_holes.empty());
+  EXPECT_FALSE(refusal(forgetLapsed(accepted())).empty());
+}
+
+TEST(HoleAcceptance, AFixThatClosesTheHoleTakesItAlong) {
+  const auto ways = closeHole(accepted(), "S4", kHole);
+  ASSERT_EQ(ways.size(), 3);
+  EXPECT_TRUE(must(ways[0].second).model.accepted_holes.empty());
+  EXPECT_EQ(ways[2].first, "Take the acceptance back");
+}
+
+TEST(HoleAcceptance, StaysWhileAnotherExpertHasTheHole) {
+  auto model = accepted();
+  model.experts.push_back(model.experts[0]);
+  model.experts[1].id = "S5";
+  const auto ways = closeHole(model, "S4", kHole);
+  ASSERT_EQ(ways.size(), 3);
+  EXPECT_EQ(ways[0].first, "Stretch S4's nasopharynx over the gap");
+  EXPECT_EQ(must(ways[0].second).model.accepted_holes, Names{kHole});
+}
+
+TEST(HoleAcceptance, OfferedWaysStayFewWhereEveryExpertHasAListOfHisOwn) {
+  auto model = support::s4AsPrinted();
+  for (int i = 0; i < 20; ++i) {
+    model.experts.push_back(model.experts[0]);
+    model.experts.back().id = "E" + std::to_string(i);
+    model.experts.back().overrides = {{"depth", model.inputs[2].terms}};
+  }
+  const auto ways = closeHole(model, "", kHole);
+  EXPECT_GE(ways.size(), 3);
+  EXPECT_LE(ways.size(), kMostStretches + 2);
+}
+
+}  // namespace
+}  // namespace tactus::editing
