@@ -1,7 +1,9 @@
 #include "app/editing/lint_fixes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "app/editing/edit_text.h"
@@ -9,6 +11,7 @@
 #include "app/editing/partition.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/term_edits.h"
+#include "core/analysis/coverage.h"
 
 namespace tactus::editing {
 namespace {
@@ -103,6 +106,21 @@ class Fixes {
   std::vector<Fix> out_;
 };
 
+/// The name of the expert's hole that holds `point`, or empty.
+std::string holeAt(const ForceModel& model, const std::string& expert, const std::vector<double>& point) {
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    if (model.experts[e].id != expert) continue;
+    for (const auto& hole : analysis::coverage(model, std::span(&e, 1)).holes) {
+      bool inside = true;
+      for (std::size_t i = 0; i < point.size(); ++i) {
+        inside = inside && point[i] >= hole.ranges[i].low && point[i] <= hole.ranges[i].high;
+      }
+      if (inside) return analysis::describe(hole, model);
+    }
+  }
+  return {};
+}
+
 std::optional<Kind> kindOf(elicitation::RuleFinding::Kind kind) {
   using From = elicitation::RuleFinding::Kind;
   switch (kind) {
@@ -143,7 +161,15 @@ std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled
   for (const auto& source : finding.sources) {
     if (source.rule) plain.rules.push_back(*source.rule);
   }
-  return fixesFor(model, compiled, plain);
+  auto out = fixesFor(model, compiled, plain);
+  if (finding.kind == elicitation::RuleFinding::Kind::kRegionWithoutRule && finding.to.size() == model.inputs.size()) {
+    // Its newtons are those of the hole that it leaves.
+    plain.kind = Kind::kHole;
+    plain.place = holeAt(model, plain.expert, finding.to);
+    auto of_hole = fixesFor(model, compiled, plain);
+    std::move(of_hole.begin(), of_hole.end(), std::back_inserter(out));
+  }
+  return out;
 }
 
 }  // namespace tactus::editing

@@ -27,8 +27,8 @@ struct Fix {
 ///   unused or unreachable term          remove it; where the terms sum to one also so that its neighbours close up
 std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                           const analysis::Finding& finding);
-/// The same for a finding of the rule lint. A region without a rule is an unused term; the others that the model's own
-/// lint does not know have no fix.
+/// The same for a finding of the rule lint. A region without a rule is an unused term and the hole that it leaves;
+/// the others that the model's own lint does not know have no fix.
 std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                           const elicitation::RuleFinding& finding);
 

@@ -3,11 +3,13 @@
 
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/feel_controller.h"
+#include "app/workbench/controllers/findings_controller.h"
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/recent_files.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/term_controller.h"
 #include "app/workbench/views/edit_parts.h"
+#include "app/workbench/views/finding_parts.h"
 #include "app/workbench/views/main_window.h"
 
 class QSettings;
@@ -20,18 +22,22 @@ struct Workbench {
         feel(scene),
         edits(models),
         terms(edits),
+        findings(edits, scene),
         recent(settings),
         window(models, scene, feel, recent, settings),
-        edit_parts(window, edits, terms, scene) {}
+        edit_parts(window, edits, terms, scene),
+        finding_parts(window, findings, terms) {}
 
   ModelController models;
   SceneController scene;
   FeelController feel;  ///< before the window, so that an edit is felt before it is drawn
   EditController edits;
   TermController terms;
+  FindingsController findings;
   RecentFiles recent;
   MainWindow window;
   EditParts edit_parts;
+  FindingParts finding_parts;
 };
 
 }  // namespace tactus::workbench

@@ -58,7 +58,7 @@ const std::map<std::string, Permission>& permissions() {
        {{"app", "app/workbench/controllers", "app/workbench/views", "core/base", "core/fuzzy"}, {"Q"}}},
       {"app/workbench/controllers",
        {{"app", "app/workbench", "app/devices", "app/editing", "core/base", "core/fuzzy", "core/analysis",
-         "core/haptics", "core/haptics/simulated", "core/model_io"},
+         "core/haptics", "core/haptics/simulated", "core/model_io", "elicitation"},
         {"Q"}}},
       {"app/workbench/models", {{"app/workbench", "app/workbench/controllers", "core/base", "core/fuzzy"}, {"Q"}}},
       {"app/workbench/plots",

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/editing/same_bits.h"
+#include "app/workbench/controllers/impact_text.h"
 #include "app/workbench/display_text.h"
 #include "core/base/check.h"
 
@@ -213,12 +214,7 @@ editing::Stamp EditController::stamp() const {
 QString EditController::effectOf(editing::StateId state) {
   const auto impact = history_->impact(state);
   if (!impact) return {};
-  QString out = impact->largest_n == 0
-                    ? tr("no change of the force")
-                    : tr("max ΔF %1 (%2 JND)")
-                          .arg(forceText(impact->largest_n, model().output.unit), numberText(impact->noticeable, 1));
-  if (impact->opened > 0) out += tr(" · leaves places without a force");
-  return out;
+  return impactText(*impact, model().output.unit);
 }
 
 }  // namespace tactus::workbench

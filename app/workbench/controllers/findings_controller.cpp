@@ -1,0 +1,206 @@
+#include "app/workbench/controllers/findings_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/editing/hole_acceptance.h"
+#include "app/editing/lint_fixes.h"
+#include "app/editing/same_bits.h"
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/finding_words.h"
+#include "app/workbench/controllers/impact_text.h"
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "core/base/check.h"
+
+namespace tactus::workbench {
+
+/// Never changes once it is made, so both threads may read it.
+struct FindingsController::Report {
+  fuzzy::ForceModel model;
+  fuzzy::CompiledModel compiled;
+  elicitation::RuleLint lint;
+  std::vector<ShownFinding> findings;
+};
+
+namespace {
+
+bool sameFinding(const ShownFinding& one, const ShownFinding& other) {
+  return one.finding.kind == other.finding.kind && one.finding.experts == other.finding.experts &&
+         one.finding.place == other.finding.place && one.acceptance == other.acceptance;
+}
+
+std::vector<FixOffer> offersFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+                                const ShownFinding& shown) {
+  std::vector<FixOffer> out;
+  if (shown.acceptance == Acceptance::kLapsed) {
+    if (auto edit = editing::forgetLapsed(model)) {
+      const QString what = text(edit->label);
+      out.push_back({FindingsController::tr("Remove it from the model"), impactText({}, {}), what, std::move(*edit)});
+    }
+    return out;
+  }
+  for (editing::Fix& fix : editing::fixesFor(model, compiled, shown.finding)) {
+    const QString what = text(fix.edit.label);
+    out.push_back({text(fix.text), impactText(fix.impact, model.output.unit), what, std::move(fix.edit)});
+  }
+  return out;
+}
+
+/// The input that a finding is about most.
+QString inputOf(const fuzzy::ForceModel& model, const elicitation::RuleFinding& finding) {
+  for (const fuzzy::Variable& input : model.inputs) {
+    if (finding.place == input.id || finding.place.starts_with(input.id + ' ')) return text(input.id);
+  }
+  return {};
+}
+
+}  // namespace
+
+FindingsController::FindingsController(EditController& edits, SceneController& scene, QObject* parent)
+    : QObject(parent), edits_(edits), scene_(scene) {
+  connect(&edits_, &EditController::modelReset, this, &FindingsController::adoptModel);
+  connect(&edits_, &EditController::changed, this, &FindingsController::onModel);
+}
+
+void FindingsController::setWatched(bool watched) {
+  watched_ = watched;
+  if (watched) {
+    refresh();
+    return;
+  }
+  lint_worker_.drop();
+  fix_worker_.drop();
+  begun_ = false;
+}
+
+const std::vector<ShownFinding>& FindingsController::findings() const {
+  static const std::vector<ShownFinding> none;
+  return report_ ? report_->findings : none;
+}
+
+const elicitation::RuleLint* FindingsController::lint() const { return report_ ? &report_->lint : nullptr; }
+
+const fuzzy::ForceModel* FindingsController::lintedModel() const { return report_ ? &report_->model : nullptr; }
+
+void FindingsController::choose(std::size_t index) {
+  TACTUS_CHECK(index < findings().size());
+  chosen_ = index;
+  dropFixes();
+  emit chosenChanged();
+  goTo(false);
+  findFixes();
+  const auto& finding = report_->findings[index].finding;
+  emit lookedAt(finding.experts.size() == 1 ? text(finding.experts.front()) : QString(),
+                inputOf(report_->model, finding));
+}
+
+void FindingsController::clearChoice() {
+  if (!chosen_) return;
+  chosen_.reset();
+  dropFixes();
+  emit chosenChanged();
+}
+
+void FindingsController::goTo(bool other_end) {
+  if (!chosen_ || scene_.model() == nullptr) return;
+  const ShownFinding& shown = findings()[*chosen_];
+  const auto& place = other_end ? shown.other_end : shown.at;
+  // Inputs are those of the file, but another file may have come since.
+  if (place.size() != scene_.model()->model.inputs.size()) return;
+  scene_.clearHover();
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i]) scene_.setValue(i, *place[i]);
+  }
+}
+
+bool FindingsController::apply(std::size_t fix) {
+  if (fix >= fixes_.size() || !isCurrent() || edits_.inGesture()) {
+    edits_.refuse(tr("The model changed since this fix was made; the new findings will be there in a moment."));
+    return false;
+  }
+  editing::Edit edit = std::move(fixes_[fix].edit);
+  dropFixes();
+  return edits_.apply(std::move(edit));
+}
+
+void FindingsController::adoptModel() {
+  report_.reset();
+  chosen_.reset();
+  onModel();
+  emit chosenChanged();
+}
+
+void FindingsController::onModel() {
+  ++revision_;
+  begun_ = false;
+  lint_worker_.drop();
+  dropFixes();
+  emit changed();
+  // A drag is linted when it ends: what it passes on its way nobody reads, and the servo and the plots need the time.
+  if (!edits_.inGesture()) refresh();
+}
+
+void FindingsController::refresh() {
+  if (!watched_ || !edits_.isOpen() || edits_.inGesture() || begun_) return;
+  if (isCurrent()) {
+    if (chosen_ && fixes_.empty() && !isLookingForFixes()) findFixes();
+    return;
+  }
+  if (report_ && editing::sameBits(report_->model, edits_.model())) {
+    take(report_, revision_);
+    return;
+  }
+  begun_ = true;
+  auto model = std::make_shared<const fuzzy::ForceModel>(edits_.model());
+  lint_worker_.run([this, model, revision = revision_](const std::stop_token& stop) -> Background::Deliver {
+    auto compiled = fuzzy::compile(*model);
+    // Every model of the history is valid.
+    TACTUS_CHECK(compiled.has_value());
+    auto report = std::make_shared<Report>();
+    report->lint = elicitation::ruleLint(*model, *compiled);
+    if (stop.stop_requested()) return {};
+    report->findings = shownFindings(*model, *compiled, report->lint);
+    report->model = *model;
+    report->compiled = std::move(*compiled);
+    return [this, report = std::shared_ptr<const Report>(std::move(report)), revision] { take(report, revision); };
+  });
+}
+
+void FindingsController::take(std::shared_ptr<const Report> report, quint64 revision) {
+  if (revision != revision_) return;
+  const auto before = std::exchange(report_, std::move(report));
+  linted_ = revision;
+  if (chosen_ && before) {
+    const ShownFinding& was = before->findings[*chosen_];
+    const auto& now = report_->findings;
+    const auto same = std::find_if(now.begin(), now.end(), [&](const auto& one) { return sameFinding(one, was); });
+    chosen_ = same == now.end() ? std::nullopt : std::optional(static_cast<std::size_t>(same - now.begin()));
+  }
+  emit changed();
+  emit chosenChanged();
+  findFixes();
+}
+
+void FindingsController::dropFixes() {
+  fix_worker_.drop();
+  fixes_.clear();
+  emit fixesChanged();
+}
+
+void FindingsController::findFixes() {
+  if (!watched_ || !chosen_ || !isCurrent()) return;
+  fix_worker_.run([this, report = report_, index = *chosen_,
+                   revision = revision_](const std::stop_token& /*stop*/) -> Background::Deliver {
+    auto offers =
+        std::make_shared<std::vector<FixOffer>>(offersFor(report->model, report->compiled, report->findings[index]));
+    return [this, offers, index, revision] {
+      if (revision != revision_ || chosen_ != index) return;
+      fixes_ = std::move(*offers);
+      emit fixesChanged();
+    };
+  });
+  emit fixesChanged();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,71 @@
+#include "app/workbench/models/findings_model.h"
+
+#include <QStringList>
+#include <algorithm>
+
+#include "app/workbench/controllers/findings_controller.h"
+#include "app/workbench/display_text.h"
+
+namespace tactus::workbench {
+
+FindingsModel::FindingsModel(const FindingsController& findings, QObject* parent)
+    : QAbstractListModel(parent), findings_(findings) {}
+
+void FindingsModel::setKind(std::optional<elicitation::RuleFinding::Kind> kind) {
+  if (kind == kind_) return;
+  kind_ = kind;
+  adopt();
+}
+
+void FindingsModel::setWho(const QString& who) {
+  if (who == who_) return;
+  who_ = who;
+  adopt();
+}
+
+int FindingsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+QVariant FindingsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const ShownFinding& shown = findingAt(index.row());
+  if (role == Qt::DisplayRole) return shown.sentence;
+  if (role == Qt::ToolTipRole) {
+    return shown.finding.at_least
+               ? tr("%1\n≥: the largest force of the settings that were looked at").arg(shown.sentence)
+               : shown.sentence;
+  }
+  // What a screen reader says.
+  if (role == Qt::AccessibleTextRole) return QStringLiteral("%1, %2: %3").arg(shown.kind, shown.who, shown.sentence);
+  return {};
+}
+
+const ShownFinding& FindingsModel::findingAt(int row) const { return findings_.findings()[indexAt(row)]; }
+
+int FindingsModel::rowOf(std::size_t index) const {
+  const auto it = std::find(rows_.begin(), rows_.end(), index);
+  return it == rows_.end() ? -1 : static_cast<int>(it - rows_.begin());
+}
+
+void FindingsModel::adopt() {
+  beginResetModel();
+  rows_.clear();
+  const auto& all = findings_.findings();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (passes(all[i])) rows_.push_back(i);
+  }
+  endResetModel();
+}
+
+bool FindingsModel::passes(const ShownFinding& shown) const {
+  if (kind_ && shown.finding.kind != *kind_) return false;
+  if (who_.isEmpty() || shown.who == who_) return true;
+  const fuzzy::ForceModel* const model = findings_.lintedModel();
+  return std::any_of(shown.finding.experts.begin(), shown.finding.experts.end(), [&](const std::string& id) {
+    return std::any_of(model->experts.begin(), model->experts.end(),
+                       [&](const fuzzy::Expert& e) { return e.id == id && labelOf(e) == who_; });
+  });
+}
+
+}  // namespace tactus::workbench

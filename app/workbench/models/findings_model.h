@@ -1,0 +1,47 @@
+// The findings of the lint as a list: those of one group and one expert, in the order of the controller.
+#pragma once
+
+#include <QAbstractListModel>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/controllers/shown_finding.h"
+
+namespace tactus::workbench {
+
+class FindingsController;
+
+class FindingsModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  explicit FindingsModel(const FindingsController& findings, QObject* parent = nullptr);
+
+  /// Nothing: all.
+  void setKind(std::optional<elicitation::RuleFinding::Kind> kind);
+  /// By the text in ShownFinding::who; empty: all. A finding about two experts is one of each.
+  void setWho(const QString& who);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  /// Qt::DisplayRole: the sentence; the whole finding comes from findingAt.
+  QVariant data(const QModelIndex& index, int role) const override;
+
+  /// Index of the finding in row `row` in FindingsController::findings.
+  std::size_t indexAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
+  const ShownFinding& findingAt(int row) const;
+  /// Row of a finding by that index; -1 where it is filtered out.
+  int rowOf(std::size_t index) const;
+
+  /// Takes the findings of the controller as they are now.
+  void adopt();
+
+ private:
+  bool passes(const ShownFinding& shown) const;
+
+  const FindingsController& findings_;
+  std::optional<elicitation::RuleFinding::Kind> kind_;
+  QString who_;
+  std::vector<std::size_t> rows_;
+};
+
+}  // namespace tactus::workbench

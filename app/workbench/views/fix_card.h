@@ -1,0 +1,33 @@
+// The chosen finding in full, where it is, and one button for each way to settle it.
+#pragma once
+
+#include <QFrame>
+
+class QGridLayout;
+class QLabel;
+class QToolButton;
+
+namespace tactus::workbench {
+
+class FindingsController;
+
+class FixCard : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit FixCard(FindingsController& findings, QWidget* parent = nullptr);
+
+ private:
+  void showFinding();
+  void showFixes();
+
+  FindingsController& findings_;
+  QLabel* sentence_;
+  QToolButton* here_;
+  QToolButton* other_end_;
+  QLabel* note_;
+  QWidget* fixes_;
+  QGridLayout* grid_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,129 @@
+#include "app/workbench/views/findings_panel.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListView>
+#include <QPushButton>
+#include <QSettings>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/workbench/views/panel_area.h"
+#include "app/workbench/workbench.h"
+
+#include "tests/gui/sample_models.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kPatience = 10'000;  // ms, for a busy machine
+
+class FindingsPanelTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    bench.window.resize(1280, 720);
+    bench.window.show();
+    bench.models.open(folder.write(tests::twoExperts()));
+    bench.window.enter(Stage::kTune);
+  }
+
+  void look() {
+    auto* dock = bench.window.findChild<QDockWidget*>(QStringLiteral("findings"));
+    ASSERT_NE(dock, nullptr);
+    dock->raise();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().isVisible() && bench.findings.isCurrent(); }, kPatience));
+  }
+
+  FindingsPanel& panel() { return *bench.window.findChild<FindingsPanel*>(); }
+  QListView& list() { return *panel().findChild<QListView*>(QStringLiteral("findings_list")); }
+
+  void clickRow(int row) {
+    const QModelIndex index = list().model()->index(row, 0);
+    list().scrollTo(index);
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualRect(index).center());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !bench.findings.isLookingForFixes(); }, kPatience));
+  }
+
+  QPushButton* button(const QString& text) {
+    for (auto* one : panel().findChildren<QPushButton*>()) {
+      if (one->isVisible() && one->text() == text) return one;
+    }
+    return nullptr;
+  }
+
+  int rowOf(const QString& start) {
+    for (int row = 0; row < list().model()->rowCount(); ++row) {
+      if (list().model()->index(row, 0).data().toString().startsWith(start)) return row;
+    }
+    return -1;
+  }
+
+  tests::ModelFolder folder;
+  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
+  Workbench bench{settings};
+};
+
+TEST_F(FindingsPanelTest, BehindAnotherTabNothingIsLinted) {
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(panel().isVisible());
+  EXPECT_EQ(bench.findings.lint(), nullptr);
+}
+
+TEST_F(FindingsPanelTest, AClickOnAFindingAndOneOnItsFixSettleIt) {
+  look();
+  clickRow(rowOf(QStringLiteral("No rule of any expert fires")));
+  EXPECT_GE(bench.scene.value(1), 5);
+  EXPECT_LE(bench.scene.value(1), 6);
+  auto* const fix = button(QStringLiteral("Stretch Near over the gap"));
+  ASSERT_NE(fix, nullptr);
+  QTest::mouseClick(fix, Qt::LeftButton);
+  EXPECT_EQ(bench.edits.model().inputs[1].terms[0].points, (std::vector<double>{0, 0, 6, 7}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bench.findings.isCurrent(); }, kPatience));
+  EXPECT_EQ(rowOf(QStringLiteral("No rule of any expert fires")), -1);
+  bench.edits.undo();
+  EXPECT_EQ(bench.edits.model(), tests::twoExperts());
+}
+
+TEST_F(FindingsPanelTest, FiltersByKindAndExpert) {
+  look();
+  const int all = list().model()->rowCount();
+  const auto choices = panel().findChildren<QComboBox*>();
+  ASSERT_EQ(choices.size(), 2);
+  QComboBox& kind = *choices[0];
+  QComboBox& who = *choices[1];
+  EXPECT_TRUE(kind.itemText(0).contains(QString::number(all)));
+  kind.setCurrentIndex(1);
+  emit kind.activated(1);
+  const int of_kind = list().model()->rowCount();
+  EXPECT_TRUE(kind.itemText(1).contains(QString::number(of_kind))) << kind.itemText(1).toStdString();
+  EXPECT_LT(of_kind, all);
+  kind.setCurrentIndex(0);
+  emit kind.activated(0);
+  who.setCurrentIndex(who.findText(QStringLiteral("A")));
+  emit who.activated(who.currentIndex());
+  EXPECT_GT(list().model()->rowCount(), 0);
+  EXPECT_LT(list().model()->rowCount(), all);
+}
+
+TEST_F(FindingsPanelTest, SaysWhenNothingIsFound) {
+  auto model = tests::twoExperts();
+  model.experts.pop_back();
+  model.inputs[1].terms[0].points = {0, 0, 6, 7};
+  // Rules for both speeds at both depths, and all rise.
+  model.experts[0].rules = {{{{"speed", "slow"}, {"depth", "near"}}, "low"},
+                            {{{"speed", "fast"}, {"depth", "near"}}, "high"},
+                            {{{"depth", "far"}}, "high"}};
+  bench.models.open(folder.write(model, QStringLiteral("clean.tactus.json")));
+  look();
+  EXPECT_EQ(list().model()->rowCount(), 0);
+  EXPECT_FALSE(list().isVisible());
+  bool said = false;
+  for (auto* label : panel().findChildren<QLabel*>()) {
+    said = said || (label->isVisible() && label->text().startsWith(QStringLiteral("Nothing found")));
+  }
+  EXPECT_TRUE(said);
+}
+
+}  // namespace
+}  // namespace tactus::workbench
