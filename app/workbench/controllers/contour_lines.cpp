@@ -1,57 +1,71 @@
 #include "app/workbench/controllers/contour_lines.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace tactus::workbench {
 namespace {
 
-struct Corner {
-  double x = 0;
-  double y = 0;
-  double above = 0;  ///< force minus level
+// A cell of the grid: forces at its corners, around the cell, so that neighbors in the list share an edge.
+struct Cell {
+  std::array<QPointF, 4> places;
+  std::array<double, 4> force_n{};
 };
 
-QPointF crossing(const Corner& a, const Corner& b) {
-  const double share = a.above / (a.above - b.above);
-  return {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share};
+void addPieces(const Cell& cell, double level_n, std::vector<QLineF>& lines) {
+  std::array<QPointF, 4> points;
+  std::size_t count = 0;
+  double middle = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4;
+    const double here = cell.force_n[i] - level_n;
+    const double there = cell.force_n[next] - level_n;
+    middle += here / 4;
+    if ((here > 0) == (there > 0)) continue;
+    points[count++] = cell.places[i] + (cell.places[next] - cell.places[i]) * (here / (here - there));
+  }
+  if (count == 2) {
+    lines.emplace_back(points[0], points[1]);
+  } else if (count == 4) {
+    // The edges are crossed in order; corner 0 stands alone where it differs from the middle.
+    const bool first_alone = (cell.force_n[0] - level_n > 0) != (middle > 0);
+    lines.emplace_back(points[0], points[first_alone ? 3 : 1]);
+    lines.emplace_back(points[2], points[first_alone ? 1 : 3]);
+  }
 }
 
 }  // namespace
 
-std::vector<QLineF> contourLines(const ForceMap& map, double level_n) {
-  std::vector<QLineF> lines;
-  for (std::size_t y = 0; y + 1 < map.side; ++y) {
-    for (std::size_t x = 0; x + 1 < map.side; ++x) {
-      // Around the cell, so that neighbors in the list share an edge.
-      const std::array<std::array<std::size_t, 2>, 4> places = {{{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}};
-      std::array<Corner, 4> corners;
-      bool fired = true;
-      double mean = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const auto [cx, cy] = places[i];
-        fired = fired && map.isFired(cx, cy);
-        corners[i] = {static_cast<double>(cx), static_cast<double>(cy), map.force(cx, cy) - level_n};
-        mean += corners[i].above / 4;
+std::vector<std::vector<QLineF>> contourLines(const ForceMap& map, std::span<const double> levels_n) {
+  std::vector<std::vector<QLineF>> lines(levels_n.size());
+  const std::size_t side = map.side;
+  for (std::size_t y = 0; y + 1 < side; ++y) {
+    const double* const below = map.force_n.data() + y * side;
+    const double* const above = below + side;
+    for (std::size_t x = 0; x + 1 < side; ++x) {
+      // Most cells lie between two levels.
+      const auto [low, high] = std::minmax({below[x], below[x + 1], above[x + 1], above[x]});
+      auto level = std::lower_bound(levels_n.begin(), levels_n.end(), low);
+      if (level == levels_n.end() || *level >= high) continue;
+      if (!map.isFired(x, y) || !map.isFired(x + 1, y) || !map.isFired(x + 1, y + 1) || !map.isFired(x, y + 1)) {
+        continue;
       }
-      if (!fired) continue;
-      std::array<QPointF, 4> points;
-      std::size_t count = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Corner& next = corners[(i + 1) % 4];
-        if ((corners[i].above > 0) != (next.above > 0)) points[count++] = crossing(corners[i], next);
-      }
-      if (count == 2) {
-        lines.emplace_back(points[0], points[1]);
-      } else if (count == 4) {
-        // The edges are crossed in order; corner 0 stands alone where it differs from the middle.
-        const bool first_alone = (corners[0].above > 0) != (mean > 0);
-        lines.emplace_back(points[0], points[first_alone ? 3 : 1]);
-        lines.emplace_back(points[2], points[first_alone ? 1 : 3]);
+      const auto left = static_cast<double>(x);
+      const auto bottom = static_cast<double>(y);
+      const Cell cell{{QPointF(left, bottom), {left + 1, bottom}, {left + 1, bottom + 1}, {left, bottom + 1}},
+                      {below[x], below[x + 1], above[x + 1], above[x]}};
+      for (; level != levels_n.end() && *level < high; ++level) {
+        addPieces(cell, *level, lines[static_cast<std::size_t>(level - levels_n.begin())]);
       }
     }
   }
   return lines;
+}
+
+std::vector<QLineF> contourLines(const ForceMap& map, double level_n) {
+  return std::move(contourLines(map, std::span(&level_n, 1)).front());
 }
 
 std::vector<double> contourLevels(double min_n, double max_n) {

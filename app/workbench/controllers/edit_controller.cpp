@@ -24,7 +24,9 @@ EditController::EditController(ModelController& models, QObject* parent) : QObje
   report_.setSingleShot(true);
   report_.setInterval(0);
   connect(&frame_, &QTimer::timeout, this, [this] {
-    if (due_) send();
+    if (!due_) return;
+    emit sending();
+    send();
   });
   connect(&report_, &QTimer::timeout, this, &EditController::report);
   connect(&models_, &ModelController::opened, this, &EditController::adoptModel);
@@ -62,6 +64,7 @@ bool EditController::update(base::Result<editing::Edit> edit) {
     return false;
   }
   stopped_ = text(edit->stopped);
+  if (!frame_.isActive()) emit sending();
   history_->update(std::move(*edit));
   schedule();
   return true;
@@ -69,6 +72,7 @@ bool EditController::update(base::Result<editing::Edit> edit) {
 
 void EditController::commit() {
   if (!inGesture()) return;
+  emit sending();
   stopped_.clear();
   const auto state = history_->commit(stamp());
   send();
@@ -79,6 +83,7 @@ void EditController::commit() {
 
 void EditController::cancel() {
   if (!inGesture()) return;
+  emit sending();
   stopped_.clear();
   history_->cancel();
   send();
@@ -90,6 +95,7 @@ bool EditController::apply(base::Result<editing::Edit> edit) {
     refuse(text(edit.error().message()));
     return false;
   }
+  emit sending();
   const QString why = text(edit->stopped);
   const auto state = history_->apply(std::move(*edit), stamp());
   send();
@@ -191,6 +197,7 @@ void EditController::settle(const base::Result<void>& moved, const QString& sent
     return;
   }
   report_.stop();
+  emit sending();
   send();
   emit historyChanged();
   emit reported(sentence);

@@ -84,6 +84,8 @@ class EditController : public QObject {
  signals:
   /// Another model was opened; the history is empty.
   void modelReset();
+  /// An edit that was accepted is about to be made and sent; `changed` follows where it changed something.
+  void sending();
   /// `model()` changed.
   void changed();
   /// Undo, redo or the list of entries changed: there may be new events to store.

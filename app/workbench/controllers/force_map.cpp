@@ -101,7 +101,7 @@ void ForceMapController::compute() {
   auto order = fuzzy::Scene::specialise(model_->compiled, fixed);
   TACTUS_CHECK(order.has_value());
   order_ = std::move(*order);
-  level_ = 0;
+  level_ = firstLevel();
   beginLevel();
   work();
 }
@@ -109,6 +109,13 @@ void ForceMapController::compute() {
 void ForceMapController::finish() {
   update();
   while (!isFinest()) work();
+}
+
+std::size_t ForceMapController::firstLevel() const {
+  std::size_t level = 0;
+  const auto takes_ms = [this](std::size_t side) { return static_cast<double>(side * side) * place_ns_ / 1e6; };
+  while (place_ns_ > 0 && level + 1 < kSides.size() && takes_ms(kSides[level + 1]) < kSliceMs) ++level;
+  return level;
 }
 
 void ForceMapController::stop() {
@@ -138,14 +145,17 @@ void ForceMapController::work() {
   QElapsedTimer clock;
   clock.start();
   bool finished_one = false;
+  std::size_t places = 0;
   while (level_ < kSides.size() && clock.elapsed() < kSliceMs) {
     computeRow();
+    places += growing_.side;
     if (row_ < growing_.side) continue;
     finished_one = true;
     map_ = std::move(growing_);
     ++level_;
     if (level_ < kSides.size()) beginLevel();
   }
+  place_ns_ = static_cast<double>(clock.nsecsElapsed()) / static_cast<double>(places);
   if (level_ == kSides.size()) {
     slices_.stop();
   } else if (!slices_.isActive()) {

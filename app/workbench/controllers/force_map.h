@@ -28,8 +28,8 @@ struct ForceMap {
   bool isFired(std::size_t x, std::size_t y) const { return fired[y * side + x] != 0; }
 };
 
-/// Computes the map of a scene in slices that leave the window alive, once for all views that show it. A newer order
-/// takes the place of an older one.
+/// Computes the map of a scene in slices that leave the window alive, once for all views that show it: coarse maps
+/// first, unless a finer one is there within the first slice. A newer order takes the place of an older one.
 class ForceMapController : public QObject {
   Q_OBJECT
 
@@ -78,6 +78,7 @@ class ForceMapController : public QObject {
   void compute();
   void stop();
   void work();
+  std::size_t firstLevel() const;
   void beginLevel();
   void computeRow();
 
@@ -96,6 +97,7 @@ class ForceMapController : public QObject {
   std::vector<double> point_;
   std::size_t level_ = kSides.size();  ///< index in kSides; past the end where nothing is in work
   std::size_t row_ = 0;
+  double place_ns_ = 0;  ///< what a place took last; 0 before the first map
   ForceMap growing_;
   std::vector<double> xs_;
   std::vector<double> ys_;

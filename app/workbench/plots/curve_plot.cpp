@@ -76,9 +76,9 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   setToolTip(landmarks_->explanation());
 
   plot_->clearGraphs();
-  addLine(*plot_, tr("Mean"), QPen(theme::mean(), 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  addLine(*plot_, tr("Mean"), QPen(theme::mean(), 4));
   for (std::size_t i = 0; i < experts.size(); ++i) {
-    addLine(*plot_, labelOf(experts[i]), QPen(theme::expert(i), 1.6, lineStyle(i), Qt::RoundCap, Qt::RoundJoin));
+    addLine(*plot_, labelOf(experts[i]), QPen(theme::expert(i), 1.6, lineStyle(i)));
   }
   everyone_silent_.clear();
   silent_.clear();
@@ -87,7 +87,7 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
 void CurvePlot::setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms) {
   bands_->setTerms(x, terms);
   labels_->setTerms(x, terms);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 void CurvePlot::setCurves(const ForceCurves& curves) {
@@ -109,7 +109,7 @@ void CurvePlot::setExpertShown(std::size_t expert, bool shown) {
 
 void CurvePlot::setMeanShown(bool shown) {
   plot_->graph(kMeanGraph)->setVisible(shown);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 void CurvePlot::setReading(const Reading& reading) {
@@ -121,7 +121,7 @@ void CurvePlot::setReading(const Reading& reading) {
   const QString mean_text =
       reading.mean.fired ? tr("mean %1").arg(forceText(reading.mean.force_n, output_.unit)) : tr("no rule fires");
   cursor_->set(reading.x, placeText(x_, reading.x) + QStringLiteral("   ") + mean_text, std::move(dots));
-  cursor_->layer()->replot();
+  redraw(*plot_);
 }
 
 bool CurvePlot::isMeanShown() const { return shown(kMeanGraph); }
@@ -163,7 +163,7 @@ void CurvePlot::updateSilence() {
     lanes.push_back({plot_->graph(static_cast<int>(i) + 1)->name(), theme::expert(i), silent_[i]});
   }
   silence_->set(everyone_silent_, std::move(lanes));
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 bool CurvePlot::shown(std::size_t graph) const { return plot_->graph(static_cast<int>(graph))->visible(); }

@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "app/workbench/controllers/contour_lines.h"
 #include "app/workbench/display_text.h"
@@ -77,7 +78,7 @@ void ForceMapPlot::setMap(const ForceMap* map) {
   if (!map) {
     colors_->data()->clear();
     contours_->set({});
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    redraw(*plot_);
     return;
   }
   const int side = static_cast<int>(map->side);
@@ -96,8 +97,10 @@ void ForceMapPlot::setMap(const ForceMap* map) {
   const double step_y = (y_.max - y_.min) / (side - 1);
   std::vector<ContourMarks::Line> lines;
   const QCPRange range = scale_->dataRange();
-  for (const double level : contourLevels(range.lower, range.upper)) {
-    ContourMarks::Line line{numberText(level), contourLines(*map, level)};
+  const std::vector<double> levels = contourLevels(range.lower, range.upper);
+  std::vector<std::vector<QLineF>> pieces = contourLines(*map, levels);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    ContourMarks::Line line{numberText(levels[i]), std::move(pieces[i])};
     for (QLineF& piece : line.pieces) {
       piece.setLine(x_.min + piece.x1() * step_x, y_.min + piece.y1() * step_y, x_.min + piece.x2() * step_x,
                     y_.min + piece.y2() * step_y);
@@ -105,12 +108,12 @@ void ForceMapPlot::setMap(const ForceMap* map) {
     lines.push_back(std::move(line));
   }
   contours_->set(std::move(lines));
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 void ForceMapPlot::setPoint(double x, double y, const QString& tag) {
   cross_->set(x, y, tag);
-  cross_->layer()->replot();
+  redraw(*plot_);
 }
 
 void ForceMapPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {cross_}); }

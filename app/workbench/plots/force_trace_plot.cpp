@@ -58,13 +58,13 @@ void ForceTracePlot::setFullScale(double full_n) {
   if (full_n == full_n_) return;
   full_n_ = full_n;
   plot_->yAxis->setRange(0, full_n_);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 void ForceTracePlot::setSplit(bool split) {
   split_ = split;
   for (QCPGraph* part : {limits_, model_, friction_}) part->setVisible(split);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 void ForceTracePlot::setHistory(const FeelHistory& history) {
@@ -89,7 +89,7 @@ void ForceTracePlot::setHistory(const FeelHistory& history) {
     model_->setData(time, model, true);
   }
   plot_->yAxis->setRange(lowest_n * kHeadroom, highest_n * kHeadroom);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 std::vector<LegendEntry> ForceTracePlot::legend() const {

@@ -26,7 +26,7 @@ void GripMarks::setUniverse(double min, double max) {
   max_ = max;
 }
 
-void GripMarks::applyDefaultAntialiasingHint(QCPPainter* painter) const { painter->setAntialiasing(!fast_); }
+void GripMarks::applyDefaultAntialiasingHint(QCPPainter* painter) const { painter->setAntialiasing(true); }
 
 QPointF GripMarks::pixelOf(double x, double membership) const {
   const QCPAxisRect* area = mParentPlot->axisRect();
@@ -46,7 +46,7 @@ void GripMarks::draw(QCPPainter* painter) {
     painter->fillRect(QRectF(QPointF(last, area->top()), QPointF(area->right(), area->bottom())), beyond);
   }
 
-  painter->setPen(QPen(theme::accent(), fast_ ? 1 : 3, Qt::SolidLine, fast_ ? Qt::FlatCap : Qt::RoundCap));
+  painter->setPen(QPen(theme::accent(), 3));
   for (const Stroke& stroke : strokes_) {
     painter->drawLine(
         QLineF(pixelOf(stroke.from_x, stroke.from_membership), pixelOf(stroke.to_x, stroke.to_membership)));

@@ -37,7 +37,6 @@ class GripMarks : public QCPLayerable {
   void setTag(const QString& text, double x, double membership, bool warns);
   /// The part of the x axis that is the universe; what lies beyond is shaded.
   void setUniverse(double min, double max);
-  void setFast(bool fast) { fast_ = fast; }
 
  protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
@@ -56,7 +55,6 @@ class GripMarks : public QCPLayerable {
   bool tag_warns_ = false;
   double min_ = 0;
   double max_ = 1;
-  bool fast_ = false;
   QFont font_;
 };
 

@@ -26,7 +26,6 @@ constexpr int kLabelRows = 2;
 constexpr int kMargin = 4 * theme::kGrid;  // px left of the axis; handles at the end of the universe reach into it
 constexpr double kTop = 1.12;              // membership at the upper side: room for the handles at 1
 constexpr double kDragFrom = 3;            // px that tell a drag from a click
-constexpr auto kHandleLayer = "handles";
 
 }  // namespace
 
@@ -41,9 +40,8 @@ MembershipEditorPlot::MembershipEditorPlot(QWidget* parent) : QWidget(parent), p
 
   labels_ = new TermLabels(*plot_, kLabelRows);
   marker_ = new ValueMarker(*plot_);
-  plot_->addLayer(QLatin1String(kHandleLayer));
-  plot_->layer(QLatin1String(kHandleLayer))->setMode(QCPLayer::lmBuffered);
-  marks_ = new GripMarks(*plot_, QLatin1String(kHandleLayer));
+  // The overlay has a buffer of its own; what follows the hand is drawn without the shapes.
+  marks_ = new GripMarks(*plot_, QStringLiteral("overlay"));
   plot_->xAxis->grid()->setVisible(false);
   plot_->axisRect()->setAutoMargins(QCP::msBottom);
   plot_->axisRect()->setMargins(QMargins(kMargin, labels_->height() + 4, 3 * theme::kGrid, 0));
@@ -89,7 +87,7 @@ void MembershipEditorPlot::setValue(std::optional<double> value) {
     if (membership > 0) memberships.push_back(membership);
   }
   marker_->set(value_, std::move(memberships));
-  marker_->layer()->replot();
+  redraw(*plot_);
 }
 
 void MembershipEditorPlot::setStopped(const QString& reason) {
@@ -126,27 +124,17 @@ void MembershipEditorPlot::fitAxis() {
 }
 
 void MembershipEditorPlot::drawTerms() {
-  // While the hand moves, thin lines without smoothing halve the time of a frame.
-  const bool fast = isDragging();
   plot_->clearGraphs();
-  plot_->setNotAntialiasedElements(fast ? QCP::aeAll : QCP::aeNone);
-  plot_->setAntialiasedElements(fast ? QCP::aeNone : QCP::aeAll);
   const QCPRange range = plot_->xAxis->range();
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     const TermOutline outline = outlineOf(terms_[i], range.lower, range.upper);
     const bool strong = selected_ && selected_->term == i;
-    QColor color = theme::term(i, terms_.size());
-    QCPGraph* graph = plot_->addGraph();
-    graph->setAdaptiveSampling(false);
-    graph->setData(outline.x, outline.membership, true);
-    graph->setPen(QPen(color, fast ? 1 : strong ? 2.4 : 1.4));
-    color.setAlphaF(strong ? 0.32F : 0.14F);
-    graph->setBrush(color);
+    addShape(*plot_, theme::term(i, terms_.size()), strong ? 2.4 : 1.4, strong ? 0.32F : 0.14F)
+        .setData(outline.x, outline.membership, true);
   }
   labels_->setTerms(variable_, terms_);
   setValue(value_);
   drawMarks();
-  plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 std::optional<Grip> MembershipEditorPlot::shownGrip() const {
@@ -187,7 +175,6 @@ void MembershipEditorPlot::drawMarks() {
       strokes.push_back({of_term[i].x, of_term[i].membership, of_term[i + 1].x, of_term[i + 1].membership});
     }
   }
-  marks_->setFast(isDragging());
   marks_->setHandles(std::move(handles));
   marks_->setStrokes(std::move(strokes));
   if (grip) {
@@ -210,7 +197,7 @@ void MembershipEditorPlot::drawMarks() {
   } else {
     marks_->setTag({}, 0, 0, false);
   }
-  marks_->layer()->replot();
+  redraw(*plot_);
 }
 
 PlotFrame MembershipEditorPlot::frame() const {

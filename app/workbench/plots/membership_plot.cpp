@@ -69,29 +69,24 @@ MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
 }
 
 void MembershipPlot::setTerms(const std::vector<fuzzy::Term>& terms) {
+  if (terms == terms_ && plot_->graphCount() > 0) return;
   terms_ = terms;
   plot_->clearGraphs();
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const TermOutline outline = outlineOf(terms[i], variable_.min, variable_.max);
-    QColor color = theme::term(i, terms.size());
-    QCPGraph* graph = plot_->addGraph();
-    graph->setAdaptiveSampling(false);
-    graph->setData(outline.x, outline.membership, true);
-    graph->setPen(QPen(color, 1.5));
-    color.setAlphaF(0.2F);
-    graph->setBrush(color);
+    addShape(*plot_, theme::term(i, terms.size()), 1.5, 0.2F).setData(outline.x, outline.membership, true);
   }
   labels_->setTerms(variable_, terms);
   setToolTip(pointsText(terms));
   updateMarker();
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 void MembershipPlot::setValue(std::optional<double> value) {
   if (value == value_) return;
   value_ = value;
   updateMarker();
-  marker_->layer()->replot();
+  redraw(*plot_);
 }
 
 void MembershipPlot::onMouse(QMouseEvent* event) {

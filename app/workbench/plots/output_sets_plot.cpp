@@ -63,20 +63,15 @@ void OutputSetsPlot::addSet(const QString& name, const analysis::Polyline& set, 
   }
   x << set.back().x;
   height << 0;
-  QCPGraph* graph = plot_->addGraph();
-  graph->setName(name);
-  graph->setAdaptiveSampling(false);
-  graph->setPen(QPen(color, width));
-  QColor fill = color;
-  fill.setAlphaF(fill_alpha);
-  graph->setBrush(fill_alpha > 0 ? QBrush(fill) : QBrush(Qt::NoBrush));
-  graph->setData(x, height, true);
+  QCPGraph& graph = addShape(*plot_, color, width, fill_alpha);
+  graph.setName(name);
+  graph.setData(x, height, true);
 }
 
 void OutputSetsPlot::finish(bool fired, double force_n, const QString& tag) {
   cursor_->setVisible(fired);
   cursor_->set(force_n, tag, {});
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 std::vector<LegendEntry> OutputSetsPlot::legend() const {

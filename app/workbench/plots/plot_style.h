@@ -11,6 +11,12 @@ namespace tactus::workbench {
 /// A plot without interactions, decorations or legend, in the colors of the theme.
 QCustomPlot* makePlot(QWidget* parent);
 
+/// Draws `plot` again with the next frame, once however often this is called, and only while it can be seen.
+void redraw(QCustomPlot& plot);
+
+/// Adds a line of `width` px and a fill below it in the same color; the plot owns the graph.
+QCPGraph& addShape(QCustomPlot& plot, const QColor& color, double width, float fill_alpha);
+
 /// Lines and fonts of an axis over the universe of `variable`.
 void styleAxis(QCPAxis& axis, const fuzzy::Variable& variable);
 

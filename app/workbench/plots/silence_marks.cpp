@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/workbench/plots/plot_canvas.h"
 #include "app/workbench/theme.h"
 
 namespace tactus::workbench {
@@ -29,7 +30,7 @@ void hatch(QCPPainter& painter, const QRectF& area, const QColor& color, double 
 
 void fill(QCPPainter& painter, const QRectF& area, QColor color, float alpha) {
   color.setAlphaF(alpha);
-  painter.fillRect(area, color);
+  drawInStrips(painter, area, [&] { painter.fillRect(area, color); });
 }
 
 }  // namespace

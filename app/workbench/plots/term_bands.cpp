@@ -1,6 +1,8 @@
 #include "app/workbench/plots/term_bands.h"
 
+#include <QImage>
 #include <QLinearGradient>
+#include <QtMath>
 #include <algorithm>
 #include <utility>
 
@@ -34,8 +36,26 @@ void TermBands::applyDefaultAntialiasingHint(QCPPainter* painter) const { painte
 
 void TermBands::draw(QCPPainter* painter) {
   const QCPAxisRect* area = mParentPlot->axisRect();
-  const QCPAxis* axis = area->axis(QCPAxis::atBottom);
-  painter->setPen(Qt::NoPen);
+  const QRectF room(area->left(), area->top(), area->width(), area->height() + 1.0);
+  if (painter->modes().testFlag(QCPPainter::pmVectorized)) {
+    paint(*painter, room);
+    return;
+  }
+  // All rows are the same, so one is painted and spread over the others.
+  const qreal ratio = painter->device()->devicePixelRatioF();
+  QImage row(qCeil(room.width() * ratio), 1, QImage::Format_ARGB32_Premultiplied);
+  row.fill(Qt::transparent);
+  QPainter row_painter(&row);
+  row_painter.scale(ratio, 1);
+  row_painter.translate(-room.left(), 0);
+  paint(row_painter, QRectF(room.left(), 0, room.width(), 1));
+  row_painter.end();
+  painter->drawImage(room, row);
+}
+
+void TermBands::paint(QPainter& painter, const QRectF& room) const {
+  const QCPAxis* axis = mParentPlot->axisRect()->axis(QCPAxis::atBottom);
+  painter.setPen(Qt::NoPen);
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     std::vector<double> places = corners(terms_[i]);
     const double low = std::clamp(places.front(), min_, max_);
@@ -52,9 +72,9 @@ void TermBands::draw(QCPPainter* painter) {
       color.setAlphaF(static_cast<float>(kFullAlpha * membership(place)));
       gradient.setColorAt(share, color);
     }
-    painter->setBrush(gradient);
-    painter->drawRect(
-        QRectF(QPointF(axis->coordToPixel(low), area->top()), QPointF(axis->coordToPixel(high), area->bottom() + 1.0)));
+    painter.setBrush(gradient);
+    painter.drawRect(
+        QRectF(QPointF(axis->coordToPixel(low), room.top()), QPointF(axis->coordToPixel(high), room.bottom())));
   }
 }
 

@@ -21,6 +21,8 @@ class TermBands : public QCPLayerable {
   void draw(QCPPainter* painter) override;
 
  private:
+  void paint(QPainter& painter, const QRectF& room) const;
+
   double min_ = 0;
   double max_ = 1;
   std::vector<fuzzy::Term> terms_;

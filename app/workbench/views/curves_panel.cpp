@@ -14,9 +14,9 @@
 #include "app/workbench/display_text.h"
 #include "app/workbench/models/reading_model.h"
 #include "app/workbench/plots/curve_plot.h"
+#include "app/workbench/refresh.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/plot_menu.h"
-#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 namespace {

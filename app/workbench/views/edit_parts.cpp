@@ -7,9 +7,12 @@
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/term_controller.h"
+#include "app/workbench/views/frame_clock.h"
+#include "app/workbench/views/frame_status.h"
 #include "app/workbench/views/history_panel.h"
 #include "app/workbench/views/main_window.h"
 #include "app/workbench/views/membership_editor.h"
+#include "app/workbench/views/operating_strip.h"
 #include "app/workbench/views/panel_area.h"
 
 namespace tactus::workbench {
@@ -27,7 +30,7 @@ QString actionText(const QString& action, const QString& label) {
 }  // namespace
 
 EditParts::EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene)
-    : window_(window), edits_(edits) {
+    : window_(window), edits_(edits), clock_(new FrameClock(window.panels(), this)) {
   buildMenu();
   addPanels(terms, scene);
   connect(undo_, &QAction::triggered, &edits_, &EditController::undo);
@@ -35,6 +38,9 @@ EditParts::EditParts(MainWindow& window, EditController& edits, TermController& 
   connect(&edits_, &EditController::historyChanged, this, &EditParts::showUndo);
   connect(&edits_, &EditController::reported, this, &EditParts::say);
   connect(&edits_, &EditController::refused, this, &EditParts::say);
+  connect(&edits_, &EditController::sending, clock_, &FrameClock::begin);
+  connect(&edits_, &EditController::changed, clock_, &FrameClock::sent);
+  window_.strip().setFrameTime(new FrameStatus(*clock_));
   showUndo();
 }
 

@@ -1,5 +1,5 @@
-// Puts what edits the model into the window: the Edit menu, the membership function editor, the undo list, and the
-// message after each edit.
+// Puts what edits the model into the window: the Edit menu, the membership function editor, the undo list, the message
+// after each edit, and how long it took to the screen.
 #pragma once
 
 #include <QObject>
@@ -9,6 +9,7 @@ class QAction;
 namespace tactus::workbench {
 
 class EditController;
+class FrameClock;
 class MainWindow;
 class SceneController;
 class TermController;
@@ -28,6 +29,7 @@ class EditParts : public QObject {
 
   MainWindow& window_;
   EditController& edits_;
+  FrameClock* clock_;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
 };

@@ -9,10 +9,10 @@
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/force_map_plot.h"
+#include "app/workbench/refresh.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/map_choice.h"
 #include "app/workbench/views/plot_menu.h"
-#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 
@@ -70,6 +70,7 @@ void MapPanel::showMap() { plot_->setMap(map_.map()); }
 
 // At once where somebody sees it, so that an edit is on the screen within its frame.
 void MapPanel::onMap() {
+  compute_->setRefining(!map_.isFinest());
   if (isVisible()) {
     showMap();
   } else {

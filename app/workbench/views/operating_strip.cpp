@@ -63,6 +63,8 @@ OperatingStrip::OperatingStrip(const ModelController& models, SceneController& s
 
 void OperatingStrip::setDeviceState(QWidget* state) { layout_->insertWidget(layout_->indexOf(latency_), state); }
 
+void OperatingStrip::setFrameTime(QWidget* time) { layout_->insertWidget(layout_->indexOf(saved_), time); }
+
 void OperatingStrip::showLatency(const QString& latency) {
   latency_->setText(latency);
   latency_->setVisible(!latency.isEmpty());

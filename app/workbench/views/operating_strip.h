@@ -25,6 +25,8 @@ class OperatingStrip : public QWidget {
 
   /// A place for the state of the device, between the operating point and the latency.
   void setDeviceState(QWidget* state);
+  /// A place for how long the last edit took until it was seen, beside the latency.
+  void setFrameTime(QWidget* time);
   /// How long the last edit took until it was felt, or nothing while nothing is felt.
   void showLatency(const QString& latency);
   /// One sentence, for as long as it takes to read it. Nothing in the window moves for it.

@@ -10,10 +10,10 @@
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/membership_plot.h"
+#include "app/workbench/refresh.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
 #include "app/workbench/views/plot_menu.h"
-#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 

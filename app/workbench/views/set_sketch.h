@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QPen>
 #include <QPolygonF>
 #include <QRectF>
 #include <optional>
@@ -33,6 +34,7 @@ class SetSketch {
 
  private:
   QPointF at(double x, double height) const;
+  void outline(const QPolygonF& line, const QPen& pen);
   QPolygonF polygon(const analysis::Polyline& set) const;
 
   QPainter& painter_;

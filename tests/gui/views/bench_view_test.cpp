@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QMenuBar>
 #include <QSettings>
@@ -9,7 +10,9 @@
 #include <gtest/gtest.h>
 #include <utility>
 
+#include "app/workbench/controllers/force_map.h"
 #include "app/workbench/plots/force_map_plot.h"
+#include "app/workbench/refresh.h"
 #include "app/workbench/views/operating_strip.h"
 #include "app/workbench/views/panel_area.h"
 #include "app/workbench/views/shortcut_sheet.h"
@@ -100,6 +103,71 @@ TEST_F(BenchViewTest, OnlyPanelsWhoseInputsChangedCompute) {
   bench.scene.setValue(0, 33);  // an axis of the map: only the force at the cross is new
   QTest::qWait(kSettled);
   EXPECT_LE(bench.scene.evaluations() - before, 1U);
+}
+
+TEST_F(BenchViewTest, PanelsBehindATabComputeNothing) {
+  hideAll();
+  dock("reading")->show();
+  dock("map")->show();
+  bench.window.panels().tabifyDockWidget(dock("reading"), dock("map"));
+  dock("reading")->raise();
+  settle();
+  const std::uint64_t before = bench.scene.evaluations();
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.inputs[0].terms[0].points[2] = 41;
+  ASSERT_TRUE(bench.models.edit(model));
+  QTest::qWait(kSettled);
+  // The forces here: the mean and two experts.
+  EXPECT_EQ(bench.scene.evaluations() - before, 3U);
+  dock("map")->raise();
+  const std::uint64_t of_map = 3 * ForceMapController::kSides.back() * ForceMapController::kSides.back();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bench.scene.evaluations() - before > of_map; }, kPatience));
+}
+
+TEST_F(BenchViewTest, AMinimizedWindowComputesNothing) {
+  bench.window.showMinimized();
+  QTest::qWait(kSettled);
+  const std::uint64_t before = bench.scene.evaluations();
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.inputs[0].terms[0].points[2] = 41;
+  ASSERT_TRUE(bench.models.edit(model));
+  bench.scene.setValue(0, 20);
+  QTest::qWait(kSettled);
+  EXPECT_EQ(bench.scene.evaluations(), before);
+  bench.window.showNormal();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bench.scene.evaluations() > before; }, kPatience));
+}
+
+TEST_F(BenchViewTest, CurvesAreNotComputedForTheInputOnTheirAxis) {
+  hideAll();
+  dock("curves")->show();
+  settle();
+  const std::uint64_t before = bench.scene.evaluations();
+  bench.scene.setValue(1, 7);  // depth: what is read on the curves is new, the curves are not
+  QTest::qWait(kSettled);
+  EXPECT_EQ(bench.scene.evaluations() - before, 3U);
+}
+
+TEST_F(BenchViewTest, AThousandMovesComputeOncePerFrame) {
+  hideAll();
+  dock("curves")->show();
+  settle();
+  const auto one = bench.scene.curves().x.size() * 3 + 3;  // mean and two experts, along the axis and at the cursor
+  const std::uint64_t before = bench.scene.evaluations();
+  QElapsedTimer clock;
+  clock.start();
+  bench.terms.setVariable("speed");
+  bench.terms.beginMove({0, Grip::Part::kVertex, 2, false});
+  for (int i = 0; i < 1000; ++i) {
+    bench.terms.moveBy(-0.01 * (i + 1));
+    QCoreApplication::processEvents();
+  }
+  bench.terms.endMove();
+  QTest::qWait(kSettled);
+  const auto frames = static_cast<std::uint64_t>(clock.elapsed() / Refresh::kFrameMs + 2);
+  const std::uint64_t computed = bench.scene.evaluations() - before;
+  EXPECT_GT(computed, 0U);
+  EXPECT_LE(computed, frames * (one + 20));  // up to some more places at the vertices that move
 }
 
 TEST_F(BenchViewTest, AClickInTheMapSetsTheOperatingPoint) {
