@@ -28,8 +28,9 @@ void addVertices(const std::vector<fuzzy::Term>& terms, std::vector<double>& pos
 std::vector<double> samplePositions(const fuzzy::ForceModel& model, std::size_t x_input) {
   const fuzzy::Variable& variable = model.inputs[x_input];
   std::vector<double> positions;
-  for (std::size_t i = 0; i < kCurveSamples; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(kCurveSamples - 1);
+  const std::size_t samples = model.experts.size() > kManyExperts ? kCurveSamplesOfMany : kCurveSamples;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(samples - 1);
     positions.push_back(std::lerp(variable.min, variable.max, share));
   }
   addVertices(variable.terms, positions);

@@ -12,6 +12,9 @@ namespace tactus::workbench {
 
 /// Evenly spaced samples of a curve; the vertices of the terms come on top. More than the pixels of two mm on a screen.
 inline constexpr std::size_t kCurveSamples = 513;
+/// The same for a model of more than `kManyExperts`: the kinks lie at vertices, and between them every curve is smooth.
+inline constexpr std::size_t kCurveSamplesOfMany = 129;
+inline constexpr std::size_t kManyExperts = 32;
 
 /// The force of every expert and of the mean at the positions `x` of one input.
 struct ForceCurves {

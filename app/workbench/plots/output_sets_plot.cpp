@@ -8,6 +8,11 @@
 #include "app/workbench/theme.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr std::size_t kMostFills = 12;
+
+}  // namespace
 
 OutputSetsPlot::OutputSetsPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
   auto* layout = new QVBoxLayout(this);
@@ -33,8 +38,11 @@ void OutputSetsPlot::showExpert(const fuzzy::ForceModel& model, const analysis::
 
 void OutputSetsPlot::showExperts(const fuzzy::ForceModel& model, const analysis::Explanation& explanation) {
   begin(model.output);
+  // Many fills over each other say nothing any more, and outlines are enough.
+  const bool many = explanation.experts.size() > kMostFills;
   for (std::size_t i = 0; i < explanation.experts.size(); ++i) {
-    addSet(labelOf(model.experts[i]), explanation.experts[i].aggregated, theme::expert(i), 0.1F, 1.6);
+    addSet(labelOf(model.experts[i]), explanation.experts[i].aggregated, theme::expert(i), many ? 0 : 0.1F,
+           many ? 1 : 1.6);
   }
   finish(explanation.fired, explanation.force_n, tr("mean %1").arg(forceText(explanation.force_n, model.output.unit)));
 }

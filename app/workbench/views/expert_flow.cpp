@@ -1,6 +1,7 @@
 #include "app/workbench/views/expert_flow.h"
 
 #include <QMouseEvent>
+#include <QPaintEvent>
 #include <QPainter>
 #include <algorithm>
 #include <utility>
@@ -37,10 +38,15 @@ QSize ExpertFlow::sizeHint() const {
 
 QSize ExpertFlow::minimumSizeHint() const { return {360, sizeHint().height()}; }
 
-void ExpertFlow::paintEvent(QPaintEvent* /*event*/) {
+void ExpertFlow::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  for (std::size_t expert = 0; expert < explanation_.experts.size(); ++expert) paintLine(painter, expert);
+  // Of many experts only those in sight.
+  const auto first = static_cast<std::size_t>(std::max(0.0, event->rect().top() / kLine));
+  const auto last = static_cast<std::size_t>(std::max(0.0, event->rect().bottom() / kLine));
+  for (std::size_t expert = first; expert < explanation_.experts.size() && expert <= last; ++expert) {
+    paintLine(painter, expert);
+  }
 }
 
 void ExpertFlow::mousePressEvent(QMouseEvent* event) {

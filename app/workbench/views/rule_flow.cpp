@@ -1,6 +1,7 @@
 #include "app/workbench/views/rule_flow.h"
 
 #include <QHelpEvent>
+#include <QPaintEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
@@ -72,7 +73,7 @@ QSize RuleFlow::minimumSizeHint() const {
   return {static_cast<int>(kStrength + kNarrowest * static_cast<double>(inputs_.size() + 1)), sizeHint().height()};
 }
 
-void RuleFlow::paintEvent(QPaintEvent* /*event*/) {
+void RuleFlow::paintEvent(QPaintEvent* event) {
   if (!open_) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -83,7 +84,10 @@ void RuleFlow::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(QRectF(0, headHeight(), width(), kLine), Qt::AlignCenter,
                      tr("No rule of %1 fires here.").arg(labelOf(open_->model.experts[expert_])));
   }
-  for (std::size_t line = 0; line < acting_.size(); ++line) paintLine(painter, line);
+  for (std::size_t line = 0; line < acting_.size(); ++line) {
+    const bool in_sight = lineTop(line) <= event->rect().bottom() && lineTop(line + 1) >= event->rect().top();
+    if (in_sight) paintLine(painter, line);
+  }
 }
 
 bool RuleFlow::event(QEvent* event) {

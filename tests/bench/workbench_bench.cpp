@@ -1,0 +1,165 @@
+// What an edit costs in the workbench until every plot shows it, stage by stage. Prints tables and writes
+// workbench.txt.
+#include <CLI/CLI.hpp>
+#include <QProcess>
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include "app/workbench/theme.h"
+#include "core/base/file.h"
+
+#include "tests/bench/cases.h"
+#include "tests/bench/machine.h"
+#include "tests/bench/text_table.h"
+#include "tests/bench/workbench_drag.h"
+#include "tests/bench/workbench_stages.h"
+
+namespace tactus::bench {
+namespace {
+
+struct Options {
+  std::string out;
+  std::string against;
+  int edits = 40;
+  int rounds = 3;
+  int measured_experts = 0;
+  std::string measured_stage;
+};
+
+using Series = std::map<std::string, std::vector<double>>;
+
+double quantile(std::vector<double> all, double share) {
+  if (all.empty()) return 0;
+  std::sort(all.begin(), all.end());
+  return all[std::min(all.size() - 1, static_cast<std::size_t>(share * static_cast<double>(all.size())))];
+}
+
+/// What a process of its own does: one window, its series as lines of text.
+int measure(TimedApplication& application, const Options& options) {
+  const auto stage = options.measured_stage == "Tune" ? workbench::Stage::kTune : workbench::Stage::kUnderstand;
+  const DragTimes times = dragVertex(application, syntheticExperts(options.measured_experts), stage, options.edits);
+  const auto print = [](const std::string& name, const std::vector<double>& all) {
+    std::cout << name;
+    for (const double value : all) std::cout << ' ' << value;
+    std::cout << '\n';
+  };
+  print("call", times.call_ms);
+  print("shown", times.shown_ms);
+  print("strip", times.strip_ms);
+  print("drag", times.drag_ms);
+  for (const auto& [panel, ms] : times.panel_ms) print("panel:" + panel, {ms});
+  return 0;
+}
+
+/// Adds the series of one window of `program`, in a process of its own: the scale of the screen holds for a process.
+void addWindow(Series& series, const std::string& program, int experts, const std::string& stage, int scale,
+               int edits) {
+  QProcess process;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QString::number(scale));
+  process.setProcessEnvironment(environment);
+  process.start(QString::fromStdString(program),
+                {QStringLiteral("--measure"), QString::number(experts), QStringLiteral("--stage"),
+                 QString::fromStdString(stage), QStringLiteral("--edits"), QString::number(edits)});
+  process.waitForFinished(-1);
+  std::istringstream lines(process.readAllStandardOutput().toStdString());
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name;
+    words >> name;
+    for (double value = 0; words >> value;) series[name].push_back(value);
+  }
+}
+
+std::string panelsText(const Series& series) {
+  std::vector<std::pair<double, std::string>> panels;
+  for (const auto& [name, values] : series) {
+    const double ms = quantile(values, 0.5);
+    if (name.starts_with("panel:") && ms >= 0.05) panels.emplace_back(ms, name.substr(6));
+  }
+  std::sort(panels.rbegin(), panels.rend());
+  std::string out;
+  for (const auto& [ms, panel] : panels) out += (out.empty() ? "" : ", ") + panel + " " + threeDigits(ms);
+  return out;
+}
+
+std::string windowTable(const Options& options, const std::string& self) {
+  std::vector<std::vector<std::string>> rows = {{"experts", "stage", "scale", "call", "shown", "p95", "in the strip",
+                                                 "in a drag", "its p95", "by panel, per edit"}};
+  for (const int experts : {1, 4, 32, 256}) {
+    for (const std::string stage : {"Tune", "Understand"}) {
+      for (const int scale : {1, 2}) {
+        Series series;
+        addWindow(series, self, experts, stage, scale, options.edits);
+        rows.push_back({std::to_string(experts), stage, std::to_string(scale),
+                        threeDigits(quantile(series["call"], 0.5)), threeDigits(quantile(series["shown"], 0.5)),
+                        threeDigits(quantile(series["shown"], 0.95)), threeDigits(quantile(series["strip"], 0.5)),
+                        threeDigits(quantile(series["drag"], 0.5)), threeDigits(quantile(series["drag"], 0.95)),
+                        panelsText(series)});
+      }
+    }
+  }
+  return alignedTable(rows, 2);
+}
+
+std::string againstTable(const Options& options, const std::string& self) {
+  std::vector<std::vector<std::string>> rows = {{"experts", "stage", "scale", "before: shown", "now: shown", "ratio"}};
+  for (const int experts : {4, 32}) {
+    for (const std::string stage : {"Tune", "Understand"}) {
+      for (const int scale : {1, 2}) {
+        Series before;
+        Series now;
+        for (int round = 0; round < options.rounds; ++round) {
+          addWindow(before, options.against, experts, stage, scale, options.edits);
+          addWindow(now, self, experts, stage, scale, options.edits);
+        }
+        const double before_ms = quantile(before["shown"], 0.5);
+        const double now_ms = quantile(now["shown"], 0.5);
+        rows.push_back({std::to_string(experts), stage, std::to_string(scale), threeDigits(before_ms),
+                        threeDigits(now_ms), threeDigits(before_ms / now_ms)});
+      }
+    }
+  }
+  return alignedTable(rows, 2);
+}
+
+int run(const Options& options, const std::string& self) {
+  std::string text;
+  for (const std::string& line : machineLines()) text += line + '\n';
+  text += "Model: S4's 45 rules with five depth terms, and synthetic variations of it as further experts\n";
+  text += "Window: 1920 x 1080 px, not on a screen; a foot of a depth term is dragged\n";
+  text += "\nWhat is computed for one edit, medians in ms\n\n" + alignedTable(stageTimes(256), 1);
+  text += "\nLargest differences from the evaluation of single points\n\n" + alignedTable(stageDifferences(), 1);
+  text += "\nFrom an edit until every visible plot is painted with it, medians in ms\n\n" + windowTable(options, self);
+  if (!options.against.empty()) {
+    text += "\nThe same in turns with an earlier version, medians in ms\n\n" + againstTable(options, self);
+  }
+  std::cout << text;
+  if (options.out.empty()) return 0;
+  auto written = base::makeFolder(options.out);
+  if (written) written = base::writeFileAtomically(options.out + "/workbench.txt", text);
+  if (!written) std::cerr << written.error().message() << '\n';
+  return written ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace tactus::bench
+
+int main(int argc, char** argv) {
+  tactus::bench::Options options;
+  CLI::App app{"What an edit costs in the workbench until every plot shows it"};
+  app.add_option("--out", options.out, "folder for workbench.txt; without it nothing is written");
+  app.add_option("--edits", options.edits, "edits of each window")->check(CLI::Range(5, 10000));
+  app.add_option("--against", options.against, "this program of an earlier version, measured in turns");
+  app.add_option("--rounds", options.rounds, "turns of each version")->check(CLI::Range(1, 1000));
+  app.add_option("--measure", options.measured_experts, "one window with so many experts, as numbers");
+  app.add_option("--stage", options.measured_stage, "of that window: Tune or Understand");
+  CLI11_PARSE(app, argc, argv);
+  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  tactus::bench::TimedApplication application(argc, argv);
+  tactus::workbench::theme::apply(application);
+  if (options.measured_experts > 0) return tactus::bench::measure(application, options);
+  return tactus::bench::run(options, QApplication::applicationFilePath().toStdString());
+}

@@ -1,0 +1,125 @@
+#include "tests/bench/workbench_drag.h"
+
+#include <QDockWidget>
+#include <QEventLoop>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+
+#include "app/workbench/workbench.h"
+#include "core/base/check.h"
+#include "core/model_io/model_file.h"
+
+// The window of earlier versions measures nothing itself.
+#if __has_include("app/workbench/views/frame_clock.h")
+#include "app/workbench/views/frame_clock.h"
+#define TACTUS_FRAME_CLOCK
+#endif
+
+namespace tactus::bench {
+namespace {
+
+constexpr int kFrameMs = 16;
+constexpr double kCalmMs = 70;  // some frames without painting: the edit is shown
+constexpr double kMostMs = 20'000;
+constexpr double kAmplitudeMm = 12;
+constexpr int kWarmUp = 5;
+
+std::string panelOf(const QObject* object) {
+  for (const QObject* at = object; at != nullptr; at = at->parent()) {
+    if (qobject_cast<const QDockWidget*>(at)) return at->objectName().toStdString();
+  }
+  return "window";
+}
+
+void runFor(int ms) {
+  QEventLoop loop;
+  QTimer::singleShot(ms, Qt::PreciseTimer, &loop, &QEventLoop::quit);
+  loop.exec();
+}
+
+// Never twice the same place.
+double place(int edit) { return kAmplitudeMm * std::sin(0.37 * (edit + 0.5)); }
+
+}  // namespace
+
+bool TimedApplication::notify(QObject* receiver, QEvent* event) {
+  const bool paint = event->type() == QEvent::Paint;
+  if (!begun_ || (depth_ > 0 && !paint)) return QApplication::notify(receiver, event);
+  const std::string panel = panelOf(receiver);
+  const qint64 painted_before = painted_ns_;
+  ++depth_;
+  QElapsedTimer clock;
+  clock.start();
+  const bool handled = QApplication::notify(receiver, event);
+  const qint64 whole_ns = clock.nsecsElapsed();
+  --depth_;
+  spent_ns_[panel] += whole_ns - (painted_ns_ - painted_before);
+  if (paint) {
+    painted_ns_ = painted_before + whole_ns;
+    if (panel != "window") shown_ns_ = since_begin_.nsecsElapsed();
+  }
+  return handled;
+}
+
+void TimedApplication::begin() {
+  begun_ = true;
+  shown_ns_ = 0;
+  since_begin_.start();
+}
+
+DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& model, workbench::Stage stage, int edits) {
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat);
+  workbench::Workbench bench(settings);
+  const QString path = folder.filePath(QStringLiteral("bench.tactus.json"));
+  TACTUS_CHECK(model_io::writeModel(model, path.toStdString()).has_value());
+  bench.window.resize(1920, 1080);
+  bench.window.show();
+  bench.models.open(path);
+  bench.window.enter(stage);
+  runFor(800);
+  if (const QByteArray picture = qgetenv("TACTUS_BENCH_PICTURE"); !picture.isEmpty()) {
+    bench.window.grab().save(QString::fromLocal8Bit(picture));
+  }
+
+  bench.terms.setVariable("depth");
+  bench.terms.beginMove({1, workbench::Grip::Part::kVertex, 3, false});
+  DragTimes out;
+#ifdef TACTUS_FRAME_CLOCK
+  auto* const strip = bench.edit_parts.findChild<workbench::FrameClock*>();
+#endif
+  for (int i = -kWarmUp; i < edits; ++i) {
+    application.begin();
+    QElapsedTimer call;
+    call.start();
+    bench.terms.moveBy(place(i));
+    const double call_ms = static_cast<double>(call.nsecsElapsed()) / 1e6;
+    while ((application.shownMs() == 0 || application.calmMs() < kCalmMs) && application.calmMs() < kMostMs) runFor(5);
+    if (i < 0) continue;
+    out.call_ms.push_back(call_ms);
+    out.shown_ms.push_back(application.shownMs());
+#ifdef TACTUS_FRAME_CLOCK
+    out.strip_ms.push_back(strip->finest()->last_ms);
+#endif
+  }
+  for (const auto& [panel, ns] : application.spentNs()) {
+    out.panel_ms[panel] = static_cast<double>(ns) / 1e6 / (edits + kWarmUp);
+  }
+#ifdef TACTUS_FRAME_CLOCK
+  QObject::connect(strip, &workbench::FrameClock::measured, strip,
+                   [&] { out.drag_ms.push_back(strip->finest()->last_ms); });
+  for (int i = 0; i < edits; ++i) {
+    bench.terms.moveBy(place(edits + i));
+    runFor(kFrameMs);
+  }
+  runFor(200);
+#endif
+  bench.terms.endMove();
+  return out;
+}
+
+}  // namespace tactus::bench

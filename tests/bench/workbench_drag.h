@@ -1,0 +1,54 @@
+// A vertex dragged in the real window, without a display: how long until all plots are painted, and where the time
+// goes.
+#pragma once
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/workbench/views/stage.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::bench {
+
+/// Times the events of the window: painting by the panel that is painted, everything else by the panel that gets it.
+class TimedApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+
+  bool notify(QObject* receiver, QEvent* event) override;
+
+  /// Begins an edit.
+  void begin();
+  /// From `begin` to the end of the last paint event of a panel, ms; 0 before the first one.
+  double shownMs() const { return static_cast<double>(shown_ns_) / 1e6; }
+  /// Since the last paint event of a panel, or since `begin`, ms.
+  double calmMs() const { return static_cast<double>(since_begin_.nsecsElapsed() - shown_ns_) / 1e6; }
+  /// Work and painting by panel since the first `begin`, ns.
+  const std::map<std::string, qint64>& spentNs() const { return spent_ns_; }
+
+ private:
+  std::map<std::string, qint64> spent_ns_;
+  QElapsedTimer since_begin_;
+  qint64 shown_ns_ = 0;
+  qint64 painted_ns_ = 0;
+  int depth_ = 0;
+  bool begun_ = false;
+};
+
+/// What the edits of a drag took.
+struct DragTimes {
+  std::vector<double> call_ms;             ///< the call that makes the edit and hands it to everybody
+  std::vector<double> shown_ms;            ///< until the last panel is painted
+  std::vector<double> strip_ms;            ///< the same as the strip of the window says
+  std::vector<double> drag_ms;             ///< the strip again, while edits come with every frame
+  std::map<std::string, double> panel_ms;  ///< work and painting, per edit
+};
+
+/// Drags a vertex of the depth terms in `stage`, in a window of 1920 x 1080 px: `edits` times alone, and as often in a
+/// drag with an edit in every frame.
+DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& model, workbench::Stage stage, int edits);
+
+}  // namespace tactus::bench
