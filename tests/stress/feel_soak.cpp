@@ -1,16 +1,12 @@
-// Many hands under the servo. Stops at the first thing that must not happen, with what is needed to repeat it.
+// Many hands under the servo.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
-#include <iostream>
-#include <mutex>
 #include <string>
-#include <thread>
-#include <vector>
 
 #include "core/base/text.h"
 
 #include "tests/stress/feel_run.h"
+#include "tests/stress/soak_runner.h"
 
 namespace tactus::stress {
 namespace {
@@ -25,48 +21,39 @@ std::string wrong(const FeelRun& run) {
   return {};
 }
 
-bool soak(std::uint64_t first, std::uint64_t count, unsigned threads) {
-  std::atomic<std::uint64_t> next = first;
-  std::atomic<bool> failed = false;
-  std::mutex mutex;  // guards what follows
+bool soakRuns(const SoakOptions& options) {
   FeelRun worst;
   int tripped = 0;
-  const auto work = [&] {
-    for (std::uint64_t number = next++; number < first + count && !failed; number = next++) {
-      const FeelRun run = feelRun(number);
-      const std::lock_guard lock(mutex);
-      tripped += run.tripped ? 1 : 0;
-      worst.ripple_n = std::max(worst.ripple_n, run.most_ripple_n > 0 ? run.ripple_n : 0);
-      worst.transitions = std::max(worst.transitions, run.most_transitions > 0 ? run.transitions : 0);
-      worst.lowest_certificate_mj = std::min(worst.lowest_certificate_mj, run.lowest_certificate_mj);
-      worst.largest_depth_error_mm = std::max(worst.largest_depth_error_mm, run.largest_depth_error_mm);
-      if (const std::string what = wrong(run); !what.empty() && !failed.exchange(true)) {
-        std::cout << "Run " << number << ": " << what << "\n  " << run.what << "\n  Repeat: feel_soak 1 --first "
-                  << number << '\n';
-      }
-    }
+  const auto run = [&](std::uint64_t number) {
+    const FeelRun found = feelRun(number);
+    const auto note = [&worst, &tripped, found] {
+      tripped += found.tripped ? 1 : 0;
+      worst.ripple_n = std::max(worst.ripple_n, found.most_ripple_n > 0 ? found.ripple_n : 0);
+      worst.transitions = std::max(worst.transitions, found.most_transitions > 0 ? found.transitions : 0);
+      worst.lowest_certificate_mj = std::min(worst.lowest_certificate_mj, found.lowest_certificate_mj);
+      worst.largest_depth_error_mm = std::max(worst.largest_depth_error_mm, found.largest_depth_error_mm);
+    };
+    std::string trouble = wrong(found);
+    if (!trouble.empty()) trouble += "\n" + found.what;
+    return SoakCase{note, std::move(trouble)};
   };
-  std::vector<std::thread> workers;
-  for (unsigned t = 0; t < threads; ++t) workers.emplace_back(work);
-  for (auto& worker : workers) worker.join();
-  std::cout << next - first - threads << " runs from number " << first << "; tripped " << tripped
-            << "; most transitions " << worst.transitions << ", largest ripple " << base::formatFixed(worst.ripple_n, 4)
-            << " N, lowest certificate " << base::formatNumber(worst.lowest_certificate_mj)
-            << " mJ, largest error of the depth " << base::formatNumber(worst.largest_depth_error_mm) << " mm\n";
-  return !failed;
+  const auto summary = [&] {
+    return "tripped " + std::to_string(tripped) + "; most transitions " + std::to_string(worst.transitions) +
+           ", largest ripple " + base::formatFixed(worst.ripple_n, 4) + " N, lowest certificate " +
+           base::formatNumber(worst.lowest_certificate_mj) + " mJ, largest error of the depth " +
+           base::formatNumber(worst.largest_depth_error_mm) + " mm";
+  };
+  return soak(options, "feel_soak", run, summary);
 }
 
 }  // namespace
 }  // namespace tactus::stress
 
 int main(int argc, char** argv) {
-  std::uint64_t count = 50000;
-  std::uint64_t first = 0;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  // A run is known by its number alone; the seed changes nothing.
+  tactus::stress::SoakOptions options{.count = 50000};
   CLI::App app{"Simulated hands under the servo: stability, limits, energy and depth"};
-  app.add_option("count", count, "how many runs");
-  app.add_option("--first", first, "number of the first run");
-  app.add_option("--threads", threads, "threads")->check(CLI::Range(1, 256));
+  addSoakOptions(app, options);
   CLI11_PARSE(app, argc, argv);
-  return tactus::stress::soak(first, count, threads) ? 0 : 1;
+  return tactus::stress::soakRuns(options) ? 0 : 1;
 }
