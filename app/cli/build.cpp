@@ -48,6 +48,16 @@ Result<elicitation::WeightSettings> weightSettings(const std::string& word) {
   return settings;
 }
 
+/// An error of `buildModel`, told to whom it concerns: the file it names, an option, or the study.
+tl::unexpected<base::Error> explained(base::Error error, const BuildOptions& options, const std::string& weights_file) {
+  if (error.file.empty() && (error.place == "alpha" || error.place == "trim")) {
+    error.place = "--" + error.place;
+    return tl::unexpected(std::move(error));
+  }
+  if (!error.file.empty() && error.file == weights_file) return tl::unexpected(std::move(error));
+  return study::inStudyFolder(std::move(error), options.study);
+}
+
 /// What a build gives besides the model file.
 struct Results {
   const elicitation::BuiltModel& built;
@@ -128,10 +138,7 @@ Result<Output> build(const BuildOptions& options) {
   settings.weights = std::move(*weights);
   settings.terms = options.own_terms ? elicitation::SpeedTermsOf::kOwn : elicitation::SpeedTermsOf::kAveraged;
   auto built = elicitation::buildModel(tables->study, session::knownForms(), settings);
-  if (!built) {
-    const bool about_weights = !built.error().file.empty() && built.error().file == weights_file;
-    return about_weights ? tl::unexpected(built.error()) : study::inStudyFolder(built.error(), options.study);
-  }
+  if (!built) return explained(built.error(), options, weights_file);
   const auto compiled = fuzzy::compile(built->model);
   if (!compiled) return inFile(compiled.error(), options.study);
   std::string no_intervals;

@@ -168,6 +168,10 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
   addCommands(app, chosen);
   addStudyCommands(app, chosen);
   addDeviceCommands(app, chosen, {&in, &out}, {&in, &err});
+  if (arguments.empty()) {
+    err << app.help();
+    return kWrongUsage;
+  }
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
   try {
     app.parse(std::move(arguments));

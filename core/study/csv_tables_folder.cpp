@@ -103,7 +103,10 @@ Result<void> checkFolder(const std::string& folder) {
 }
 
 std::string nameOf(const fs::path& folder) {
-  const fs::path plain = folder.lexically_normal();
+  // `.` and `..` have no name of their own; where the path cannot be made absolute it stays as it was given.
+  std::error_code error;
+  const fs::path whole = fs::absolute(folder, error);
+  const fs::path plain = (error ? folder : whole).lexically_normal();
   return (plain.has_filename() ? plain : plain.parent_path()).filename().string();
 }
 

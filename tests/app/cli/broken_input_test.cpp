@@ -142,6 +142,13 @@ TEST(WrongUsage, HasStatusTwo) {
   }
 }
 
+TEST(WrongUsage, NoCommandShowsWhichThereAre) {
+  const ProgramRun run(std::vector<std::string>{});
+  for (const char* command : {"demo", "build", "eval", "simulate", "study", "devices"}) {
+    EXPECT_NE(run.err.find(std::string("\n  ") + command), std::string::npos) << run.err;
+  }
+}
+
 TEST(WrongUsage, HelpIsNotWrong) {
   for (const char* command : {"demo", "build", "cluster", "vote", "eval", "check"}) {
     const ProgramRun run({command, "--help"});

@@ -47,6 +47,23 @@ class BuildMessages : public testing::Test {
   std::string out_ = folder_.file("m.tactus.json");
 };
 
+TEST_F(BuildMessages, AnOptionOutOfRangeIsNamedAsTheOption) {
+  const ProgramRun run = build({"--alpha", "2"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "tactus: --alpha: found 2, wanted a number above 0.5 and at most 1\n");
+}
+
+TEST_F(BuildMessages, AFolderGivenAsADotGivesTheModelItsName) {
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(study_);
+  const ProgramRun run({"build", ".", "--out", out_});
+  std::filesystem::current_path(before);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto model = model_io::readModel(out_);
+  ASSERT_TRUE(model.has_value());
+  EXPECT_EQ(model->model.name, "study");
+}
+
 TEST_F(BuildMessages, MistakesOfATableNameFileLineAndColumn) {
   write("rules", kRules + "A,wel,,,,small,,\n");
   EXPECT_EQ(refusal(), "st/rules.csv: line 2, column 'lubrication': found 'wel', wanted one of poor, medium, well\n");
