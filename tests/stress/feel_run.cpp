@@ -226,8 +226,11 @@ void expect(const FeelCase& one, FeelRun& run) {
   // A slow hand is a soft spring: a break-away force much above the sliding one is stick-slip, as in a real tube. The
   // ageing of docs/renderer.md leaves room for one round in 0.35 s.
   if (one.motion == Motion::kSlowPush) run.most_transitions = 2 * 12;
-  // Above 0.4 N/mm one count of the device is a step of more than 0.02 N.
-  if (one.motion == Motion::kSlowPush) run.most_ripple_n = one.friction.stiffness_n_mm <= 0.4 ? 0.01 : 0.02;
+  // Above 0.4 N/mm one count of the device is a step of the force that a hand feels by itself; a tenth of it gets past
+  // the filter.
+  const double count_n = one.friction.stiffness_n_mm * one.device.count_mm;
+  if (one.motion == Motion::kSlowPush)
+    run.most_ripple_n = one.friction.stiffness_n_mm <= 0.4 ? 0.01 : std::max(0.02, 0.1 * count_n);
 }
 
 std::string describe(const FeelCase& one) {
