@@ -25,7 +25,10 @@ class JsonBuilder : public nlohmann::json::json_sax_t {
 
   bool null() override { return scalar(JsonKind::kNull, {}); }
   bool boolean(bool value) override { return scalar(value ? JsonKind::kTrue : JsonKind::kFalse, {}); }
-  bool number_integer(number_integer_t value) override { return scalar(JsonKind::kNumber, std::to_string(value)); }
+  bool number_integer(number_integer_t value) override {
+    // The parser calls this for negative numbers alone, so 0 stood there as -0, which is another double.
+    return scalar(JsonKind::kNumber, value == 0 ? "-0" : std::to_string(value));
+  }
   bool number_unsigned(number_unsigned_t value) override { return scalar(JsonKind::kNumber, std::to_string(value)); }
   bool number_float(number_float_t, const string_t& digits) override {
     // The parser puts the locale's decimal point into the digits.

@@ -37,7 +37,7 @@ fuzzy::ForceModel handMadeModel() {
                                 {"force", model.output.terms}};
   model.experts[0].rules[3].weight = 1.0 / 3;
   model.experts[0].rules[4].enabled = false;
-  model.experts.push_back({"no rules/~", "", 0, {}, {}});
+  model.experts.push_back({"no rules/~", "", -0.0, {}, {}});
   model.renderer.emplace();
   model.renderer->stiffness_n_mm = 0.1 + 0.2;
   model.checks = {{{1, 45, 600.5, -30}, -0.1, false}};
