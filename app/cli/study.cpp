@@ -26,6 +26,8 @@ std::string infoAsText(const std::string& file, const store::StudyInfo& info) {
                      base::oneLine(info.program) + "\n  version of the file " + std::to_string(info.version) +
                      "\n  id " + toText(info.id) + '\n';
   for (const auto& count : info.counts) text += "  " + count.table + ' ' + std::to_string(count.rows) + '\n';
+  if (info.placements > 0) text += "  placements felt: " + std::to_string(info.placements) + " of the events\n";
+  if (info.feel_recordings > 0) text += "  recordings of feeling: " + std::to_string(info.feel_recordings) + '\n';
   if (info.simulated_persons > 0) {
     text += "  simulated: " + std::to_string(info.simulated_persons) + " of the persons\n";
   }
@@ -37,6 +39,7 @@ std::string infoAsJson(const std::string& file, const store::StudyInfo& info) {
   json.beginObject().key("file").value(file).key("id").value(toText(info.id)).key("name").value(info.name);
   json.key("created_utc").value(utcText(info.created_utc_ms)).key("program").value(info.program);
   json.key("version").value(info.version).key("simulated_persons").value(info.simulated_persons);
+  json.key("placements").value(info.placements).key("feel_recordings").value(info.feel_recordings);
   json.key("rows");
   writeCounts(info.counts, json);
   json.endObject();

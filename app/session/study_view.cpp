@@ -70,8 +70,16 @@ class Reader {
     const auto profiles = store::profiles(file_);
     if (!profiles) return tl::unexpected(profiles.error());
 
+    // Who only felt models, such as the researcher, is no participant of the elicitation.
+    std::map<RecordId, bool> only_felt;
+    for (const auto& session : *sessions) {
+      const bool felt = session.kind == study::SessionKind::kUsability;
+      const auto [it, is_new] = only_felt.try_emplace(session.person, felt);
+      it->second = it->second && felt;
+    }
     std::map<RecordId, std::size_t> place_of;
     for (const auto& person : *persons) {
+      if (const auto it = only_felt.find(person.id); it != only_felt.end() && it->second) continue;
       place_of[person.id] = view_.study.participants.size();
       study::Participant participant;
       participant.code = person.code;
@@ -80,11 +88,13 @@ class Reader {
     }
     std::map<RecordId, std::size_t> participant_of_session;
     for (const auto& session : *sessions) {
+      if (!place_of.contains(session.person)) continue;
       const std::size_t place = place_of.at(session.person);
       participant_of_session[session.id] = place;
       if (session.kind != study::SessionKind::kUsability) codes_[session.id] = view_.study.participants[place].code;
     }
     for (const auto& profile : *profiles) {  // the latest holds
+      if (!participant_of_session.contains(profile.entry.session)) continue;
       auto& participant = view_.study.participants[participant_of_session.at(profile.entry.session)];
       participant.years_experience = profile.years_experience;
       participant.category = profile.category;

@@ -93,7 +93,8 @@ std::vector<RecordTable> makeTables() {
                               {{"kind", Kind::kText, "", "What happened, for example stage_entered, paused"},
                                {"detail", Kind::kJson, "", "More about it", "", true}}));
   tables.push_back(entryTable(
-      "stroke", "strokes.csv", "An insertion movement of the speed experiment",
+      "stroke", "strokes.csv",
+      "An insertion movement of the speed experiment, or with the level feel a piece of a recording of feeling a model",
       {{"level", Kind::kText, "", "The speed that was asked for"},
        {"number", Kind::kInteger, "", "From 1 within the level and session; a repeated stroke keeps its number"},
        {"attempt", Kind::kInteger, "", "From 1"},

@@ -5,6 +5,7 @@
 #include "core/base/sha256.h"
 #include "core/store/conflicts.h"
 #include "core/store/entry_tables.h"
+#include "core/store/feel_records.h"
 #include "core/store/recording_codec.h"
 
 namespace tactus::store {
@@ -74,6 +75,10 @@ Result<StudyInfo> studyInfo(const StudyFile& file) {
     for (const char* table : {"person", "session"}) add(table);
     for (const std::string_view table : kEntryTables) add(table);
     for (const char* table : {"model_version", "tombstone", "import_log"}) add(table);
+    const auto felt = feelCounts(file);
+    if (!felt) throw Refusal{felt.error()};
+    info.placements = felt->placements;
+    info.feel_recordings = felt->recordings;
     return info;
   });
 }
@@ -86,6 +91,9 @@ Result<std::vector<std::string>> checkStudy(const StudyFile& file) {
     for (auto& conflict : conflicts(connection)) findings.push_back(std::move(conflict));
     checkRecordings(connection, findings);
     checkModels(connection, findings);
+    auto felt = checkFeelRecords(file);
+    if (!felt) throw Refusal{std::move(felt.error())};
+    for (auto& finding : *felt) findings.push_back(std::move(finding));
     return findings;
   });
 }

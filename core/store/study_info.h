@@ -23,6 +23,8 @@ struct StudyInfo {
   std::string program;  ///< that made the file
   int version = 0;      ///< of the schema
   long long simulated_persons = 0;
+  long long placements = 0;        ///< of a tube while a model was felt (feel_records.h), told in events
+  long long feel_recordings = 0;   ///< of feeling a model, told in events, their pieces in strokes
   std::vector<TableCount> counts;  ///< of person, session, each kind of record, model_version, tombstone, import_log
 };
 
@@ -31,7 +33,8 @@ base::Result<StudyInfo> studyInfo(const StudyFile& file);
 /// Looks for anything that is not as it should be, one sentence each; empty when all is well: the integrity of the file
 /// and of its references, numbers missing in the order of a session (a lost record) or given twice (a session that went
 /// on in two copies of the file), strokes without recording, recordings and model texts that do not fit their
-/// checksums, codes of two persons, records with two corrections. Reads the whole file.
+/// checksums, codes of two persons, records with two corrections, placements and recordings of feeling a model that do
+/// not fit (feel_records.h). Reads the whole file.
 base::Result<std::vector<std::string>> checkStudy(const StudyFile& file);
 
 }  // namespace tactus::store

@@ -66,7 +66,7 @@ struct ProfileRecord {
 
 enum class SessionKind {
   kElicitation,  ///< speed, force and questionnaire, with an expert
-  kUsability,    ///< a clinical teacher who tried the simulator (paper, Section 5.4)
+  kUsability,    ///< somebody felt a model: a clinical teacher (paper, Section 5.4), an expert, the researcher
   kImport,       ///< tables that were read from files
 };
 
@@ -117,7 +117,7 @@ struct Recording {
   bool operator==(const Recording&) const = default;
 };
 
-/// One insertion movement of the speed experiment.
+/// One insertion movement of the speed experiment, or a piece of a recording (feel_records.h).
 struct StrokeRecord {
   Entry entry;
   std::string level;  ///< term id of the speed that was asked for

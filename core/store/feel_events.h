@@ -1,0 +1,30 @@
+// How placements and recordings of feeling a model stand in events. Private to core/store.
+#pragma once
+
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/study/feel_records.h"
+
+namespace tactus::store {
+
+// Kinds of events, and the level of the strokes that are pieces of recordings.
+inline constexpr std::string_view kPlacementKind = "placement";
+inline constexpr std::string_view kFeelStartKind = "recording_started";
+inline constexpr std::string_view kFeelEndKind = "recording_finished";
+inline constexpr std::string_view kFeelLevel = "feel";
+inline constexpr std::string_view kFeelVerdict = "recorded";
+
+study::EventRecord eventOf(const study::PlacementRecord& record);
+study::EventRecord eventOf(const study::FeelStart& record);
+study::EventRecord eventOf(const study::FeelEnd& record);
+study::StrokeRecord strokeOf(const study::FeelPiece& record);
+
+/// The record that an event tells; an error where its detail does not fit its kind.
+base::Result<study::PlacementRecord> placementOf(const study::EventRecord& event);
+base::Result<study::FeelStart> feelStartOf(const study::EventRecord& event);
+base::Result<study::FeelEnd> feelEndOf(const study::EventRecord& event);
+/// Any stroke of the level kFeelLevel is a piece.
+study::FeelPiece feelPieceOf(study::StrokeRecord stroke);
+
+}  // namespace tactus::store

@@ -1,0 +1,67 @@
+// What is kept of feeling a model: placements of the tube in numbers, and recordings of the hand and the force. They
+// stand in a session of the kind usability as events and pieces of recordings (docs/study-file.md, "Feeling a model").
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/study/record_id.h"
+#include "core/study/session_records.h"
+
+namespace tactus::study {
+
+/// What was felt, and on what.
+struct FeltSetting {
+  std::string device;                        ///< name and serial number
+  bool simulated = false;                    ///< no hardware: hand, device and force were calculated
+  std::string model;                         ///< its name
+  std::optional<RecordId> model_version;     ///< the version in the same study; nothing: a model beside the study
+  std::map<std::string, double> conditions;  ///< of tube and patient, by the id of the model's input, in its unit
+
+  bool operator==(const FeltSetting&) const = default;
+};
+
+/// One placement of the tube, from the first grip to the last release.
+struct PlacementRecord {
+  Entry entry;
+  FeltSetting setting;
+  double duration_s = 0;
+  int strokes = 0;
+  double peak_force_n = 0;  ///< largest resistance that was felt
+  double mean_force_n = 0;  ///< mean resistance while the hand held the tube
+  double depth_mm = 0;      ///< deepest place of the tip
+
+  bool operator==(const PlacementRecord&) const = default;
+};
+
+/// The beginning of a recording. The id of its entry names the recording.
+struct FeelStart {
+  Entry entry;
+  FeltSetting setting;
+  int number = 1;  ///< from 1 within the session
+
+  bool operator==(const FeelStart&) const = default;
+};
+
+/// A few seconds of a recording, which are stored while it goes on.
+struct FeelPiece {
+  Entry entry;
+  int recording = 1;  ///< FeelStart::number
+  int number = 1;     ///< from 1 within the recording, without gaps
+  Recording samples;  ///< channels as in docs/study-file.md
+
+  bool operator==(const FeelPiece&) const = default;
+};
+
+/// The end of a recording. A recording without one was ended by a crash, and holds what was stored until then.
+struct FeelEnd {
+  Entry entry;
+  int recording = 1;  ///< FeelStart::number
+  int pieces = 0;     ///< how many there are
+
+  bool operator==(const FeelEnd&) const = default;
+};
+
+}  // namespace tactus::study
