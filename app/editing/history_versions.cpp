@@ -98,13 +98,17 @@ class HistoryReader {
 Result<ModelVersion> versionOf(const EditHistory& history, const Event& event) {
   const auto model = history.modelOf(event.state);
   if (!model) return tl::unexpected(model.error());
+  return versionOf(event, *model);
+}
+
+ModelVersion versionOf(const Event& event, const fuzzy::ForceModel& model) {
   ModelVersion out;
   out.id = event.id;
   out.parent = event.parent;
   out.utc_ms = event.stamp.utc_ms;
   out.author = event.stamp.author;
   out.label = std::string(name(event.kind)).append(kSeparator).append(event.label);
-  out.text = model_io::formatModel(*model);
+  out.text = model_io::formatModel(model);
   out.sha256 = base::sha256(out.text);
   return out;
 }

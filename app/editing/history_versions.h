@@ -14,6 +14,9 @@ namespace tactus::editing {
 /// `sign-off: feels right, after 12 edits`). Refused where the model is not in memory; then it is stored already.
 base::Result<study::ModelVersion> versionOf(const EditHistory& history, const Event& event);
 
+/// The same where the model of the event's state is at hand, so that another thread can write it as text.
+study::ModelVersion versionOf(const Event& event, const fuzzy::ForceModel& model);
+
 /// What the study file does not have yet, parents first: to be appended in this order, each then told to
 /// EditHistory::markStored.
 std::vector<study::ModelVersion> unstoredVersions(const EditHistory& history);

@@ -1,4 +1,4 @@
-// tactus-workbench [MODEL]: the program with a window.
+// tactus-workbench [MODEL|STUDY]: the program with a window.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
@@ -21,14 +21,15 @@ int main(int argc, char** argv) {
   arguments.setApplicationDescription(QCoreApplication::translate("main", "Explore force models of expert nurses."));
   arguments.addHelpOption();
   arguments.addVersionOption();
-  arguments.addPositionalArgument(QStringLiteral("model"), QCoreApplication::translate("main", "A *.tactus.json file."),
-                                  QStringLiteral("[model]"));
+  arguments.addPositionalArgument(QStringLiteral("file"),
+                                  QCoreApplication::translate("main", "A model (*.tactus.json) or a study (*.tactus)."),
+                                  QStringLiteral("[file]"));
   arguments.process(application);
 
   QSettings settings;
   tactus::workbench::theme::apply(application, tactus::workbench::theme::storedLook(settings));
   tactus::workbench::Workbench workbench(settings);
   workbench.window.show();
-  if (!arguments.positionalArguments().isEmpty()) workbench.models.open(arguments.positionalArguments().first());
+  if (!arguments.positionalArguments().isEmpty()) workbench.window.openFile(arguments.positionalArguments().first());
   return QApplication::exec();
 }

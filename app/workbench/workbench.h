@@ -3,14 +3,17 @@
 
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/feel_controller.h"
+#include "app/workbench/controllers/feel_store.h"
 #include "app/workbench/controllers/findings_controller.h"
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/recent_files.h"
 #include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/controllers/study_controller.h"
 #include "app/workbench/controllers/term_controller.h"
 #include "app/workbench/views/edit_parts.h"
 #include "app/workbench/views/finding_parts.h"
 #include "app/workbench/views/main_window.h"
+#include "app/workbench/views/study_parts.h"
 
 class QSettings;
 
@@ -23,10 +26,13 @@ struct Workbench {
         edits(models),
         terms(edits),
         findings(edits, scene),
+        study(models, edits),
+        feel_store(feel, scene, study),
         recent(settings),
         window(models, scene, feel, recent, settings),
         edit_parts(window, edits, terms, scene),
-        finding_parts(window, findings, terms) {}
+        finding_parts(window, findings, terms),
+        study_parts(window, study, feel, feel_store, models, recent) {}
 
   ModelController models;
   SceneController scene;
@@ -34,10 +40,13 @@ struct Workbench {
   EditController edits;
   TermController terms;
   FindingsController findings;
+  StudyController study;
+  FeelStore feel_store;
   RecentFiles recent;
   MainWindow window;
   EditParts edit_parts;
   FindingParts finding_parts;
+  StudyParts study_parts;
 };
 
 }  // namespace tactus::workbench

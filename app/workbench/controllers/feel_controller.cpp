@@ -73,14 +73,24 @@ bool FeelController::isNeckFlexed() const {
 }
 
 void FeelController::start(const QString& id) {
-  TACTUS_CHECK(scene_.model() != nullptr);
   stop();
+  startOn(settings_.open_device(id.toStdString()), false, {});
+}
+
+void FeelController::startReplay(std::unique_ptr<haptics::HapticDevice> device, RecordedForce recorded) {
+  stop();
+  devices::OpenedDevice opened;
+  opened.device = std::move(device);
+  startOn(std::move(opened), true, std::move(recorded));
+}
+
+void FeelController::startOn(base::Result<devices::OpenedDevice> opened, bool replay, RecordedForce recorded) {
+  TACTUS_CHECK(scene_.model() != nullptr);
   auto servo_scene = makeScene(kEditFadeS);
   if (!servo_scene) {
     emit failed(text(servo_scene.error().message()));
     return;
   }
-  auto opened = settings_.open_device(id.toStdString());
   if (!opened) {
     emit failed(text(opened.error().message()));
     return;
@@ -91,8 +101,10 @@ void FeelController::start(const QString& id) {
   orders.scene = std::move(*servo_scene);
   orders.placement = ++placements_;
   const haptics::DeviceInfo& info = opened->device->info();
-  const bool by_key = info.simulated || info.buttons == 0;
+  const bool by_key = !replay && (info.simulated || info.buttons == 0);
   orders.enable.kind = by_key ? haptics::EnableKind::kPedal : haptics::EnableKind::kButton;
+  // What was recorded is the hand after its debounce.
+  if (replay) orders.enable.press_debounce_s = 0;
   depth_offset_mm_ = orders.scene->renderer().depth_offset_mm;
   auto run = FeelRun::begin(std::move(*opened), settings_.make_loop, std::move(orders));
   if (!run) {
@@ -100,15 +112,19 @@ void FeelController::start(const QString& id) {
     return;
   }
   run_ = std::move(*run);
+  replay_ = replay;
+  ++runs_;
   latest_ = {};
   history_.clear();
+  history_.setRecorded(std::move(recorded));
   latency_.reset();
   pending_edits_.clear();
   conditions_new_ = false;
   trip_.reset();
   held_ = false;
   target_mm_ = 0;
-  meter_.begin(1);
+  placement_orders_ = 1;
+  meter_.begin(placement_orders_);
   arming_ = 0;
   beat_.start();
   emit tripChanged();
@@ -119,7 +135,7 @@ void FeelController::stop() {
   if (!run_) return;
   beat_.stop();
   run_->end();
-  for (const haptics::Sample& sample : run_->drain()) take(sample);
+  takeAll(run_->drain());
   endPlacement();
   run_.reset();
   latest_.force_n = latest_.source_force_n = latest_.model_force_n = latest_.stretch_mm = 0;
@@ -141,7 +157,8 @@ void FeelController::newPlacement() {
   beat();
   endPlacement();
   run_->orders().placement = ++placements_;
-  meter_.begin(run_->post());
+  placement_orders_ = run_->post();
+  meter_.begin(placement_orders_);
 }
 
 void FeelController::setHeld(bool held) {
@@ -177,7 +194,7 @@ void FeelController::beat() {
   };
   const double speed_before_mm_s = speedOf(latest_);
   const auto samples = run_->drain();
-  for (const haptics::Sample& sample : samples) take(sample);
+  takeAll(samples);
   watchTrip();
   watchRelease();
   if (samples.empty()) return;
@@ -233,6 +250,11 @@ void FeelController::postScene(double fade_s) {
   depth_offset_mm_ = (*servo_scene)->renderer().depth_offset_mm;
   run_->orders().scene = std::move(*servo_scene);
   pending_edits_.push_back({run_->post(), ticks_before});
+}
+
+void FeelController::takeAll(std::span<const haptics::Sample> samples) {
+  for (const haptics::Sample& sample : samples) take(sample);
+  if (!samples.empty()) emit sampled(samples);
 }
 
 void FeelController::take(const haptics::Sample& sample) {

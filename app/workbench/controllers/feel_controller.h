@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/devices/open_device.h"
@@ -64,6 +65,8 @@ class FeelController : public QObject {
 
   FeelState state() const { return state_; }
   bool isRunning() const { return run_ != nullptr; }
+  /// What runs is the replay of a recording.
+  bool isReplay() const { return run_ && replay_; }
   /// What is felt on; nothing while stopped.
   std::optional<haptics::DeviceInfo> device() const;
   /// The hand is one that mouse and keyboard drive.
@@ -77,6 +80,8 @@ class FeelController : public QObject {
   const haptics::Sample& latest() const { return latest_; }
   /// Depth of the tip as the model counts it, mm.
   double depthMm() const;
+  /// What has to be added to the depth of a sample for that.
+  double depthOffsetMm() const { return depth_offset_mm_; }
   /// How far the wish of a live hand is ahead of the tube's grip, mm.
   double lagMm() const { return target_mm_ - (latest_.position_mm - latest_.stretch_mm); }
   double targetMm() const { return target_mm_; }
@@ -89,6 +94,14 @@ class FeelController : public QObject {
   haptics::LoopStatistics statistics() const;
   bool followsHand() const { return follows_hand_; }
   bool isNeckFlexed() const;
+  /// Counts the runs, from 1.
+  std::uint64_t runs() const { return runs_; }
+  /// Samples from before these orders belong to the placement before.
+  std::uint64_t placementOrders() const { return placement_orders_; }
+
+  /// Starts on `device`, which moves by itself as a recording did, with its button as the hand; `recorded` stands
+  /// beside the force. Ends with `stateChanged` or `failed`. A model must be open.
+  void startReplay(std::unique_ptr<haptics::HapticDevice> device, RecordedForce recorded);
 
  public slots:
   /// Starts on the device `id` of the list of devices; ends with `stateChanged` or `failed`. A model must be open.
@@ -115,6 +128,8 @@ class FeelController : public QObject {
   /// New samples; at most 60 times a second, and never while stopped.
   void advanced();
   void tripChanged();
+  /// The same samples, oldest first, every one of them; for who keeps them. Valid during the call.
+  void sampled(std::span<const tactus::haptics::Sample> samples);
   /// The hand moved the tube: depth in mm of the model, speed of the tube inwards in mm/s.
   void handMoved(double depth_mm, double speed_mm_s);
   void placementEnded();
@@ -123,6 +138,8 @@ class FeelController : public QObject {
   void failed(const QString& sentence);
 
  private:
+  void startOn(base::Result<devices::OpenedDevice> opened, bool replay, RecordedForce recorded);
+  void takeAll(std::span<const haptics::Sample> samples);
   void onModel();
   void onValue(std::size_t input);
   void onHandMoved(double depth_mm, double speed_mm_s);
@@ -149,6 +166,9 @@ class FeelController : public QObject {
   bool flexing_ = false;         ///< the change of neck flexion that is coming is a gesture
   bool conditions_new_ = false;  ///< posted at the next beat: a slider that is dragged changes them more often
   std::uint64_t placements_ = 0;
+  std::uint64_t placement_orders_ = 0;
+  std::uint64_t runs_ = 0;
+  bool replay_ = false;
   PlacementMeter meter_;
   std::optional<PlacementSummary> last_placement_;
 

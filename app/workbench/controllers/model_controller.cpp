@@ -18,13 +18,14 @@ void ModelController::edit(fuzzy::ForceModel model, fuzzy::CompiledModel compile
   TACTUS_CHECK(current_ != nullptr);
   OpenModel next;
   next.path = current_->path;
+  next.in_study = current_->in_study;
   next.model = std::move(model);
   next.compiled = std::move(compiled);
   next.warnings = current_->warnings;
   next.simulated = current_->simulated || saysSimulated(next.model);
   current_ = std::make_shared<const OpenModel>(std::move(next));
   emit edited();
-  setModified(current_->model != on_disk_->model);
+  setModified(!current_->in_study && current_->model != on_disk_->model);
 }
 
 void ModelController::open(const QString& path) {
@@ -44,12 +45,43 @@ void ModelController::openRead(OpenModel model) {
   setModified(false);
 }
 
+void ModelController::moveIntoStudy(const QString& path) {
+  TACTUS_CHECK(current_ != nullptr);
+  OpenModel next = *current_;
+  next.path = path;
+  next.in_study = true;
+  current_ = std::make_shared<const OpenModel>(std::move(next));
+  on_disk_ = current_;
+  setModified(false);
+  emit saved(path);
+}
+
+void ModelController::moveOutOfStudy(const QString& path) {
+  TACTUS_CHECK(current_ != nullptr);
+  OpenModel next = *current_;
+  next.path = path;
+  next.in_study = false;
+  current_ = std::make_shared<const OpenModel>(std::move(next));
+  on_disk_ = current_;
+  emit saved(path);
+}
+
 void ModelController::reopen() {
-  if (current_) open(current_->path);
+  if (!current_) return;
+  if (current_->in_study) {
+    emit reopenFromStudy();
+  } else {
+    open(current_->path);
+  }
 }
 
 void ModelController::save() {
-  if (current_) saveAs(current_->path);
+  if (!current_) return;
+  if (current_->in_study) {
+    emit storeNow();
+  } else {
+    saveAs(current_->path);
+  }
 }
 
 void ModelController::saveAs(const QString& path) {
@@ -61,6 +93,10 @@ void ModelController::saveAs(const QString& path) {
   const base::Result<void> written = model_io::writeModel(next.model, next.path.toStdString());
   if (!written) {
     emit saveFailed(next.path, QString::fromStdString(written.error().message()));
+    return;
+  }
+  if (next.in_study) {
+    emit copied(next.path);
     return;
   }
   current_ = std::make_shared<const OpenModel>(std::move(next));

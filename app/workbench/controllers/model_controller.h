@@ -19,7 +19,8 @@ class ModelController : public QObject {
   /// The open model, or null before the first one. What it points to never changes; an edit makes a new one.
   std::shared_ptr<const OpenModel> current() const { return current_; }
 
-  /// Whether the open model differs from its file, as it was read or saved last. Undoing every edit clears it.
+  /// Whether the open model differs from its file, as it was read or saved last. Undoing every edit clears it. False
+  /// for a model that a study keeps: the study stores every edit.
   bool isModified() const { return modified_; }
 
   /// Puts `model` in the place of the open one, which keeps its path, and emits `edited`. A model that does not make
@@ -30,15 +31,21 @@ class ModelController : public QObject {
   /// Opens a model that was read already, from a study for example; its path is where `save` writes it. Ends with
   /// `opened`.
   void openRead(OpenModel model);
+  /// From now on the study `path` keeps the open model.
+  void moveIntoStudy(const QString& path);
+  /// The study does not keep it any more: its file would be `path`, where nothing is yet.
+  void moveOutOfStudy(const QString& path);
 
  public slots:
   /// Reads the model file `path`; ends with `opened` or `openFailed`.
   void open(const QString& path);
-  /// Reads the file of the open model again.
+  /// Reads the file of the open model again. Of one that a study keeps, asks for `reopenFromStudy`.
   void reopen();
-  /// Writes the open model to its file, whole or not at all; ends with `saved` or `saveFailed`.
+  /// Writes the open model to its file, whole or not at all; ends with `saved` or `saveFailed`. Of one that a study
+  /// keeps, asks for `storeNow`.
   void save();
-  /// Writes the open model to `path`, which is its file from then on.
+  /// Writes the open model to `path`, which is its file from then on; a study goes on keeping its model, and the file
+  /// is a copy.
   void saveAs(const QString& path);
 
  signals:
@@ -48,6 +55,10 @@ class ModelController : public QObject {
   void edited();
   void modifiedChanged(bool modified);
   void saved(const QString& path);
+  /// The model of a study was written to a file of its own.
+  void copied(const QString& path);
+  void storeNow();
+  void reopenFromStudy();
   void saveFailed(const QString& path, const QString& sentence);
 
  private:

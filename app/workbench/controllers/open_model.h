@@ -11,7 +11,8 @@
 namespace tactus::workbench {
 
 struct OpenModel {
-  QString path;
+  QString path;           ///< of its file, or of the study that keeps it
+  bool in_study = false;  ///< the open study keeps it, version by version
   fuzzy::ForceModel model;
   fuzzy::CompiledModel compiled;
   QStringList warnings;    ///< of reading the file, one sentence each

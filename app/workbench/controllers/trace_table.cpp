@@ -30,8 +30,18 @@ PlotTable traceTable(const SceneController& scene, const FeelHistory& history,
   PlotTable table = captionedTable(scene, tr("force felt in the last %1 s").arg(numberText(FeelHistory::kTraceS)),
                                    moving, {felt_on}, QStringLiteral("-force-trace"));
   table.columns = {"time_s", "force_n", "model_force_n", "source_force_n"};
+  if (history.hasRecorded()) table.columns.emplace_back("recorded_force_n");
   for (const TracePoint& point : history.trace()) {
-    table.rows.push_back({point.time_s - history.nowS(), point.force_n, point.model_n, point.friction_n});
+    auto& row = table.rows.emplace_back();
+    for (const double value : {point.time_s - history.nowS(), point.force_n, point.model_n, point.friction_n}) {
+      row.emplace_back(value);
+    }
+    if (!history.hasRecorded()) continue;
+    if (point.recorded_n) {
+      row.emplace_back(*point.recorded_n);
+    } else {
+      row.emplace_back();
+    }
   }
   return table;
 }

@@ -35,6 +35,7 @@ ForceTracePlot::ForceTracePlot(QWidget* parent) : QWidget(parent), plot_(makePlo
   limits_ = addLine(*plot_, Qt::NoPen);
   model_ = addLine(*plot_, QPen(theme::expert(2), 1.4));
   friction_ = addLine(*plot_, QPen(theme::expert(1), 1.4));
+  recorded_ = addLine(*plot_, QPen(theme::mutedInk(), 1.4, Qt::DashLine));
   force_ = addLine(*plot_, QPen(theme::accent(), 2));
   QColor taken = theme::errorInk();
   taken.setAlpha(60);
@@ -83,6 +84,14 @@ void ForceTracePlot::setHistory(const FeelHistory& history) {
     highest_n = std::max({highest_n, point.force_n, split_ ? std::max(point.friction_n, point.model_n) : 0});
   }
   force_->setData(time, force, true);
+  QVector<double> recorded_time, recorded;
+  for (const TracePoint& point : trace) {
+    if (!point.recorded_n) continue;
+    recorded_time << point.time_s - history.nowS();
+    recorded << *point.recorded_n;
+    highest_n = std::max(highest_n, *point.recorded_n);
+  }
+  recorded_->setData(recorded_time, recorded, true);
   if (split_) {
     friction_->setData(time, friction, true);
     limits_->setData(time, friction, true);

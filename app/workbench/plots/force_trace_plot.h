@@ -1,4 +1,5 @@
-// The force of the last ten seconds: what the hand feels, or split into fuzzy force, friction and limits.
+// The force of the last ten seconds: what the hand feels, or split into fuzzy force, friction and limits; in a
+// replay the recorded force beside it.
 #pragma once
 
 #include <QWidget>
@@ -33,6 +34,7 @@ class ForceTracePlot : public QWidget, public PlotSource {
  private:
   QCustomPlot* plot_;
   QCPGraph* force_;
+  QCPGraph* recorded_;  ///< of the recording that is replayed
   QCPGraph* friction_;
   QCPGraph* model_;
   QCPGraph* limits_;  ///< fills what the limits took, between friction and force

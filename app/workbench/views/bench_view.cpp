@@ -40,12 +40,13 @@ BenchView::BenchView(SceneController& scene, FeelController& feel, QSettings& se
   curves_ = new CurvesPanel(scene, *readings);
   auto* map = new ForceMapController(scene, this);
   map_ = new MapPanel(scene, *map);
+  feel_panel_ = new FeelPanel(scene, feel);
   panels_->addPanel(QLatin1String(kTerms), tr("Membership functions"), new VariableRow(scene));
   panels_->addPanel(QLatin1String(kCurves), tr("Force curves"), curves_);
   panels_->addPanel(QLatin1String(kReading), tr("Forces here"), new ReadingPanel(scene, *readings));
   panels_->addPanel(QLatin1String(kMap), tr("Map"), map_);
   panels_->addPanel(QLatin1String(kRules), tr("Rules here"), new RulePanel(scene));
-  panels_->addPanel(QLatin1String(kFeel), tr("Feel"), new FeelPanel(scene, feel));
+  panels_->addPanel(QLatin1String(kFeel), tr("Feel"), feel_panel_);
   place();
 
   auto* layout = new QVBoxLayout(this);

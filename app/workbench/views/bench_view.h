@@ -11,6 +11,7 @@ namespace tactus::workbench {
 
 class CurvesPanel;
 class FeelController;
+class FeelPanel;
 class MapPanel;
 class PanelArea;
 class PlotMenu;
@@ -23,6 +24,7 @@ class BenchView : public QWidget {
   BenchView(SceneController& scene, FeelController& feel, QSettings& settings, QWidget* parent = nullptr);
 
   PanelArea& panels() { return *panels_; }
+  FeelPanel& feelPanel() { return *feel_panel_; }
 
   /// What copies and saves the curves, and the map, whether they are shown or not.
   PlotMenu& curvesMenu();
@@ -34,6 +36,7 @@ class BenchView : public QWidget {
   PanelArea* panels_;
   CurvesPanel* curves_;
   MapPanel* map_;
+  FeelPanel* feel_panel_;
 };
 
 }  // namespace tactus::workbench

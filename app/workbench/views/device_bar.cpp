@@ -135,7 +135,7 @@ void DeviceBar::showState() {
   start_->setToolTip(running ? tr("No force from the next tick on (Esc)") : tr("Feel the open model"));
   const auto& list = search_.list().devices;
   const auto chosen = static_cast<std::size_t>(devices_->currentIndex());
-  simulated_->setVisible(chosen < list.size() && list[chosen].simulated);
+  simulated_->setVisible(feel_.isReplay() || (chosen < list.size() && list[chosen].simulated));
   showProgress();
 
   if (const auto trip = feel_.trip()) {
@@ -172,7 +172,7 @@ QString DeviceBar::stateText() const {
     case FeelState::kRunning:
       break;
   }
-  QStringList parts{tr("Running"), feel_.priorityText()};
+  QStringList parts{feel_.isReplay() ? tr("Replaying a recording") : tr("Running"), feel_.priorityText()};
   if (const auto latency = feel_.editLatency())
     parts << tr("edit felt after %1 (longest %2)")
                  .arg(ticksText(latency->last_ticks), numberText(static_cast<double>(latency->longest_ticks)));

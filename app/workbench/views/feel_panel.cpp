@@ -90,11 +90,7 @@ void FeelPanel::build() {
   split_->setToolTip(tr("Show what makes up the force: fuzzy force, friction and limits"));
   follow_->setToolTip(tr("Depth and speed of all plots are those of the tube in the hand"));
   follow_->setChecked(feel_.followsHand());
-  legend_->setText(swatch(theme::accent(), tr("felt")) + QStringLiteral("  ") +
-                   swatch(theme::expert(2), tr("fuzzy force")) + QStringLiteral("  ") +
-                   swatch(theme::expert(1), tr("with friction")) + QStringLiteral("  ") +
-                   swatch(QColor(0xD9, 0xA3, 0xA3), tr("taken by limits")));
-  legend_->setVisible(false);
+  showLegend();
 
   auto* device = new QVBoxLayout;
   device->addWidget(device_);
@@ -141,7 +137,10 @@ void FeelPanel::build() {
   halves_->setContentsMargins(0, 0, 0, 0);
   halves_->setSpacing(theme::kGrid);
   halves_->addLayout(hand_half, 1);
-  halves_->addWidget(cardOf(patient, content), 1);
+  patient_half_ = new QVBoxLayout;
+  patient_half_->setSpacing(theme::kGrid);
+  patient_half_->addWidget(cardOf(patient, content), 1);
+  halves_->addLayout(patient_half_, 1);
 
   auto* scroll = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -154,12 +153,25 @@ void FeelPanel::build() {
   setMinimumWidth(content->minimumSizeHint().width() + theme::kGrid);
 }
 
+void FeelPanel::addCard(QWidget* card) { patient_half_->addWidget(card); }
+
+void FeelPanel::showLegend() {
+  QStringList lines{swatch(theme::accent(), tr("felt"))};
+  if (feel_.history().hasRecorded()) lines << swatch(theme::mutedInk(), tr("felt in the recording"));
+  if (split_->isChecked()) {
+    lines << swatch(theme::expert(2), tr("fuzzy force")) << swatch(theme::expert(1), tr("with friction"))
+          << swatch(QColor(0xD9, 0xA3, 0xA3), tr("taken by limits"));
+  }
+  legend_->setText(lines.join(QStringLiteral("  ")));
+  legend_->setVisible(lines.size() > 1);
+}
+
 void FeelPanel::connectAll() {
   connect(pad_, &TubePad::targetMoved, &feel_, &FeelController::setTarget);
   connect(pad_, &TubePad::gripped, &feel_, &FeelController::setHeld);
   connect(split_, &QCheckBox::toggled, this, [this](bool split) {
     trace_->setSplit(split);
-    legend_->setVisible(split);
+    showLegend();
     trace_->setHistory(feel_.history());
   });
   connect(follow_, &QCheckBox::toggled, &feel_, &FeelController::setFollowsHand);
@@ -200,6 +212,7 @@ void FeelPanel::showState() {
     filtering_ = running;
   }
   placement_->setRunning(running);
+  showLegend();
   showFelt();
 }
 

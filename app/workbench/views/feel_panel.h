@@ -32,6 +32,9 @@ class FeelPanel : public QWidget {
   FeelPanel(SceneController& scene, FeelController& feel, QWidget* parent = nullptr);
   ~FeelPanel() override;
 
+  /// A further card below the placement.
+  void addCard(QWidget* card);
+
  protected:
   /// Space holds the tube and Escape stops, wherever the keyboard is, while a model is felt.
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -45,6 +48,7 @@ class FeelPanel : public QWidget {
   void showState();
   void showFelt();
   void showForce();
+  void showLegend();
   QString limitText() const;
 
   SceneController& scene_;
@@ -65,6 +69,7 @@ class FeelPanel : public QWidget {
   ProcedurePanel* procedure_;
   PlacementCard* placement_;
   QBoxLayout* halves_ = nullptr;
+  QBoxLayout* patient_half_ = nullptr;
   std::optional<fuzzy::Variable> depth_;  ///< whose regions are shown
   bool filtering_ = false;
   bool trace_due_ = false;  ///< the trace is drawn at every second beat

@@ -46,12 +46,14 @@ Stage lastStage(const QSettings& settings) {
   return Stage::kTune;
 }
 
-// The one model file that is dragged, or an empty path.
-QString draggedModel(const QMimeData& data) {
+bool isStudy(const QString& path) { return path.endsWith(QLatin1String(".tactus"), Qt::CaseInsensitive); }
+
+// The one model or study file that is dragged, or an empty path.
+QString draggedFile(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
   if (urls.size() != 1 || !urls.first().isLocalFile()) return {};
   const QString path = urls.first().toLocalFile();
-  return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) ? path : QString();
+  return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || isStudy(path) ? path : QString();
 }
 
 }  // namespace
@@ -151,7 +153,7 @@ void MainWindow::buildMenus() {
 }
 
 void MainWindow::connectAll() {
-  connect(open_, &QAction::triggered, this, &MainWindow::chooseModel);
+  connect(open_, &QAction::triggered, this, &MainWindow::choose);
   connect(reopen_, &QAction::triggered, this, &MainWindow::reopen);
   connect(save_, &QAction::triggered, &models_, &ModelController::save);
   connect(save_as_, &QAction::triggered, this, &MainWindow::chooseCopy);
@@ -163,7 +165,7 @@ void MainWindow::connectAll() {
   connect(reset_layout_, &QAction::triggered, &panels(), &PanelArea::resetLayout);
   connect(shortcuts_, &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(about_, &QAction::triggered, this, &MainWindow::showAbout);
-  connect(start_, &StartView::openRequested, this, &MainWindow::chooseModel);
+  connect(start_, &StartView::openRequested, this, &MainWindow::choose);
   connect(start_, &StartView::recentRequested, this, &MainWindow::openFile);
   connect(rail_, &StageRail::chosen, this, &MainWindow::enter);
   connect(&recent_, &RecentFiles::changed, this, &MainWindow::listRecent);
@@ -182,11 +184,11 @@ void MainWindow::restorePlace() {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!draggedModel(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!draggedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QString path = draggedModel(*event->mimeData());
+  const QString path = draggedFile(*event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
   openFile(path);
@@ -209,17 +211,23 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 void MainWindow::say(const QString& sentence) { strip_->showMessage(sentence); }
 
-void MainWindow::chooseModel() {
+void MainWindow::choose() {
   const auto open = models_.current();
   const QString folder = open ? QFileInfo(open->path).absolutePath() : QString();
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open a model file"), folder, tr("Force models (*.json);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Open a model or a study"), folder,
+      tr("Models and studies (*.json *.tactus);;Force models (*.json);;Studies (*.tactus);;"
+         "All files (*)"));
   if (!path.isEmpty()) openFile(path);
 }
 
 void MainWindow::chooseCopy() {
-  QString path = QFileDialog::getSaveFileName(this, tr("Save the model"), models_.current()->path,
-                                              tr("Force models (*.tactus.json)"));
+  const OpenModel& open = *models_.current();
+  const QFileInfo file(open.path);
+  const QString proposal =
+      open.in_study ? file.absolutePath() + QLatin1Char('/') + file.completeBaseName() + QStringLiteral(".tactus.json")
+                    : open.path;
+  QString path = QFileDialog::getSaveFileName(this, tr("Save the model"), proposal, tr("Force models (*.tactus.json)"));
   if (path.isEmpty()) return;
   if (!path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) path += QStringLiteral(".tactus.json");
   models_.saveAs(path);
@@ -230,7 +238,12 @@ void MainWindow::copyPicture() {
 }
 
 void MainWindow::openFile(const QString& path) {
-  if (mayLoseChanges()) models_.open(path);
+  if (!mayLoseChanges()) return;
+  if (isStudy(path)) {
+    emit studyChosen(path);
+  } else {
+    models_.open(path);
+  }
 }
 
 void MainWindow::reopen() {
@@ -247,6 +260,8 @@ bool MainWindow::mayLoseChanges() {
 }
 
 PanelArea& MainWindow::panels() { return bench_->panels(); }
+
+FeelPanel& MainWindow::feelPanel() { return bench_->feelPanel(); }
 
 void MainWindow::enter(Stage stage) {
   panels().enter(stage);

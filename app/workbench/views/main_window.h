@@ -14,6 +14,7 @@ namespace tactus::workbench {
 
 class BenchView;
 class FeelController;
+class FeelPanel;
 class MessageBanner;
 class ModelController;
 class OperatingStrip;
@@ -32,6 +33,7 @@ class MainWindow : public QMainWindow {
 
   /// Where panels of the stages are added, before a model is opened.
   PanelArea& panels();
+  FeelPanel& feelPanel();
   OperatingStrip& strip() { return *strip_; }
   MessageBanner& banner() { return *banner_; }
   /// Says one sentence in the strip, for a while: what was done, or why something was not. Errors go to the banner.
@@ -39,6 +41,12 @@ class MainWindow : public QMainWindow {
 
  public slots:
   void enter(tactus::workbench::Stage stage);
+  /// Opens a model file, or asks for the study file; changes that are not saved are asked about first.
+  void openFile(const QString& path);
+
+ signals:
+  /// A study file is to be opened.
+  void studyChosen(const QString& path);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -50,10 +58,9 @@ class MainWindow : public QMainWindow {
   void buildMenus();
   void connectAll();
   void restorePlace();
-  void chooseModel();
+  void choose();
   void chooseCopy();
   void copyPicture();
-  void openFile(const QString& path);
   void reopen();
   bool mayLoseChanges();
   void showModel();

@@ -130,7 +130,19 @@ void OperatingStrip::showValue(std::size_t input) {
   numbers_[input]->setValue(scene_.value(input));
 }
 
+void OperatingStrip::showStored(const QString& stored, bool bad) {
+  stored_ = stored;
+  stored_bad_ = bad;
+  if (models_.current()) showSaved();
+}
+
 void OperatingStrip::showSaved() {
+  if (!stored_.isEmpty()) {
+    saved_->setText(stored_);
+    saved_->setToolTip(models_.current()->path);
+    setInk(*saved_, stored_bad_ ? theme::warningInk() : theme::mutedInk());
+    return;
+  }
   const bool modified = models_.isModified();
   saved_->setText(modified ? tr("● Changes not saved") : tr("Saved"));
   saved_->setToolTip(models_.current()->path);

@@ -29,6 +29,9 @@ class OperatingStrip : public QWidget {
   void setFrameTime(QWidget* time);
   /// How long the last edit took until it was felt, or nothing while nothing is felt.
   void showLatency(const QString& latency);
+  /// Where edits are kept instead of in a file, with a word about it; empty: the file's state is shown. `bad`: they are
+  /// not kept now.
+  void showStored(const QString& stored, bool bad);
   /// One sentence, for as long as it takes to read it. Nothing in the window moves for it.
   void showMessage(const QString& sentence);
   const QString& message() const { return message_; }
@@ -52,6 +55,8 @@ class OperatingStrip : public QWidget {
   QTimer* message_time_;
   QString message_;
   std::vector<QLabel*> names_;
+  QString stored_;
+  bool stored_bad_ = false;
   std::vector<NumberBox*> numbers_;
 };
 

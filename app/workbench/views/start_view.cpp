@@ -31,7 +31,7 @@ QLabel* makeLabel(const QString& text, const QFont& font, const QColor& color, Q
 StartView::StartView(const RecentFiles& recent, QWidget* parent)
     : QWidget(parent),
       recent_(recent),
-      open_(new QPushButton(tr("Open a model file…"), this)),
+      open_(new QPushButton(tr("Open a model or a study…"), this)),
       panel_(new QWidget(this)) {
   open_->setMinimumSize(open_->sizeHint().width() + 4 * theme::kGrid, 5 * theme::kGrid);
   open_->setDefault(true);
@@ -39,10 +39,10 @@ StartView::StartView(const RecentFiles& recent, QWidget* parent)
   column_ = new QVBoxLayout(panel_);
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(theme::kGrid);
-  auto* title = makeLabel(tr("Open a model file or drop it here"), theme::titleFont(), theme::ink(), panel_);
+  auto* title = makeLabel(tr("Open a model or a study, or drop it here"), theme::titleFont(), theme::ink(), panel_);
   auto* note =
-      makeLabel(tr("A force model ends in .tactus.json. You will see its membership functions and the force of "
-                   "every expert along the way of the tube."),
+      makeLabel(tr("A force model ends in .tactus.json, a study in .tactus. You will see membership functions and the "
+                   "force of every expert along the way of the tube."),
                 font(), theme::mutedInk(), panel_);
   title->setAlignment(Qt::AlignHCenter);
   note->setAlignment(Qt::AlignHCenter);

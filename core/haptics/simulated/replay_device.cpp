@@ -91,18 +91,25 @@ base::Result<std::unique_ptr<ReplayDevice>> ReplayDevice::make(const study::Reco
   if (auto ok = check(*position, "mm", recording.size()); !ok) return tl::unexpected(std::move(ok.error()));
   auto times_ns = timesOf(recording);
   if (!times_ns) return tl::unexpected(std::move(times_ns.error()));
+  std::vector<bool> down(recording.size(), true);
+  if (const study::Channel* const button = find(recording, "button")) {
+    if (auto ok = check(*button, "1", recording.size()); !ok) return tl::unexpected(std::move(ok.error()));
+    std::transform(button->values.begin(), button->values.end(), down.begin(), [](double value) { return value != 0; });
+  }
   if (!(settings.lead_s >= 0 && settings.lead_s <= 100))
     return fail(ErrorCode::kValue, "replay: lead_s", base::formatNumber(settings.lead_s), "a number in [0, 100]");
   if (!(settings.return_s >= 0.01 && settings.return_s <= 100))
     return fail(ErrorCode::kValue, "replay: return_s", base::formatNumber(settings.return_s),
                 "a number in [0.01, 100]");
-  return std::unique_ptr<ReplayDevice>(new ReplayDevice(std::move(*times_ns), position->values, settings));
+  return std::unique_ptr<ReplayDevice>(
+      new ReplayDevice(std::move(*times_ns), position->values, std::move(down), settings));
 }
 
-ReplayDevice::ReplayDevice(std::vector<std::int64_t> time_ns, std::vector<double> position_mm,
+ReplayDevice::ReplayDevice(std::vector<std::int64_t> time_ns, std::vector<double> position_mm, std::vector<bool> button,
                            const ReplaySettings& settings)
     : time_ns_(std::move(time_ns)),
       position_mm_(std::move(position_mm)),
+      button_(std::move(button)),
       settings_(settings),
       lead_ns_(nanoseconds(settings.lead_s)),
       return_ns_(nanoseconds(settings.return_s)),
@@ -129,11 +136,11 @@ ReplayDevice::Moment ReplayDevice::at(std::int64_t elapsed_ns) const noexcept {
             false};
   }
   const auto after = std::upper_bound(time_ns_.begin(), time_ns_.end(), played_ns);
-  if (after == time_ns_.end()) return {position_mm_.back(), true};
+  if (after == time_ns_.end()) return {position_mm_.back(), button_.back()};
   const auto i = static_cast<std::size_t>(after - time_ns_.begin());
   const double share =
       static_cast<double>(played_ns - time_ns_[i - 1]) / static_cast<double>(time_ns_[i] - time_ns_[i - 1]);
-  return {position_mm_[i - 1] + (position_mm_[i] - position_mm_[i - 1]) * share, true};
+  return {position_mm_[i - 1] + (position_mm_[i] - position_mm_[i - 1]) * share, button_[i - 1]};
 }
 
 DeviceState ReplayDevice::read(std::int64_t now_ns) noexcept {

@@ -33,13 +33,13 @@ struct ToldForce {
 
 /// Positions are those of channel `position`, or `depth` where there is none, at the times of channel `time`, or at
 /// the recording's rate where there is none; in between they lie on straight lines. The button is down while the
-/// recording plays. The first `read` after `start` is time 0; a long pause of the clock is left out as in
-/// VirtualDevice.
+/// recording plays; with a channel `button` (unit 1), at the samples where that is not 0, each until the next one. The
+/// first `read` after `start` is time 0; a long pause of the clock is left out as in VirtualDevice.
 class ReplayDevice final : public HapticDevice {
  public:
-  /// Refused: no such channel or another unit than mm (time: s), fewer than two samples, channels of different length,
-  /// values that are not finite, times that do not rise by a nanosecond at least or span more than 1e6 s, a rate that
-  /// is not above 0, settings out of range.
+  /// Refused: no such channel or another unit than mm (time: s, button: 1), fewer than two samples, channels of
+  /// different length, values that are not finite, times that do not rise by a nanosecond at least or span more than
+  /// 1e6 s, a rate that is not above 0, settings out of range.
   static base::Result<std::unique_ptr<ReplayDevice>> make(const study::Recording& recording,
                                                           const ReplaySettings& settings = {});
 
@@ -61,11 +61,13 @@ class ReplayDevice final : public HapticDevice {
     double position_mm = 0;
     bool button = false;
   };
-  ReplayDevice(std::vector<std::int64_t> time_ns, std::vector<double> position_mm, const ReplaySettings& settings);
+  ReplayDevice(std::vector<std::int64_t> time_ns, std::vector<double> position_mm, std::vector<bool> button,
+               const ReplaySettings& settings);
   Moment at(std::int64_t elapsed_ns) const noexcept;
 
   std::vector<std::int64_t> time_ns_;  ///< from 0, rising
   std::vector<double> position_mm_;
+  std::vector<bool> button_;
   ReplaySettings settings_;
   std::int64_t lead_ns_;
   std::int64_t return_ns_;

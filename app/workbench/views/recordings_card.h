@@ -1,0 +1,43 @@
+// What is felt and kept in the study: who feels, Record, and the recordings with Replay.
+#pragma once
+
+#include "app/workbench/views/card.h"
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace tactus::workbench {
+
+class FeelController;
+class FeelStore;
+class StudyController;
+
+class RecordingsCard : public Card {
+  Q_OBJECT
+
+ public:
+  RecordingsCard(FeelStore& store, StudyController& study, FeelController& feel, QWidget* parent = nullptr);
+
+ private:
+  void build();
+  void listPeople();
+  void listRecordings();
+  void showState();
+  void choose(int person);
+  void replay();
+
+  FeelStore& store_;
+  StudyController& study_;
+  FeelController& feel_;
+  QLabel* hint_;
+  QWidget* content_;
+  QComboBox* who_;
+  QPushButton* record_;
+  QListWidget* list_;
+  QLabel* state_;
+  QPushButton* replay_;
+};
+
+}  // namespace tactus::workbench

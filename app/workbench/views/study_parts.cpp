@@ -1,0 +1,126 @@
+#include "app/workbench/views/study_parts.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+
+#include "app/workbench/controllers/feel_controller.h"
+#include "app/workbench/controllers/feel_store.h"
+#include "app/workbench/controllers/model_controller.h"
+#include "app/workbench/controllers/recent_files.h"
+#include "app/workbench/controllers/study_controller.h"
+#include "app/workbench/views/feel_panel.h"
+#include "app/workbench/views/main_window.h"
+#include "app/workbench/views/message_banner.h"
+#include "app/workbench/views/operating_strip.h"
+#include "app/workbench/views/recordings_card.h"
+
+namespace tactus::workbench {
+
+StudyParts::StudyParts(MainWindow& window, StudyController& study, FeelController& feel, FeelStore& store,
+                       const ModelController& models, RecentFiles& recent)
+    : window_(window), study_(study), feel_(feel), store_(store), models_(models), recent_(recent) {
+  buildMenu();
+  window_.feelPanel().addCard(new RecordingsCard(store, study, feel));
+  window_.installEventFilter(this);
+  connectAll();
+  showState();
+}
+
+void StudyParts::buildMenu() {
+  auto* menu = new QMenu(tr("&Study"), &window_);
+  make_ = menu->addAction(tr("&New study…"));
+  make_->setShortcut(QKeySequence::New);
+  show_ = menu->addAction(tr("Show the study's &model"));
+  menu->addSeparator();
+  put_ = menu->addAction(tr("&Put the open model into the study"));
+  build_ = menu->addAction(tr("&Build the averaged model from the answers"));
+  menu->addSeparator();
+  close_ = menu->addAction(tr("&Close the study"));
+  const QList<QAction*> menus = window_.menuBar()->actions();
+  window_.menuBar()->insertMenu(menus.value(2), menu);
+}
+
+void StudyParts::connectAll() {
+  connect(make_, &QAction::triggered, this, &StudyParts::chooseNew);
+  connect(show_, &QAction::triggered, &study_, &StudyController::openModel);
+  connect(put_, &QAction::triggered, &study_, &StudyController::putModel);
+  connect(build_, &QAction::triggered, &study_, &StudyController::buildModel);
+  connect(close_, &QAction::triggered, &study_, &StudyController::close);
+  connect(&window_, &MainWindow::studyChosen, &study_, &StudyController::open);
+  connect(&study_, &StudyController::savedChanged, this, &StudyParts::showState);
+  connect(&study_, &StudyController::contentsChanged, this, &StudyParts::showState);
+  connect(&study_, &StudyController::opened, this, &StudyParts::onOpened);
+  connect(&study_, &StudyController::failed, this, &StudyParts::onFailed);
+  connect(&study_, &StudyController::said, this,
+          [this](const QString& sentence) { window_.banner().showNote(sentence); });
+  connect(&store_, &FeelStore::said, this, [this](const QString& sentence) { window_.say(sentence); });
+  connect(&store_, &FeelStore::failed, this, [this](const QString& sentence) { window_.banner().showError(sentence); });
+}
+
+void StudyParts::chooseNew() {
+  const auto open = models_.current();
+  const QString folder = open ? QFileInfo(open->path).absolutePath() : QString();
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Make a study"), folder, tr("Studies (*.tactus)"), nullptr,
+                                              QFileDialog::DontConfirmOverwrite);
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QLatin1String(".tactus"), Qt::CaseInsensitive)) path += QStringLiteral(".tactus");
+  study_.create(path);
+}
+
+void StudyParts::showState() {
+  const bool open = study_.isOpen() && !study_.isOpening();
+  const bool kept = study_.keepsModel();
+  put_->setEnabled(open && models_.current() && !kept);
+  show_->setEnabled(open && study_.hasModel() && !kept);
+  build_->setEnabled(open);
+  close_->setEnabled(open);
+  window_.strip().showStored(study_.savedText(), !study_.failure().isEmpty());
+  if (ending_ && !study_.isBusy()) window_.close();
+}
+
+void StudyParts::onOpened() {
+  recent_.add(study_.path());
+  showState();
+}
+
+void StudyParts::onFailed(const QString& path, const QString& sentence) {
+  window_.banner().showError(sentence);
+  if (!QFileInfo::exists(path)) recent_.remove(path);
+  showState();
+}
+
+bool StudyParts::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != &window_ || event->type() != QEvent::Close || mayEnd()) return QObject::eventFilter(watched, event);
+  event->ignore();
+  return true;
+}
+
+bool StudyParts::mayEnd() {
+  if (!study_.isOpen()) return true;
+  // The placement and the recording that go on end, and are stored.
+  feel_.stop();
+  store_.setRecording(false);
+  if (!study_.isBusy()) return true;
+  if (study_.failure().isEmpty()) {
+    ending_ = true;
+    return false;
+  }
+  ending_ = false;
+  const auto answer =
+      QMessageBox::warning(&window_, tr("Not stored"),
+                           tr("What was done last is not stored in %1: %2").arg(study_.fileName(), study_.failure()),
+                           QMessageBox::Retry | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Retry);
+  if (answer == QMessageBox::Discard) return true;
+  if (answer == QMessageBox::Retry) {
+    study_.storeNow();
+    ending_ = true;
+  }
+  return false;
+}
+
+}  // namespace tactus::workbench

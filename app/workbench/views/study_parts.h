@@ -1,0 +1,52 @@
+// Puts the study into the window: the menu Study, where edits are stored, messages, recordings in the feel panel, and
+// an end of the program that waits for what is being written.
+#pragma once
+
+#include <QObject>
+
+class QAction;
+
+namespace tactus::workbench {
+
+class FeelController;
+class FeelStore;
+class MainWindow;
+class ModelController;
+class RecentFiles;
+class StudyController;
+
+class StudyParts : public QObject {
+  Q_OBJECT
+
+ public:
+  StudyParts(MainWindow& window, StudyController& study, FeelController& feel, FeelStore& store,
+             const ModelController& models, RecentFiles& recent);
+
+ protected:
+  /// The window stays until everything is written, or until somebody gives it up.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void buildMenu();
+  void connectAll();
+  void chooseNew();
+  void showState();
+  void onOpened();
+  void onFailed(const QString& path, const QString& sentence);
+  bool mayEnd();
+
+  MainWindow& window_;
+  StudyController& study_;
+  FeelController& feel_;
+  FeelStore& store_;
+  const ModelController& models_;
+  RecentFiles& recent_;
+  QAction* make_ = nullptr;
+  QAction* show_ = nullptr;
+  QAction* put_ = nullptr;
+  QAction* build_ = nullptr;
+  QAction* close_ = nullptr;
+  bool ending_ = false;  ///< the window closes as soon as everything is written
+};
+
+}  // namespace tactus::workbench
