@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
@@ -41,6 +42,16 @@ const fuzzy::Evaluation& ForceMapController::forceAtPoint() const {
   scene_.countEvaluations(1);
   here_ = expert_ ? open.compiled.evaluateExpert(*expert_, point) : open.compiled.evaluate(point);
   return *here_;
+}
+
+QString ForceMapController::pointText() const {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const fuzzy::Variable& x = model.inputs[x_input_];
+  const fuzzy::Variable& y = model.inputs[y_input_];
+  const fuzzy::Evaluation& here = forceAtPoint();
+  return QStringLiteral("%1, %2   %3")
+      .arg(placeText(x, scene_.value(x_input_)), placeText(y, scene_.value(y_input_)),
+           here.fired ? forceText(here.force_n, model.output.unit) : tr("no rule fires"));
 }
 
 void ForceMapController::removeViewer() {

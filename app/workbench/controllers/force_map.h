@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <QTimer>
 #include <array>
 #include <cstdint>
@@ -50,6 +51,8 @@ class ForceMapController : public QObject {
   bool isFinest() const { return level_ == kSides.size(); }
   /// The force of the map's expert, or the mean, at the operating point.
   const fuzzy::Evaluation& forceAtPoint() const;
+  /// The operating point on the axes and the force there, as it stands beside it: `300 mm, 50 mm/s   0.545 N`.
+  QString pointText() const;
 
   /// A view of the map came to the screen. While there is none, nothing is computed.
   void addViewer() { ++viewers_; }

@@ -13,6 +13,7 @@
 #include "app/workbench/views/panel_area.h"
 #include "app/workbench/views/reading_panel.h"
 #include "app/workbench/views/rule_panel.h"
+#include "app/workbench/views/surface_panel.h"
 #include "app/workbench/views/variable_row.h"
 
 namespace tactus::workbench {
@@ -23,6 +24,7 @@ constexpr auto kTerms = "terms";
 constexpr auto kCurves = "curves";
 constexpr auto kReading = "reading";
 constexpr auto kMap = "map";
+constexpr auto kSurface = "surface";
 constexpr auto kRules = "rules";
 constexpr auto kFeel = "feel";
 // Added by the parts of the window that own them.
@@ -45,6 +47,7 @@ BenchView::BenchView(SceneController& scene, FeelController& feel, QSettings& se
   panels_->addPanel(QLatin1String(kCurves), tr("Force curves"), curves_);
   panels_->addPanel(QLatin1String(kReading), tr("Forces here"), new ReadingPanel(scene, *readings));
   panels_->addPanel(QLatin1String(kMap), tr("Map"), map_);
+  panels_->addPanel(QLatin1String(kSurface), tr("Surface"), new SurfacePanel(scene, *map));
   panels_->addPanel(QLatin1String(kRules), tr("Rules here"), new RulePanel(scene));
   panels_->addPanel(QLatin1String(kFeel), tr("Feel"), feel_panel_);
   place();

@@ -7,7 +7,6 @@
 #include "app/workbench/controllers/force_map.h"
 #include "app/workbench/controllers/map_table.h"
 #include "app/workbench/controllers/scene_controller.h"
-#include "app/workbench/display_text.h"
 #include "app/workbench/plots/force_map_plot.h"
 #include "app/workbench/refresh.h"
 #include "app/workbench/theme.h"
@@ -79,15 +78,7 @@ void MapPanel::onMap() {
 }
 
 void MapPanel::showPoint() {
-  const OpenModel& open = *scene_.model();
-  const fuzzy::Evaluation& here = map_.forceAtPoint();
-  const QString force = here.fired ? forceText(here.force_n, open.model.output.unit) : tr("no rule fires");
-  const fuzzy::Variable& x = open.model.inputs[map_.xInput()];
-  const fuzzy::Variable& y = open.model.inputs[map_.yInput()];
-  const double x_value = scene_.value(map_.xInput());
-  const double y_value = scene_.value(map_.yInput());
-  plot_->setPoint(x_value, y_value,
-                  QStringLiteral("%1, %2   %3").arg(placeText(x, x_value), placeText(y, y_value), force));
+  plot_->setPoint(scene_.value(map_.xInput()), scene_.value(map_.yInput()), map_.pointText());
 }
 
 void MapPanel::onValue(std::size_t input) {
