@@ -19,7 +19,7 @@ constexpr double kPerTick = 52;   // px of an axis on the floor for each number
 constexpr int kForceTicks = 5;    // as at the color scale
 constexpr int kMostTicks = 6;
 constexpr double kBar = 3;  // px, of a landmark
-constexpr int kLandmarkRows = 6;
+constexpr int kLandmarkRows = 8;
 constexpr double kTie = 1e-6;  // px; edges no farther apart are at the same place
 
 // Where axes want to stand. Of two edges at the same height the right one, because the force has the left.
@@ -247,31 +247,32 @@ class Builder {
               [side](const Name& a, const Name& b) { return side * a.bar.x() > side * b.bar.x(); });
     PlacedNames best;
     LabelBoard best_board = board_;
-    for (const double way : {side, -side}) {
-      for (const auto& shifts : {std::array{0.0, 0.25, 0.45, 0.7, 1.0, -0.25, -0.45, -0.7},
-                                 std::array{0.45, 0.25, 0.7, 0.0, 1.0, -0.25, -0.45, -0.7}}) {
-        if (best.texts.size() == names.size()) break;
-        LabelBoard board = board_;
-        PlacedNames placed;
-        for (const Name& name : names) placeName(board, name, way, shifts, rise, placed);
-        if (placed.texts.size() <= best.texts.size()) continue;
-        best = std::move(placed);
-        best_board = std::move(board);
+    // Each above its bar as far as that goes; otherwise as flags, each beside a pole on its bar.
+    const std::vector above = {0.0, 0.25, 0.5, -0.25, -0.5};
+    for (const auto& shifts : {above, std::vector{0.5}}) {
+      if (best.texts.size() == names.size()) break;
+      LabelBoard board = board_;
+      PlacedNames placed;
+      for (const Name& name : names) {
+        if (!placeName(board, name, side, shifts, rise, placed)) placeName(board, name, side, above, rise, placed);
       }
-      std::reverse(names.begin(), names.end());
+      if (placed.texts.size() <= best.texts.size()) continue;
+      best = std::move(placed);
+      best_board = std::move(board);
     }
     axes_.landmarks.insert(axes_.landmarks.end(), best.texts.begin(), best.texts.end());
     axes_.landmark_leads << best.leads;
     board_ = std::move(best_board);
   }
 
-  static void placeName(LabelBoard& board, const Name& name, double way, const std::array<double, 8>& shifts,
-                        double rise, PlacedNames& placed) {
+  static bool placeName(LabelBoard& board, const Name& name, double way, const std::vector<double>& shifts, double rise,
+                        PlacedNames& placed) {
     for (int row = 0; row < kLandmarkRows; ++row) {
       for (const double shift : shifts) {
-        if (tryName(board, name, row, way * shift, rise, placed)) return;
+        if (tryName(board, name, row, way * shift, rise, placed)) return true;
       }
     }
+    return false;
   }
 
   static bool tryName(LabelBoard& board, const Name& name, int row, double shift, double rise, PlacedNames& placed) {
@@ -282,7 +283,7 @@ class Builder {
         name.bar.y() + std::min({0.0, rise * (middle - half - name.bar.x()), rise * (middle + half - name.bar.x())});
     const double bottom = highest - kPad - row * name.size.height();
     const TurnedBox box{{middle, bottom - name.size.height() / 2}, name.size, 0};
-    const QLineF lead(name.bar, {std::clamp(name.bar.x(), middle - half + 4, middle + half - 4), bottom});
+    const QLineF lead(name.bar, {name.bar.x(), bottom});
     const TurnedBox lead_box = boxOf(lead, 1.5);
     if (!board.isFree(box) || !board.isFree(lead_box)) return false;
     board.take(box);

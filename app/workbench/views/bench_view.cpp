@@ -24,7 +24,6 @@ constexpr auto kTerms = "terms";
 constexpr auto kCurves = "curves";
 constexpr auto kReading = "reading";
 constexpr auto kMap = "map";
-constexpr auto kSurface = "surface";
 constexpr auto kRules = "rules";
 constexpr auto kFeel = "feel";
 // Added by the parts of the window that own them.
