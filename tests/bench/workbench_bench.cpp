@@ -14,6 +14,7 @@
 #include "tests/bench/machine.h"
 #include "tests/bench/text_table.h"
 #include "tests/bench/workbench_drag.h"
+#include "tests/bench/workbench_idle.h"
 #include "tests/bench/workbench_stages.h"
 
 namespace tactus::bench {
@@ -24,6 +25,7 @@ struct Options {
   std::string against;
   int edits = 40;
   int rounds = 3;
+  int idle_s = 10;
   int measured_experts = 0;
   std::string measured_stage;
 };
@@ -49,6 +51,7 @@ int measure(TimedApplication& application, const Options& options) {
   print("shown", times.shown_ms);
   print("strip", times.strip_ms);
   print("drag", times.drag_ms);
+  print("felt", times.felt_ticks);
   for (const auto& [panel, ms] : times.panel_ms) print("panel:" + panel, {ms});
   return 0;
 }
@@ -87,7 +90,8 @@ std::string panelsText(const Series& series) {
 
 std::string windowTable(const Options& options, const std::string& self) {
   std::vector<std::vector<std::string>> rows = {{"experts", "stage", "scale", "call", "shown", "p95", "in the strip",
-                                                 "in a drag", "its p95", "by panel, per edit"}};
+                                                 "in a drag", "its p95", "felt after, ticks", "most",
+                                                 "by panel, per edit"}};
   for (const int experts : {1, 4, 32, 256}) {
     for (const std::string stage : {"Tune", "Understand"}) {
       for (const int scale : {1, 2}) {
@@ -97,6 +101,7 @@ std::string windowTable(const Options& options, const std::string& self) {
                         threeDigits(quantile(series["call"], 0.5)), threeDigits(quantile(series["shown"], 0.5)),
                         threeDigits(quantile(series["shown"], 0.95)), threeDigits(quantile(series["strip"], 0.5)),
                         threeDigits(quantile(series["drag"], 0.5)), threeDigits(quantile(series["drag"], 0.95)),
+                        threeDigits(quantile(series["felt"], 0.5)), threeDigits(quantile(series["felt"], 1)),
                         panelsText(series)});
       }
     }
@@ -136,6 +141,13 @@ int run(const Options& options, const std::string& self) {
   if (!options.against.empty()) {
     text += "\nThe same in turns with an earlier version, medians in ms\n\n" + againstTable(options, self);
   }
+  if (options.idle_s > 0) {
+    std::vector<std::vector<std::string>> rows = {{"nobody does anything", "% of a core"}};
+    for (const auto& [what, percent] : idleShares(syntheticExperts(4), options.idle_s)) {
+      rows.push_back({what, threeDigits(percent)});
+    }
+    text += "\nFour experts, " + std::to_string(options.idle_s) + " s each\n\n" + alignedTable(rows, 1);
+  }
   std::cout << text;
   if (options.out.empty()) return 0;
   auto written = base::makeFolder(options.out);
@@ -154,6 +166,7 @@ int main(int argc, char** argv) {
   app.add_option("--edits", options.edits, "edits of each window")->check(CLI::Range(5, 10000));
   app.add_option("--against", options.against, "this program of an earlier version, measured in turns");
   app.add_option("--rounds", options.rounds, "turns of each version")->check(CLI::Range(1, 1000));
+  app.add_option("--idle", options.idle_s, "seconds at rest in each stage; 0: not measured")->check(CLI::Range(0, 600));
   app.add_option("--measure", options.measured_experts, "one window with so many experts, as numbers");
   app.add_option("--stage", options.measured_stage, "of that window: Tune or Understand");
   CLI11_PARSE(app, argc, argv);

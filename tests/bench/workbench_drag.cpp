@@ -118,6 +118,14 @@ DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& mod
   }
   runFor(200);
 #endif
+  bench.feel.start(QStringLiteral("virtual"));
+  runFor(300);
+  for (int i = 0; i < edits; ++i) {
+    bench.terms.moveBy(place(i));
+    runFor(2 * kFrameMs);
+    if (const auto felt = bench.feel.editLatency()) out.felt_ticks.push_back(static_cast<double>(felt->last_ticks));
+  }
+  bench.feel.stop();
   bench.terms.endMove();
   return out;
 }

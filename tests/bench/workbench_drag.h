@@ -40,15 +40,16 @@ class TimedApplication : public QApplication {
 
 /// What the edits of a drag took.
 struct DragTimes {
-  std::vector<double> call_ms;             ///< the call that makes the edit and hands it to everybody
-  std::vector<double> shown_ms;            ///< until the last panel is painted
-  std::vector<double> strip_ms;            ///< the same as the strip of the window says
-  std::vector<double> drag_ms;             ///< the strip again, while edits come with every frame
+  std::vector<double> call_ms;     ///< the call that makes the edit and hands it to everybody
+  std::vector<double> shown_ms;    ///< until the last panel is painted
+  std::vector<double> strip_ms;    ///< the same as the strip of the window says
+  std::vector<double> drag_ms;     ///< the strip again, while edits come with every frame
+  std::vector<double> felt_ticks;  ///< of a drag while the tube is felt: from the edit to the first tick that uses it
   std::map<std::string, double> panel_ms;  ///< work and painting, per edit
 };
 
-/// Drags a vertex of the depth terms in `stage`, in a window of 1920 x 1080 px: `edits` times alone, and as often in a
-/// drag with an edit in every frame.
+/// Drags a vertex of the depth terms in `stage`, in a window of 1920 x 1080 px: `edits` times alone, as often in a drag
+/// with an edit in every frame, and as often again while the virtual device is felt.
 DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& model, workbench::Stage stage, int edits);
 
 }  // namespace tactus::bench

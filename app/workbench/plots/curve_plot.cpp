@@ -36,6 +36,16 @@ Qt::PenStyle lineStyle(std::size_t expert) {
   return kStyles[expert / 6 % 4];
 }
 
+// Of many experts the lines are faint and thin: together they show the spread, and the mean stands out.
+QPen expertPen(std::size_t expert, std::size_t count) {
+  constexpr std::size_t kMany = 24;  // six colors with four kinds of dashes
+  if (count <= kMany) return {theme::expert(expert), 1.6, lineStyle(expert)};
+  const QColor color = theme::expert(expert);
+  const QColor card = theme::card();
+  return {QColor((color.red() + card.red()) / 2, (color.green() + card.green()) / 2, (color.blue() + card.blue()) / 2),
+          1};
+}
+
 void addLine(QCustomPlot& plot, const QString& name, const QPen& pen) {
   QCPGraph* graph = plot.addGraph();
   graph->setName(name);
@@ -78,7 +88,7 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   plot_->clearGraphs();
   addLine(*plot_, tr("Mean"), QPen(theme::mean(), 4));
   for (std::size_t i = 0; i < experts.size(); ++i) {
-    addLine(*plot_, labelOf(experts[i]), QPen(theme::expert(i), 1.6, lineStyle(i)));
+    addLine(*plot_, labelOf(experts[i]), expertPen(i, experts.size()));
   }
   everyone_silent_.clear();
   silent_.clear();

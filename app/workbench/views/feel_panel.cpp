@@ -182,17 +182,22 @@ void FeelPanel::connectAll() {
   connect(&feel_, &FeelController::neckChanged, this, [this] { sagittal_->setNeckFlexed(feel_.isNeckFlexed()); });
   connect(&feel_, &FeelController::placementEnded, this, [this] { placement_->setSummary(feel_.lastPlacement()); });
   connect(&scene_, &SceneController::modelChanged, this, &FeelPanel::adoptModel);
-  connect(&scene_, &SceneController::modelEdited, this, &FeelPanel::adoptModel);
+  connect(&scene_, &SceneController::modelEdited, this, &FeelPanel::showRegions);
+}
+
+void FeelPanel::showRegions() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const auto input = inputNamed(model, kDepthId);
+  const auto depth = input ? std::optional(model.inputs[*input]) : std::nullopt;
+  if (depth == depth_) return;
+  depth_ = depth;
+  sagittal_->setRegions(depth ? depthRegions(*depth) : std::vector<DepthRegion>());
+  placement_->setProgress(feel_.strokes(), feel_.depthMm(), sagittal_->regionText());
 }
 
 void FeelPanel::adoptModel() {
   const fuzzy::ForceModel& model = scene_.model()->model;
-  const auto input = inputNamed(model, kDepthId);
-  const auto depth = input ? std::optional(model.inputs[*input]) : std::nullopt;
-  if (depth != depth_) {
-    depth_ = depth;
-    sagittal_->setRegions(depth ? depthRegions(*depth) : std::vector<DepthRegion>());
-  }
+  showRegions();
   sagittal_->setNeckFlexed(feel_.isNeckFlexed());
   trace_->setFullScale(model.output.max);
   device_->setModelOpen(true);

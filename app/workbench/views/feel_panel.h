@@ -45,6 +45,7 @@ class FeelPanel : public QWidget {
   void build();
   void connectAll();
   void adoptModel();
+  void showRegions();
   void showState();
   void showFelt();
   void showForce();

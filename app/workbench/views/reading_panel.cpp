@@ -36,6 +36,8 @@ ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings,
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
   table_->horizontalHeader()->hide();
+  // The width fits what is in sight; measuring hundreds of experts after each edit would take longer than a frame.
+  table_->horizontalHeader()->setResizeContentsPrecision(0);
   table_->horizontalHeader()->setSectionResizeMode(ReadingModel::kWho, QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(ReadingModel::kForce, QHeaderView::ResizeToContents);
   table_->setAccessibleName(tr("Forces at the place that is read"));
