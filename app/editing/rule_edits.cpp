@@ -1,6 +1,8 @@
 #include "app/editing/rule_edits.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "app/editing/edit_text.h"
@@ -36,6 +38,14 @@ std::string text(const ForceModel& model, const Expert& expert, std::span<const 
   return labelOf(expert) + ": " + std::to_string(indices.size()) + " rules";
 }
 
+/// The conditions in an order that does not depend on how they were written.
+std::vector<std::pair<std::string, std::string>> sortedConditions(const Rule& rule) {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const auto& condition : rule.conditions) out.emplace_back(condition.input, condition.term);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 /// A copy of the model in which rules of one expert are changed. `change` gets the copy and the expert and returns the
 /// label; the indices are in range.
 template <class Change>
@@ -49,6 +59,18 @@ Result<Edit> changed(const ForceModel& model, const std::string& expert_id, std:
   }
   std::string label = change(out, **expert);
   return finished(std::move(out), std::move(label));
+}
+
+/// Refuses what only a person who looks at a list of rules would do; everything else is refused by `finished`.
+Result<void> checkRule(const Expert& expert, const Rule& rule, std::optional<std::size_t> instead_of) {
+  if (rule.conditions.empty()) {
+    return fail(ErrorCode::kValue, labelOf(expert), "a rule without a condition", "one condition or more");
+  }
+  for (std::size_t r = 0; r < expert.rules.size(); ++r) {
+    if (r == instead_of || expert.rules[r].then != rule.then || !sameConditions(expert.rules[r], rule)) continue;
+    return fail(ErrorCode::kValue, labelOf(expert), number(r) + " that says the same", "a rule that is not there yet");
+  }
+  return {};
 }
 
 Result<void> checkAny(std::span<const std::size_t> indices) {
@@ -73,7 +95,26 @@ bool sameConditions(const Rule& one, const Rule& other) {
          std::is_permutation(one.conditions.begin(), one.conditions.end(), other.conditions.begin());
 }
 
+std::vector<std::size_t> conflictingRules(const Expert& expert) {
+  std::map<std::vector<std::pair<std::string, std::string>>, std::vector<std::size_t>> alike;
+  for (std::size_t r = 0; r < expert.rules.size(); ++r) {
+    const Rule& rule = expert.rules[r];
+    if (rule.enabled && rule.weight > 0) alike[sortedConditions(rule)].push_back(r);
+  }
+  std::vector<std::size_t> out;
+  for (const auto& [conditions, rules] : alike) {
+    const bool agree = std::all_of(rules.begin(), rules.end(),
+                                   [&](std::size_t r) { return expert.rules[r].then == expert.rules[rules[0]].then; });
+    if (!agree) out.insert(out.end(), rules.begin(), rules.end());
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 Result<Edit> addRule(const ForceModel& model, const std::string& expert_id, Rule rule) {
+  if (const auto expert = findExpert(model, expert_id)) {
+    if (auto ok = checkRule(**expert, rule, std::nullopt); !ok) return tl::unexpected(ok.error());
+  }
   return changed(model, expert_id, {}, [&](ForceModel& out, Expert& expert) {
     expert.rules.push_back(inOrderOfInputs(out, std::move(rule)));
     return ruleText(out, expert, expert.rules.back()) + ", added";
@@ -81,6 +122,9 @@ Result<Edit> addRule(const ForceModel& model, const std::string& expert_id, Rule
 }
 
 Result<Edit> replaceRule(const ForceModel& model, const std::string& expert_id, std::size_t index, Rule rule) {
+  if (const auto expert = findExpert(model, expert_id)) {
+    if (auto ok = checkRule(**expert, rule, index); !ok) return tl::unexpected(ok.error());
+  }
   return changed(model, expert_id, std::span(&index, 1), [&](ForceModel& out, Expert& expert) {
     expert.rules[index] = inOrderOfInputs(out, std::move(rule));
     return ruleText(out, expert, expert.rules[index]) + ", " + number(index) + " rewritten";
@@ -89,6 +133,11 @@ Result<Edit> replaceRule(const ForceModel& model, const std::string& expert_id, 
 
 Result<Edit> setConsequent(const ForceModel& model, const std::string& expert_id, std::size_t index,
                            const std::string& then) {
+  if (const auto expert = findExpert(model, expert_id); expert && index < (*expert)->rules.size()) {
+    Rule rule = (*expert)->rules[index];
+    rule.then = then;
+    if (auto ok = checkRule(**expert, rule, index); !ok) return tl::unexpected(ok.error());
+  }
   return changed(model, expert_id, std::span(&index, 1), [&](ForceModel& out, Expert& expert) {
     Rule& rule = expert.rules[index];
     const std::string before = std::exchange(rule.then, then);

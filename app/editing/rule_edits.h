@@ -9,8 +9,8 @@
 
 namespace tactus::editing {
 
-/// Adds `rule` behind the others; its conditions are put into the order of the model's inputs. Refused: an unknown
-/// input or term, an input twice, a rule that is there already.
+/// Adds `rule` behind the others; its conditions are put into the order of the model's inputs. Refused: no condition,
+/// an unknown input or term, an input twice, a rule that is there already.
 base::Result<Edit> addRule(const fuzzy::ForceModel& model, const std::string& expert, fuzzy::Rule rule);
 
 /// Puts `rule` in the place of rule number `index`. Refused as above.
@@ -35,6 +35,10 @@ base::Result<Edit> removeRules(const fuzzy::ForceModel& model, const std::string
 
 /// Sets the share of an expert in the mean, >= 0. Refused: 0 for the only expert with a share.
 base::Result<Edit> setExpertWeight(const fuzzy::ForceModel& model, const std::string& expert, double weight);
+
+/// The rules of `expert` that contradict another one: both count (enabled, of a weight > 0) and have the same
+/// conditions with another consequent. Ascending.
+std::vector<std::size_t> conflictingRules(const fuzzy::Expert& expert);
 
 /// The conditions of `rule` in the order of the model's inputs; those on unknown inputs come last.
 fuzzy::Rule inOrderOfInputs(const fuzzy::ForceModel& model, fuzzy::Rule rule);

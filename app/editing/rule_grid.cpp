@@ -62,6 +62,20 @@ std::vector<std::size_t> rulesLike(const Expert& expert, const Rule& rule) {
   return out;
 }
 
+/// Index in `cells` of the rule's cell. Nothing where the rule has other conditions.
+std::optional<std::size_t> cellOf(const RuleGrid& cells, const GridId& grid, const Rule& rule) {
+  if (rule.conditions.size() != 2) return std::nullopt;
+  const bool region_first = rule.conditions[0].input == grid.region;
+  const fuzzy::Condition& condition = rule.conditions[region_first ? 1 : 0];
+  const fuzzy::Condition& region = rule.conditions[region_first ? 0 : 1];
+  if (condition.input != grid.condition || region.input != grid.region) return std::nullopt;
+  const auto row = std::find(cells.rows.begin(), cells.rows.end(), condition.term);
+  const auto column = std::find(cells.columns.begin(), cells.columns.end(), region.term);
+  if (row == cells.rows.end() || column == cells.columns.end()) return std::nullopt;
+  return static_cast<std::size_t>((row - cells.rows.begin()) * std::ssize(cells.columns) +
+                                  (column - cells.columns.begin()));
+}
+
 /// Place of a rule in the order of the form: input of the condition, its term, the region. Nothing where the rule
 /// belongs to no grid over this region.
 std::optional<std::array<std::size_t, 3>> placeInForm(const ForceModel& model, const Expert& expert, const Rule& rule,
@@ -113,16 +127,16 @@ Result<RuleGrid> ruleGrid(const ForceModel& model, const GridId& grid) {
   RuleGrid out;
   for (const auto& term : termsFor(*found->expert, *found->condition)) out.rows.push_back(term.id);
   for (const auto& term : termsFor(*found->expert, *found->region)) out.columns.push_back(term.id);
-  for (const auto& row : out.rows) {
-    for (const auto& column : out.columns) {
-      GridCell& cell = out.cells.emplace_back();
-      const auto rules = rulesLike(*found->expert, ruleOf(model, grid, {row, column}));
-      if (rules.empty()) continue;
-      const Rule& shown = found->expert->rules[rules.front()];
-      cell = {rules.front(), shown.then, shown.weight, shown.enabled, false};
-      cell.conflict =
-          std::count_if(rules.begin(), rules.end(), [&](std::size_t r) { return counts(found->expert->rules[r]); }) > 1;
-    }
+  out.cells.resize(out.rows.size() * out.columns.size());
+  const std::vector<Rule>& rules = found->expert->rules;
+  for (std::size_t r = 0; r < rules.size(); ++r) {
+    const auto place = cellOf(out, grid, rules[r]);
+    if (!place) continue;
+    GridCell& cell = out.cells[*place];
+    const bool shown_counts = cell.rule && counts(rules[*cell.rule]);
+    if (shown_counts && counts(rules[r])) cell.conflict = true;
+    if (cell.rule && (shown_counts || !counts(rules[r]))) continue;
+    cell = {r, rules[r].then, rules[r].weight, rules[r].enabled, false};
   }
   return out;
 }

@@ -16,6 +16,12 @@ QColor mixed(const QColor& from, const QColor& to, double share) {
   return {mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue())};
 }
 
+// Relative luminance, WCAG 2.1.
+double luminance(const QColor& color) {
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+}
+
 constexpr auto kLookKey = "look";
 constexpr auto kDark = "dark";
 
@@ -70,6 +76,13 @@ QColor term(std::size_t index, std::size_t count) {
 }
 
 QColor termText(std::size_t index, std::size_t count) { return mixed(term(index, count), ink(), 0.5); }
+
+QColor inkOn(const QColor& fill) {
+  const QColor dark(0x14, 0x1C, 0x24);
+  const double light_contrast = 1.05 / (luminance(fill) + 0.05);
+  const double dark_contrast = (luminance(fill) + 0.05) / (luminance(dark) + 0.05);
+  return light_contrast >= dark_contrast ? QColor(Qt::white) : dark;
+}
 
 QFont titleFont() { return scaled(3, QFont::DemiBold); }
 QFont headingFont() { return scaled(0, QFont::DemiBold); }

@@ -47,6 +47,9 @@ QColor term(std::size_t index, std::size_t count);
 /// The same color, with enough contrast for small text on a card.
 QColor termText(std::size_t index, std::size_t count);
 
+/// Black or white ink, whichever reads better on `fill`.
+QColor inkOn(const QColor& fill);
+
 QFont titleFont();    ///< name of the model
 QFont headingFont();  ///< heads of cards and panels
 QFont smallFont();    ///< notes, readouts, labels in plots

@@ -7,12 +7,14 @@
 #include "app/workbench/controllers/findings_controller.h"
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/recent_files.h"
+#include "app/workbench/controllers/rule_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/study_controller.h"
 #include "app/workbench/controllers/term_controller.h"
 #include "app/workbench/views/edit_parts.h"
 #include "app/workbench/views/finding_parts.h"
 #include "app/workbench/views/main_window.h"
+#include "app/workbench/views/rule_parts.h"
 #include "app/workbench/views/study_parts.h"
 
 class QSettings;
@@ -25,11 +27,13 @@ struct Workbench {
         feel(scene),
         edits(models),
         terms(edits),
+        rules(edits, scene),
         findings(edits, scene),
         study(models, edits),
         feel_store(feel, scene, study),
         recent(settings),
         window(models, scene, feel, recent, settings),
+        rule_parts(window, rules),
         edit_parts(window, edits, terms, scene),
         finding_parts(window, findings, terms),
         study_parts(window, study, feel, feel_store, models, recent) {}
@@ -39,11 +43,13 @@ struct Workbench {
   FeelController feel;  ///< before the window, so that an edit is felt before it is drawn
   EditController edits;
   TermController terms;
+  RuleController rules;
   FindingsController findings;
   StudyController study;
   FeelStore feel_store;
   RecentFiles recent;
   MainWindow window;
+  RuleParts rule_parts;
   EditParts edit_parts;
   FindingParts finding_parts;
   StudyParts study_parts;

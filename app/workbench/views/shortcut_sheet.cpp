@@ -69,6 +69,13 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
                                       {tr("Ten steps"), tr("Page up, page down")},
                                       {tr("Accept a typed number"), tr("Enter")}},
                                      this));
+  plot_column->addLayout(makeSection(tr("Rule grids"),
+                                     {{tr("Answer and go on"), tr("1 to 9")},
+                                      {tr("Skip a cell"), tr("Space")},
+                                      {tr("Empty a cell"), tr("Delete")},
+                                      {tr("Next grid"), tr("Page down")},
+                                      {tr("Choose from a menu"), tr("Enter")}},
+                                     this));
   plot_column->addLayout(makeSection(tr("While a model is felt"),
                                      {{tr("Hold the tube"), tr("Space")},
                                       {tr("Move the hand"), tr("left, right; with Shift farther")},

@@ -57,6 +57,33 @@ TEST_F(RuleEdits, OneRuleIsChanged) {
   EXPECT_EQ(other.model.experts[0].rules.size(), 45);
 }
 
+TEST_F(RuleEdits, TheRefusalOfADoubledRuleNamesTheOther) {
+  const Rule third = model_.experts[0].rules[2];
+  const std::string sentence = "S4: found rule 3 that says the same, wanted a rule that is not there yet";
+  EXPECT_EQ(addRule(model_, s4_, third).error().message(), sentence);
+  EXPECT_EQ(replaceRule(model_, s4_, 7, third).error().message(), sentence);
+  EXPECT_TRUE(replaceRule(model_, s4_, 2, third).has_value());
+  Rule other = third;
+  other.then = "large";
+  const auto both = must(addRule(model_, s4_, other)).model;
+  EXPECT_EQ(setConsequent(both, s4_, 45, third.then).error().message(), sentence);
+  EXPECT_EQ(addRule(model_, s4_, {{}, "small"}).error().message(),
+            "S4: found a rule without a condition, wanted one condition or more");
+}
+
+TEST_F(RuleEdits, ConflictsAreRulesThatCountAndContradict) {
+  auto model = model_;
+  auto& rules = model.experts[0].rules;
+  EXPECT_TRUE(conflictingRules(model.experts[0]).empty());
+  rules.push_back({{rules[2].conditions[1], rules[2].conditions[0]}, "very_large"});
+  EXPECT_EQ(conflictingRules(model.experts[0]), (std::vector<std::size_t>{2, 45}));
+  rules[2].weight = 0;
+  EXPECT_TRUE(conflictingRules(model.experts[0]).empty());
+  rules[2].weight = 1;
+  rules[45].enabled = false;
+  EXPECT_TRUE(conflictingRules(model.experts[0]).empty());
+}
+
 TEST_F(RuleEdits, SeveralRulesGoAtOnce) {
   const std::array<std::size_t, 3> indices = {44, 0, 2};
   const auto off = must(enableRules(model_, s4_, indices, false));

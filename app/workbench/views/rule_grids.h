@@ -1,0 +1,54 @@
+// The rules as grids of force words: condition against region, answered with the number keys or the mouse.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/workbench/controllers/rule_controller.h"
+#include "app/workbench/views/rule_grid_geometry.h"
+
+class QMenu;
+
+namespace tactus::workbench {
+
+class RuleGrids : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RuleGrids(RuleController& rules, QWidget* parent = nullptr);
+
+  QSize sizeHint() const override { return minimumSizeHint(); }
+  QSize minimumSizeHint() const override;
+  /// Where a cell stands, in the coordinates of the widget.
+  QRect cellRect(const RuleCell& cell) const { return geometry_.cell(cell).toRect(); }
+  /// The words as a menu, for the selected cell.
+  QMenu* makeMenu();
+
+ public slots:
+  /// Shows the rules as they stand now.
+  void showRules();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  RuleGridGeometry::Needs needs() const;
+  bool answerKey(int key);
+  bool moveKey(int key);
+  void paintHeads(QPainter& painter) const;
+  void paintGrid(QPainter& painter, std::size_t grid) const;
+  void paintCell(QPainter& painter, const RuleCell& place) const;
+  void paintSelection(QPainter& painter) const;
+  QString tipOf(const RuleCell& cell) const;
+
+  RuleController& rules_;
+  RuleGridGeometry geometry_;
+};
+
+}  // namespace tactus::workbench

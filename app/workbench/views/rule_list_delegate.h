@@ -1,0 +1,30 @@
+// How the list of rules is painted and edited in place: force words in their colors, weights as numbers.
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace tactus::workbench {
+
+class RuleController;
+
+class RuleListDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  explicit RuleListDelegate(const RuleController& rules, QObject* parent = nullptr);
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+  void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+
+ private:
+  void paintWord(QPainter& painter, const QRectF& place, const QModelIndex& index) const;
+
+  const RuleController& rules_;
+};
+
+}  // namespace tactus::workbench

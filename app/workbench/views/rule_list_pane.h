@@ -1,0 +1,63 @@
+// All rules of the expert as a list that can be filtered, sorted and edited, with the form for rules in free form.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QTableView;
+class QToolButton;
+
+namespace tactus::workbench {
+
+class Refresh;
+class RuleController;
+class RuleForm;
+class RuleListModel;
+class RuleListSieve;
+
+class RuleListPane : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RuleListPane(RuleController& rules, QWidget* parent = nullptr);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void buildTable();
+  void buildPlace();
+  void connectAll();
+  void refresh();
+  void sync();
+  void showCount();
+  void showActions();
+  void fitRows();
+  std::vector<std::size_t> chosen() const;
+  void enable(bool enabled);
+  void remove();
+  void edit();
+  void showRule(std::size_t rule);
+  void openMenu(QPoint at);
+
+  RuleController& rules_;
+  RuleListModel* list_;
+  RuleListSieve* sieve_;
+  QLineEdit* text_;
+  QComboBox* only_;
+  QLabel* count_;
+  QTableView* table_;
+  QToolButton* add_;
+  QToolButton* edit_;
+  QToolButton* enable_;
+  QToolButton* disable_;
+  QToolButton* remove_;
+  RuleForm* form_;
+  Refresh* refresh_;
+  bool stale_ = true;  ///< rules changed since the list took them over
+};
+
+}  // namespace tactus::workbench
