@@ -118,13 +118,19 @@ bool isUnfinished(const EditHistory& history) { return history.inGesture() && &h
 
 }  // namespace
 
-std::string autosaveText(const EditHistory& history, const std::string& document) {
+std::string autosaveText(const EditHistory& history, const std::string& document, EventRange range) {
+  const auto& events = history.events();
+  const std::size_t last = std::min(range.last, events.size());
   base::JsonWriter json;
   json.beginObject().key("format").value(kFormat).key("version").value(kVersion);
   json.key("document").value(document).key("versions").beginArray();
-  for (const auto& version : unstoredVersions(history)) write(json, version);
+  for (std::size_t e = range.first; e < last; ++e) {
+    if (events[e].stored) continue;
+    // A state leaves the memory only once its version is stored.
+    if (const auto version = versionOf(history, events[e])) write(json, *version);
+  }
   json.endArray();
-  if (isUnfinished(history)) {
+  if (last == events.size() && isUnfinished(history)) {
     fuzzy::ForceModel model = history.model();
     refreshChecks(model, history.compiled());
     json.key("unfinished").beginObject().key("label").value(history.gestureLabel());
@@ -136,8 +142,9 @@ std::string autosaveText(const EditHistory& history, const std::string& document
 
 bool needsAutosave(const EditHistory& history) {
   const auto& events = history.events();
-  return isUnfinished(history) ||
-         std::any_of(events.rbegin(), events.rend(), [](const Event& event) { return !event.stored; });
+  return isUnfinished(history) || std::any_of(events.rbegin(), events.rend(), [](const Event& event) {
+           return !event.stored && event.kind != EventKind::kOpened;
+         });
 }
 
 Result<Autosave> parseAutosave(std::string_view text, const std::string& file) {
@@ -163,7 +170,7 @@ Result<EditHistory> recovered(std::span<const ModelVersion> stored, const Autosa
   std::vector<ModelVersion> all(stored.begin(), stored.end());
   const auto lost = lostVersions(autosave, stored);
   all.insert(all.end(), lost.begin(), lost.end());
-  auto history = historyFrom(all, ids);
+  auto history = historyFrom(all, ids, stored.size());
   if (!history || !autosave.unfinished) return history;
   auto edit = finished(autosave.unfinished->model, autosave.unfinished->label + " (recovered)");
   if (!edit) return tl::unexpected(std::move(edit.error()));

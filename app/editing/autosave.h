@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,10 +27,17 @@ struct Autosave {
   std::optional<Unfinished> unfinished;
 };
 
-/// JSON of everything in `history` that is not stored; `document` says of what.
-std::string autosaveText(const EditHistory& history, const std::string& document);
+/// Events of a history by their index, from `first` up to the one before `last`.
+struct EventRange {
+  std::size_t first = 0;
+  std::size_t last = std::numeric_limits<std::size_t>::max();
+};
 
-/// Whether there is anything that a crash would lose.
+/// JSON of everything in `history` that is not stored; `document` says of what. A long history can be written in parts:
+/// then of the events in `range` alone, and of the gesture that goes on where the range includes the last event.
+std::string autosaveText(const EditHistory& history, const std::string& document, EventRange range = {});
+
+/// Whether there is anything that a crash would lose. A model that was opened and left as it is would not be.
 bool needsAutosave(const EditHistory& history);
 
 /// Reads such a text, said to be of `file` in errors. Every model is validated and must fit its SHA-256.
@@ -39,8 +47,9 @@ base::Result<Autosave> parseAutosave(std::string_view text, const std::string& f
 /// twice adds nothing.
 std::vector<study::ModelVersion> lostVersions(const Autosave& autosave, std::span<const study::ModelVersion> stored);
 
-/// The history after a crash: `stored` (as for historyFrom) and then what the study lacked. The gesture that was going
-/// on becomes one edit, `… (recovered)`, with the author and time of `stamp`.
+/// The history after a crash: `stored` (as for historyFrom) and then what the study lacked, which is marked as not
+/// stored and has its models in memory. The gesture that was going on becomes one edit, `… (recovered)`, with the
+/// author and time of `stamp`.
 base::Result<EditHistory> recovered(std::span<const study::ModelVersion> stored, const Autosave& autosave,
                                     study::RecordIds ids, const Stamp& stamp);
 

@@ -40,7 +40,7 @@ KindAndLabel read(const std::string& label) {
 /// Makes a history from versions.
 class HistoryReader {
  public:
-  static Result<EditHistory> read(std::span<const ModelVersion> versions, study::RecordIds ids) {
+  static Result<EditHistory> read(std::span<const ModelVersion> versions, study::RecordIds ids, std::size_t stored) {
     if (versions.empty()) return fail(ErrorCode::kData, "model versions", "none", "one or more");
     EditHistory out(ids);
     std::map<RecordId, std::size_t> events;
@@ -57,6 +57,9 @@ class HistoryReader {
     const StateId current = out.events_.back().state;
     out.states_[current].kept = std::make_shared<const KeptModel>(last->model, nullptr);
     out.enter(current, std::move(last->model), std::move(*compiled));
+    for (std::size_t v = stored; v < versions.size(); ++v) {
+      if (auto kept = keep(out, out.events_[v], versions[v]); !kept) return tl::unexpected(std::move(kept.error()));
+    }
     return out;
   }
 
@@ -88,6 +91,18 @@ class HistoryReader {
     }
     out.events_.push_back(
         {version.id, version.parent, kind, std::move(label), {version.author, version.utc_ms}, state, true});
+  }
+
+  // What is not stored anywhere has to stay in memory.
+  static Result<void> keep(EditHistory& out, Event& event, const ModelVersion& version) {
+    event.stored = false;
+    State& state = out.states_[event.state];
+    if (state.kept) return {};
+    const auto read = model_io::parseModel(version.text, "model version " + study::toText(version.id));
+    if (!read) return tl::unexpected(read.error());
+    const KeptModel* const before = state.parent ? out.states_[*state.parent].kept.get() : nullptr;
+    state.kept = std::make_shared<const KeptModel>(read->model, before);
+    return {};
   }
 
   static std::string shaOf(const ModelVersion& version) {
@@ -124,8 +139,8 @@ std::vector<ModelVersion> unstoredVersions(const EditHistory& history) {
   return out;
 }
 
-Result<EditHistory> historyFrom(std::span<const ModelVersion> versions, study::RecordIds ids) {
-  return HistoryReader::read(versions, ids);
+Result<EditHistory> historyFrom(std::span<const ModelVersion> versions, study::RecordIds ids, std::size_t stored) {
+  return HistoryReader::read(versions, ids, stored);
 }
 
 Result<void> provideVersion(EditHistory& history, StateId state, const ModelVersion& version) {

@@ -1,6 +1,7 @@
 // The history as versions of the model in a study file (core/store/model_versions.h), and back.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,7 +25,9 @@ std::vector<study::ModelVersion> unstoredVersions(const EditHistory& history);
 /// The history that the versions of a study file tell, in the order in which they were added; its current state is the
 /// one of the last version, which must have its text. The others may come without: their states are then read when
 /// somebody returns to them (EditHistory::missing, provideVersion). A version that does not say its kind is an edit.
-base::Result<EditHistory> historyFrom(std::span<const study::ModelVersion> versions, study::RecordIds ids);
+/// The first `stored` of them are in the study file; the others must have their texts, whose models are kept.
+base::Result<EditHistory> historyFrom(std::span<const study::ModelVersion> versions, study::RecordIds ids,
+                                      std::size_t stored = std::numeric_limits<std::size_t>::max());
 
 /// Gives the history the model of a state that it does not have in memory.
 base::Result<void> provideVersion(EditHistory& history, StateId state, const study::ModelVersion& version);

@@ -1,6 +1,9 @@
 // The composition root of tactus-workbench: owns the controllers and the window, and passes them down.
 #pragma once
 
+#include "app/workbench/controllers/author_name.h"
+#include "app/workbench/controllers/autosave_controller.h"
+#include "app/workbench/controllers/compare_controller.h"
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/feel_controller.h"
 #include "app/workbench/controllers/feel_store.h"
@@ -13,6 +16,7 @@
 #include "app/workbench/controllers/term_controller.h"
 #include "app/workbench/views/edit_parts.h"
 #include "app/workbench/views/finding_parts.h"
+#include "app/workbench/views/history_parts.h"
 #include "app/workbench/views/main_window.h"
 #include "app/workbench/views/rule_parts.h"
 #include "app/workbench/views/study_parts.h"
@@ -22,10 +26,15 @@ class QSettings;
 namespace tactus::workbench {
 
 struct Workbench {
-  explicit Workbench(QSettings& settings)
+  /// What a crash would lose is kept below `autosave_root`.
+  explicit Workbench(QSettings& settings, const QString& autosave_root = autosaveRoot())
       : scene(models),
         feel(scene),
         edits(models),
+        compare(models, edits),
+        author(settings, edits),
+        autosave(models, edits, autosave_root),
+        recovery(models, edits, autosave, autosave_root),
         terms(edits),
         rules(edits, scene),
         findings(edits, scene),
@@ -36,12 +45,19 @@ struct Workbench {
         rule_parts(window, rules),
         edit_parts(window, edits, terms, scene),
         finding_parts(window, findings, terms),
-        study_parts(window, study, feel, feel_store, models, recent) {}
+        study_parts(window, study, feel, feel_store, models, recent),
+        history_parts(window, edit_parts.menu(), edits, compare, scene, feel, author) {
+    history_parts.addRecovery(autosave, recovery, study);
+  }
 
   ModelController models;
   SceneController scene;
   FeelController feel;  ///< before the window, so that an edit is felt before it is drawn
   EditController edits;
+  CompareController compare;
+  AuthorName author;
+  AutosaveController autosave;
+  RecoveryController recovery;
   TermController terms;
   RuleController rules;
   FindingsController findings;
@@ -53,6 +69,7 @@ struct Workbench {
   EditParts edit_parts;
   FindingParts finding_parts;
   StudyParts study_parts;
+  HistoryParts history_parts;
 };
 
 }  // namespace tactus::workbench

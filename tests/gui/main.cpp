@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   const QTemporaryDir runtime_folder;
   qputenv("XDG_RUNTIME_DIR", runtime_folder.path().toUtf8());
+  qputenv("XDG_DATA_HOME", runtime_folder.path().toUtf8());
   qputenv("QT_QPA_PLATFORM", "offscreen");
   qInstallMessageHandler(stopOnWarning);
   QApplication application(argc, argv);

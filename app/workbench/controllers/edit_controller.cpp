@@ -50,6 +50,12 @@ void EditController::adopt(editing::EditHistory history, VersionReader read) {
   emit historyChanged();
 }
 
+base::Result<fuzzy::ForceModel> EditController::modelOf(editing::StateId state) {
+  TACTUS_CHECK(isOpen());
+  fetch(state);
+  return history_->modelOf(state);
+}
+
 void EditController::setAuthor(const QString& name) { author_ = name.trimmed(); }
 
 void EditController::begin() {
@@ -169,6 +175,24 @@ void EditController::begin(editing::EditHistory history, VersionReader read) {
   read_version_ = std::move(read);
 }
 
+void EditController::snapshot(const QString& name) {
+  if (!isOpen() || name.trimmed().isEmpty()) return;
+  commit();
+  history_->snapshot(name.trimmed().toStdString(), stamp());
+  emit historyChanged();
+  emit reported(tr("Snapshot “%1” of: %2").arg(name.trimmed(), text(history_->labelOf(history_->current()))));
+}
+
+void EditController::signOff(const QString& who) {
+  if (!isOpen() || who.trimmed().isEmpty()) return;
+  commit();
+  editing::Stamp signed_by = stamp();
+  signed_by.author = who.trimmed().toStdString();
+  history_->signOff(signed_by);
+  emit historyChanged();
+  emit reported(tr("%1: %2").arg(who.trimmed(), text(history_->events().back().label)));
+}
+
 void EditController::adoptModel() {
   const OpenModel& open = *models_.current();
   auto history = editing::EditHistory::open(open.model, tr("Opened").toStdString(), stamp(), study::RecordIds());
@@ -219,6 +243,9 @@ editing::Stamp EditController::stamp() const {
 }
 
 QString EditController::effectOf(editing::StateId state) {
+  // Both models have to be in memory.
+  fetch(state);
+  fetch(history_->states()[state].parent);
   const auto impact = history_->impact(state);
   if (!impact) return {};
   return impactText(*impact, model().output.unit);

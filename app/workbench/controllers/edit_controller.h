@@ -42,6 +42,8 @@ class EditController : public QObject {
   /// open model becomes its current one, over the same inputs. States that are not in memory come from `read`; without
   /// one nobody can return to them.
   void adopt(editing::EditHistory history, VersionReader read = {});
+  /// The model of any state, read where it is not in memory.
+  base::Result<fuzzy::ForceModel> modelOf(editing::StateId state);
   /// Who edits, from now on; empty where nobody said.
   void setAuthor(const QString& name);
   const QString& author() const { return author_; }
@@ -74,6 +76,14 @@ class EditController : public QObject {
   };
   /// From the model that was opened over the current state to the end of redo.
   std::vector<Entry> entries();
+  /// What the edit that made `state` did to the force, computed when first asked for: `max ΔF 0.032 N (0.4 JND)`. Empty
+  /// for the model that was opened.
+  QString effectOf(editing::StateId state);
+
+  /// Names the current state. Without a name nothing happens.
+  void snapshot(const QString& name);
+  /// `who`, an expert's name or code, says of the current state: this feels right.
+  void signOff(const QString& who);
 
  public slots:
   void undo();
@@ -105,7 +115,6 @@ class EditController : public QObject {
   void settle(const base::Result<void>& moved, const QString& sentence);
   void report();
   editing::Stamp stamp() const;
-  QString effectOf(editing::StateId state);
 
   ModelController& models_;
   std::optional<editing::EditHistory> history_;

@@ -24,6 +24,7 @@ void ModelController::edit(fuzzy::ForceModel model, fuzzy::CompiledModel compile
   next.warnings = current_->warnings;
   next.simulated = current_->simulated || saysSimulated(next.model);
   current_ = std::make_shared<const OpenModel>(std::move(next));
+  instead_.reset();
   emit edited();
   setModified(!current_->in_study && current_->model != on_disk_->model);
 }
@@ -41,6 +42,7 @@ void ModelController::open(const QString& path) {
 void ModelController::openRead(OpenModel model) {
   current_ = std::make_shared<const OpenModel>(std::move(model));
   on_disk_ = current_;
+  instead_.reset();
   emit opened();
   setModified(false);
 }
@@ -64,6 +66,14 @@ void ModelController::moveOutOfStudy(const QString& path) {
   current_ = std::make_shared<const OpenModel>(std::move(next));
   on_disk_ = current_;
   emit saved(path);
+}
+
+void ModelController::showInstead(std::shared_ptr<const OpenModel> model) {
+  TACTUS_CHECK(current_ != nullptr);
+  if (model == current_) model.reset();
+  if (model == instead_) return;
+  instead_ = std::move(model);
+  emit shownChanged();
 }
 
 void ModelController::reopen() {

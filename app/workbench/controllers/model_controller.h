@@ -19,6 +19,12 @@ class ModelController : public QObject {
   /// The open model, or null before the first one. What it points to never changes; an edit makes a new one.
   std::shared_ptr<const OpenModel> current() const { return current_; }
 
+  /// What is looked at and felt: the open model, or another one in its place while versions are compared.
+  std::shared_ptr<const OpenModel> shown() const { return instead_ ? instead_ : current_; }
+  /// Shows and lets feel `model` in the place of the open one, or with null the open one again. The open model stays as
+  /// it is: edits, saving and the history are always its own. The next edit ends it.
+  void showInstead(std::shared_ptr<const OpenModel> model);
+
   /// Whether the open model differs from its file, as it was read or saved last. Undoing every edit clears it. False
   /// for a model that a study keeps: the study stores every edit.
   bool isModified() const { return modified_; }
@@ -53,6 +59,8 @@ class ModelController : public QObject {
   /// One sentence for the person: what, where, found, wanted.
   void openFailed(const QString& path, const QString& sentence);
   void edited();
+  /// `shown()` is another model than before, without an edit.
+  void shownChanged();
   void modifiedChanged(bool modified);
   void saved(const QString& path);
   /// The model of a study was written to a file of its own.
@@ -65,6 +73,7 @@ class ModelController : public QObject {
   void setModified(bool modified);
 
   std::shared_ptr<const OpenModel> current_;
+  std::shared_ptr<const OpenModel> instead_;
   std::shared_ptr<const OpenModel> on_disk_;  ///< as the file has it
   bool modified_ = false;
 };

@@ -46,8 +46,9 @@ bool sameFrame(const fuzzy::ForceModel& a, const fuzzy::ForceModel& b) {
 SceneController::SceneController(const ModelController& models, QObject* parent) : QObject(parent), models_(models) {
   connect(&models_, &ModelController::opened, this, &SceneController::adoptModel);
   connect(&models_, &ModelController::edited, this, &SceneController::adoptEdit);
+  connect(&models_, &ModelController::shownChanged, this, &SceneController::adoptEdit);
   // Only the path differs, which nobody reads off the scene while it is looked at.
-  connect(&models_, &ModelController::saved, this, [this] { model_ = models_.current(); });
+  connect(&models_, &ModelController::saved, this, [this] { model_ = models_.shown(); });
 }
 
 const std::vector<fuzzy::Term>& SceneController::terms(const fuzzy::Variable& variable) const {
@@ -152,7 +153,7 @@ void SceneController::adoptModel() {
   const std::vector<double> previous_values = values_;
   const std::size_t previous_x = x_input_;
   const std::optional<std::size_t> previous_terms = std::exchange(terms_of_, std::nullopt);
-  model_ = models_.current();
+  model_ = models_.shown();
   const fuzzy::ForceModel& model = model_->model;
 
   values_.clear();
@@ -183,11 +184,11 @@ void SceneController::adoptModel() {
 }
 
 void SceneController::adoptEdit() {
-  if (!sameFrame(model_->model, models_.current()->model)) {
+  if (!sameFrame(model_->model, models_.shown()->model)) {
     adoptModel();
     return;
   }
-  model_ = models_.current();
+  model_ = models_.shown();
   dropCurves();
   emit modelEdited();
   emit termsChanged();

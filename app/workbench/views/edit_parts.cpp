@@ -9,7 +9,6 @@
 #include "app/workbench/controllers/term_controller.h"
 #include "app/workbench/views/frame_clock.h"
 #include "app/workbench/views/frame_status.h"
-#include "app/workbench/views/history_panel.h"
 #include "app/workbench/views/main_window.h"
 #include "app/workbench/views/membership_editor.h"
 #include "app/workbench/views/operating_strip.h"
@@ -45,20 +44,19 @@ EditParts::EditParts(MainWindow& window, EditController& edits, TermController& 
 }
 
 void EditParts::buildMenu() {
-  auto* menu = new QMenu(tr("&Edit"), &window_);
-  undo_ = menu->addAction(tr("&Undo"));
+  menu_ = new QMenu(tr("&Edit"), &window_);
+  undo_ = menu_->addAction(tr("&Undo"));
   undo_->setShortcut(Qt::CTRL | Qt::Key_Z);
-  redo_ = menu->addAction(tr("&Redo"));
+  redo_ = menu_->addAction(tr("&Redo"));
   redo_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
   const QList<QAction*> menus = window_.menuBar()->actions();
-  window_.menuBar()->insertMenu(menus.value(1), menu);
+  window_.menuBar()->insertMenu(menus.value(1), menu_);
 }
 
 void EditParts::addPanels(TermController& terms, SceneController& scene) {
   PanelArea& panels = window_.panels();
   panels.addPanel(QStringLiteral("membership_editor"), tr("Membership function editor"),
                   new MembershipEditor(edits_, terms, scene));
-  panels.addPanel(QStringLiteral("history"), tr("Undo list"), new HistoryPanel(edits_));
 }
 
 void EditParts::showUndo() {

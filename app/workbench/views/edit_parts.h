@@ -1,10 +1,11 @@
-// Puts what edits the model into the window: the Edit menu, the membership function editor, the undo list, the message
-// after each edit, and how long it took to the screen.
+// Puts what edits the model into the window: the Edit menu, the membership function editor, the message after each
+// edit, and how long it took to the screen.
 #pragma once
 
 #include <QObject>
 
 class QAction;
+class QMenu;
 
 namespace tactus::workbench {
 
@@ -21,6 +22,9 @@ class EditParts : public QObject {
   /// Before a model is opened: a stage takes its layout when it is entered first.
   EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene);
 
+  /// The menu Edit.
+  QMenu& menu() { return *menu_; }
+
  private:
   void buildMenu();
   void addPanels(TermController& terms, SceneController& scene);
@@ -30,6 +34,7 @@ class EditParts : public QObject {
   MainWindow& window_;
   EditController& edits_;
   FrameClock* clock_;
+  QMenu* menu_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
 };

@@ -65,6 +65,7 @@ MainWindow::MainWindow(ModelController& models, SceneController& scene, FeelCont
       recent_(recent),
       settings_(settings),
       banner_(new MessageBanner(this)),
+      column_(new QVBoxLayout),
       screens_(new QStackedWidget(this)),
       start_(new StartView(recent, this)),
       bench_(new BenchView(scene, feel, settings, this)),
@@ -73,14 +74,13 @@ MainWindow::MainWindow(ModelController& models, SceneController& scene, FeelCont
   screens_->addWidget(start_);
   screens_->addWidget(bench_);
   auto* content = new QWidget(this);
-  auto* column = new QVBoxLayout;
-  column->setSpacing(theme::kGrid);
-  column->addWidget(banner_);
-  column->addWidget(screens_, 1);
+  column_->setSpacing(theme::kGrid);
+  column_->addWidget(banner_);
+  column_->addWidget(screens_, 1);
   auto* stage = new QHBoxLayout;
   stage->setSpacing(theme::kGrid);
   stage->addWidget(rail_);
-  stage->addLayout(column, 1);
+  stage->addLayout(column_, 1);
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
   layout->setSpacing(theme::kGrid / 2);
@@ -258,6 +258,8 @@ bool MainWindow::mayLoseChanges() {
   if (answer == QMessageBox::Save) models_.save();
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && !models_.isModified());
 }
+
+void MainWindow::addStrip(QWidget* strip) { column_->insertWidget(column_->indexOf(screens_), strip); }
 
 PanelArea& MainWindow::panels() { return bench_->panels(); }
 

@@ -9,6 +9,7 @@ class QAction;
 class QMenu;
 class QSettings;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace tactus::workbench {
 
@@ -38,6 +39,10 @@ class MainWindow : public QMainWindow {
   MessageBanner& banner() { return *banner_; }
   /// Says one sentence in the strip, for a while: what was done, or why something was not. Errors go to the banner.
   void say(const QString& sentence);
+  /// Adds a line over the screen, below the messages.
+  void addStrip(QWidget* strip);
+  /// Asks what to do with changes that are not saved, where there are some. Whether another model may be opened.
+  bool mayLoseChanges();
 
  public slots:
   void enter(tactus::workbench::Stage stage);
@@ -62,7 +67,6 @@ class MainWindow : public QMainWindow {
   void chooseCopy();
   void copyPicture();
   void reopen();
-  bool mayLoseChanges();
   void showModel();
   void showTitle();
   void showFailure(const QString& path, const QString& sentence);
@@ -77,6 +81,7 @@ class MainWindow : public QMainWindow {
   RecentFiles& recent_;
   QSettings& settings_;
   MessageBanner* banner_;
+  QVBoxLayout* column_;
   QStackedWidget* screens_;
   StartView* start_;
   BenchView* bench_;

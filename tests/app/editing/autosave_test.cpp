@@ -36,10 +36,56 @@ TEST_F(AutosaveTest, NothingIsLostInACrash) {
   auto back = recovered(stored, autosave, study::RecordIds(2), {"Ann", 9000}).value();
   EXPECT_TRUE(sameBits(back.model(), history_.model()));
   EXPECT_EQ(back.labelOf(back.current()), "Depth / nasopharynx: right foot 130 to 135 mm (recovered)");
-  // The recovered gesture is not in the study file yet.
-  ASSERT_EQ(unstoredVersions(back).size(), 1);
+  // What the study file did not have it does not have now either, nor the gesture.
+  const auto unstored = unstoredVersions(back);
+  ASSERT_EQ(unstored.size(), 3);
+  EXPECT_EQ(unstored[0], autosave.versions[0]);
+  EXPECT_EQ(unstored[1], autosave.versions[1]);
+  EXPECT_TRUE(needsAutosave(back));
   ASSERT_TRUE(back.undo(kAnn));
   EXPECT_TRUE(sameBits(back.model(), history_.base()));
+}
+
+TEST_F(AutosaveTest, AModelThatWasOnlyOpenedNeedsNone) {
+  EXPECT_FALSE(needsAutosave(history_));
+  history_.begin();
+  EXPECT_FALSE(needsAutosave(history_));
+  history_.update(foot(130));
+  EXPECT_TRUE(needsAutosave(history_));
+  history_.cancel();
+  history_.snapshot("as it came", kAnn);
+  EXPECT_TRUE(needsAutosave(history_));
+}
+
+TEST_F(AutosaveTest, PartsTogetherSayTheSame) {
+  for (const double to : {130.0, 131.0, 132.0}) history_.apply(foot(to), kAnn);
+  history_.update(foot(140));
+  const auto whole = parseAutosave(autosaveText(history_, "x"), "whole").value();
+  const auto first = parseAutosave(autosaveText(history_, "x", {0, 2}), "first").value();
+  const auto second = parseAutosave(autosaveText(history_, "x", {2, 4}), "second").value();
+  ASSERT_EQ(first.versions.size(), 2);
+  EXPECT_FALSE(first.unfinished);
+  auto joined = first.versions;
+  joined.insert(joined.end(), second.versions.begin(), second.versions.end());
+  EXPECT_EQ(joined, whole.versions);
+  ASSERT_TRUE(second.unfinished);
+}
+
+TEST_F(AutosaveTest, WithoutAStudyEveryStateComesBack) {
+  const auto opened = history_.model();
+  history_.apply(foot(130), kAnn);
+  ASSERT_TRUE(history_.undo(kAnn));
+  history_.apply(foot(131), kAnn);
+  history_.signOff({"S4", 2000});
+  const auto autosave = parseAutosave(autosaveText(history_, "x"), "autosave").value();
+  auto back = recovered({}, autosave, study::RecordIds(2), kAnn).value();
+  EXPECT_TRUE(sameBits(back.model(), history_.model()));
+  EXPECT_EQ(back.events().size(), history_.events().size());
+  ASSERT_TRUE(back.returnTo(1, kAnn));
+  EXPECT_EQ(pointsOf(back.model(), "depth", "nasopharynx")[3], 130);
+  ASSERT_TRUE(back.undo(kAnn));
+  EXPECT_TRUE(sameBits(back.model(), opened));
+  EXPECT_FALSE(back.canUndo());
 }
 
 TEST_F(AutosaveTest, WhatReachedTheStudyFileIsNotAppendedTwice) {

@@ -1,6 +1,5 @@
 #include "app/workbench/views/membership_editor.h"
 
-#include <QAbstractItemView>
 #include <QLineEdit>
 #include <QMenu>
 #include <QTabBar>
@@ -13,7 +12,6 @@
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/term_controller.h"
 #include "app/workbench/plots/membership_editor_plot.h"
-#include "app/workbench/views/history_panel.h"
 #include "app/workbench/views/lock_button.h"
 #include "app/workbench/views/number_box.h"
 #include "app/workbench/views/popup_form.h"
@@ -217,21 +215,6 @@ TEST_F(MembershipEditorTest, ATermWithRulesIsRemovedAfterASmallForm) {
   EXPECT_EQ(terms.terms().size(), 2U);
   QTest::keyClick(form, Qt::Key_Return);
   EXPECT_EQ(terms.terms().size(), 1U);
-}
-
-TEST_F(MembershipEditorTest, TheHistoryIsAListToWalkIn) {
-  HistoryPanel history(edits);
-  history.show();
-  drag(place(5, 0), 60);
-  drag(place(4, 1), -60);
-  QCoreApplication::processEvents();
-  auto* list = history.findChild<QAbstractItemView*>();
-  ASSERT_NE(list, nullptr);
-  ASSERT_EQ(list->model()->rowCount(), 3);
-  EXPECT_TRUE(list->model()->index(2, 0).data().toString().contains(QStringLiteral("JND")));
-  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
-  EXPECT_EQ(edits.model(), tests::twoExperts());
-  EXPECT_TRUE(edits.canRedo());
 }
 
 }  // namespace

@@ -1,0 +1,102 @@
+#include "app/workbench/controllers/autosave_controller.h"
+
+#include <utility>
+
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/model_controller.h"
+#include "app/workbench/display_text.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kDelayMs = 1000;           // after an edit
+constexpr int kDelayInGestureMs = 2000;  // a drag changes the model with every frame
+
+}  // namespace
+
+AutosaveController::AutosaveController(ModelController& models, EditController& edits, QString root, QObject* parent)
+    : QObject(parent), models_(models), edits_(edits), folder_(std::make_shared<AutosaveFolder>(std::move(root))) {
+  worker_.setMaxThreadCount(1);
+  due_.setSingleShot(true);
+  connect(&due_, &QTimer::timeout, this, &AutosaveController::write);
+  connect(&edits_, &EditController::modelReset, this, &AutosaveController::onReset);
+  connect(&edits_, &EditController::changed, this, &AutosaveController::onChange);
+  connect(&edits_, &EditController::historyChanged, this, &AutosaveController::onChange);
+  connect(&edits_, &EditController::stored, this, &AutosaveController::onChange);
+  connect(&models_, &ModelController::saved, this, &AutosaveController::onChange);
+}
+
+AutosaveController::~AutosaveController() {
+  due_.stop();
+  worker_.waitForDone();
+  folder_->remove();
+}
+
+void AutosaveController::onChange() {
+  if (due_.isActive()) return;
+  due_.start(edits_.inGesture() ? kDelayInGestureMs : kDelayMs);
+}
+
+// The document before was closed, so its changes were saved or given up.
+void AutosaveController::onReset() {
+  due_.stop();
+  again_ = false;
+  worker_.start([folder = folder_] { folder->remove(); });
+  onChange();
+}
+
+void AutosaveController::write() {
+  due_.stop();
+  if (!edits_.isOpen()) return;
+  if (busy_) {
+    again_ = true;
+    return;
+  }
+  busy_ = true;
+  // Copies share the models they hold, so that this costs little; texts are made by the worker.
+  auto history = editing::needsAutosave(edits_.history())
+                     ? std::make_shared<const editing::EditHistory>(edits_.history())
+                     : nullptr;
+  AutosaveFolder::Facts facts{models_.current()->path, !models_.isModified()};
+  worker_.start([this, folder = folder_, history = std::move(history), facts = std::move(facts)] {
+    QString failure;
+    if (!history) {
+      folder->remove();
+    } else if (const auto done = folder->write(*history, facts); !done) {
+      failure = text(done.error().message());
+    }
+    QMetaObject::invokeMethod(
+        this, [this, failure] { finish(failure); }, Qt::QueuedConnection);
+  });
+}
+
+void AutosaveController::finish(const QString& failure) {
+  busy_ = false;
+  if (failure_.isEmpty() && !failure.isEmpty()) {
+    emit failed(tr("A crash would lose the changes of the model, because they cannot be kept: %1").arg(failure));
+  }
+  failure_ = failure;
+  if (std::exchange(again_, false)) {
+    write();
+  } else if (failure.isEmpty()) {
+    emit written();
+  }
+}
+
+void AutosaveController::flush() {
+  write();
+  worker_.waitForDone();
+  if (again_) {
+    again_ = false;
+    busy_ = false;
+    write();
+    worker_.waitForDone();
+  }
+}
+
+QString AutosaveController::folder() {
+  worker_.waitForDone();
+  return folder_->path();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,239 @@
+#include "app/workbench/controllers/compare_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/editing/edit_impact.h"
+#include "app/editing/same_bits.h"
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/model_controller.h"
+#include "app/workbench/display_text.h"
+#include "core/analysis/force_difference.h"
+#include "core/base/check.h"
+
+namespace tactus::workbench {
+namespace {
+
+using editing::EventKind;
+using editing::StateId;
+using Kind = CompareChoice::Kind;
+
+// An expert of weight 0 counts as absent (docs/semantics.md), so this is the force of the one bit for bit.
+fuzzy::ForceModel alone(fuzzy::ForceModel model, const std::string& id) {
+  for (fuzzy::Expert& expert : model.experts) expert.weight = expert.id == id ? 1 : 0;
+  return model;
+}
+
+// Two models over the same inputs can be compared, shown and felt in one place.
+bool sameInputs(const fuzzy::ForceModel& one, const fuzzy::ForceModel& other) {
+  return std::equal(one.inputs.begin(), one.inputs.end(), other.inputs.begin(), other.inputs.end(),
+                    [](const auto& a, const auto& b) { return a.id == b.id; });
+}
+
+CompareResult differenceOf(const OpenModel& a, const OpenModel& b) {
+  const auto whole = analysis::forceDifference(a.model, a.compiled, b.model, b.compiled);
+  const auto near = editing::editImpact(a.model, a.compiled, b.model, b.compiled);
+  CompareResult out{whole.largest_n, whole.at,    whole.first_n,       whole.second_n,
+                    near.noticeable, whole.rms_n, whole.only_one_fires};
+  // Both look at samples, the second one only where something changed, and there more closely.
+  if (near.largest_n > out.largest_n) {
+    out.largest_n = near.largest_n;
+    out.at = near.at;
+    out.a_n = near.before_n;
+    out.b_n = near.after_n;
+  }
+  return out;
+}
+
+}  // namespace
+
+CompareController::CompareController(ModelController& models, EditController& edits, QObject* parent)
+    : QObject(parent), models_(models), edits_(edits) {
+  worker_.setMaxThreadCount(1);
+  connect(&edits_, &EditController::modelReset, this, &CompareController::reset);
+  connect(&edits_, &EditController::historyChanged, this, [this] {
+    // What was the state before may be another one.
+    if (choice(CompareSide::kA).kind == Kind::kPrevious || choice(CompareSide::kB).kind == Kind::kPrevious) forget();
+    emit choicesChanged();
+  });
+  connect(&models_, &ModelController::edited, this, &CompareController::onEdited);
+  if (edits_.isOpen()) reset();
+}
+
+std::vector<CompareController::Option> CompareController::options() const {
+  std::vector<Option> out;
+  if (!edits_.isOpen()) return out;
+  const auto add = [&](CompareChoice choice) { out.push_back({choice, nameOf(choice)}); };
+  add({Kind::kOpen, 0, {}});
+  const editing::EditHistory& history = edits_.history();
+  if (history.canUndo()) add({Kind::kPrevious, 0, {}});
+  const auto& experts = edits_.model().experts;
+  if (experts.size() > 1) {
+    for (const fuzzy::Expert& expert : experts) add({Kind::kExpert, 0, expert.id});
+  }
+  std::vector<bool> named(history.states().size());
+  const auto& events = history.events();
+  for (auto event = events.rbegin(); event != events.rend(); ++event) {
+    if (event->kind != EventKind::kSnapshot && event->kind != EventKind::kSignOff) continue;
+    if (!named[event->state]) add({Kind::kState, event->state, {}});
+    named[event->state] = true;
+  }
+  for (StateId state = history.states().size(); state-- > 0;) {
+    if (!named[state]) add({Kind::kState, state, {}});
+  }
+  return out;
+}
+
+QString CompareController::nameOf(const CompareChoice& choice) const {
+  switch (choice.kind) {
+    case Kind::kOpen:
+      return edits_.model().experts.size() > 1 ? tr("Open model, mean of %1 experts").arg(edits_.model().experts.size())
+                                               : tr("Open model");
+    case Kind::kPrevious:
+      return tr("Before the last edit");
+    case Kind::kExpert:
+      for (const fuzzy::Expert& expert : edits_.model().experts) {
+        if (expert.id == choice.expert) return tr("%1 alone").arg(labelOf(expert));
+      }
+      return text(choice.expert);
+    case Kind::kState:
+      break;
+  }
+  const editing::EditHistory& history = edits_.history();
+  const auto& events = history.events();
+  const auto mark = std::find_if(events.rbegin(), events.rend(), [&](const editing::Event& event) {
+    return event.state == choice.state && (event.kind == EventKind::kSnapshot || event.kind == EventKind::kSignOff);
+  });
+  if (mark == events.rend()) return tr("%1 · %2").arg(choice.state).arg(text(history.labelOf(choice.state)));
+  return mark->kind == EventKind::kSnapshot ? tr("Snapshot “%1”").arg(text(mark->label))
+                                            : tr("Signed off by %1").arg(text(mark->stamp.author));
+}
+
+void CompareController::choose(CompareSide side, CompareChoice choice) {
+  if (sides_[index(side)] == choice) return;
+  sides_[index(side)] = std::move(choice);
+  forget();
+  emit choicesChanged();
+  if (shown_ == side) show(side);
+}
+
+bool CompareController::showsAnother() const { return shown_ && choice(*shown_).kind != Kind::kOpen; }
+
+base::Result<std::shared_ptr<const OpenModel>> CompareController::modelOf(CompareSide side) {
+  return make(choice(side));
+}
+
+base::Result<std::shared_ptr<const OpenModel>> CompareController::make(const CompareChoice& choice) {
+  TACTUS_CHECK(edits_.isOpen());
+  const std::shared_ptr<const OpenModel> open = models_.current();
+  if (choice.kind == Kind::kOpen) return open;
+  base::Result<fuzzy::ForceModel> model = open->model;
+  if (choice.kind == Kind::kExpert) {
+    model = alone(open->model, choice.expert);
+  } else {
+    const editing::EditHistory& history = edits_.history();
+    const StateId state =
+        choice.kind == Kind::kState ? choice.state : history.states()[history.current()].parent.value_or(0);
+    model = edits_.modelOf(state);
+  }
+  if (!model) return tl::unexpected(model.error());
+  if (!sameInputs(*model, open->model)) {
+    return base::fail(base::ErrorCode::kMismatch, nameOf(choice).toStdString(), "other inputs",
+                      "the inputs of the open model");
+  }
+  auto compiled = fuzzy::compile(*model);
+  if (!compiled) return tl::unexpected(compiled.error());
+  OpenModel out;
+  out.path = open->path;
+  out.in_study = open->in_study;
+  out.simulated = open->simulated || saysSimulated(*model);
+  out.model = std::move(*model);
+  out.compiled = std::move(*compiled);
+  return std::make_shared<const OpenModel>(std::move(out));
+}
+
+void CompareController::compute() {
+  if (result_ || asked_ || !edits_.isOpen() || edits_.inGesture()) return;
+  const auto a = modelOf(CompareSide::kA);
+  const auto b = modelOf(CompareSide::kB);
+  if (!a || !b) {
+    emit refused(text((a ? b.error() : a.error()).message()));
+    return;
+  }
+  asked_ = true;
+  worker_.clear();
+  worker_.start([this, question = question_, a = *a, b = *b] {
+    const CompareResult result = differenceOf(*a, *b);
+    QMetaObject::invokeMethod(
+        this, [this, question, result] { take(question, result); }, Qt::QueuedConnection);
+  });
+}
+
+void CompareController::take(std::uint64_t question, const CompareResult& result) {
+  if (question != question_) return;
+  asked_ = false;
+  result_ = result;
+  emit resultChanged();
+}
+
+void CompareController::show(CompareSide side) {
+  if (!edits_.isOpen()) return;
+  edits_.commit();
+  const auto model = modelOf(side);
+  if (!model) {
+    emit refused(text(model.error().message()));
+    return;
+  }
+  shown_ = side;
+  models_.showInstead(*model);
+  emit shownChanged();
+}
+
+void CompareController::toggle() {
+  if (!edits_.isOpen()) return;
+  if (!shown_) {
+    const auto a = modelOf(CompareSide::kA);
+    const auto b = modelOf(CompareSide::kB);
+    if (a && b && editing::sameBits((*a)->model, (*b)->model)) {
+      emit refused(tr("There is nothing to compare: A and B are the same model. Choose two in the panel History."));
+      return;
+    }
+  }
+  show(shown_ == CompareSide::kB ? CompareSide::kA : CompareSide::kB);
+}
+
+void CompareController::end() {
+  if (!shown_) return;
+  shown_.reset();
+  models_.showInstead(nullptr);
+  emit shownChanged();
+}
+
+void CompareController::reset() {
+  sides_[0] = {};
+  sides_[1] = {Kind::kPrevious, 0, {}};
+  if (std::exchange(shown_, std::nullopt)) emit shownChanged();
+  models_.showInstead(nullptr);
+  forget();
+  emit choicesChanged();
+}
+
+void CompareController::onEdited() {
+  // An edit is always one of the open model, and what is edited has to be what is felt.
+  if (showsAnother()) {
+    const QString name = nameOf(choice(*shown_));
+    shown_.reset();
+    emit shownChanged();
+    emit said(tr("The comparison has ended, because the open model was edited: it is felt again, not “%1”.").arg(name));
+  }
+  forget();
+}
+
+void CompareController::forget() {
+  ++question_;
+  asked_ = false;
+  if (std::exchange(result_, std::nullopt)) emit resultChanged();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,46 @@
+// The history as a list for the screen. What an edit did to the force is computed for the rows that are looked at.
+#pragma once
+
+#include <QAbstractListModel>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "app/editing/history_tree.h"
+
+namespace tactus::workbench {
+
+class EditController;
+
+class HistoryModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  enum Role {
+    kEffectRole = Qt::UserRole,  ///< QString: `max ΔF 0.032 N (0.4 JND) · 19:20 · M. Ortiz`
+    kSnapshotsRole,              ///< QStringList: names
+    kSignOffsRole,               ///< QStringList: `S4 feels right`
+  };
+
+  /// Empty until `refresh`.
+  explicit HistoryModel(EditController& edits, QObject* parent = nullptr);
+
+  /// Reads the history again.
+  void refresh();
+
+  const editing::HistoryRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
+  std::optional<int> currentRow() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+
+ private:
+  QString detailOf(const editing::HistoryRow& row) const;
+  QString tipOf(const editing::HistoryRow& row) const;
+  QStringList marksOf(const editing::HistoryRow& row, editing::EventKind kind) const;
+
+  EditController& edits_;
+  std::vector<editing::HistoryRow> rows_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,41 @@
+// Chooses two versions of the model, says how far their forces are apart and where, and switches between them.
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace tactus::workbench {
+
+class CompareController;
+class Refresh;
+class SceneController;
+enum class CompareSide;
+
+class CompareCard : public QWidget {
+  Q_OBJECT
+
+ public:
+  CompareCard(CompareController& compare, SceneController& scene, QWidget* parent = nullptr);
+
+ private:
+  void list();
+  void fill(QComboBox& box, CompareSide side);
+  void choose(const QComboBox& box, CompareSide side);
+  void showResult();
+  void goThere();
+
+  CompareController& compare_;
+  SceneController& scene_;
+  QComboBox* a_;
+  QComboBox* b_;
+  QLabel* result_;
+  QLabel* place_;
+  QPushButton* go_;
+  Refresh* refresh_list_;
+  Refresh* refresh_result_;
+};
+
+}  // namespace tactus::workbench

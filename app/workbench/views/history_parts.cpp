@@ -1,0 +1,79 @@
+#include "app/workbench/views/history_parts.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+
+#include "app/workbench/controllers/autosave_controller.h"
+#include "app/workbench/controllers/compare_controller.h"
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/study_controller.h"
+#include "app/workbench/views/compare_strip.h"
+#include "app/workbench/views/history_panel.h"
+#include "app/workbench/views/main_window.h"
+#include "app/workbench/views/message_banner.h"
+#include "app/workbench/views/panel_area.h"
+#include "app/workbench/views/recovery_strip.h"
+
+namespace tactus::workbench {
+
+HistoryParts::HistoryParts(MainWindow& window, QMenu& menu, EditController& edits, CompareController& compare,
+                           SceneController& scene, FeelController& feel, AuthorName& author)
+    : window_(window),
+      edits_(edits),
+      compare_(compare),
+      panel_(new HistoryPanel(edits, compare, scene, author)),
+      dock_(window.panels().addPanel(QStringLiteral("history"), tr("History"), panel_)) {
+  window.addStrip(new CompareStrip(compare, feel));
+  buildMenu(menu);
+  connect(&edits_, &EditController::modelReset, this, &HistoryParts::showActions);
+  connect(&compare_, &CompareController::shownChanged, this, &HistoryParts::showActions);
+  connect(&compare_, &CompareController::said, &edits_, &EditController::reported);
+  connect(&compare_, &CompareController::refused, &edits_, &EditController::refused);
+  showActions();
+}
+
+void HistoryParts::addRecovery(AutosaveController& autosave, RecoveryController& recovery, StudyController& study) {
+  auto* strip = new RecoveryStrip(recovery);
+  window_.addStrip(strip);
+  connect(strip, &RecoveryStrip::restoreRequested, this, [this, &recovery] {
+    if (window_.mayLoseChanges()) recovery.restore();
+  });
+  connect(&recovery, &RecoveryController::studyNeeded, &study, &StudyController::open);
+  connect(&recovery, &RecoveryController::restored, &edits_, &EditController::reported);
+  connect(&recovery, &RecoveryController::failed, &window_.banner(), &MessageBanner::showError);
+  connect(&autosave, &AutosaveController::failed, &window_.banner(), &MessageBanner::showError);
+}
+
+void HistoryParts::buildMenu(QMenu& menu) {
+  menu.addSeparator();
+  snapshot_ = menu.addAction(tr("&Name this state…"));
+  snapshot_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_N);
+  sign_off_ = menu.addAction(tr("&Sign off by an expert…"));
+  sign_off_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_G);
+  menu.addSeparator();
+  compare_sides_ = menu.addAction(tr("&Compare: switch between A and B"));
+  compare_sides_->setShortcut(Qt::CTRL | Qt::Key_B);
+  end_ = menu.addAction(tr("&End the comparison"));
+  end_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_B);
+  menu.addSeparator();
+  author_ = menu.addAction(tr("&Your name…"));
+  connect(snapshot_, &QAction::triggered, this, [this] { reveal(&HistoryPanel::askSnapshot); });
+  connect(sign_off_, &QAction::triggered, this, [this] { reveal(&HistoryPanel::askSignOff); });
+  connect(author_, &QAction::triggered, this, [this] { reveal(&HistoryPanel::askAuthor); });
+  connect(compare_sides_, &QAction::triggered, &compare_, &CompareController::toggle);
+  connect(end_, &QAction::triggered, &compare_, &CompareController::end);
+}
+
+void HistoryParts::reveal(void (HistoryPanel::*ask)()) {
+  dock_->show();
+  dock_->raise();
+  (panel_->*ask)();
+}
+
+void HistoryParts::showActions() {
+  for (QAction* action : {snapshot_, sign_off_, compare_sides_, author_}) action->setEnabled(edits_.isOpen());
+  end_->setEnabled(compare_.shown().has_value());
+}
+
+}  // namespace tactus::workbench

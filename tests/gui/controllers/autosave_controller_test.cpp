@@ -1,0 +1,134 @@
+#include "app/workbench/controllers/autosave_controller.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSignalSpy>
+#include <QTest>
+#include <gtest/gtest.h>
+#include <memory>
+
+#include "app/editing/membership_edits.h"
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/model_controller.h"
+
+#include "tests/gui/sample_models.h"
+
+namespace tactus::workbench {
+namespace {
+
+const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
+constexpr int kPatience = 10'000;  // ms, for a busy machine
+
+class AutosaveControllerTest : public testing::Test {
+ protected:
+  void SetUp() override { models.open(folder.write(tests::twoExperts())); }
+
+  void edit(double to) { ASSERT_TRUE(edits.apply(editing::moveVertex(edits.model(), kNearShoulder, to))); }
+  QStringList parts() {
+    return QDir(autosave->folder()).entryList({QStringLiteral("part-*.json")}, QDir::Files, QDir::Name);
+  }
+  editing::Autosave content(const QString& part) {
+    QFile file(QDir(autosave->folder()).filePath(part));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return editing::parseAutosave(file.readAll().toStdString(), part.toStdString()).value();
+  }
+
+  tests::ModelFolder folder;
+  const QString root = folder.path(QStringLiteral("autosave"));
+  ModelController models;
+  EditController edits{models};
+  std::unique_ptr<AutosaveController> autosave = std::make_unique<AutosaveController>(models, edits, root);
+};
+
+TEST_F(AutosaveControllerTest, WritesSoonAfterAnEditWithoutBeingAsked) {
+  QSignalSpy written(autosave.get(), &AutosaveController::written);
+  edit(3);
+  EXPECT_TRUE(autosave->folder().isEmpty());
+  ASSERT_TRUE(written.wait(kPatience));
+  ASSERT_EQ(parts().size(), 1);
+  const auto saved = content(parts()[0]);
+  EXPECT_EQ(saved.document, models.current()->path.toStdString());
+  EXPECT_EQ(saved.versions, editing::unstoredVersions(edits.history()));
+  // A living process has lost nothing.
+  EXPECT_TRUE(lostWork(root).empty());
+}
+
+TEST_F(AutosaveControllerTest, WritesTheGestureThatGoesOn) {
+  edits.begin();
+  edits.update(editing::moveVertex(edits.base(), kNearShoulder, 3));
+  autosave->flush();
+  const auto saved = content(parts().value(0));
+  ASSERT_TRUE(saved.unfinished);
+  EXPECT_EQ(saved.unfinished->model.inputs[1].terms[0].points[2], 3);
+  edits.cancel();
+  autosave->flush();
+  EXPECT_TRUE(autosave->folder().isEmpty());
+}
+
+TEST_F(AutosaveControllerTest, AModelThatIsOnlyLookedAtLeavesNothing) {
+  autosave->flush();
+  EXPECT_TRUE(autosave->folder().isEmpty());
+  EXPECT_FALSE(QFileInfo::exists(root));
+}
+
+TEST_F(AutosaveControllerTest, WhatIsStoredInAStudyIsNotKept) {
+  edit(3);
+  autosave->flush();
+  const QString path = autosave->folder();
+  ASSERT_TRUE(QFileInfo::exists(path));
+  const auto events = edits.history().events();
+  for (const auto& event : events) edits.markStored(event.id);
+  autosave->flush();
+  EXPECT_FALSE(QFileInfo::exists(path));
+}
+
+TEST_F(AutosaveControllerTest, AnOrderlyEndAndAnotherDocumentLeaveNothing) {
+  edit(3);
+  autosave->flush();
+  const QString path = autosave->folder();
+  models.reopen();
+  autosave->flush();
+  EXPECT_FALSE(QFileInfo::exists(path));
+  edit(2);
+  autosave->flush();
+  const QString second = autosave->folder();
+  ASSERT_TRUE(QFileInfo::exists(second));
+  autosave.reset();
+  EXPECT_FALSE(QFileInfo::exists(second));
+}
+
+TEST_F(AutosaveControllerTest, ALongHistoryIsWrittenInPartsThatAreNotWrittenAgain) {
+  for (int i = 0; i < 60; ++i) edit(i % 2 == 0 ? 3 : 2);
+  autosave->flush();
+  ASSERT_EQ(parts().size(), 2);
+  const QString first = QDir(autosave->folder()).filePath(parts()[0]);
+  EXPECT_EQ(content(parts()[0]).versions.size(), 50U);
+  EXPECT_EQ(content(parts()[1]).versions.size(), 11U);
+  // Nobody may touch it any more.
+  QFile marked(first);
+  ASSERT_TRUE(marked.open(QIODevice::Append));
+  marked.write("\n");
+  marked.close();
+  const qint64 size = QFileInfo(first).size();
+  for (int i = 0; i < 40; ++i) edit(i % 2 == 0 ? 1 : 2);
+  autosave->flush();
+  EXPECT_EQ(parts().size(), 3);
+  EXPECT_EQ(QFileInfo(first).size(), size);
+  EXPECT_EQ(content(parts()[2]).versions.size(), 1U);
+}
+
+TEST_F(AutosaveControllerTest, SaysOnceWhereNothingCanBeKept) {
+  // A file stands where the folder has to be.
+  folder.writeText("", QStringLiteral("autosave"));
+  const QSignalSpy failed(autosave.get(), &AutosaveController::failed);
+  for (int i = 0; i < 3; ++i) {
+    edit(3 - i);
+    autosave->flush();
+    QCoreApplication::processEvents();
+  }
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains(root));
+}
+
+}  // namespace
+}  // namespace tactus::workbench
