@@ -18,16 +18,47 @@ struct Forces {
 };
 
 base::Result<Forces> along(const fuzzy::CompiledModel& model, const std::vector<std::optional<double>>& fixed,
-                           const std::vector<double>& places) {
+                           std::span<const double> places) {
   const auto scene = fuzzy::Scene::specialise(model, fixed);
   if (!scene) return tl::unexpected(scene.error());
   Forces out{std::vector<double>(places.size()), std::vector<std::uint8_t>(places.size())};
-  const std::span<const double> column(places);
-  scene->evaluateBatch(std::span(&column, 1), {out.force_n, out.fired});
+  scene->evaluateBatch(std::span(&places, 1), {out.force_n, out.fired});
   return out;
 }
 
 }  // namespace
+
+base::Result<GhostCurve> ghostCurve(const fuzzy::CompiledModel& compiled_before,
+                                    const fuzzy::CompiledModel& compiled_after, std::size_t input,
+                                    std::span<const double> point, std::span<const double> places) {
+  TACTUS_CHECK(compiled_before.inputCount() == compiled_after.inputCount());
+  if (input >= point.size() || point.size() != compiled_after.inputCount() || places.empty()) {
+    return base::fail(base::ErrorCode::kValue, "curve",
+                      "input " + std::to_string(input) + ", " + std::to_string(point.size()) + " values, " +
+                          std::to_string(places.size()) + " places",
+                      "an input of the model, a value for each, a place or more");
+  }
+  std::vector<std::optional<double>> fixed(point.begin(), point.end());
+  fixed[input].reset();
+  const auto before = along(compiled_before, fixed, places);
+  if (!before) return tl::unexpected(before.error());
+  const auto after = along(compiled_after, fixed, places);
+  if (!after) return tl::unexpected(after.error());
+
+  GhostCurve out;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const GhostCurve::Point here{places[k], before->force_n[k], after->force_n[k], before->fired[k] != 0,
+                                 after->fired[k] != 0};
+    out.points.push_back(here);
+    if (!here.before_fired || !here.after_fired) continue;
+    const double newtons = std::abs(here.after_n - here.before_n);
+    out.noticeable = std::max(out.noticeable, newtons / elicitation::justNoticeableDifference(std::abs(here.before_n)));
+    if (newtons <= out.largest_n) continue;
+    out.largest_n = newtons;
+    out.largest_at = here.at;
+  }
+  return out;
+}
 
 ModelGhost::ModelGhost(const fuzzy::ForceModel& before, const fuzzy::CompiledModel& compiled_before,
                        const fuzzy::ForceModel& after, const fuzzy::CompiledModel& compiled_after)
@@ -47,31 +78,12 @@ base::Result<GhostCurve> ModelGhost::curve(std::size_t input, std::span<const do
                           std::to_string(count) + " points",
                       "an input of the model, a value for each, two points or more");
   }
-  std::vector<std::optional<double>> fixed(point.begin(), point.end());
-  fixed[input].reset();
   std::vector<double> places;
   for (std::size_t k = 0; k < count; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(count - 1);
     places.push_back(inputs[input].min * (1 - share) + inputs[input].max * share);
   }
-  const auto before = along(compiled_before_, fixed, places);
-  if (!before) return tl::unexpected(before.error());
-  const auto after = along(compiled_after_, fixed, places);
-  if (!after) return tl::unexpected(after.error());
-
-  GhostCurve out;
-  for (std::size_t k = 0; k < count; ++k) {
-    const GhostCurve::Point here{places[k], before->force_n[k], after->force_n[k], before->fired[k] != 0,
-                                 after->fired[k] != 0};
-    out.points.push_back(here);
-    if (!here.before_fired || !here.after_fired) continue;
-    const double newtons = std::abs(here.after_n - here.before_n);
-    out.noticeable = std::max(out.noticeable, newtons / elicitation::justNoticeableDifference(std::abs(here.before_n)));
-    if (newtons <= out.largest_n) continue;
-    out.largest_n = newtons;
-    out.largest_at = here.at;
-  }
-  return out;
+  return ghostCurve(compiled_before_, compiled_after_, input, point, places);
 }
 
 analysis::ForceDifference ModelGhost::difference() const {

@@ -26,6 +26,11 @@ struct GhostCurve {
   double noticeable = 0;  ///< largest one in just-noticeable differences around the force before
 };
 
+/// Both forces along input number `input` at `places`, ascending, the other inputs at the values of `point` (one per
+/// input of both models, which have the same ones). Refused: a value that is not finite, no place.
+base::Result<GhostCurve> ghostCurve(const fuzzy::CompiledModel& before, const fuzzy::CompiledModel& after,
+                                    std::size_t input, std::span<const double> point, std::span<const double> places);
+
 /// Two states of one model, over the same inputs. Copies share what they hold.
 class ModelGhost {
  public:

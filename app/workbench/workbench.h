@@ -8,12 +8,15 @@
 #include "app/workbench/controllers/feel_controller.h"
 #include "app/workbench/controllers/feel_store.h"
 #include "app/workbench/controllers/findings_controller.h"
+#include "app/workbench/controllers/ghost_controller.h"
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/recent_files.h"
+#include "app/workbench/controllers/reference_controller.h"
 #include "app/workbench/controllers/rule_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/study_controller.h"
 #include "app/workbench/controllers/term_controller.h"
+#include "app/workbench/views/curve_parts.h"
 #include "app/workbench/views/edit_parts.h"
 #include "app/workbench/views/finding_parts.h"
 #include "app/workbench/views/history_parts.h"
@@ -37,6 +40,8 @@ struct Workbench {
         recovery(models, edits, autosave, autosave_root),
         terms(edits),
         rules(edits, scene),
+        ghost(edits, scene),
+        references(scene),
         findings(edits, scene),
         study(models, edits),
         feel_store(feel, scene, study),
@@ -44,6 +49,7 @@ struct Workbench {
         window(models, scene, feel, recent, settings),
         rule_parts(window, rules),
         edit_parts(window, edits, terms, scene),
+        curve_parts(window, models, edits, ghost, references),
         finding_parts(window, findings, terms),
         study_parts(window, study, feel, feel_store, models, recent),
         history_parts(window, edit_parts.menu(), edits, compare, scene, feel, author) {
@@ -60,6 +66,8 @@ struct Workbench {
   RecoveryController recovery;
   TermController terms;
   RuleController rules;
+  GhostController ghost;
+  ReferenceController references;
   FindingsController findings;
   StudyController study;
   FeelStore feel_store;
@@ -67,6 +75,7 @@ struct Workbench {
   MainWindow window;
   RuleParts rule_parts;
   EditParts edit_parts;
+  CurveParts curve_parts;
   FindingParts finding_parts;
   StudyParts study_parts;
   HistoryParts history_parts;

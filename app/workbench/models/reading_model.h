@@ -24,6 +24,9 @@ class ReadingModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
+  /// Whether the line of `row` is shown.
+  bool isShown(int row) const { return shown_[static_cast<std::size_t>(row)]; }
+
  public slots:
   /// Has the forces read again; called by whoever shows them, so that hidden ones are never computed.
   void announceReading();

@@ -1,11 +1,14 @@
 #include "app/workbench/plots/curve_plot.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
+#include "app/workbench/plots/curve_overlays.h"
 #include "app/workbench/plots/landmark_marks.h"
 #include "app/workbench/plots/plot_style.h"
 #include "app/workbench/plots/reading_cursor.h"
@@ -46,10 +49,15 @@ QPen expertPen(std::size_t expert, std::size_t count) {
           1};
 }
 
-void addLine(QCustomPlot& plot, const QString& name, const QPen& pen) {
+QPen linePen(std::size_t graph, std::size_t experts, bool fast) {
+  QPen pen = graph == kMeanGraph ? QPen(theme::mean(), 4) : expertPen(graph - 1, experts);
+  if (fast) pen.setWidthF(1);
+  return pen;
+}
+
+void addLine(QCustomPlot& plot, const QString& name) {
   QCPGraph* graph = plot.addGraph();
   graph->setName(name);
-  graph->setPen(pen);
   graph->setAdaptiveSampling(false);
 }
 
@@ -59,19 +67,22 @@ CurvePlot::CurvePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
-  setMinimumSize(360, 200);
+  setMinimumSize(360, 160);
 
   bands_ = new TermBands(*plot_);
   silence_ = new SilenceMarks(*plot_);
   labels_ = new TermLabels(*plot_, kLabelRows);
   landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kInside);
   cursor_ = new ReadingCursor(*plot_);
+  overlays_ = std::make_unique<CurveOverlays>(*plot_);
   plot_->axisRect()->setAutoMargins(QCP::msLeft | QCP::msBottom);
   plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
 
   connect(plot_, &QCustomPlot::mouseMove, this, &CurvePlot::onMouse);
   connect(plot_, &QCustomPlot::mousePress, this, &CurvePlot::onMouse);
 }
+
+CurvePlot::~CurvePlot() = default;
 
 void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
                         const std::vector<fuzzy::Expert>& experts) {
@@ -85,11 +96,15 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   landmarks_->setVariable(x);
   setToolTip(landmarks_->explanation());
 
+  overlays_->clear();
   plot_->clearGraphs();
-  addLine(*plot_, tr("Mean"), QPen(theme::mean(), 4));
-  for (std::size_t i = 0; i < experts.size(); ++i) {
-    addLine(*plot_, labelOf(experts[i]), expertPen(i, experts.size()));
+  weights_.clear();
+  addLine(*plot_, tr("Mean"));
+  for (const fuzzy::Expert& expert : experts) {
+    addLine(*plot_, labelOf(expert));
+    weights_.push_back(expert.weight);
   }
+  styleLines();
   everyone_silent_.clear();
   silent_.clear();
 }
@@ -109,6 +124,8 @@ void CurvePlot::setCurves(const ForceCurves& curves) {
     plot_->graph(static_cast<int>(i) + 1)->setData(x, withGaps(curves.experts[i]), true);
     silent_.push_back(silentIntervals(curves.x, curves.experts[i]));
   }
+  const bool any = spread_.range || spread_.deviation;
+  overlays_->setSpread(curves.x, any ? spreadOf(curves, weights_) : ForceSpread(), spread_);
   updateSilence();
 }
 
@@ -138,12 +155,60 @@ bool CurvePlot::isMeanShown() const { return shown(kMeanGraph); }
 
 bool CurvePlot::isExpertShown(std::size_t expert) const { return shown(expert + 1); }
 
+void CurvePlot::setGhost(const GhostCurves* ghost, const QString& name) {
+  ghost_name_ = name;
+  std::vector<QPen> pens;
+  for (std::size_t i = 0; i <= weights_.size(); ++i) {
+    pens.push_back(shown(i) ? linePen(i, weights_.size(), fast_) : QPen(Qt::NoPen));
+  }
+  overlays_->setGhost(ghost, pens);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurvePlot::setReferences(const std::vector<ReferenceCurve>& references) {
+  overlays_->setReferences(references);
+  double lowest = output_.min;
+  double highest = output_.max;
+  for (const ReferenceCurve& reference : references) {
+    for (std::size_t i = 0; i < reference.x.size(); ++i) {
+      if (reference.x[i] < x_.min || reference.x[i] > x_.max || std::isnan(reference.force_n[i])) continue;
+      lowest = std::min(lowest, reference.force_n[i]);
+      highest = std::max(highest, reference.force_n[i]);
+    }
+  }
+  plot_->yAxis->setRange(lowest, highest);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurvePlot::setFast(bool fast) {
+  if (fast == fast_) return;
+  fast_ = fast;
+  plot_->setNotAntialiasedElements(fast ? QCP::aeAll : QCP::aeNone);
+  plot_->setAntialiasedElements(fast ? QCP::aeNone : QCP::aeAll);
+  styleLines();
+  overlays_->setFast(fast);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurvePlot::styleLines() {
+  for (std::size_t i = 0; i <= weights_.size(); ++i) {
+    QCPGraph* line = plot_->graph(static_cast<int>(i));
+    line->setPen(linePen(i, weights_.size(), fast_));
+  }
+}
+
+LegendEntry CurvePlot::lineOf(std::optional<std::size_t> expert) const {
+  const int graph = expert ? static_cast<int>(*expert) + 1 : kMeanGraph;
+  return {plot_->graph(graph)->name(), linePen(static_cast<std::size_t>(graph), weights_.size(), false)};
+}
+
 std::vector<LegendEntry> CurvePlot::legend() const {
   std::vector<LegendEntry> entries;
-  for (int i = 0; i < plot_->graphCount(); ++i) {
-    const QCPGraph& line = *plot_->graph(i);
-    if (line.visible()) entries.push_back({line.name(), line.pen()});
+  for (std::size_t i = 0; i <= weights_.size(); ++i) {
+    if (shown(i)) entries.push_back(lineOf(i == 0 ? std::nullopt : std::optional(i - 1)));
   }
+  const std::vector<LegendEntry> others = overlays_->legend(ghost_name_);
+  entries.insert(entries.end(), others.begin(), others.end());
   return entries;
 }
 

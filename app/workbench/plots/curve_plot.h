@@ -1,11 +1,16 @@
-// The plot of force along one input: a thin line per expert, the mean thick, gaps where an expert abstains.
+// The plot of force along one input: a thin line per expert, the mean thick with its spread, gaps where an expert
+// abstains; dashed what was before an edit, dotted what a reference says.
 #pragma once
 
 #include <QString>
 #include <QWidget>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/workbench/controllers/force_curves.h"
+#include "app/workbench/controllers/reference_curve.h"
+#include "app/workbench/plots/curve_looks.h"
 #include "app/workbench/plots/plot_source.h"
 #include "core/fuzzy/force_model.h"
 
@@ -14,11 +19,13 @@ class QMouseEvent;
 
 namespace tactus::workbench {
 
+class CurveOverlays;
 class LandmarkMarks;
 class ReadingCursor;
 class SilenceMarks;
 class TermBands;
 class TermLabels;
+struct GhostCurves;
 struct Reading;
 
 class CurvePlot : public QWidget, public PlotSource {
@@ -26,6 +33,7 @@ class CurvePlot : public QWidget, public PlotSource {
 
  public:
   explicit CurvePlot(QWidget* parent = nullptr);
+  ~CurvePlot() override;
 
   /// The universes of `x` and of the output become the axes; `experts` name the lines.
   void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output, const std::vector<fuzzy::Expert>& experts);
@@ -38,6 +46,17 @@ class CurvePlot : public QWidget, public PlotSource {
   bool isMeanShown() const;
   bool isExpertShown(std::size_t expert) const;
   void setReading(const Reading& reading);
+  /// Which parts of the spread `setCurves` draws from now on.
+  void setSpreadShown(SpreadShown shown) { spread_ = shown; }
+  SpreadShown spreadShown() const { return spread_; }
+  /// The curves before an edit, called `name` in a legend; null: none.
+  void setGhost(const GhostCurves* ghost, const QString& name);
+  /// Curves for the present x axis. The axis of the force grows where they reach farther than the output.
+  void setReferences(const std::vector<ReferenceCurve>& references);
+  /// While the hand moves: thin lines without smoothing, which are drawn in half the time.
+  void setFast(bool fast);
+  /// How the line of an expert, or of the mean, looks in a legend.
+  LegendEntry lineOf(std::optional<std::size_t> expert) const;
 
   std::vector<LegendEntry> legend() const override;
   void paintPicture(QCPPainter& painter, const QSize& size) override;
@@ -56,6 +75,7 @@ class CurvePlot : public QWidget, public PlotSource {
   void onMouse(QMouseEvent* event);
   void updateSilence();
   bool shown(std::size_t graph) const;
+  void styleLines();
 
   QCustomPlot* plot_;
   TermBands* bands_;
@@ -63,10 +83,15 @@ class CurvePlot : public QWidget, public PlotSource {
   TermLabels* labels_;
   LandmarkMarks* landmarks_;
   ReadingCursor* cursor_;
+  std::unique_ptr<CurveOverlays> overlays_;
   fuzzy::Variable x_;
   fuzzy::Variable output_;
   std::vector<Interval> everyone_silent_;
   std::vector<std::vector<Interval>> silent_;  ///< one list per expert
+  std::vector<double> weights_;                ///< of the experts
+  SpreadShown spread_;
+  QString ghost_name_;
+  bool fast_ = false;
 };
 
 }  // namespace tactus::workbench

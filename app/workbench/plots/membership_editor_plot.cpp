@@ -8,6 +8,7 @@
 
 #include "app/workbench/controllers/patient.h"
 #include "app/workbench/display_text.h"
+#include "app/workbench/plots/curve_looks.h"
 #include "app/workbench/plots/grip_finder.h"
 #include "app/workbench/plots/grip_marks.h"
 #include "app/workbench/plots/plot_style.h"
@@ -60,6 +61,26 @@ void MembershipEditorPlot::setTerms(const fuzzy::Variable& variable, const std::
   if (another || (pressed_ && !holds(terms_, *pressed_))) pressed_.reset();
   if (!isDragging()) fitAxis();
   drawTerms();
+}
+
+void MembershipEditorPlot::setGhost(std::vector<fuzzy::Term> before) {
+  if (before == before_) return;
+  before_ = std::move(before);
+  drawTerms();
+}
+
+void MembershipEditorPlot::drawGhost() {
+  const QCPRange range = plot_->xAxis->range();
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    const auto now =
+        std::find_if(terms_.begin(), terms_.end(), [&](const auto& term) { return term.id == before_[i].id; });
+    if (now != terms_.end() && now->shape == before_[i].shape && now->points == before_[i].points) continue;
+    const TermOutline outline = outlineOf(before_[i], range.lower, range.upper);
+    QCPGraph* graph = plot_->addGraph();
+    graph->setAdaptiveSampling(false);
+    graph->setPen(ghostPen(theme::term(i, before_.size()), isDragging()));
+    graph->setData(outline.x, outline.membership, true);
+  }
 }
 
 void MembershipEditorPlot::setLocked(std::vector<std::vector<bool>> locked) {
@@ -132,6 +153,7 @@ void MembershipEditorPlot::drawTerms() {
     addShape(*plot_, theme::term(i, terms_.size()), strong ? 2.4 : 1.4, strong ? 0.32F : 0.14F)
         .setData(outline.x, outline.membership, true);
   }
+  drawGhost();
   labels_->setTerms(variable_, terms_);
   setValue(value_);
   drawMarks();

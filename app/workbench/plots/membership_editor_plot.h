@@ -29,6 +29,8 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
 
   /// What is drawn. A drag keeps the axis as it was at its beginning.
   void setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
+  /// The shapes before an edit, as thin dashed outlines where they differ from those now; empty: none.
+  void setGhost(std::vector<fuzzy::Term> before);
   /// Whether the vertex `point` of each term is locked, in the order of the terms.
   void setLocked(std::vector<std::vector<bool>> locked);
   /// Vertices of neighbours that lie on each other move together.
@@ -79,12 +81,14 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
   void fitAxis();
   void drawTerms();
   void drawMarks();
+  void drawGhost();
   bool moves(std::size_t term, double x, std::size_t point) const;
   PlotFrame frame() const;
   std::optional<Grip> shownGrip() const;
 
   fuzzy::Variable variable_;
   std::vector<fuzzy::Term> terms_;
+  std::vector<fuzzy::Term> before_;
   std::vector<std::vector<bool>> locked_;
   std::optional<double> value_;
   std::optional<Grip> selected_;

@@ -1,4 +1,5 @@
-// The main area: the plot of the curves with the choice of the x axis and the settings of the paper's figures.
+// The main area: the plot of the curves with the choice of the x axis, the settings of the paper's figures, the legend,
+// what changed since an edit, and reference curves.
 #pragma once
 
 #include "app/workbench/plot_table.h"
@@ -10,9 +11,15 @@ class QPushButton;
 
 namespace tactus::workbench {
 
+class CurveLegend;
 class CurvePlot;
+class ElidedLabel;
+class GhostController;
+class LegendChip;
 class PlotMenu;
 class ReadingModel;
+class ReferenceBar;
+class ReferenceController;
 class Refresh;
 class SceneController;
 
@@ -23,6 +30,16 @@ class CurvesPanel : public Card {
   CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget* parent = nullptr);
 
   PlotMenu& plotMenu() { return *menu_; }
+  /// Draws what `ghost` has as "before", and says how far the mean is from it. Once.
+  void setGhost(GhostController& ghost);
+  /// Lays reference curves over the plot. Once.
+  void setReferences(ReferenceController& references);
+  /// While the hand moves, lines are thin and not smoothed.
+  void setFast(bool fast);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void adoptModel();
@@ -30,15 +47,29 @@ class CurvesPanel : public Card {
   void showTerms();
   void onXInputChosen(int index);
   void onRowShown(int row, bool shown);
+  void showLines();
+  void showLegend();
+  void drawCurves();
+  void drawGhost();
+  void drawReferences();
   PlotTable table();
 
   SceneController& scene_;
+  ReadingModel& readings_;
+  GhostController* ghost_ = nullptr;
+  ReferenceController* references_ = nullptr;
   QLabel* title_;
   QComboBox* x_input_;
   QPushButton* presets_;
   CurvePlot* plot_;
   PlotMenu* menu_;
+  CurveLegend* legend_;
+  LegendChip* ghost_chip_;
+  ElidedLabel* difference_;
+  ReferenceBar* reference_bar_ = nullptr;
   Refresh* draw_curves_;
+  Refresh* draw_ghost_;
+  Refresh* draw_references_;
   Refresh* draw_reading_;
 };
 

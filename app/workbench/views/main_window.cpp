@@ -233,6 +233,14 @@ void MainWindow::chooseCopy() {
   models_.saveAs(path);
 }
 
+QAction* MainWindow::addReferenceAction() {
+  auto* action = new QAction(tr("Open re&ference curve…"), this);
+  action->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_O);
+  auto* file = qobject_cast<QMenu*>(recent_menu_->parent());
+  file->insertAction(save_curves_, action);
+  return action;
+}
+
 void MainWindow::copyPicture() {
   if (PlotMenu* plot = currentPlot(*bench_)) plot->copyPicture();
 }

@@ -32,6 +32,8 @@ class MainWindow : public QMainWindow {
   MainWindow(ModelController& models, SceneController& scene, FeelController& feel, RecentFiles& recent,
              QSettings& settings);
 
+  /// The entry of the File menu that opens a reference curve, for whoever does it.
+  QAction* addReferenceAction();
   /// Where panels of the stages are added, before a model is opened.
   PanelArea& panels();
   FeelPanel& feelPanel();

@@ -13,6 +13,7 @@
 
 #include "app/editing/edit_steps.h"
 #include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/ghost_controller.h"
 #include "app/workbench/controllers/plot_caption.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/term_controller.h"
@@ -34,6 +35,20 @@ void setInk(QWidget& widget, const QColor& ink) {
   QPalette colors = widget.palette();
   colors.setColor(QPalette::WindowText, ink);
   widget.setPalette(colors);
+}
+
+// The terms of `variable` in `model`, those of the expert where the list is its own; none where there is no such list.
+std::vector<fuzzy::Term> termsBefore(const fuzzy::ForceModel& model, const editing::TermListId& list,
+                                     const fuzzy::Variable& variable) {
+  const fuzzy::Variable* found = &model.output;
+  for (const fuzzy::Variable& input : model.inputs) {
+    if (input.id == variable.id) found = &input;
+  }
+  if (found->id != variable.id) return {};
+  for (const fuzzy::Expert& expert : model.experts) {
+    if (!list.expert.empty() && expert.id == list.expert) return fuzzy::termsFor(expert, *found);
+  }
+  return found->terms;
 }
 
 }  // namespace
@@ -174,8 +189,20 @@ void MembershipEditor::showTerms() {
   if (!isVisible()) return;
   plot_->setTerms(terms_.variable(), terms_.terms());
   plot_->setStopped(edits_.stopped());
+  showGhost();
   showModes();
   showValue();
+}
+
+void MembershipEditor::setGhost(const GhostController& ghost) {
+  ghost_ = &ghost;
+  connect(ghost_, &GhostController::changed, this, &MembershipEditor::showGhost);
+}
+
+void MembershipEditor::showGhost() {
+  if (!ghost_ || !terms_.isOpen() || !isVisible()) return;
+  const auto before = ghost_->before();
+  plot_->setGhost(before ? termsBefore(before->model, terms_.list(), terms_.variable()) : std::vector<fuzzy::Term>());
 }
 
 void MembershipEditor::showModes() {

@@ -15,6 +15,7 @@ namespace tactus::workbench {
 
 class EditController;
 class ElidedLabel;
+class GhostController;
 class MembershipEditorPlot;
 class SceneController;
 class TermController;
@@ -26,6 +27,9 @@ class MembershipEditor : public Card {
  public:
   MembershipEditor(EditController& edits, TermController& terms, SceneController& scene, QWidget* parent = nullptr);
 
+  /// Draws the shapes that `ghost` has as "before" as thin outlines. Once.
+  void setGhost(const GhostController& ghost);
+
  protected:
   void showEvent(QShowEvent* event) override;
 
@@ -36,6 +40,7 @@ class MembershipEditor : public Card {
   void showExperts();
   void showList();
   void showTerms();
+  void showGhost();
   void showModes();
   void showLocks();
   void showSelection();
@@ -48,6 +53,7 @@ class MembershipEditor : public Card {
   EditController& edits_;
   TermController& terms_;
   SceneController& scene_;
+  const GhostController* ghost_ = nullptr;
   QTabBar* variables_;
   QComboBox* whose_;
   QCheckBox* own_;

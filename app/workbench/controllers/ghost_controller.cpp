@@ -1,0 +1,161 @@
+#include "app/workbench/controllers/ghost_controller.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "app/editing/model_ghost.h"
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/display_text.h"
+#include "core/base/check.h"
+
+namespace tactus::workbench {
+namespace {
+
+bool sameInputs(const fuzzy::ForceModel& a, const fuzzy::ForceModel& b) {
+  const auto same = [](const fuzzy::Variable& one, const fuzzy::Variable& other) {
+    return one.id == other.id && one.unit == other.unit && one.min == other.min && one.max == other.max;
+  };
+  return std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(), same) &&
+         a.output.id == b.output.id && a.output.unit == b.output.unit;
+}
+
+// The curves of `before` in the order of the experts of `now`.
+std::vector<std::vector<fuzzy::Evaluation>> inOrderOf(const fuzzy::ForceModel& now, const fuzzy::ForceModel& before,
+                                                      std::vector<std::vector<fuzzy::Evaluation>> curves) {
+  std::vector<std::vector<fuzzy::Evaluation>> ordered(now.experts.size());
+  for (std::size_t i = 0; i < now.experts.size(); ++i) {
+    for (std::size_t j = 0; j < before.experts.size(); ++j) {
+      if (before.experts[j].id == now.experts[i].id) ordered[i] = std::move(curves[j]);
+    }
+  }
+  return ordered;
+}
+
+}  // namespace
+
+GhostController::GhostController(const EditController& edits, const SceneController& scene, QObject* parent)
+    : QObject(parent), edits_(edits), scene_(scene) {
+  connect(&edits_, &EditController::modelReset, this, &GhostController::reset);
+  connect(&edits_, &EditController::changed, this, &GhostController::follow);
+  connect(&edits_, &EditController::historyChanged, this, &GhostController::follow);
+  if (edits_.isOpen()) follow();
+}
+
+QString GhostController::label() const { return reference_ ? reference_label_ : tr("Before the last edit"); }
+
+QString GhostController::whatChanged() const {
+  if (reference_ || !before_) return {};
+  const editing::EditHistory& history = edits_.history();
+  return text(edits_.inGesture() ? history.gestureLabel() : history.labelOf(history.current()));
+}
+
+base::Result<void> GhostController::setReference(std::shared_ptr<const OpenModel> model, const QString& label) {
+  TACTUS_CHECK(model != nullptr && edits_.isOpen());
+  if (!sameInputs(model->model, edits_.model())) {
+    return base::fail(base::ErrorCode::kMismatch, label.toStdString(), "other inputs or another output",
+                      "those of the open model");
+  }
+  reference_ = std::move(model);
+  reference_label_ = label;
+  emit changed();
+  return {};
+}
+
+void GhostController::clearReference() {
+  if (!reference_) return;
+  reference_.reset();
+  emit changed();
+}
+
+void GhostController::setOn(bool on) {
+  if (on == on_) return;
+  on_ = on;
+  emit changed();
+}
+
+void GhostController::reset() {
+  before_.reset();
+  state_.reset();
+  reference_.reset();
+  curves_.reset();
+  follow();
+  emit changed();
+}
+
+std::optional<editing::StateId> GhostController::stateBefore() const {
+  const editing::EditHistory& history = edits_.history();
+  if (edits_.inGesture() && !history.gestureLabel().empty()) return history.current();
+  return history.states()[history.current()].parent;
+}
+
+void GhostController::follow() {
+  const auto state = stateBefore();
+  if (state == state_) return;
+  state_ = state;
+  before_.reset();
+  if (state) {
+    // A state that is not in memory has no ghost.
+    auto model = edits_.history().modelOf(*state);
+    if (auto compiled = model.and_then([](const auto& found) { return fuzzy::compile(found); })) {
+      auto before = std::make_shared<OpenModel>();
+      before->model = std::move(*model);
+      before->compiled = std::move(*compiled);
+      before_ = std::move(before);
+    }
+  }
+  if (!reference_) emit changed();
+}
+
+const GhostCurves* GhostController::curves() const {
+  if (!before() || !scene_.model() || !sameInputs(before()->model, scene_.model()->model)) return nullptr;
+  compute();
+  return &*curves_;
+}
+
+void GhostController::compute() const {
+  std::vector<double> setting;
+  for (std::size_t i = 0; i < scene_.model()->model.inputs.size(); ++i) {
+    // The place on the axis has no part in a curve.
+    setting.push_back(i == scene_.xInput() ? 0 : scene_.value(i));
+  }
+  const bool same_before =
+      curves_ && curves_before_ == before() && curves_setting_ == setting && curves_input_ == scene_.xInput();
+  if (same_before && curves_after_ == scene_.shared()) return;
+  const OpenModel& past = *before();
+  const OpenModel& now = *scene_.model();
+  if (!same_before) {
+    ForceCurves of_past = computeCurves(past.model, past.compiled, scene_.xInput(), setting);
+    scene_.countEvaluations(of_past.x.size() * (1 + of_past.experts.size()));
+    curves_.emplace();
+    curves_->x = std::move(of_past.x);
+    curves_->mean = std::move(of_past.mean);
+    curves_->experts = inOrderOf(now.model, past.model, std::move(of_past.experts));
+    curves_before_ = before();
+    curves_setting_ = setting;
+    curves_input_ = scene_.xInput();
+  }
+  // The largest difference of lines that bend at vertices lies at one of them, in most cases.
+  const std::vector<double>& now_x = scene_.curves().x;
+  std::vector<double> places;
+  std::set_union(curves_->x.begin(), curves_->x.end(), now_x.begin(), now_x.end(), std::back_inserter(places));
+  const auto compared = editing::ghostCurve(past.compiled, now.compiled, scene_.xInput(), setting, places);
+  TACTUS_CHECK(compared.has_value());
+  scene_.countEvaluations(places.size() * (2 + past.model.experts.size() + now.model.experts.size()));
+  curves_->largest_n = compared->largest_n;
+  curves_->largest_at = compared->largest_at;
+  curves_->noticeable = compared->noticeable;
+  curves_after_ = scene_.shared();
+}
+
+QString GhostController::differenceText() const {
+  const GhostCurves* ghost = curves();
+  if (!ghost) return {};
+  if (!ghost->largest_at) return tr("no change of this curve");
+  return tr("max ΔF %1 (%2 JND) at %3")
+      .arg(forceText(ghost->largest_n, scene_.model()->model.output.unit), numberText(ghost->noticeable, 1),
+           placeText(scene_.xVariable(), *ghost->largest_at));
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,23 @@
+// How lines other than those of the mean and the experts look, in the plot of the curves and in its legends.
+#pragma once
+
+#include "app/workbench/plots/plot_source.h"
+
+namespace tactus::workbench {
+
+/// A line before an edit: dashed, and fainter than `line`.
+QPen ghostPen(const QColor& line, bool fast = false);
+/// The line of reference number `index`: colors that neither an expert nor the mean has.
+QPen referencePen(std::size_t index);
+
+LegendEntry ghostLook(const QString& name);
+LegendEntry rangeLook(const QString& name);
+LegendEntry deviationLook(const QString& name);
+
+/// Which parts of a spread are shown.
+struct SpreadShown {
+  bool range = true;
+  bool deviation = false;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,65 @@
+// The legend above the curves: a name and a piece of every line, which shows and hides it.
+#pragma once
+
+#include <QAbstractButton>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "app/workbench/plots/plot_source.h"
+
+namespace tactus::workbench {
+
+/// One name of the legend, checked while its line is shown.
+class LegendChip : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  LegendChip(LegendEntry look, const QString& tip, QWidget* parent);
+
+  /// Another name for the same line.
+  void setName(const QString& name);
+
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  LegendEntry look_;
+};
+
+class CurveLegend : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CurveLegend(QWidget* parent = nullptr);
+
+  struct Item {
+    LegendEntry look;
+    QString tip;
+    bool shown = true;
+    std::function<void(bool)> toggled;
+  };
+  /// In rows from the left, as many as the width needs.
+  void setItems(std::vector<Item> items);
+  /// The chip of item `index`, or null.
+  LegendChip* chipAt(int index) const;
+
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override { return place(width, false); }
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  int place(int width, bool move) const;
+
+  std::vector<LegendChip*> chips_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,124 @@
+#include "app/workbench/controllers/ghost_controller.h"
+
+#include <QTest>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+#include <utility>
+
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/scene_controller.h"
+
+#include "tests/gui/sample_models.h"
+
+namespace tactus::workbench {
+namespace {
+
+class GhostControllerTest : public testing::Test {
+ protected:
+  void SetUp() override { models.open(folder.write(tests::twoExperts())); }
+
+  /// The force for "far", which expert A says is high (0.75 N) and B low (0.25 N).
+  static base::Result<editing::Edit> farSays(fuzzy::ForceModel model, const char* term) {
+    model.experts[0].rules[2].then = term;
+    return editing::finished(std::move(model), std::string("far is ") + term);
+  }
+
+  tests::ModelFolder folder;
+  ModelController models;
+  SceneController scene{models};
+  EditController edits{models};
+  GhostController ghost{edits, scene};
+};
+
+TEST_F(GhostControllerTest, AFreshModelHasNone) {
+  EXPECT_EQ(ghost.before(), nullptr);
+  EXPECT_EQ(ghost.curves(), nullptr);
+  EXPECT_EQ(ghost.differenceText(), QString());
+}
+
+TEST_F(GhostControllerTest, StandsForTheModelBeforeTheLastEdit) {
+  ASSERT_TRUE(edits.apply(farSays(edits.model(), "low")));
+  ASSERT_NE(ghost.before(), nullptr);
+  EXPECT_EQ(ghost.before()->model, tests::twoExperts());
+  EXPECT_EQ(ghost.whatChanged(), QStringLiteral("far is low"));
+  const GhostCurves* curves = ghost.curves();
+  ASSERT_NE(curves, nullptr);
+  EXPECT_DOUBLE_EQ(curves->mean.back().force_n, 0.5);
+  EXPECT_DOUBLE_EQ(curves->experts[0].back().force_n, 0.75);
+  // The mean of 0.75 N and 0.25 N was 0.5 N and is 0.25 N now; JND(0.5 N) = sqrt(0.04^2 + 0.06^2) = 0.0721 N.
+  EXPECT_NEAR(curves->largest_n, 0.25, 1e-12);
+  EXPECT_NEAR(curves->noticeable, 0.25 / std::sqrt(0.0016 + 0.0036), 1e-9);
+  EXPECT_GE(*curves->largest_at, 6);
+  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF 0.250 N (3.5 JND) at ")))
+      << ghost.differenceText().toStdString();
+}
+
+TEST_F(GhostControllerTest, InAGestureItIsTheBeginningOfIt) {
+  ASSERT_TRUE(edits.apply(farSays(edits.model(), "low")));
+  const fuzzy::ForceModel first = edits.model();
+  edits.begin();
+  ASSERT_TRUE(edits.update(farSays(edits.base(), "high")));
+  // A gesture is shown at the next frame of the screen.
+  EXPECT_TRUE(QTest::qWaitFor([&] { return ghost.before()->model == first; }));
+  edits.cancel();
+  EXPECT_EQ(ghost.before()->model, tests::twoExperts());
+}
+
+TEST_F(GhostControllerTest, FollowsUndoRedoAndOpening) {
+  ASSERT_TRUE(edits.apply(farSays(edits.model(), "low")));
+  const fuzzy::ForceModel first = edits.model();
+  fuzzy::ForceModel second = first;
+  second.experts[1].rules[0].then = "high";
+  ASSERT_TRUE(edits.apply(editing::finished(second, "B too")));
+  EXPECT_EQ(ghost.before()->model, first);
+  edits.undo();
+  EXPECT_EQ(ghost.before()->model, tests::twoExperts());
+  edits.undo();
+  EXPECT_EQ(ghost.before(), nullptr);
+  edits.redo();
+  EXPECT_EQ(ghost.before()->model, tests::twoExperts());
+  models.reopen();
+  EXPECT_EQ(ghost.before(), nullptr);
+}
+
+TEST_F(GhostControllerTest, AReferenceTakesItsPlaceUntilItIsCleared) {
+  ASSERT_TRUE(edits.apply(farSays(edits.model(), "low")));
+  const auto other = models.current();
+  ASSERT_TRUE(edits.apply(farSays(edits.model(), "high")));
+  ASSERT_TRUE(ghost.setReference(other, QStringLiteral("Version of Monday")).has_value());
+  EXPECT_EQ(ghost.label(), QStringLiteral("Version of Monday"));
+  EXPECT_EQ(ghost.before(), other);
+  ghost.clearReference();
+  EXPECT_EQ(ghost.label(), QStringLiteral("Before the last edit"));
+
+  auto strange = std::make_shared<OpenModel>(*other);
+  strange->model.inputs[1].max = 11;
+  EXPECT_FALSE(ghost.setReference(strange, QStringLiteral("other")).has_value());
+  ASSERT_TRUE(ghost.setReference(other, QStringLiteral("again")).has_value());
+  models.reopen();
+  EXPECT_FALSE(ghost.hasReference());
+}
+
+TEST_F(GhostControllerTest, SwitchedOffItComputesNothing) {
+  ghost.setOn(false);
+  ASSERT_TRUE(edits.apply(farSays(edits.model(), "low")));
+  const std::uint64_t before = scene.evaluations();
+  EXPECT_EQ(ghost.curves(), nullptr);
+  EXPECT_EQ(ghost.differenceText(), QString());
+  EXPECT_EQ(scene.evaluations(), before);
+  ghost.setOn(true);
+  EXPECT_NE(ghost.curves(), nullptr);
+}
+
+TEST_F(GhostControllerTest, FollowsTheSetting) {
+  ASSERT_TRUE(edits.apply(farSays(edits.model(), "low")));
+  scene.setXInput(0);  // along speed, at a depth of "near" the edit does nothing
+  scene.setValue(1, 2);
+  EXPECT_EQ(ghost.differenceText(), QStringLiteral("no change of this curve"));
+  scene.setValue(1, 8);
+  EXPECT_NEAR(ghost.curves()->largest_n, 0.25, 1e-12);
+}
+
+}  // namespace
+}  // namespace tactus::workbench
