@@ -114,6 +114,8 @@ void SceneController::setValue(std::size_t input, double value) {
 }
 
 void SceneController::applyPreset(const FigurePreset& preset) {
+  // All figures of the paper run over the depth.
+  if (const auto depth = indexOf(model_->model, "depth")) setXInput(*depth);
   bool curves_stale = false;
   for (const FigurePreset::Setting& setting : preset.settings) {
     const auto input = indexOf(model_->model, setting.input);

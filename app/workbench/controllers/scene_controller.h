@@ -63,6 +63,7 @@ class SceneController : public QObject {
   void setXInput(std::size_t input);
   /// Sets input `input` to `value`, clamped to its universe.
   void setValue(std::size_t input, double value);
+  /// Sets the inputs as in a figure of the paper, with the depth on the x axis where the model has one.
   void applyPreset(const tactus::workbench::FigurePreset& preset);
   /// Reads at `x` on the x axis until `clearHover`.
   void setHover(double x);

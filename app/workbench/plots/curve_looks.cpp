@@ -27,10 +27,10 @@ QPen ghostPen(const QColor& line, bool fast) {
 }
 
 QPen referencePen(std::size_t index) {
-  static constexpr std::array<QRgb, kMostReferences> kLight = {0xB0006A, 0x6B4E00, 0x5B2DA0,
-                                                               0x00646B, 0x8A1F11, 0x3F5F00};
-  static constexpr std::array<QRgb, kMostReferences> kDark = {0xFF7AC4, 0xE2C27A, 0xC0A4FF,
-                                                              0x7FE0E6, 0xFF9C8C, 0xC3E07A};
+  static constexpr std::array<QRgb, kMostReferences> kLight = {0x5B2DA0, 0x6B4E00, 0x00646B,
+                                                               0x8A1F11, 0x3F5F00, 0xB0006A};
+  static constexpr std::array<QRgb, kMostReferences> kDark = {0xC0A4FF, 0xE2C27A, 0x7FE0E6,
+                                                              0xFF9C8C, 0xC3E07A, 0xFF7AC4};
   return {QColor::fromRgb((theme::isDark() ? kDark : kLight)[index % kMostReferences]), 1.6, Qt::DotLine};
 }
 

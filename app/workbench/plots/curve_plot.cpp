@@ -162,7 +162,7 @@ void CurvePlot::setGhost(const GhostCurves* ghost, const QString& name) {
     pens.push_back(shown(i) ? linePen(i, weights_.size(), fast_) : QPen(Qt::NoPen));
   }
   overlays_->setGhost(ghost, pens);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 void CurvePlot::setReferences(const std::vector<ReferenceCurve>& references) {
@@ -177,7 +177,7 @@ void CurvePlot::setReferences(const std::vector<ReferenceCurve>& references) {
     }
   }
   plot_->yAxis->setRange(lowest, highest);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 void CurvePlot::setFast(bool fast) {
@@ -187,7 +187,7 @@ void CurvePlot::setFast(bool fast) {
   plot_->setAntialiasedElements(fast ? QCP::aeNone : QCP::aeAll);
   styleLines();
   overlays_->setFast(fast);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  redraw(*plot_);
 }
 
 void CurvePlot::styleLines() {

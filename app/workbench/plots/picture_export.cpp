@@ -20,6 +20,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kMargin = 3 * theme::kGrid;  // px around legend and caption
+constexpr int kEdge = 2 * theme::kGrid;    // px above the plot and right of it
 constexpr int kSwatch = 3 * theme::kGrid;  // px, width of a line in the legend
 constexpr double kPointsPerInch = 72;
 constexpr double kMmPerInch = 25.4;
@@ -31,7 +32,7 @@ int dotsPerInch() { return qRound(QGuiApplication::primaryScreen()->logicalDotsP
 class Picture {
  public:
   Picture(PlotSource& plot, const QStringList& caption) : plot_(plot), size_(plot.pictureSize()) {
-    int y = size_.height();
+    int y = kEdge + size_.height();
     placeLegend(y);
     placeCaption(caption, y);
     whole_ = QSize(size_.width(), y + kMargin / 2);
@@ -47,7 +48,9 @@ class Picture {
     painter.scale(scale, scale);
     painter.fillRect(QRect(QPoint(0, 0), whole_), theme::card());
     painter.save();
-    plot_.paintPicture(painter, size_);
+    // QCustomPlot fills its ground from the origin of the painter.
+    painter.translate(0, kEdge);
+    plot_.paintPicture(painter, size_ - QSize(kEdge, 0));
     painter.restore();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const Entry& entry : entries_) paintEntry(painter, entry);

@@ -3,11 +3,8 @@
 #include <QImage>
 #include <QLinearGradient>
 #include <QtMath>
-#include <algorithm>
-#include <utility>
 
 #include "app/workbench/theme.h"
-#include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
 namespace {
@@ -26,10 +23,21 @@ std::vector<double> corners(const fuzzy::Term& term) {
 
 TermBands::TermBands(QCustomPlot& plot) : QCPLayerable(&plot, QStringLiteral("background")) {}
 
-void TermBands::setTerms(const fuzzy::Variable& variable, std::vector<fuzzy::Term> terms) {
+void TermBands::setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {
   min_ = variable.min;
   max_ = variable.max;
-  terms_ = std::move(terms);
+  terms_.clear();
+  places_ = {min_, max_};
+  // On both sides of a vertical edge, as near as a gradient can tell apart.
+  const double beside = 1e-6 * (max_ - min_);
+  for (const fuzzy::Term& term : terms) {
+    terms_.push_back(fuzzy::MembershipFunction::of(term));
+    for (const double corner : corners(term)) {
+      for (const double place : {corner - beside, corner, corner + beside}) {
+        if (place > min_ && place < max_) places_.push_back(place);
+      }
+    }
+  }
 }
 
 void TermBands::applyDefaultAntialiasingHint(QCPPainter* painter) const { painter->setAntialiasing(false); }
@@ -53,29 +61,28 @@ void TermBands::draw(QCPPainter* painter) {
   painter->drawImage(room, row);
 }
 
+// One opaque gradient over the whole axis: pages of a PDF have no transparent ones.
 void TermBands::paint(QPainter& painter, const QRectF& room) const {
+  if (terms_.empty()) return;
   const QCPAxis* axis = mParentPlot->axisRect()->axis(QCPAxis::atBottom);
+  const double left = axis->coordToPixel(min_);
+  const double right = axis->coordToPixel(max_);
+  QLinearGradient gradient(left, 0, right, 0);
+  for (const double place : places_) gradient.setColorAt((place - min_) / (max_ - min_), colorAt(place));
   painter.setPen(Qt::NoPen);
+  painter.setBrush(gradient);
+  painter.drawRect(QRectF(QPointF(left, room.top()), QPointF(right, room.bottom())));
+}
+
+QColor TermBands::colorAt(double place) const {
+  QColor color = theme::card();
   for (std::size_t i = 0; i < terms_.size(); ++i) {
-    std::vector<double> places = corners(terms_[i]);
-    const double low = std::clamp(places.front(), min_, max_);
-    const double high = std::clamp(places.back(), min_, max_);
-    if (low >= high) continue;
-    const fuzzy::MembershipFunction membership = fuzzy::MembershipFunction::of(terms_[i]);
-    QLinearGradient gradient(axis->coordToPixel(low), 0, axis->coordToPixel(high), 0);
-    places.push_back(low);
-    places.push_back(high);
-    for (const double place : places) {
-      const double share = (place - low) / (high - low);
-      if (share < 0 || share > 1) continue;
-      QColor color = theme::term(i, terms_.size());
-      color.setAlphaF(static_cast<float>(kFullAlpha * membership(place)));
-      gradient.setColorAt(share, color);
-    }
-    painter.setBrush(gradient);
-    painter.drawRect(
-        QRectF(QPointF(axis->coordToPixel(low), room.top()), QPointF(axis->coordToPixel(high), room.bottom())));
+    const double share = kFullAlpha * terms_[i](place);
+    const QColor band = theme::term(i, terms_.size());
+    const auto mix = [share](int below, int above) { return qRound(below + (above - below) * share); };
+    color.setRgb(mix(color.red(), band.red()), mix(color.green(), band.green()), mix(color.blue(), band.blue()));
   }
+  return color;
 }
 
 }  // namespace tactus::workbench

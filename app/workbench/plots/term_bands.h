@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/workbench/plots/plot_style.h"
+#include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
 
@@ -14,18 +15,20 @@ class TermBands : public QCPLayerable {
  public:
   explicit TermBands(QCustomPlot& plot);
 
-  void setTerms(const fuzzy::Variable& variable, std::vector<fuzzy::Term> terms);
+  void setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
 
  protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
   void draw(QCPPainter* painter) override;
 
  private:
+  QColor colorAt(double place) const;
   void paint(QPainter& painter, const QRectF& room) const;
 
   double min_ = 0;
   double max_ = 1;
-  std::vector<fuzzy::Term> terms_;
+  std::vector<fuzzy::MembershipFunction> terms_;
+  std::vector<double> places_;  ///< between which the colors run straight
 };
 
 }  // namespace tactus::workbench

@@ -1,5 +1,6 @@
 #include "app/workbench/views/curve_legend.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <algorithm>
 #include <utility>
@@ -99,13 +100,34 @@ LegendChip* CurveLegend::chipAt(int index) const {
   return index >= 0 && index < static_cast<int>(chips_.size()) ? chips_[static_cast<std::size_t>(index)] : nullptr;
 }
 
-QSize CurveLegend::sizeHint() const {
-  int width = 0;
-  for (const LegendChip* chip : chips_) width += chip->sizeHint().width() + kBetween;
-  return {width, place(width, false)};
+void CurveLegend::setTail(std::vector<QWidget*> tail) {
+  tail_ = std::move(tail);
+  for (QWidget* part : tail_) part->setParent(this);
+  updateGeometry();
 }
 
-QSize CurveLegend::minimumSizeHint() const { return {1, chips_.empty() ? 0 : chips_.front()->sizeHint().height()}; }
+std::vector<QWidget*> CurveLegend::parts() const {
+  std::vector<QWidget*> all(chips_.begin(), chips_.end());
+  all.insert(all.end(), tail_.begin(), tail_.end());
+  return all;
+}
+
+QSize CurveLegend::sizeHint() const {
+  int width = 0;
+  for (const QWidget* part : parts()) width += part->sizeHint().width() + kBetween;
+  return {width, place(this->width(), false)};
+}
+
+QSize CurveLegend::minimumSizeHint() const {
+  const std::vector<QWidget*> all = parts();
+  return {1, all.empty() ? 0 : all.front()->sizeHint().height()};
+}
+
+// A part of the tail has other words.
+bool CurveLegend::event(QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest && place(width(), true) != height()) updateGeometry();
+  return QWidget::event(event);
+}
 
 void CurveLegend::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
@@ -116,15 +138,19 @@ int CurveLegend::place(int width, bool move) const {
   int x = 0;
   int y = 0;
   int row = 0;
-  for (LegendChip* chip : chips_) {
-    const QSize size = chip->sizeHint();
+  const std::vector<QWidget*> all = parts();
+  for (QWidget* part : all) {
+    const QSize size = part->sizeHint();
     if (x > 0 && x + size.width() > width) {
       x = 0;
       y += row;
+      row = 0;
     }
-    if (move) chip->setGeometry(x, y, std::min(size.width(), width), size.height());
+    row = std::max(row, size.height());
+    // The rows have the height of chips, in the middle of which a label stands.
+    const bool rest = part == all.back() && !tail_.empty();
+    if (move) part->setGeometry(x, y, rest ? width - x : std::min(size.width(), width), row);
     x += size.width() + kBetween;
-    row = size.height();
   }
   return y + row;
 }

@@ -37,6 +37,9 @@ class CurveLegend : public QWidget {
  public:
   explicit CurveLegend(QWidget* parent = nullptr);
 
+  /// Stand behind the items from now on; the last one gets the rest of its row.
+  void setTail(std::vector<QWidget*> tail);
+
   struct Item {
     LegendEntry look;
     QString tip;
@@ -54,12 +57,15 @@ class CurveLegend : public QWidget {
   QSize minimumSizeHint() const override;
 
  protected:
+  bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  std::vector<QWidget*> parts() const;
   int place(int width, bool move) const;
 
   std::vector<LegendChip*> chips_;
+  std::vector<QWidget*> tail_;
 };
 
 }  // namespace tactus::workbench

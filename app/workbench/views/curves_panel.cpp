@@ -98,13 +98,9 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid / 2);
-  auto* change = new QHBoxLayout;
-  change->setSpacing(theme::kGrid);
-  change->addWidget(ghost_chip_);
-  change->addWidget(difference_, 1);
+  legend_->setTail({ghost_chip_, difference_});
   layout->addLayout(head);
   layout->addWidget(legend_);
-  layout->addLayout(change);
   layout->addWidget(plot_, 1);
 
   connect(x_input_, &QComboBox::activated, this, &CurvesPanel::onXInputChosen);
@@ -287,22 +283,45 @@ PlotTable CurvesPanel::table() {
   const fuzzy::ForceModel& model = scene_.model()->model;
   const ForceCurves& curves = scene_.curves();
   // Hidden, the plot has followed nothing.
-  plot_->setCurves(curves);
+  drawCurves();
+  drawGhost();
   const std::size_t axes[] = {scene_.xInput()};
   PlotTable out = captionedTable(scene_, tr("%1 along %2").arg(labelOf(model.output), labelOf(scene_.xVariable())),
-                                 axes, {}, QStringLiteral("-curves"));
+                                 axes, notes(), QStringLiteral("-curves"));
   out.columns = {columnName(scene_.xVariable())};
-  if (plot_->isMeanShown()) out.columns.push_back(columnName(model.output));
+  std::vector<const std::vector<fuzzy::Evaluation>*> lines;
+  if (plot_->isMeanShown()) {
+    out.columns.push_back(columnName(model.output));
+    lines.push_back(&curves.mean);
+  }
   for (std::size_t i = 0; i < model.experts.size(); ++i) {
-    if (plot_->isExpertShown(i)) out.columns.push_back(columnName(model.output, model.experts[i]));
+    if (!plot_->isExpertShown(i)) continue;
+    out.columns.push_back(columnName(model.output, model.experts[i]));
+    lines.push_back(&curves.experts[i]);
   }
   for (std::size_t row = 0; row < curves.x.size(); ++row) {
     std::vector<PlotTable::Cell> cells{curves.x[row]};
-    if (plot_->isMeanShown()) cells.push_back(forceCell(curves.mean[row]));
-    for (std::size_t i = 0; i < model.experts.size(); ++i) {
-      if (plot_->isExpertShown(i)) cells.push_back(forceCell(curves.experts[i][row]));
-    }
+    for (const auto* line : lines) cells.push_back(forceCell((*line)[row]));
     out.rows.push_back(std::move(cells));
+  }
+  return out;
+}
+
+// What is compared with the curves, in words: its numbers have places of their own and stand in no column.
+QStringList CurvesPanel::notes() const {
+  QStringList out;
+  if (ghost_ && ghost_->curves()) {
+    const QString since =
+        ghost_->whatChanged().isEmpty() ? QString() : tr(" (since then: %1)").arg(ghost_->whatChanged());
+    out << tr("Dashed: %1%2, %3").arg(ghost_->label(), since, ghost_->differenceText());
+  }
+  if (!references_) return out;
+  const std::vector<ReferenceCurve> shown = references_->shown();
+  const auto& differences = references_->differences();
+  const QString against =
+      references_->expert() ? labelOf(scene_.model()->model.experts[*references_->expert()]) : tr("the mean");
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    out << tr("Reference %1 and %2: %3").arg(shown[i].name, against, references_->differenceText(differences[i]));
   }
   return out;
 }

@@ -53,6 +53,7 @@ class CurvesPanel : public Card {
   void drawGhost();
   void drawReferences();
   PlotTable table();
+  QStringList notes() const;
 
   SceneController& scene_;
   ReadingModel& readings_;

@@ -1,14 +1,10 @@
 #include "app/workbench/views/say.h"
 
-#include <QStatusBar>
-
 #include "app/workbench/views/main_window.h"
 #include "app/workbench/views/message_banner.h"
 
 namespace tactus::workbench {
 namespace {
-
-constexpr int kMessageMs = 8000;
 
 // A panel that was taken out of the window is a window of its own, below the main one all the same.
 MainWindow* windowAround(QWidget& view) {
@@ -25,7 +21,7 @@ void sayError(QWidget& from, const QString& sentence) {
 }
 
 void sayDone(QWidget& from, const QString& sentence) {
-  if (MainWindow* window = windowAround(from)) window->statusBar()->showMessage(sentence, kMessageMs);
+  if (MainWindow* window = windowAround(from)) window->say(sentence);
 }
 
 }  // namespace tactus::workbench

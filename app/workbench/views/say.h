@@ -9,7 +9,7 @@ namespace tactus::workbench {
 
 /// In the banner of the main window around `from`; nothing where there is none.
 void sayError(QWidget& from, const QString& sentence);
-/// In its status bar, for some seconds.
+/// In its strip, for some seconds.
 void sayDone(QWidget& from, const QString& sentence);
 
 }  // namespace tactus::workbench

@@ -150,7 +150,9 @@ TEST_F(SceneControllerTest, PresetsNeedTheInputsOfTheStudy) {
   models.open(folder.write(model, QStringLiteral("study.json")));
   const std::vector<FigurePreset> presets = figurePresets(scene.model()->model);
   ASSERT_EQ(presets.size(), 5U);
-  scene.applyPreset(presets[1]);  // Fig. 10a: neck flexion 90 deg, speed 30 mm/s
+  scene.setXInput(kSpeed);
+  scene.applyPreset(presets[1]);  // Fig. 10a: force over depth, neck flexion 90 deg, speed 30 mm/s
+  EXPECT_EQ(scene.xVariable().id, "depth");
   EXPECT_EQ(scene.value(kSpeed), 30);
   EXPECT_EQ(scene.value(3), 90);
 }

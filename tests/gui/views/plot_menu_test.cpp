@@ -5,12 +5,12 @@
 #include <QFile>
 #include <QMimeData>
 #include <QSettings>
-#include <QStatusBar>
 #include <QTest>
 #include <gtest/gtest.h>
 #include <utility>
 
 #include "app/workbench/views/bench_view.h"
+#include "app/workbench/views/operating_strip.h"
 #include "app/workbench/workbench.h"
 #include "core/base/csv.h"
 
@@ -134,7 +134,7 @@ TEST_F(PlotMenuTest, TheKeysCopyThePlotWithTheFocus) {
   QGuiApplication::clipboard()->clear();
   map().setFocus();
   QTest::keyClick(&bench.window, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_TRUE(bench.window.statusBar()->currentMessage().contains(QStringLiteral("Force over Depth and Speed")));
+  EXPECT_TRUE(bench.window.strip().message().contains(QStringLiteral("Force over Depth and Speed")));
   EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
 }
 
