@@ -49,6 +49,7 @@ int measure(TimedApplication& application, const Options& options) {
   };
   print("call", times.call_ms);
   print("shown", times.shown_ms);
+  print("cpu", times.cpu_ms);
   print("strip", times.strip_ms);
   print("drag", times.drag_ms);
   print("felt", times.felt_ticks);
@@ -89,8 +90,8 @@ std::string panelsText(const Series& series) {
 }
 
 std::string windowTable(const Options& options, const std::string& self) {
-  std::vector<std::vector<std::string>> rows = {{"experts", "stage", "scale", "call", "shown", "p95", "in the strip",
-                                                 "in a drag", "its p95", "felt after, ticks", "most",
+  std::vector<std::vector<std::string>> rows = {{"experts", "stage", "scale", "call", "shown", "p95", "on a processor",
+                                                 "in the strip", "in a drag", "its p95", "felt after, ticks", "most",
                                                  "by panel, per edit"}};
   for (const int experts : {1, 4, 32, 256}) {
     for (const std::string stage : {"Tune", "Understand"}) {
@@ -99,10 +100,10 @@ std::string windowTable(const Options& options, const std::string& self) {
         addWindow(series, self, experts, stage, scale, options.edits);
         rows.push_back({std::to_string(experts), stage, std::to_string(scale),
                         threeDigits(quantile(series["call"], 0.5)), threeDigits(quantile(series["shown"], 0.5)),
-                        threeDigits(quantile(series["shown"], 0.95)), threeDigits(quantile(series["strip"], 0.5)),
-                        threeDigits(quantile(series["drag"], 0.5)), threeDigits(quantile(series["drag"], 0.95)),
-                        threeDigits(quantile(series["felt"], 0.5)), threeDigits(quantile(series["felt"], 1)),
-                        panelsText(series)});
+                        threeDigits(quantile(series["shown"], 0.95)), threeDigits(quantile(series["cpu"], 0.5)),
+                        threeDigits(quantile(series["strip"], 0.5)), threeDigits(quantile(series["drag"], 0.5)),
+                        threeDigits(quantile(series["drag"], 0.95)), threeDigits(quantile(series["felt"], 0.5)),
+                        threeDigits(quantile(series["felt"], 1)), panelsText(series)});
       }
     }
   }
@@ -110,21 +111,24 @@ std::string windowTable(const Options& options, const std::string& self) {
 }
 
 std::string againstTable(const Options& options, const std::string& self) {
-  std::vector<std::vector<std::string>> rows = {{"experts", "stage", "scale", "before: shown", "now: shown", "ratio"}};
-  for (const int experts : {4, 32}) {
-    for (const std::string stage : {"Tune", "Understand"}) {
-      for (const int scale : {1, 2}) {
-        Series before;
-        Series now;
-        for (int round = 0; round < options.rounds; ++round) {
-          addWindow(before, options.against, experts, stage, scale, options.edits);
-          addWindow(now, self, experts, stage, scale, options.edits);
-        }
-        const double before_ms = quantile(before["shown"], 0.5);
-        const double now_ms = quantile(now["shown"], 0.5);
-        rows.push_back({std::to_string(experts), stage, std::to_string(scale), threeDigits(before_ms),
-                        threeDigits(now_ms), threeDigits(before_ms / now_ms)});
+  std::vector<std::vector<std::string>> rows = {
+      {"experts", "stage", "scale", "before: shown", "now: shown", "ratio", "before: on a processor", "now", "ratio"}};
+  constexpr int kExperts = 4;
+  for (const std::string stage : {"Tune", "Understand"}) {
+    for (const int scale : {1, 2}) {
+      Series before;
+      Series now;
+      for (int round = 0; round < options.rounds; ++round) {
+        addWindow(before, options.against, kExperts, stage, scale, options.edits);
+        addWindow(now, self, kExperts, stage, scale, options.edits);
       }
+      std::vector<std::string> row = {std::to_string(kExperts), stage, std::to_string(scale)};
+      for (const char* series : {"shown", "cpu"}) {
+        const double before_ms = quantile(before[series], 0.5);
+        const double now_ms = quantile(now[series], 0.5);
+        for (const double value : {before_ms, now_ms, before_ms / now_ms}) row.push_back(threeDigits(value));
+      }
+      rows.push_back(std::move(row));
     }
   }
   return alignedTable(rows, 2);

@@ -8,6 +8,7 @@
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "app/workbench/workbench.h"
 #include "core/base/check.h"
@@ -41,6 +42,12 @@ void runFor(int ms) {
   loop.exec();
 }
 
+qint64 threadCpuNs() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return now.tv_sec * 1'000'000'000LL + now.tv_nsec;
+}
+
 // Never twice the same place.
 double place(int edit) { return kAmplitudeMm * std::sin(0.37 * (edit + 0.5)); }
 
@@ -60,7 +67,10 @@ bool TimedApplication::notify(QObject* receiver, QEvent* event) {
   spent_ns_[panel] += whole_ns - (painted_ns_ - painted_before);
   if (paint) {
     painted_ns_ = painted_before + whole_ns;
-    if (panel != "window") shown_ns_ = since_begin_.nsecsElapsed();
+    if (panel != "window") {
+      shown_ns_ = since_begin_.nsecsElapsed();
+      shown_cpu_ns_ = threadCpuNs() - begin_cpu_ns_;
+    }
   }
   return handled;
 }
@@ -68,6 +78,7 @@ bool TimedApplication::notify(QObject* receiver, QEvent* event) {
 void TimedApplication::begin() {
   begun_ = true;
   shown_ns_ = 0;
+  begin_cpu_ns_ = threadCpuNs();
   since_begin_.start();
 }
 
@@ -102,6 +113,7 @@ DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& mod
     if (i < 0) continue;
     out.call_ms.push_back(call_ms);
     out.shown_ms.push_back(application.shownMs());
+    out.cpu_ms.push_back(application.shownCpuMs());
 #ifdef TACTUS_FRAME_CLOCK
     out.strip_ms.push_back(strip->finest()->last_ms);
 #endif

@@ -24,6 +24,8 @@ class TimedApplication : public QApplication {
   void begin();
   /// From `begin` to the end of the last paint event of a panel, ms; 0 before the first one.
   double shownMs() const { return static_cast<double>(shown_ns_) / 1e6; }
+  /// Of this, the time on a processor of the thread that draws, ms: what the same takes where nothing else runs.
+  double shownCpuMs() const { return static_cast<double>(shown_cpu_ns_) / 1e6; }
   /// Since the last paint event of a panel, or since `begin`, ms.
   double calmMs() const { return static_cast<double>(since_begin_.nsecsElapsed() - shown_ns_) / 1e6; }
   /// Work and painting by panel since the first `begin`, ns.
@@ -33,6 +35,8 @@ class TimedApplication : public QApplication {
   std::map<std::string, qint64> spent_ns_;
   QElapsedTimer since_begin_;
   qint64 shown_ns_ = 0;
+  qint64 begin_cpu_ns_ = 0;
+  qint64 shown_cpu_ns_ = 0;
   qint64 painted_ns_ = 0;
   int depth_ = 0;
   bool begun_ = false;
@@ -42,6 +46,7 @@ class TimedApplication : public QApplication {
 struct DragTimes {
   std::vector<double> call_ms;     ///< the call that makes the edit and hands it to everybody
   std::vector<double> shown_ms;    ///< until the last panel is painted
+  std::vector<double> cpu_ms;      ///< of this, on a processor
   std::vector<double> strip_ms;    ///< the same as the strip of the window says
   std::vector<double> drag_ms;     ///< the strip again, while edits come with every frame
   std::vector<double> felt_ticks;  ///< of a drag while the tube is felt: from the edit to the first tick that uses it

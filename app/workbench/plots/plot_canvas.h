@@ -16,7 +16,7 @@ class PlotCanvas : public QCustomPlot {
   void resizeEvent(QResizeEvent* event) override;
 };
 
-/// A graph whose fill is drawn in strips.
+/// A graph whose fill is drawn in strips; its line covers the edge, so the fill need not be smoothed.
 class FilledGraph : public QCPGraph {
  public:
   using QCPGraph::QCPGraph;
@@ -25,23 +25,12 @@ class FilledGraph : public QCPGraph {
   void drawFill(QCPPainter* painter, QVector<QPointF>* lines) const override;
 };
 
-/// Draws with `draw` into strips of `area`, px. Qt hands larger areas to other threads and waits for them, which takes
-/// longer than the work where the processor has something else to do. Vector pictures are drawn in one piece.
-template <class Draw>
-void drawInStrips(QCPPainter& painter, const QRectF& area, const Draw& draw) {
-  constexpr double kRows = 90;  // of the device; from 96 on Qt uses threads
-  if (painter.modes().testFlag(QCPPainter::pmVectorized)) {
-    draw();
-    return;
-  }
-  const double height = kRows / painter.device()->devicePixelRatioF();
-  for (double top = area.top(); top < area.bottom(); top += height) {
-    painter.save();
-    painter.setClipRect(QRectF(area.left(), top, area.width(), std::min(height, area.bottom() - top)),
-                        Qt::IntersectClip);
-    draw();
-    painter.restore();
-  }
-}
+// Qt hands fills of many rows to other threads and waits for them, which takes longer than the work where the processor
+// has something else to do. These fill strip by strip; vector pictures in one piece.
+
+/// Fills `area`, px.
+void fillInStrips(QCPPainter& painter, const QRectF& area, const QColor& color);
+/// Fills `shape` with the brush of `painter`.
+void fillInStrips(QCPPainter& painter, const QPolygonF& shape);
 
 }  // namespace tactus::workbench

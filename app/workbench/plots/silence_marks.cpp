@@ -30,7 +30,7 @@ void hatch(QCPPainter& painter, const QRectF& area, const QColor& color, double 
 
 void fill(QCPPainter& painter, const QRectF& area, QColor color, float alpha) {
   color.setAlphaF(alpha);
-  drawInStrips(painter, area, [&] { painter.fillRect(area, color); });
+  fillInStrips(painter, area, color);
 }
 
 }  // namespace
