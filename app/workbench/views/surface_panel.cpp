@@ -9,11 +9,11 @@
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/plots/surface_plot.h"
+#include "app/workbench/refresh.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
 #include "app/workbench/views/map_choice.h"
 #include "app/workbench/views/plot_menu.h"
-#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 
@@ -76,6 +76,7 @@ void SurfacePanel::showChoice() {
 void SurfacePanel::showMap() { plot_->setMap(map_.map()); }
 
 void SurfacePanel::onMap() {
+  compute_->setRefining(!map_.isFinest());
   if (isVisible()) {
     showMap();
   } else {
