@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/fuzzy/every_expert.h"
 #include "core/fuzzy/general_path.h"
 #include "core/fuzzy/kernels.h"
 #include "core/fuzzy/model_tables.h"
@@ -86,6 +87,30 @@ Evaluation CompiledModel::evaluateExpert(std::size_t expert, std::span<const dou
       found == Outcome::kFires || (found == Outcome::kOpen && expertOffsetGenerally(*tables_, expert, clamped, offset));
   if (!fires) return {tables_->default_force_n, false};
   return {tables_->output_min + offset, true};
+}
+
+void evaluateEveryExpert(const CompiledModel& model, std::span<const double> inputs,
+                         std::span<Evaluation> experts) noexcept {
+  const ModelTables& tables = model.tables();
+  TACTUS_CHECK(inputs.size() == tables.input_min.size() && experts.size() == tables.experts.size());
+  std::array<double, kMostInputs> values{};
+  if (!tables.clamp(inputs, values)) {
+    std::fill(experts.begin(), experts.end(), kNotANumber);
+    return;
+  }
+  const std::span<const double> clamped(values.data(), inputs.size());
+  const Program& program = tables.program;
+  PointOutcome outcome;
+  if (program.usable) program.kernels->point(program, values.data(), outcome);
+  const bool ordinary = areOrdinary(clamped);
+  for (std::size_t seat = 0; seat < experts.size(); ++seat) {
+    const std::size_t expert = program.usable ? program.point.expert_at[seat] : seat;
+    const Outcome found = program.usable ? outcomeOf(program, outcome.area[seat], ordinary) : Outcome::kOpen;
+    double offset = program.usable ? outcome.offset[seat] : 0;
+    const bool fires =
+        found == Outcome::kFires || (found == Outcome::kOpen && expertOffsetGenerally(tables, expert, clamped, offset));
+    experts[expert] = fires ? Evaluation{tables.output_min + offset, true} : Evaluation{tables.default_force_n, false};
+  }
 }
 
 bool CompiledModel::strengths(std::size_t expert, std::span<const double> inputs,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/check.h"
+#include "core/fuzzy/every_expert.h"
 
 namespace tactus::workbench {
 namespace {
@@ -57,12 +58,12 @@ ForceCurves computeCurves(const fuzzy::ForceModel& model, const fuzzy::CompiledM
   curves.mean.reserve(curves.x.size());
   curves.experts.resize(compiled.expertCount());
   for (auto& curve : curves.experts) curve.reserve(curves.x.size());
+  std::vector<fuzzy::Evaluation> here(curves.experts.size());
   for (const double x : curves.x) {
     inputs[x_input] = x;
     curves.mean.push_back(compiled.evaluate(inputs));
-    for (std::size_t expert = 0; expert < curves.experts.size(); ++expert) {
-      curves.experts[expert].push_back(compiled.evaluateExpert(expert, inputs));
-    }
+    fuzzy::evaluateEveryExpert(compiled, inputs, here);
+    for (std::size_t expert = 0; expert < here.size(); ++expert) curves.experts[expert].push_back(here[expert]);
   }
   return curves;
 }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/gui/sample_models.h"
 
@@ -42,6 +45,28 @@ TEST_F(ForceCurvesTest, CurvesAreTheModelAtEverySample) {
     for (std::size_t expert = 0; expert < 2; ++expert) {
       EXPECT_EQ(curves.experts[expert][i].force_n, compiled.evaluateExpert(expert, point).force_n);
       EXPECT_EQ(curves.experts[expert][i].fired, compiled.evaluateExpert(expert, point).fired);
+    }
+  }
+}
+
+TEST_F(ForceCurvesTest, CurvesOfManyExpertsAreTheModelToo) {
+  const std::vector<fuzzy::Expert> two = model.experts;
+  for (std::size_t i = 2; i < 40; ++i) {
+    fuzzy::Expert copy = two[i % 2];
+    copy.id += std::to_string(i);
+    model.experts.push_back(std::move(copy));
+  }
+  compiled = *fuzzy::compile(model);
+  const std::array<double, 2> values = {47, 3};
+  const ForceCurves curves = computeCurves(model, compiled, kDepth, values);
+  ASSERT_EQ(curves.experts.size(), 40U);
+  for (std::size_t i = 0; i < curves.x.size(); ++i) {
+    const std::array<double, 2> point = {47, curves.x[i]};
+    for (std::size_t expert = 0; expert < 40; ++expert) {
+      const fuzzy::Evaluation alone = compiled.evaluateExpert(expert, point);
+      ASSERT_EQ(curves.experts[expert][i].fired, alone.fired);
+      // Different entry points agree to 4 ulp.
+      ASSERT_NEAR(curves.experts[expert][i].force_n, alone.force_n, 4.5e-16);
     }
   }
 }
