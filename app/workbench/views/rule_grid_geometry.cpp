@@ -54,7 +54,7 @@ QRectF RuleGridGeometry::cell(const RuleCell& cell) const {
 }
 
 QRectF RuleGridGeometry::columnHead(std::size_t column) const {
-  return {needs_.row_head + cell_width_ * static_cast<double>(column), 0, cell_width_ - kGap, headHeight(needs_)};
+  return {needs_.row_head + cell_width_ * static_cast<double>(column), 0, cell_width_, headHeight(needs_)};
 }
 
 QRectF RuleGridGeometry::corner() const { return {0, 0, needs_.row_head - theme::kGrid, headHeight(needs_)}; }

@@ -16,7 +16,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr double kWordMargin = 18;   // px, around a word in its cell, with the bar of the strength
+constexpr double kWordMargin = 13;   // px, around a word in its cell, with the bar of the strength
 constexpr double kShortHead = 72;    // px, of the name of a row that stays on one line
 constexpr double kWidestHead = 120;  // px
 
