@@ -7,6 +7,7 @@
 
 #include "app/workbench/controllers/contour_lines.h"
 #include "app/workbench/display_text.h"
+#include "app/workbench/plots/force_colors.h"
 #include "app/workbench/plots/landmark_marks.h"
 #include "app/workbench/plots/map_marks.h"
 #include "app/workbench/plots/plot_style.h"
@@ -15,20 +16,17 @@
 namespace tactus::workbench {
 namespace {
 
-// The ramp of the terms: what is amber as a term of the output is amber as a force.
 QCPColorGradient forceColors() {
   constexpr std::size_t kStops = 16;
   QCPColorGradient gradient;
   gradient.clearColorStops();
   for (std::size_t i = 0; i < kStops; ++i) {
-    gradient.setColorStopAt(static_cast<double>(i) / (kStops - 1), theme::term(i, kStops));
+    const double share = static_cast<double>(i) / (kStops - 1);
+    gradient.setColorStopAt(share, forceColor(share));
   }
   gradient.setNanHandling(QCPColorGradient::nhTransparent);
   return gradient;
 }
-
-// Where no rule fires the ground shows, with the hatching of the curves' gaps.
-QBrush silentGround() { return {theme::border(), Qt::BDiagPattern}; }
 
 }  // namespace
 
@@ -52,6 +50,7 @@ ForceMapPlot::ForceMapPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(th
 
   contours_ = new ContourMarks(*plot_);
   landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kAbove);
+  y_landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kBeside);
   cross_ = new MapCross(*plot_);
   connect(plot_, &QCustomPlot::mousePress, this, &ForceMapPlot::onMouse);
   connect(plot_, &QCustomPlot::mouseMove, this, &ForceMapPlot::onMouse);
@@ -69,7 +68,8 @@ void ForceMapPlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, c
   scale_->axis()->setLabel(axisText(output));
   scale_->setDataRange(QCPRange(output.min, output.max));
   landmarks_->setVariable(x);
-  setToolTip(landmarks_->explanation());
+  y_landmarks_->setVariable(y);
+  setToolTip(landmarks_->explanation() + y_landmarks_->explanation());
   plot_->axisRect()->setMinimumMargins(QMargins(0, std::max(theme::kGrid, landmarks_->height()), 0, 0));
   setMap(nullptr);
 }
@@ -100,14 +100,16 @@ void ForceMapPlot::setMap(const ForceMap* map) {
   const std::vector<double> levels = contourLevels(range.lower, range.upper);
   std::vector<std::vector<QLineF>> pieces = contourLines(*map, levels);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    ContourMarks::Line line{numberText(levels[i]), std::move(pieces[i])};
+    ContourMarks::Line line{numberText(levels[i]), forceColor((levels[i] - range.lower) / range.size()),
+                            std::move(pieces[i])};
     for (QLineF& piece : line.pieces) {
       piece.setLine(x_.min + piece.x1() * step_x, y_.min + piece.y1() * step_y, x_.min + piece.x2() * step_x,
                     y_.min + piece.y2() * step_y);
     }
     lines.push_back(std::move(line));
   }
-  contours_->set(std::move(lines));
+  // While the map is coarse its lines still move.
+  contours_->set(std::move(lines), map->side == ForceMapController::kSides.back());
   redraw(*plot_);
 }
 

@@ -45,6 +45,7 @@ class ForceMapPlot : public QWidget, public PlotSource {
   QCPColorScale* scale_ = nullptr;
   ContourMarks* contours_;
   LandmarkMarks* landmarks_;
+  LandmarkMarks* y_landmarks_;
   MapCross* cross_;
   fuzzy::Variable x_;
   fuzzy::Variable y_;

@@ -17,6 +17,8 @@ class LandmarkMarks : public QCPLayerable {
     kInside,  ///< at the lower edge, over the ground of the plot
     kAbove,   ///< on top of the plot, which leaves height() for them
     kBars,    ///< at the lower edge without names, where the plot is small
+    kUnder,   ///< under the upper edge, where the ground of the plot is free
+    kBeside,  ///< along the left axis, over the ground of the plot, where that axis is the depth
   };
 
   LandmarkMarks(QCustomPlot& plot, Place place);
@@ -33,6 +35,8 @@ class LandmarkMarks : public QCPLayerable {
   void draw(QCPPainter* painter) override;
 
  private:
+  void drawBeside(QCPPainter& painter) const;
+
   Place place_;
   std::vector<Landmark> landmarks_;
   QFont font_;

@@ -14,20 +14,28 @@ class ContourMarks : public QCPLayerable {
 
  public:
   struct Line {
-    QString text;                ///< the level, as it is written beside the line
+    QString text;                ///< the level, as it is written on the line
+    QColor ground;               ///< the color of the level, behind the text
     std::vector<QLineF> pieces;  ///< in the units of the axes
   };
 
   explicit ContourMarks(QCustomPlot& plot);
 
-  void set(std::vector<Line> lines) { lines_ = std::move(lines); }
+  /// `labelled`: each line says its level at a place where no other line runs through the number.
+  void set(std::vector<Line> lines, bool labelled = false) {
+    lines_ = std::move(lines);
+    labelled_ = labelled;
+  }
 
  protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
   void draw(QCPPainter* painter) override;
 
  private:
+  void drawLabels(QCPPainter& painter, const std::vector<QVector<QLineF>>& pieces) const;
+
   std::vector<Line> lines_;
+  bool labelled_ = false;
 };
 
 class MapCross : public QCPLayerable {

@@ -11,6 +11,7 @@
 #include "app/workbench/plots/curve_looks.h"
 #include "app/workbench/plots/grip_finder.h"
 #include "app/workbench/plots/grip_marks.h"
+#include "app/workbench/plots/landmark_marks.h"
 #include "app/workbench/plots/plot_style.h"
 #include "app/workbench/plots/term_labels.h"
 #include "app/workbench/plots/term_outline.h"
@@ -40,6 +41,7 @@ MembershipEditorPlot::MembershipEditorPlot(QWidget* parent) : QWidget(parent), p
   plot_->setMouseTracking(true);
 
   labels_ = new TermLabels(*plot_, kLabelRows);
+  landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kUnder);
   marker_ = new ValueMarker(*plot_);
   // The overlay has a buffer of its own; what follows the hand is drawn without the shapes.
   marks_ = new GripMarks(*plot_, QStringLiteral("overlay"));
@@ -55,6 +57,7 @@ MembershipEditorPlot::MembershipEditorPlot(QWidget* parent) : QWidget(parent), p
 void MembershipEditorPlot::setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {
   const bool another = variable.id != variable_.id;
   variable_ = variable;
+  landmarks_->setVariable(variable);
   terms_ = terms;
   if (another || (hovered_ && !holds(terms_, *hovered_))) hovered_.reset();
   if (another || (selected_ && !holds(terms_, *selected_))) selected_.reset();

@@ -17,6 +17,7 @@ class QMouseEvent;
 namespace tactus::workbench {
 
 class GripMarks;
+class LandmarkMarks;
 class TermLabels;
 class ValueMarker;
 struct PlotFrame;
@@ -103,6 +104,7 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
 
   QCustomPlot* plot_;
   TermLabels* labels_;
+  LandmarkMarks* landmarks_;
   ValueMarker* marker_;
   GripMarks* marks_;
 };
