@@ -183,8 +183,8 @@ void CurvePlot::setReferences(const std::vector<ReferenceCurve>& references) {
 void CurvePlot::setFast(bool fast) {
   if (fast == fast_) return;
   fast_ = fast;
-  plot_->setNotAntialiasedElements(fast ? QCP::aeAll : QCP::aeNone);
   plot_->setAntialiasedElements(fast ? QCP::aeNone : QCP::aeAll);
+  plot_->setNotAntialiasedElements(fast ? QCP::aeAll : QCP::aeFills);
   styleLines();
   overlays_->setFast(fast);
   redraw(*plot_);

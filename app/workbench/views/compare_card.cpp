@@ -10,9 +10,9 @@
 #include "app/workbench/controllers/compare_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
+#include "app/workbench/refresh.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/compare_switch.h"
-#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 namespace {

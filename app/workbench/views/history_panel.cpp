@@ -17,10 +17,10 @@
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/models/history_model.h"
+#include "app/workbench/refresh.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/compare_card.h"
 #include "app/workbench/views/history_delegate.h"
-#include "app/workbench/views/refresh.h"
 
 namespace tactus::workbench {
 namespace {
