@@ -80,19 +80,22 @@ bool StudyController::keepsModel() const { return isOpen() && models_.current() 
 
 QString StudyController::savedText() const {
   if (!keepsModel()) return {};
-  if (!failure_.isEmpty()) return tr("● Not stored in %1").arg(fileName());
+  if (!failure().isEmpty()) return tr("● Not stored in %1").arg(fileName());
   return (slow_ ? tr("Saving in %1…") : tr("Stored in %1")).arg(fileName());
 }
 
 std::optional<study::RecordId> StudyController::modelVersion() const {
-  if (!keepsModel()) return std::nullopt;
+  // While versions are compared, another one than the open one is looked at.
+  if (!keepsModel() || models_.shown() != models_.current()) return std::nullopt;
   const editing::EditHistory& history = edits_.history();
   return history.events()[history.states()[history.current()].event].id;
 }
 
-void StudyController::order(Work work, Done done) {
+void StudyController::order(Work work, Done done) { orderAs(false, std::move(work), std::move(done)); }
+
+void StudyController::orderAs(bool is_version, Work work, Done done) {
   TACTUS_CHECK(isOpen());
-  waiting_.push_back(std::move(done));
+  waiting_.push_back({std::move(done), is_version});
   post([this, work = std::move(work)](StudyWorker::Desk& desk) {
     desk.works.push_back({work, [this](const Result<void>& written) {
                             const auto error = written ? std::nullopt : std::optional(written.error());
@@ -197,6 +200,11 @@ void StudyController::putModel() {
 void StudyController::storeNow() {
   if (!isOpen()) return;
   retry_.stop();
+  if (!refused_.isEmpty()) {
+    refused_.clear();
+    events_ordered_ = 0;
+    storeEvents();
+  }
   if (!isBusy()) {
     if (keepsModel()) emit said(tr("Everything is stored in %1.").arg(fileName()));
     return;
@@ -227,8 +235,8 @@ void StudyController::answer(std::function<void()> work) {
 // A study whose disk refuses keeps what was ordered; nobody gets away from it by accident.
 bool StudyController::mayLeave(const QString& path) {
   if (opening_) return false;
-  if (failure_.isEmpty()) return true;
-  emit failed(path, tr("%1 has to be written first: %2").arg(fileName(), failure_));
+  if (failure().isEmpty()) return true;
+  emit failed(path, tr("%1 has to be written first: %2").arg(fileName(), failure()));
   return false;
 }
 
@@ -281,6 +289,7 @@ void StudyController::adopt(StudyContents& contents) {
   people_ = std::move(contents.people);
   recordings_ = std::move(contents.recordings);
   versions_ = std::move(contents.versions);
+  refused_.clear();
   has_model_ = contents.history.has_value();
   texts_ = std::make_shared<TextCache>();
   if (contents.history) {
@@ -322,9 +331,11 @@ void StudyController::storeEvents() {
     if (event.stored) continue;
     auto model = history.modelOf(event.state);
     TACTUS_CHECK(model.has_value());  // a state leaves the memory only once it is stored
-    order([event, model = std::make_shared<const fuzzy::ForceModel>(std::move(*model))](
-              store::StudyFile& file, study::RecordIds&) { return storeVersion(file, event, *model); },
-          [this, id = event.id] { edits_.markStored(id); });
+    orderAs(
+        true,
+        [event, model = std::make_shared<const fuzzy::ForceModel>(std::move(*model))](
+            store::StudyFile& file, study::RecordIds&) { return storeVersion(file, event, *model); },
+        [this, id = event.id] { edits_.markStored(id); });
   }
 }
 
@@ -334,12 +345,14 @@ void StudyController::onAnswer(const std::optional<base::Error>& error) {
     retry_.start();
     return;
   }
-  const Done done = std::move(waiting_.front());
+  const Waiting waited = std::move(waiting_.front());
   waiting_.pop_front();
   if (error) {
-    emit failed(path_, text(error->message()));
-  } else if (done) {
-    done();
+    const QString sentence = text(error->message());
+    if (waited.is_version) refused_ = sentence;
+    emit failed(path_, sentence);
+  } else if (waited.done) {
+    waited.done();
   }
   if (!isBusy()) {
     slow_timer_.stop();
@@ -362,6 +375,7 @@ void StudyController::letGo() {
   people_.clear();
   recordings_.clear();
   versions_.clear();
+  refused_.clear();
   has_model_ = false;
   emit closed();
   emit savedChanged();

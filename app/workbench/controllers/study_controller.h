@@ -44,8 +44,9 @@ class StudyController : public QObject {
 
   /// Something that was ordered is not written yet.
   bool isBusy() const { return !waiting_.empty(); }
-  /// Why it could not be written; empty while all is well. It is tried again every few seconds.
-  const QString& failure() const { return failure_; }
+  /// Why something is not written; empty while all is well. What the disk refused is tried again every few seconds,
+  /// anything else with `storeNow`.
+  const QString& failure() const { return failure_.isEmpty() ? refused_ : failure_; }
   /// `Stored in STUDY`, `Saving in STUDY…`, `Not stored in STUDY`; empty where the model is not the study's.
   QString savedText() const;
 
@@ -103,6 +104,7 @@ class StudyController : public QObject {
   void adopt(StudyContents& contents);
   void show(editing::EditHistory history);
   void storeEvents();
+  void orderAs(bool is_version, Work work, Done done);
   void onAnswer(const std::optional<base::Error>& error);
   void setFailure(const QString& sentence);
   void letGo();
@@ -120,8 +122,13 @@ class StudyController : public QObject {
   std::vector<study::ModelVersion> versions_;  ///< of the study when it was opened, without their texts
   std::shared_ptr<TextCache> texts_;           ///< those that were read, for going back to an old state
   std::size_t events_ordered_ = 0;             ///< events of the history that are stored or ordered to be
-  std::deque<Done> waiting_;                   ///< what follows each order that is not written yet
+  struct Waiting {
+    Done done;
+    bool is_version = false;
+  };
+  std::deque<Waiting> waiting_;  ///< what follows each order that is not written yet
   QString failure_;
+  QString refused_;    ///< why a version was refused for another reason than the disk
   bool slow_ = false;  ///< an order has been waiting so long that the screen says so
   QTimer slow_timer_;
   QTimer retry_;

@@ -128,19 +128,16 @@ void FeelPanel::build() {
   patient->addWidget(placement_);
 
   auto* content = new QWidget;
-  auto* hand_half = new QVBoxLayout;
-  hand_half->setSpacing(theme::kGrid);
-  hand_half->addWidget(cardOf(device, content));
-  hand_half->addWidget(cardOf(hand, content));
-  hand_half->addWidget(cardOf(trace, content), 1);
+  hand_half_ = new QVBoxLayout;
+  hand_half_->setSpacing(theme::kGrid);
+  hand_half_->addWidget(cardOf(device, content));
+  hand_half_->addWidget(cardOf(hand, content));
+  hand_half_->addWidget(cardOf(trace, content), 1);
   halves_ = new QBoxLayout(QBoxLayout::TopToBottom, content);
   halves_->setContentsMargins(0, 0, 0, 0);
   halves_->setSpacing(theme::kGrid);
-  halves_->addLayout(hand_half, 1);
-  patient_half_ = new QVBoxLayout;
-  patient_half_->setSpacing(theme::kGrid);
-  patient_half_->addWidget(cardOf(patient, content), 1);
-  halves_->addLayout(patient_half_, 1);
+  halves_->addLayout(hand_half_, 1);
+  halves_->addWidget(cardOf(patient, content), 1);
 
   auto* scroll = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -153,7 +150,7 @@ void FeelPanel::build() {
   setMinimumWidth(content->minimumSizeHint().width() + theme::kGrid);
 }
 
-void FeelPanel::addCard(QWidget* card) { patient_half_->addWidget(card); }
+void FeelPanel::addCard(QWidget* card) { hand_half_->addWidget(card); }
 
 void FeelPanel::showLegend() {
   QStringList lines{swatch(theme::accent(), tr("felt"))};

@@ -32,7 +32,7 @@ class FeelPanel : public QWidget {
   FeelPanel(SceneController& scene, FeelController& feel, QWidget* parent = nullptr);
   ~FeelPanel() override;
 
-  /// A further card below the placement.
+  /// A further card below the trace.
   void addCard(QWidget* card);
 
  protected:
@@ -70,7 +70,7 @@ class FeelPanel : public QWidget {
   ProcedurePanel* procedure_;
   PlacementCard* placement_;
   QBoxLayout* halves_ = nullptr;
-  QBoxLayout* patient_half_ = nullptr;
+  QBoxLayout* hand_half_ = nullptr;
   std::optional<fuzzy::Variable> depth_;  ///< whose regions are shown
   bool filtering_ = false;
   bool trace_due_ = false;  ///< the trace is drawn at every second beat

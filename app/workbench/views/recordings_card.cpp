@@ -4,11 +4,11 @@
 #include <QDateTime>
 #include <QGridLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/controllers/feel_controller.h"
 #include "app/workbench/controllers/feel_store.h"
@@ -18,8 +18,6 @@
 
 namespace tactus::workbench {
 namespace {
-
-constexpr int kLinesShown = 3;  // of the list; more are reached by scrolling
 
 void setMuted(QLabel* label) {
   label->setFont(theme::smallFont());
@@ -34,15 +32,19 @@ QString personText(const StudyPerson& person) {
   return person.simulated ? RecordingsCard::tr("%1 (simulated)").arg(person.code) : person.code;
 }
 
-// `21 Nov 19:30 · velvet-otter · 12.4 s · Virtual device · SIMULATED`.
+// `19:30:12 · 12.4 s · velvet-otter · Virtual device (simulated)`, with the day where it is not today.
 QString recordingText(const store::FeelSummary& recording) {
   const study::FeltSetting& setting = recording.start.setting;
-  QStringList parts{
-      QDateTime::fromMSecsSinceEpoch(recording.start.entry.when.utc_ms).toString(QStringLiteral("d MMM HH:mm:ss")),
-      text(recording.code), quantityText(recording.length_s, "s", 1)};
-  if (!setting.device.empty()) parts << text(setting.device);
-  if (setting.simulated) parts << RecordingsCard::tr("SIMULATED");
-  if (!recording.finished) parts << RecordingsCard::tr("not finished");
+  const QDateTime when = QDateTime::fromMSecsSinceEpoch(recording.start.entry.when.utc_ms);
+  const bool today = when.date() == QDate::currentDate();
+  QStringList parts{when.toString(today ? QStringLiteral("HH:mm:ss") : QStringLiteral("d MMM yyyy HH:mm")),
+                    quantityText(recording.length_s, "s", 1), text(recording.code)};
+  if (!recording.finished) parts.insert(2, RecordingsCard::tr("not finished"));
+  const QString device = text(setting.device);
+  if (setting.simulated && !device.contains(QLatin1String("simulated"), Qt::CaseInsensitive)) {
+    parts << RecordingsCard::tr("SIMULATED");
+  }
+  if (!device.isEmpty()) parts << device;
   return parts.join(QStringLiteral(" · "));
 }
 
@@ -57,15 +59,12 @@ RecordingsCard::RecordingsCard(FeelStore& store, StudyController& study, FeelCon
       content_(new QWidget(this)),
       who_(new QComboBox(content_)),
       record_(new QPushButton(tr("Record"), content_)),
-      list_(new QListWidget(content_)),
-      state_(new QLabel(content_)),
+      list_(new QComboBox(content_)),
       replay_(new QPushButton(tr("Replay"), content_)) {
   build();
   connect(who_, &QComboBox::currentIndexChanged, this, &RecordingsCard::choose);
   connect(record_, &QPushButton::clicked, this, [this] { store_.setRecording(!store_.isRecording()); });
   connect(replay_, &QPushButton::clicked, this, &RecordingsCard::replay);
-  connect(list_, &QListWidget::itemSelectionChanged, this, &RecordingsCard::showState);
-  connect(list_, &QListWidget::itemDoubleClicked, this, &RecordingsCard::replay);
   connect(&store_, &FeelStore::changed, this, &RecordingsCard::showState);
   connect(&study_, &StudyController::contentsChanged, this, &RecordingsCard::listPeople);
   connect(&study_, &StudyController::contentsChanged, this, &RecordingsCard::listRecordings);
@@ -76,23 +75,20 @@ RecordingsCard::RecordingsCard(FeelStore& store, StudyController& study, FeelCon
 
 void RecordingsCard::build() {
   setMuted(hint_);
-  setMuted(state_);
   hint_->setWordWrap(true);
-  state_->setWordWrap(true);
   auto* who_label = new QLabel(tr("Who feels"), content_);
+  auto* list_label = new QLabel(tr("Recordings"), content_);
   who_->setAccessibleName(tr("Who feels"));
   who_->setToolTip(tr("Placements and recordings are kept as theirs"));
-  who_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  who_->setMinimumContentsLength(10);
-  list_->setFrameShape(QFrame::NoFrame);
-  list_->setFont(theme::smallFont());
   list_->setAccessibleName(tr("Recordings"));
-  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setTextElideMode(Qt::ElideRight);
-  list_->setFixedHeight(kLinesShown * (QFontMetrics(theme::smallFont()).height() + 6));
+  for (QComboBox* box : {who_, list_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(10);
+  }
   for (QPushButton* button : {record_, replay_}) {
     button->setFocusPolicy(Qt::TabFocus);
-    button->setMinimumWidth(button->fontMetrics().horizontalAdvance(tr("Record")) + 5 * theme::kGrid);
+    // Wide enough for every word and number that comes on it.
+    button->setMinimumWidth(button->fontMetrics().horizontalAdvance(tr("End · %1 s").arg(999)) + 3 * theme::kGrid);
   }
   auto* grid = new QGridLayout(content_);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -101,9 +97,9 @@ void RecordingsCard::build() {
   grid->addWidget(who_label, 0, 0);
   grid->addWidget(who_, 0, 1);
   grid->addWidget(record_, 0, 2);
-  grid->addWidget(list_, 1, 0, 1, 3);
-  grid->addWidget(state_, 2, 0, 1, 2);
-  grid->addWidget(replay_, 2, 2);
+  grid->addWidget(list_label, 1, 0);
+  grid->addWidget(list_, 1, 1);
+  grid->addWidget(replay_, 1, 2);
   grid->setColumnStretch(1, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid);
@@ -125,21 +121,20 @@ void RecordingsCard::listPeople() {
 }
 
 void RecordingsCard::listRecordings() {
-  const auto* chosen = list_->currentItem();
-  const QString kept = chosen != nullptr ? chosen->data(Qt::UserRole).toString() : QString();
+  const QString kept = list_->currentData().toString();
   const auto& recordings = study_.recordings();
-  {
-    const QSignalBlocker no_signal(list_);
-    list_->clear();
-    // The newest first.
-    for (auto one = recordings.rbegin(); one != recordings.rend(); ++one) {
-      auto* item = new QListWidgetItem(recordingText(*one), list_);
-      item->setData(Qt::UserRole, QString::fromStdString(study::toText(one->start.entry.id)));
-      item->setToolTip(tr("%1\nfelt on the model %2").arg(recordingText(*one), text(one->start.setting.model)));
-      if (item->data(Qt::UserRole).toString() == kept) list_->setCurrentItem(item);
-    }
-    if (list_->currentItem() == nullptr && list_->count() > 0) list_->setCurrentRow(0);
+  // One that has just begun is what somebody wants to see next.
+  const bool is_new = std::exchange(listed_, recordings.size()) < recordings.size();
+  list_->clear();
+  // The newest first.
+  for (auto one = recordings.rbegin(); one != recordings.rend(); ++one) {
+    const QString line = recordingText(*one);
+    list_->addItem(line, QString::fromStdString(study::toText(one->start.entry.id)));
+    list_->setItemData(list_->count() - 1, tr("%1\nfelt on the model %2").arg(line, text(one->start.setting.model)),
+                       Qt::ToolTipRole);
   }
+  const int again = list_->findData(kept);
+  if (list_->count() > 0) list_->setCurrentIndex(again >= 0 && !is_new ? again : 0);
   showState();
 }
 
@@ -148,24 +143,26 @@ void RecordingsCard::showState() {
   hint_->setVisible(!open);
   content_->setVisible(open);
   const bool replaying = store_.replayed().has_value();
-  record_->setText(store_.isRecording() ? tr("End") : tr("Record"));
-  record_->setToolTip(store_.isRecording() ? tr("End the recording")
-                                           : tr("Record hand and force into the study, from a new placement on"));
-  record_->setEnabled(store_.isRecording() || (store_.canRecord() && !replaying));
-  who_->setEnabled(!store_.isRecording());
-  list_->setVisible(list_->count() > 0);
-  replay_->setVisible(list_->count() > 0);
+  const bool recording = store_.isRecording();
+  const bool any = !study_.recordings().empty();
+  list_->setEnabled(any && !recording && !replaying);
+  list_->setPlaceholderText(tr("none yet"));
+  who_->setEnabled(!recording);
+  record_->setEnabled(recording || (store_.canRecord() && !replaying));
+  replay_->setEnabled(replaying || (any && !recording));
   replay_->setText(replaying ? tr("Stop") : tr("Replay"));
   replay_->setToolTip(replaying ? tr("End the replay")
-                                : tr("The recorded hand moves the tube through the present model, by calculation"));
-  replay_->setEnabled(replaying || (list_->currentItem() != nullptr && !store_.isRecording()));
-  if (replaying) {
-    state_->setText(tr("Replay (SIMULATED hand): present force beside the recorded one."));
-  } else if (store_.isRecording()) {
-    state_->setText(feel_.isRunning() ? tr("Recording: %1").arg(quantityText(store_.recordedS(), "s", 0))
-                                      : tr("The recording begins with Start."));
+                                : tr("The recorded hand moves the tube through the present model, by calculation; the "
+                                     "recorded force stands beside the present one in the trace"));
+  if (!recording) {
+    record_->setText(tr("Record"));
+    record_->setToolTip(tr("Record hand and force into the study, from a new placement on"));
+  } else if (feel_.isRunning()) {
+    record_->setText(tr("End · %1 s").arg(static_cast<int>(store_.recordedS())));
+    record_->setToolTip(tr("End the recording"));
   } else {
-    state_->setText(list_->count() > 0 ? QString() : tr("No recordings yet."));
+    record_->setText(tr("Cancel"));
+    record_->setToolTip(tr("The recording begins with Start; a click takes it back"));
   }
 }
 
@@ -179,9 +176,7 @@ void RecordingsCard::replay() {
     feel_.stop();
     return;
   }
-  const auto* item = list_->currentItem();
-  if (item == nullptr) return;
-  if (const auto id = study::parseRecordId(item->data(Qt::UserRole).toString().toStdString())) store_.replay(*id);
+  if (const auto id = study::parseRecordId(list_->currentData().toString().toStdString())) store_.replay(*id);
 }
 
 }  // namespace tactus::workbench

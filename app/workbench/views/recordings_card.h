@@ -1,11 +1,12 @@
 // What is felt and kept in the study: who feels, Record, and the recordings with Replay.
 #pragma once
 
+#include <cstddef>
+
 #include "app/workbench/views/card.h"
 
 class QComboBox;
 class QLabel;
-class QListWidget;
 class QPushButton;
 
 namespace tactus::workbench {
@@ -35,9 +36,9 @@ class RecordingsCard : public Card {
   QWidget* content_;
   QComboBox* who_;
   QPushButton* record_;
-  QListWidget* list_;
-  QLabel* state_;
+  QComboBox* list_;
   QPushButton* replay_;
+  std::size_t listed_ = 0;  ///< recordings in the list
 };
 
 }  // namespace tactus::workbench

@@ -80,7 +80,7 @@ void StudyParts::showState() {
   build_->setEnabled(open);
   close_->setEnabled(open);
   window_.strip().showStored(study_.savedText(), !study_.failure().isEmpty());
-  if (ending_ && !study_.isBusy()) window_.close();
+  if (ending_ && (!study_.isBusy() || !study_.failure().isEmpty())) window_.close();
 }
 
 void StudyParts::onOpened() {
@@ -105,8 +105,8 @@ bool StudyParts::mayEnd() {
   // The placement and the recording that go on end, and are stored.
   feel_.stop();
   store_.setRecording(false);
-  if (!study_.isBusy()) return true;
   if (study_.failure().isEmpty()) {
+    if (!study_.isBusy()) return true;
     ending_ = true;
     return false;
   }

@@ -1,0 +1,125 @@
+#include "app/workbench/views/study_parts.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QUrl>
+#include <gtest/gtest.h>
+
+#include "app/editing/membership_edits.h"
+#include "app/workbench/views/message_banner.h"
+#include "app/workbench/views/operating_strip.h"
+#include "app/workbench/views/recordings_card.h"
+#include "app/workbench/workbench.h"
+#include "core/store/model_versions.h"
+
+#include "tests/gui/sample_models.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+
+const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
+
+class StudyPartsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    window.show();
+    tests::makeStudyFile(path);
+  }
+  bool open() {
+    window.openFile(path);
+    return comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening(); });
+  }
+  QAction* action(const QString& start) {
+    for (QAction* menu : window.menuBar()->actions()) {
+      for (QAction* one : menu->menu()->actions()) {
+        if (one->text().remove(QLatin1Char('&')).startsWith(start)) return one;
+      }
+    }
+    return nullptr;
+  }
+  bool stripSays(const QString& text) {
+    for (const QLabel* label : window.strip().findChildren<QLabel*>()) {
+      if (label->text() == text) return true;
+    }
+    return false;
+  }
+
+  tests::ModelFolder folder;
+  QString path = folder.path(QStringLiteral("sample.tactus"));
+  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
+  Workbench bench{settings};
+  MainWindow& window = bench.window;
+};
+
+TEST_F(StudyPartsTest, AStudyIsOpenedAndTakesTheModelIn) {
+  EXPECT_FALSE(action("Put the open model")->isEnabled());
+  ASSERT_TRUE(open());
+  EXPECT_TRUE(window.banner().message().contains(QStringLiteral("holds neither a model")));
+  EXPECT_EQ(bench.recent.paths().value(0), path);
+  EXPECT_TRUE(action("Close the study")->isEnabled());
+
+  window.openFile(folder.write(tests::twoExperts()));
+  EXPECT_TRUE(stripSays(QStringLiteral("Saved")));
+  action("Put the open model")->trigger();
+  EXPECT_TRUE(stripSays(QStringLiteral("Stored in sample.tactus")));
+  EXPECT_FALSE(action("Put the open model")->isEnabled());
+  EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("sample.tactus")));
+}
+
+TEST_F(StudyPartsTest, AStudyIsDroppedOnTheWindow) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(path)});
+  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &enter);
+  ASSERT_TRUE(enter.isAccepted());
+  QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &drop);
+  EXPECT_TRUE(comesTrue([this] { return bench.study.isOpen(); }));
+}
+
+TEST_F(StudyPartsTest, AFailureIsOneSentenceInTheBanner) {
+  window.openFile(folder.path(QStringLiteral("nowhere.tactus")));
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpening(); }));
+  EXPECT_TRUE(window.banner().message().contains(QStringLiteral("nowhere.tactus")));
+  EXPECT_FALSE(bench.study.isOpen());
+}
+
+TEST_F(StudyPartsTest, TheWindowStaysUntilEverythingIsWritten) {
+  ASSERT_TRUE(open());
+  window.openFile(folder.write(tests::twoExperts()));
+  bench.study.putModel();
+  ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
+  window.close();
+  ASSERT_TRUE(comesTrue([this] { return !window.isVisible(); }));
+  EXPECT_FALSE(bench.study.isBusy());
+  bench.study.close();
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
+  EXPECT_EQ(store::modelVersions(tests::lookInto(path))->size(), 2U);
+}
+
+TEST_F(StudyPartsTest, TheRecordingsStandInTheFeelPanel) {
+  auto* card = window.findChild<RecordingsCard*>();
+  ASSERT_NE(card, nullptr);
+  const auto shown = [&](const auto* widget) { return widget->isVisibleTo(card); };
+  EXPECT_FALSE(shown(card->findChild<QComboBox*>()));
+  ASSERT_TRUE(open());
+  ASSERT_TRUE(comesTrue([&] { return shown(card->findChild<QComboBox*>()); }));
+  EXPECT_EQ(card->findChild<QComboBox*>()->itemText(0), QStringLiteral("Researcher"));
+  for (const QPushButton* button : card->findChildren<QPushButton*>()) {
+    EXPECT_EQ(button->isEnabled(), button->text() == QStringLiteral("Record")) << button->text().toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace tactus::workbench
