@@ -54,6 +54,7 @@ struct Workbench {
         study_parts(window, study, feel, feel_store, models, recent),
         history_parts(window, edit_parts.menu(), edits, compare, scene, feel, author) {
     history_parts.addRecovery(autosave, recovery, study);
+    history_parts.addGhost(ghost);
   }
 
   ModelController models;

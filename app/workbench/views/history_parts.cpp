@@ -7,7 +7,9 @@
 #include "app/workbench/controllers/autosave_controller.h"
 #include "app/workbench/controllers/compare_controller.h"
 #include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/ghost_controller.h"
 #include "app/workbench/controllers/study_controller.h"
+#include "app/workbench/display_text.h"
 #include "app/workbench/views/compare_strip.h"
 #include "app/workbench/views/history_panel.h"
 #include "app/workbench/views/main_window.h"
@@ -43,6 +45,21 @@ void HistoryParts::addRecovery(AutosaveController& autosave, RecoveryController&
   connect(&recovery, &RecoveryController::restored, &edits_, &EditController::reported);
   connect(&recovery, &RecoveryController::failed, &window_.banner(), &MessageBanner::showError);
   connect(&autosave, &AutosaveController::failed, &window_.banner(), &MessageBanner::showError);
+}
+
+void HistoryParts::addGhost(GhostController& ghost) {
+  connect(&compare_, &CompareController::shownChanged, &ghost, [this, &ghost] {
+    const auto shown = compare_.shown();
+    if (!shown) {
+      ghost.clearReference();
+      return;
+    }
+    const CompareSide hidden = *shown == CompareSide::kA ? CompareSide::kB : CompareSide::kA;
+    const auto model = compare_.modelOf(hidden);
+    const auto set = model ? ghost.setReference(*model, compare_.nameOf(compare_.choice(hidden)))
+                           : base::Result<void>(tl::unexpected(model.error()));
+    if (!set) window_.say(text(set.error().message()));
+  });
 }
 
 void HistoryParts::buildMenu(QMenu& menu) {

@@ -17,6 +17,7 @@ class AutosaveController;
 class CompareController;
 class EditController;
 class FeelController;
+class GhostController;
 class HistoryPanel;
 class MainWindow;
 class SceneController;
@@ -33,6 +34,8 @@ class HistoryParts : public QObject {
   /// Offers what a crash left behind, opens `study` where it belongs to one, and says where work cannot be kept from
   /// the next one.
   void addRecovery(AutosaveController& autosave, RecoveryController& recovery, StudyController& study);
+  /// The curves have the side that is not shown as their ghost while versions are compared.
+  void addGhost(GhostController& ghost);
 
  private:
   void buildMenu(QMenu& menu);

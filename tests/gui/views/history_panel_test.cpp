@@ -174,6 +174,18 @@ TEST_F(HistoryPanelTest, TheStripSaysWhatIsShownAndTheKeySwitches) {
   EXPECT_FALSE(strip->isVisible());
 }
 
+TEST_F(HistoryPanelTest, TheSideThatIsNotShownIsTheGhostOfTheCurves) {
+  edit(3);
+  action(Qt::CTRL | Qt::Key_B)->trigger();
+  ASSERT_TRUE(bench.ghost.hasReference());
+  EXPECT_EQ(bench.ghost.before()->model, bench.models.current()->model);
+  EXPECT_EQ(bench.ghost.label(), QStringLiteral("Open model, mean of 2 experts"));
+  action(Qt::CTRL | Qt::Key_B)->trigger();
+  EXPECT_EQ(bench.ghost.before()->model, tests::twoExperts());
+  action(Qt::CTRL | Qt::SHIFT | Qt::Key_B)->trigger();
+  EXPECT_FALSE(bench.ghost.hasReference());
+}
+
 TEST_F(HistoryPanelTest, TheComparisonSetsTheOperatingPointToTheLargestDifference) {
   bench.compare.choose(CompareSide::kB, {CompareChoice::Kind::kExpert, 0, "B"});
   revealSide();
