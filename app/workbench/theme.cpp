@@ -4,6 +4,7 @@
 #include <QPalette>
 #include <QSettings>
 #include <QStyleFactory>
+#include <QWidget>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +26,66 @@ double luminance(const QColor& color) {
 constexpr auto kLookKey = "look";
 constexpr auto kDark = "dark";
 
+/// A color in both looks.
+struct Pair {
+  QRgb light;
+  QRgb dark;
+};
+constexpr Pair kWindow{0xFFF3F5F7, 0xFF15191E};
+constexpr Pair kCard{0xFFFFFFFF, 0xFF1E242B};
+constexpr Pair kBorder{0xFFD9E0E6, 0xFF39434D};
+constexpr Pair kGridLine{0xFFE8ECF0, 0xFF2B333B};
+constexpr Pair kInk{0xFF1F2933, 0xFFE4E9EE};
+constexpr Pair kMutedInk{0xFF52606D, 0xFFA2AEBA};
+constexpr Pair kAccent{0xFF0B659E, 0xFF2F87C4};
+constexpr Pair kWarningInk{0xFF7A4B00, 0xFFFFCC66};
+constexpr Pair kWarningFill{0xFFFFF1D0, 0xFF42340F};
+constexpr Pair kErrorInk{0xFF9B1C1C, 0xFFFF9A94};
+constexpr Pair kErrorFill{0xFFFDECEA, 0xFF4A1F1E};
+constexpr Pair kMean{0xFF2B3540, 0xFFF2F5F8};
+
+QColor pick(const Pair& pair) { return QColor::fromRgb(isDark() ? pair.dark : pair.light); }
 QColor pick(QRgb light, QRgb dark) { return QColor::fromRgb(isDark() ? dark : light); }
+
+void setPalette(QApplication& application, Look look) {
+  // The colors below are those of the look that the palette of the application has.
+  QPalette palette;
+  palette.setColor(QPalette::Window, look == Look::kDark ? Qt::black : Qt::white);
+  application.setPalette(palette);
+  palette.setColor(QPalette::Window, window());
+  palette.setColor(QPalette::WindowText, ink());
+  palette.setColor(QPalette::Base, card());
+  palette.setColor(QPalette::AlternateBase, window());
+  palette.setColor(QPalette::Text, ink());
+  palette.setColor(QPalette::PlaceholderText, mutedInk());
+  palette.setColor(QPalette::Button, pick(0xFBFCFD, 0x2A323A));
+  palette.setColor(QPalette::ButtonText, ink());
+  palette.setColor(QPalette::BrightText, Qt::white);
+  palette.setColor(QPalette::Highlight, pick(0x0B659E, 0x1F6F9F));
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::ToolTipBase, pick(0x1F2933, 0x39434D));
+  palette.setColor(QPalette::ToolTipText, Qt::white);
+  palette.setColor(QPalette::Link, accent());
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(QPalette::Disabled, role, pick(0x9AA5B1, 0x66717C));
+  }
+  application.setPalette(palette);
+}
+
+// Colors that the widget set itself.
+void takeLook(QWidget& widget) {
+  QPalette colors = widget.palette();
+  for (int g = 0; g < QPalette::NColorGroups; ++g) {
+    for (int r = 0; r < QPalette::NColorRoles; ++r) {
+      const auto group = static_cast<QPalette::ColorGroup>(g);
+      const auto role = static_cast<QPalette::ColorRole>(r);
+      if (!colors.isBrushSet(group, role)) continue;
+      const QColor color = colors.color(group, role);
+      if (const QColor now = inLook(color); now != color) colors.setColor(group, role, now);
+    }
+  }
+  widget.setPalette(colors);
+}
 
 QFont scaled(double points, QFont::Weight weight) {
   QFont font = QApplication::font();
@@ -46,18 +106,30 @@ void storeLook(QSettings& settings, Look look) {
 
 bool isDark() { return QApplication::palette().color(QPalette::Window).lightness() < 128; }
 
-QColor window() { return pick(0xF3F5F7, 0x15191E); }
-QColor card() { return pick(0xFFFFFF, 0x1E242B); }
-QColor border() { return pick(0xD9E0E6, 0x39434D); }
-QColor grid() { return pick(0xE8ECF0, 0x2B333B); }
-QColor ink() { return pick(0x1F2933, 0xE4E9EE); }
-QColor mutedInk() { return pick(0x52606D, 0xA2AEBA); }
-QColor accent() { return pick(0x0B659E, 0x2F87C4); }
-QColor warningInk() { return pick(0x7A4B00, 0xFFCC66); }
-QColor warningFill() { return pick(0xFFF1D0, 0x42340F); }
-QColor errorInk() { return pick(0x9B1C1C, 0xFF9A94); }
-QColor errorFill() { return pick(0xFDECEA, 0x4A1F1E); }
-QColor mean() { return pick(0x2B3540, 0xF2F5F8); }
+QColor window() { return pick(kWindow); }
+QColor card() { return pick(kCard); }
+QColor border() { return pick(kBorder); }
+QColor grid() { return pick(kGridLine); }
+QColor ink() { return pick(kInk); }
+QColor mutedInk() { return pick(kMutedInk); }
+QColor accent() { return pick(kAccent); }
+QColor warningInk() { return pick(kWarningInk); }
+QColor warningFill() { return pick(kWarningFill); }
+QColor errorInk() { return pick(kErrorInk); }
+QColor errorFill() { return pick(kErrorFill); }
+QColor mean() { return pick(kMean); }
+
+QColor inLook(const QColor& color) {
+  const bool dark = isDark();
+  for (const Pair& pair : {kWindow, kBorder, kGridLine, kInk, kMutedInk, kAccent, kWarningInk, kWarningFill, kErrorInk,
+                           kErrorFill, kMean}) {
+    if ((color.rgb() | 0xFF000000U) != (dark ? pair.light : pair.dark)) continue;
+    QColor now = QColor::fromRgb(dark ? pair.dark : pair.light);
+    now.setAlphaF(color.alphaF());
+    return now;
+  }
+  return color;
+}
 
 QColor expert(std::size_t index) {
   static constexpr std::array<QColor, 6> kColors = {QColor(0x00, 0x72, 0xB2), QColor(0xD5, 0x5E, 0x00),
@@ -94,28 +166,15 @@ void apply(QApplication& application, Look look) {
   if (font.pointSizeF() < 9.5) font.setPointSizeF(9.5);
   QApplication::setFont(font);
 
-  // The colors above are those of the look that the palette of the application has.
-  QPalette palette;
-  palette.setColor(QPalette::Window, look == Look::kDark ? Qt::black : Qt::white);
-  application.setPalette(palette);
-  palette.setColor(QPalette::Window, window());
-  palette.setColor(QPalette::WindowText, ink());
-  palette.setColor(QPalette::Base, card());
-  palette.setColor(QPalette::AlternateBase, window());
-  palette.setColor(QPalette::Text, ink());
-  palette.setColor(QPalette::PlaceholderText, mutedInk());
-  palette.setColor(QPalette::Button, pick(0xFBFCFD, 0x2A323A));
-  palette.setColor(QPalette::ButtonText, ink());
-  palette.setColor(QPalette::BrightText, Qt::white);
-  palette.setColor(QPalette::Highlight, pick(0x0B659E, 0x1F6F9F));
-  palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::ToolTipBase, pick(0x1F2933, 0x39434D));
-  palette.setColor(QPalette::ToolTipText, Qt::white);
-  palette.setColor(QPalette::Link, accent());
-  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-    palette.setColor(QPalette::Disabled, role, pick(0x9AA5B1, 0x66717C));
+  setPalette(application, look);
+}
+
+void changeLook(QApplication& application, Look look) {
+  setPalette(application, look);
+  for (QWidget* widget : QApplication::allWidgets()) {
+    if (widget->testAttribute(Qt::WA_SetPalette)) takeLook(*widget);
+    widget->update();
   }
-  application.setPalette(palette);
 }
 
 }  // namespace tactus::workbench::theme

@@ -54,7 +54,14 @@ QFont titleFont();    ///< name of the model
 QFont headingFont();  ///< heads of cards and panels
 QFont smallFont();    ///< notes, readouts, labels in plots
 
-/// The calm look on the Fusion style, the same on every desktop. Windows that are there keep the colors they took.
+/// The color of the present look that `color` stands for: what was taken from the functions above in the other look
+/// gets its counterpart, with its alpha; everything else, also the white of light cards, stays as it is.
+QColor inLook(const QColor& color);
+
+/// The calm look on the Fusion style, the same on every desktop. At the start of the program.
 void apply(QApplication& application, Look look = Look::kLight);
+/// Another look at once: colors that widgets took from here are exchanged too. Plots follow by themselves
+/// (plots/plot_look.h).
+void changeLook(QApplication& application, Look look);
 
 }  // namespace tactus::workbench::theme

@@ -54,6 +54,46 @@ workbench::FeelSettings SteppedFeel::settings() {
   return settings;
 }
 
+namespace {
+
+/// Stops when it is told to; everything else is the device behind it.
+class SlowDevice final : public haptics::HapticDevice {
+ public:
+  SlowDevice(std::unique_ptr<haptics::HapticDevice> device, const std::atomic<bool>& lets_go)
+      : device_(std::move(device)), lets_go_(lets_go) {}
+
+  const haptics::DeviceInfo& info() const noexcept override { return device_->info(); }
+  base::Result<void> start() override {
+    lets_go_.wait(false);
+    return device_->start();
+  }
+  void stop() noexcept override {
+    lets_go_.wait(false);
+    device_->stop();
+  }
+  haptics::DeviceState read(std::int64_t now_ns) noexcept override { return device_->read(now_ns); }
+  void write(const haptics::Vector3& force_n, std::int64_t now_ns) noexcept override {
+    device_->write(force_n, now_ns);
+  }
+
+ private:
+  std::unique_ptr<haptics::HapticDevice> device_;
+  const std::atomic<bool>& lets_go_;
+};
+
+}  // namespace
+
+workbench::FeelSettings SteppedFeel::slowSettings(const std::atomic<bool>& lets_go) {
+  workbench::FeelSettings slow = settings();
+  slow.open_device = [open = slow.open_device, &lets_go](const std::string& id) {
+    auto opened = open(id);
+    if (opened) opened->device = std::make_unique<SlowDevice>(std::move(opened->device), lets_go);
+    return opened;
+  };
+  slow.is_slow = [](const std::string&) { return true; };
+  return slow;
+}
+
 void SteppedFeel::advance(workbench::FeelController& feel, int milliseconds) {
   for (int ms = 1; ms <= milliseconds; ++ms) {
     now_ns_ += kTickNs;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 
@@ -16,6 +17,8 @@ class SteppedFeel {
   explicit SteppedFeel(haptics::VirtualDeviceSettings device = {}) : device_(std::move(device)) {}
 
   workbench::FeelSettings settings();
+  /// The same with a device that starts and stops in the background, and does either only while `lets_go` is true.
+  workbench::FeelSettings slowSettings(const std::atomic<bool>& lets_go);
 
   /// Ticks once per millisecond; `feel` gets a beat every 16 ms and one at the end.
   void advance(workbench::FeelController& feel, int milliseconds);

@@ -1,6 +1,7 @@
 #include "app/workbench/controllers/feel_controller.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kBeatMs = 16;            // the refresh of a screen
+constexpr int kLookMs = 30;            // while a device starts or stops
 constexpr double kEditFadeS = 0.05;    // docs/servo.md
 constexpr double kGestureFadeS = 1.0;  // a neck is not flexed faster
 // Coarser than the noise of a held hand, so that a hand at rest moves nothing on the screen.
@@ -28,24 +30,47 @@ QString sentenceCase(QString sentence) {
   return sentence;
 }
 
+haptics::EnableSettings enableOf(const haptics::DeviceInfo& info, const FeelGrip& grip) {
+  haptics::EnableSettings enable;
+  const bool by_key = info.simulated || info.buttons == 0;
+  enable.kind = grip.latch ? haptics::EnableKind::kLatch
+                : by_key   ? haptics::EnableKind::kPedal
+                           : haptics::EnableKind::kButton;
+  enable.release_zone_mm = grip.release_zone_mm;
+  return enable;
+}
+
+// What was recorded is the hand after its debounce, on the button of the device that replays it.
+haptics::EnableSettings enableOfReplay() {
+  haptics::EnableSettings enable;
+  enable.kind = haptics::EnableKind::kButton;
+  enable.press_debounce_s = 0;
+  return enable;
+}
+
 }  // namespace
 
 FeelSettings realFeel() {
-  return {[](const std::string& id) { return devices::open(id, devices::settingsOfProcess()); }, threadedLoop};
+  // A device behind a driver may take seconds; the virtual one is there at once.
+  return {[](const std::string& id) { return devices::open(id, devices::settingsOfProcess()); }, threadedLoop,
+          [](const std::string& id) { return id != "virtual"; }};
 }
 
 FeelController::FeelController(SceneController& scene, FeelSettings settings, QObject* parent)
     : QObject(parent), scene_(scene), settings_(std::move(settings)) {
   beat_.setInterval(kBeatMs);
   beat_.setTimerType(Qt::PreciseTimer);
+  look_.setInterval(kLookMs);
   connect(&beat_, &QTimer::timeout, this, &FeelController::beat);
+  connect(&look_, &QTimer::timeout, this, &FeelController::lookAtDevice);
   connect(&scene_, &SceneController::modelChanged, this, &FeelController::onModel);
   connect(&scene_, &SceneController::modelEdited, this, &FeelController::onModel);
   connect(&scene_, &SceneController::valueChanged, this, &FeelController::onValue);
   connect(this, &FeelController::handMoved, this, &FeelController::onHandMoved);
 }
 
-FeelController::~FeelController() = default;
+FeelController::~FeelController() =
+    default;  // without force: a run that goes on ends, and a device that stops is waited for
 
 std::optional<haptics::DeviceInfo> FeelController::device() const {
   if (!run_) return std::nullopt;
@@ -54,7 +79,11 @@ std::optional<haptics::DeviceInfo> FeelController::device() const {
 
 bool FeelController::isHandLive() const { return run_ && run_->liveHand() != nullptr; }
 
-bool FeelController::isHeldByKey() const { return run_ && run_->orders().enable.kind == haptics::EnableKind::kPedal; }
+bool FeelController::isHeldByKey() const { return run_ && (run_->info().simulated || run_->info().buttons == 0); }
+
+QString FeelController::axisAdvice() const {
+  return run_ && run_->info().position_axes > 1 ? text(run_->axisAdvice()) : QString();
+}
 
 QString FeelController::priorityText() const { return run_ ? run_->loop().priorityText() : QString(); }
 
@@ -73,26 +102,29 @@ bool FeelController::isNeckFlexed() const {
 }
 
 void FeelController::start(const QString& id) {
-  stop();
-  startOn(settings_.open_device(id.toStdString()), false, {});
+  const std::string device = id.toStdString();
+  startOn({[open_device = settings_.open_device, device] { return open_device(device); },
+           settings_.is_slow && settings_.is_slow(device),
+           false,
+           {}});
 }
 
 void FeelController::startReplay(std::unique_ptr<haptics::HapticDevice> device, RecordedForce recorded) {
-  stop();
-  devices::OpenedDevice opened;
-  opened.device = std::move(device);
-  startOn(std::move(opened), true, std::move(recorded));
+  // A function can be copied, a device cannot.
+  const auto opened = std::make_shared<devices::OpenedDevice>();
+  opened->device = std::move(device);
+  startOn({[opened]() -> base::Result<devices::OpenedDevice> { return std::move(*opened); }, false, true,
+           std::move(recorded)});
 }
 
-void FeelController::startOn(base::Result<devices::OpenedDevice> opened, bool replay, RecordedForce recorded) {
+void FeelController::startOn(Beginning beginning) {
   TACTUS_CHECK(scene_.model() != nullptr);
+  if (state_ == FeelState::kOpening || state_ == FeelState::kStopping) return;
+  stop();
+  if (state_ != FeelState::kStopped) return;  // the device before takes its time
   auto servo_scene = makeScene(kEditFadeS);
   if (!servo_scene) {
     emit failed(text(servo_scene.error().message()));
-    return;
-  }
-  if (!opened) {
-    emit failed(text(opened.error().message()));
     return;
   }
   haptics::ServoOrders orders;
@@ -100,17 +132,31 @@ void FeelController::startOn(base::Result<devices::OpenedDevice> opened, bool re
   orders.armed = true;
   orders.scene = std::move(*servo_scene);
   orders.placement = ++placements_;
-  const haptics::DeviceInfo& info = opened->device->info();
-  const bool by_key = !replay && (info.simulated || info.buttons == 0);
-  orders.enable.kind = by_key ? haptics::EnableKind::kPedal : haptics::EnableKind::kButton;
-  // What was recorded is the hand after its debounce.
-  if (replay) orders.enable.press_debounce_s = 0;
   depth_offset_mm_ = orders.scene->renderer().depth_offset_mm;
-  auto run = FeelRun::begin(std::move(*opened), settings_.make_loop, std::move(orders));
+  slow_ = beginning.slow;
+  const auto open = [open_device = beginning.open, make_loop = settings_.make_loop, grip = grip_,
+                     replay = beginning.replay](haptics::ServoOrders given) -> base::Result<std::unique_ptr<FeelRun>> {
+    auto opened = open_device();
+    if (!opened) return tl::unexpected(opened.error());
+    given.enable = replay ? enableOfReplay() : enableOf(opened->device->info(), grip);
+    return FeelRun::begin(std::move(*opened), make_loop, std::move(given));
+  };
+  if (!slow_) {
+    begin(open(std::move(orders)), beginning.replay, std::move(beginning.recorded));
+    return;
+  }
+  opening_ = std::async(std::launch::async, open, std::move(orders));
+  enter(FeelState::kOpening);
+  look_.start();
+}
+
+void FeelController::begin(base::Result<std::unique_ptr<FeelRun>> run, bool replay, RecordedForce recorded) {
   if (!run) {
+    if (state_ != FeelState::kStopped) enter(FeelState::kStopped);
     emit failed(text(run.error().message()));
     return;
   }
+  const bool waited = state_ == FeelState::kOpening;
   run_ = std::move(*run);
   replay_ = replay;
   ++runs_;
@@ -129,20 +175,71 @@ void FeelController::startOn(base::Result<devices::OpenedDevice> opened, bool re
   beat_.start();
   emit tripChanged();
   enter(FeelState::kRunning);
+  // What changed while the device started.
+  if (waited) postScene(kEditFadeS);
 }
 
 void FeelController::stop() {
+  if (state_ == FeelState::kOpening) {
+    // It is ended as soon as it has started; its first orders are armed, but no hand has taken the tube.
+    enter(FeelState::kStopping);
+    return;
+  }
   if (!run_) return;
   beat_.stop();
-  run_->end();
+  run_->servo().stop();
+  if (!slow_) run_->end();
   takeAll(run_->drain());
   endPlacement();
+  if (slow_) {
+    endInBackground(std::move(run_));
+    look_.start();
+  }
   run_.reset();
   latest_.force_n = latest_.source_force_n = latest_.model_force_n = latest_.stretch_mm = 0;
   latest_.phase = render::Phase::kReleased;
   latest_.enabled = false;
   held_ = false;
-  enter(FeelState::kStopped);
+  enter(slow_ ? FeelState::kStopping : FeelState::kStopped);
+}
+
+void FeelController::endInBackground(std::unique_ptr<FeelRun> run) {
+  // Its destructor stops loop and device.
+  ending_ = std::async(
+      std::launch::async, [](std::unique_ptr<FeelRun> last) { last.reset(); }, std::move(run));
+}
+
+void FeelController::lookAtDevice() {
+  const auto ready = [](const auto& future) {
+    return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  if (ready(opening_)) {
+    auto run = opening_.get();
+    if (state_ == FeelState::kOpening) {
+      look_.stop();
+      begin(std::move(run), false, {});
+    } else if (run) {
+      endInBackground(std::move(*run));
+    } else {
+      look_.stop();
+      enter(FeelState::kStopped);
+    }
+  } else if (ready(ending_)) {
+    look_.stop();
+    ending_.get();
+    enter(FeelState::kStopped);
+  }
+}
+
+void FeelController::setGrip(const FeelGrip& grip) {
+  if (grip == grip_) return;
+  grip_ = grip;
+  setHeld(false);
+  if (run_ && !replay_) {
+    run_->orders().enable = enableOf(run_->info(), grip_);
+    run_->post();
+  }
+  emit stateChanged();
 }
 
 void FeelController::rearm() {
@@ -291,7 +388,10 @@ void FeelController::watchTrip() {
 void FeelController::watchRelease() {
   if (state_ != FeelState::kRearming || latest_.orders < arming_) return;
   const haptics::EnableSettings& enable = run_->orders().enable;
-  const bool down = enable.kind == haptics::EnableKind::kPedal ? held_ : (latest_.buttons & enable.button_mask) != 0;
+  const bool button = (latest_.buttons & enable.button_mask) != 0;
+  const bool down = enable.kind == haptics::EnableKind::kPedal   ? held_
+                    : enable.kind == haptics::EnableKind::kLatch ? held_ || button
+                                                                 : button;
   if (down) return;
   run_->orders().armed = true;
   arming_ = run_->post();

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@
 #include "app/workbench/controllers/feel_loop.h"
 #include "app/workbench/controllers/placement.h"
 #include "core/haptics/device.h"
+#include "core/haptics/limit_settings.h"
 #include "core/haptics/loop_statistics.h"
 #include "core/haptics/sample.h"
 #include "core/haptics/trip.h"
@@ -29,9 +31,11 @@ class SceneController;
 
 enum class FeelState {
   kStopped,   ///< no servo, nothing is computed
+  kOpening,   ///< a device takes its time to start; no force yet
   kRunning,   ///< forces are possible
   kTripped,   ///< zero force until somebody arms again
   kRearming,  ///< waits for the hand to let go
+  kStopping,  ///< no force any more; a device takes its time to stop
 };
 
 /// What ended the force, for the screen.
@@ -46,10 +50,21 @@ struct EditLatency {
   std::uint64_t longest_ticks = 0;  ///< of all edits since the start
 };
 
+/// How the hand takes the tube: with what the device has, or with a latch, because a squeezed switch spoils the feel.
+struct FeelGrip {
+  bool latch = false;            ///< a press takes the tube, the next one lets go
+  double release_zone_mm = -20;  ///< with a latch: axis positions further out than this let go too
+
+  bool operator==(const FeelGrip&) const = default;
+};
+
 /// Where devices and loops come from; a test gives its own.
 struct FeelSettings {
   std::function<base::Result<devices::OpenedDevice>(const std::string& id)> open_device;
   MakeFeelLoop make_loop;
+  /// Whether the device `id` may take its time to start and to stop. It then does so in the background, and the window
+  /// stays alive. Without it no device does.
+  std::function<bool(const std::string& id)> is_slow;
 };
 /// Devices of this computer under a thread of their own.
 FeelSettings realFeel();
@@ -73,6 +88,9 @@ class FeelController : public QObject {
   bool isHandLive() const;
   /// The tube is held with a key or the mouse, not with a button of the device.
   bool isHeldByKey() const;
+  const FeelGrip& grip() const { return grip_; }
+  /// What to do where inwards turns out to be outwards; empty for a device with one axis.
+  QString axisAdvice() const;
   QString priorityText() const;
   std::optional<FeelTrip> trip() const { return trip_; }
 
@@ -104,10 +122,12 @@ class FeelController : public QObject {
   void startReplay(std::unique_ptr<haptics::HapticDevice> device, RecordedForce recorded);
 
  public slots:
-  /// Starts on the device `id` of the list of devices; ends with `stateChanged` or `failed`. A model must be open.
+  /// Starts on the device `id` of the list of devices; ends with `stateChanged` or `failed`. A model must be open, and
+  /// nothing running, opening or stopping.
   void start(const QString& id);
-  /// No force from the next tick on, then the servo ends. The placement ends.
+  /// No force from the next tick on, in any state; then the servo ends, and the placement with it.
   void stop();
+  void setGrip(const tactus::workbench::FeelGrip& grip);
   /// After a trip: disarms, waits until the hand lets go, and arms.
   void rearm();
   /// The tube is taken out: the placement ends and another one begins.
@@ -138,7 +158,14 @@ class FeelController : public QObject {
   void failed(const QString& sentence);
 
  private:
-  void startOn(base::Result<devices::OpenedDevice> opened, bool replay, RecordedForce recorded);
+  /// A run that is to begin.
+  struct Beginning {
+    std::function<base::Result<devices::OpenedDevice>()> open;
+    bool slow = false;  ///< in the background
+    bool replay = false;
+    RecordedForce recorded;  ///< of a replay
+  };
+  void startOn(Beginning beginning);
   void takeAll(std::span<const haptics::Sample> samples);
   void onModel();
   void onValue(std::size_t input);
@@ -150,11 +177,20 @@ class FeelController : public QObject {
   void watchRelease();
   void endPlacement();
   void enter(FeelState state);
+  void begin(base::Result<std::unique_ptr<FeelRun>> run, bool replay, RecordedForce recorded);
+  void endInBackground(std::unique_ptr<FeelRun> run);
+  void lookAtDevice();
 
   SceneController& scene_;
   const FeelSettings settings_;
   QTimer beat_;
   std::unique_ptr<FeelRun> run_;
+  bool slow_ = false;  ///< the device of the present run stops in the background
+  // A device that starts or stops in the background; their destructors wait for it.
+  std::future<base::Result<std::unique_ptr<FeelRun>>> opening_;
+  std::future<void> ending_;
+  QTimer look_;
+  FeelGrip grip_;
   FeelState state_ = FeelState::kStopped;
   haptics::Sample latest_;
   double depth_offset_mm_ = 0;  ///< of the scene that was posted last

@@ -27,6 +27,7 @@ FeelRun::FeelRun(devices::OpenedDevice opened, const MakeFeelLoop& make_loop, ha
     : device_(std::move(opened.device)),
       live_hand_(dynamic_cast<haptics::VirtualDevice*>(device_.get())),
       calibration_advice_(std::move(opened.calibration_advice)),
+      axis_advice_(std::move(opened.axis_advice)),
       orders_(std::move(orders)),
       servo_(std::make_unique<haptics::Servo>(*device_)),
       loop_(make_loop(*servo_)),

@@ -18,7 +18,8 @@ class VirtualDevice;
 
 namespace tactus::workbench {
 
-/// Runs from `begin` to the destructor, which leaves the device without force. Thread: gui.
+/// Runs from `begin` to the destructor, which leaves the device without force. Thread: one at a time; a device that
+/// takes its time is begun and ended by another one than the gui's.
 class FeelRun {
  public:
   /// Starts the device and hands `orders` to a servo on it, with the axis of the device and the limits that fit it.
@@ -43,6 +44,8 @@ class FeelRun {
   haptics::VirtualDevice* liveHand() const { return live_hand_; }
   /// What to do when the device says that it is not calibrated.
   const std::string& calibrationAdvice() const { return calibration_advice_; }
+  /// What to do when inwards is outwards; may be empty.
+  const std::string& axisAdvice() const { return axis_advice_; }
   /// Zero force from the next tick on, then no tick any more. May be called twice.
   void end() noexcept;
 
@@ -53,6 +56,7 @@ class FeelRun {
   std::unique_ptr<haptics::HapticDevice> device_;
   haptics::VirtualDevice* live_hand_;
   std::string calibration_advice_;
+  std::string axis_advice_;
   haptics::ServoOrders orders_;
   std::unique_ptr<haptics::Servo> servo_;
   std::unique_ptr<FeelLoop> loop_;

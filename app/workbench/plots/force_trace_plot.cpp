@@ -29,7 +29,7 @@ ForceTracePlot::ForceTracePlot(QWidget* parent) : QWidget(parent), plot_(makePlo
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
-  setMinimumSize(240, 120);
+  setMinimumSize(200, 72);
 
   // The limits first, so that the lines stand above the fill.
   limits_ = addLine(*plot_, Qt::NoPen);

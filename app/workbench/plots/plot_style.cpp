@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/workbench/plots/plot_canvas.h"
+#include "app/workbench/plots/plot_look.h"
 #include "app/workbench/refresh.h"
 #include "app/workbench/theme.h"
 
@@ -26,6 +27,7 @@ QCustomPlot* makePlot(QWidget* parent) {
   plot->legend->setVisible(false);
   plot->setFocusPolicy(Qt::NoFocus);
   new Refresh(plot, [plot] { plot->update(); });
+  followLook(*plot);
   return plot;
 }
 

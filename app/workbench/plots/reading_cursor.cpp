@@ -27,7 +27,7 @@ void ReadingCursor::draw(QCPPainter* painter) {
 
   for (const Dot& dot : dots_) {
     painter->setPen(QPen(theme::card(), 1.5));
-    painter->setBrush(dot.color);
+    painter->setBrush(theme::inLook(dot.color));
     painter->drawEllipse(QPointF(x, area->axis(QCPAxis::atLeft)->coordToPixel(dot.force_n)), 4.5, 4.5);
   }
 

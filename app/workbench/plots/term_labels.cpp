@@ -22,8 +22,7 @@ TermLabels::TermLabels(QCustomPlot& plot, int rows)
 void TermLabels::setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {
   names_.clear();
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    names_.push_back({labelOf(terms[i]), coreMiddle(variable, terms[i]), theme::termText(i, terms.size()),
-                      theme::term(i, terms.size())});
+    names_.push_back({labelOf(terms[i]), coreMiddle(variable, terms[i]), i});
   }
   std::stable_sort(names_.begin(), names_.end(), [](const Name& a, const Name& b) { return a.center < b.center; });
 }
@@ -45,7 +44,7 @@ void TermLabels::draw(QCPPainter* painter) {
   painter->setFont(font_);
   for (std::size_t i = 0; i < names_.size(); ++i) {
     if (!places[i]) continue;
-    painter->setPen(QPen(names_[i].line_color, 1));
+    painter->setPen(QPen(theme::term(names_[i].term, names_.size()), 1));
     painter->drawLine(QLineF(lineStart(labels[i], *places[i]),
                              area->top() - kLeader - places[i]->row * metrics.height(), labels[i].center,
                              area->top() + 1.0));
@@ -56,7 +55,7 @@ void TermLabels::draw(QCPPainter* painter) {
     const double bottom = area->top() - kLeader - places[i]->row * metrics.height();
     painter->fillRect(QRectF(places[i]->left - 1, bottom - metrics.height(), labels[i].width + 2, metrics.height()),
                       theme::card());
-    painter->setPen(names_[i].color);
+    painter->setPen(theme::termText(names_[i].term, names_.size()));
     painter->drawText(QPointF(places[i]->left, bottom - metrics.descent()), names_[i].text);
   }
 }

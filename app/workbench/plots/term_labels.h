@@ -26,9 +26,8 @@ class TermLabels : public QCPLayerable {
  private:
   struct Name {
     QString text;
-    double center = 0;  ///< on the x axis
-    QColor color;
-    QColor line_color;
+    double center = 0;     ///< on the x axis
+    std::size_t term = 0;  ///< its place in the order of the terms, which gives the color
   };
 
   int rows_;

@@ -79,6 +79,8 @@ void BenchView::place() {
                                     {kHistory, How::kTab, kFeel}});
 }
 
+void BenchView::toggleFeel() { feel_panel_->toggle(); }
+
 PlotMenu& BenchView::curvesMenu() { return curves_->plotMenu(); }
 
 PlotMenu& BenchView::mapMenu() { return map_->plotMenu(); }

@@ -26,6 +26,9 @@ class BenchView : public QWidget {
   PanelArea& panels() { return *panels_; }
   FeelPanel& feelPanel() { return *feel_panel_; }
 
+  /// Starts feeling on the chosen device, or stops.
+  void toggleFeel();
+
   /// What copies and saves the curves, and the map, whether they are shown or not.
   PlotMenu& curvesMenu();
   PlotMenu& mapMenu();

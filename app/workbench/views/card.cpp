@@ -6,7 +6,7 @@
 
 namespace tactus::workbench {
 
-Card::Card(QWidget* parent) : QFrame(parent), fill_(theme::card()), edge_(theme::border()) {}
+Card::Card(QWidget* parent) : QFrame(parent) {}
 
 void Card::setColors(const QColor& fill, const QColor& edge) {
   fill_ = fill;
@@ -17,8 +17,8 @@ void Card::setColors(const QColor& fill, const QColor& edge) {
 void Card::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(edge_, 1));
-  painter.setBrush(fill_);
+  painter.setPen(QPen(theme::inLook(edge_.value_or(theme::border())), 1));
+  painter.setBrush(theme::inLook(fill_.value_or(theme::card())));
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), theme::kCornerRadius, theme::kCornerRadius);
 }
 

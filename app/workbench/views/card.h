@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QFrame>
+#include <optional>
 
 namespace tactus::workbench {
 
@@ -12,14 +13,15 @@ class Card : public QFrame {
  public:
   explicit Card(QWidget* parent = nullptr);
 
+  /// Colors of the theme follow a change of the look.
   void setColors(const QColor& fill, const QColor& edge);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  QColor fill_;
-  QColor edge_;
+  std::optional<QColor> fill_;  ///< nothing: that of cards
+  std::optional<QColor> edge_;
 };
 
 }  // namespace tactus::workbench

@@ -1,19 +1,23 @@
 #include "app/workbench/views/device_bar.h"
 
 #include <QComboBox>
-#include <QGridLayout>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/workbench/controllers/device_search.h"
 #include "app/workbench/controllers/feel_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/card.h"
+#include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/wrapped_label.h"
 
 namespace tactus::workbench {
 namespace {
@@ -23,6 +27,10 @@ void setInk(QLabel* label, const QColor& ink) {
   colors.setColor(QPalette::WindowText, ink);
   label->setPalette(colors);
 }
+
+constexpr double kFarthestZoneMm = -100;
+constexpr double kNearestZoneMm = -5;  // nearer, the end of a stroke would let go
+constexpr int kOneLine = 560;          // px: below it the state has a line of its own
 
 QString ticksText(std::uint64_t ticks) {
   return ticks == 1 ? DeviceBar::tr("1 tick") : DeviceBar::tr("%1 ticks").arg(ticks);
@@ -37,58 +45,87 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
       devices_(new QComboBox(this)),
       look_(new QToolButton(this)),
       start_(new QPushButton(tr("Start"), this)),
+      grip_(new QComboBox(this)),
+      zone_(new QDoubleSpinBox(this)),
       simulated_(new QLabel(tr("SIMULATED"), this)),
-      state_(new QLabel(this)),
+      state_(new ElidedLabel(this)),
       message_card_(new Card(this)),
-      message_(new QLabel(message_card_)),
+      message_(new WrappedLabel(message_card_)),
       rearm_(new QPushButton(tr("Arm again"), message_card_)) {
   devices_->setAccessibleName(tr("Device"));
-  devices_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  devices_->setMinimumContentsLength(14);
+  devices_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   look_->setText(tr("Search"));
   look_->setToolTip(tr("Look for haptic devices on this computer"));
-  start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Start")) + 5 * theme::kGrid);
+  start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Stopping…")) + 3 * theme::kGrid);
   start_->setFocusPolicy(Qt::TabFocus);
+  grip_->setAccessibleName(tr("How the hand takes the tube"));
+  grip_->setFocusPolicy(Qt::TabFocus);
+  grip_->addItem(tr("Hold"));
+  grip_->addItem(tr("Latch"));
+  grip_->setItemData(0, tr("The tube is in the hand while the button of the device, the mouse button or Space is down"),
+                     Qt::ToolTipRole);
+  grip_->setItemData(1, tr("One press takes the tube and the next one lets go: nothing has to be squeezed"),
+                     Qt::ToolTipRole);
+  zone_->setRange(kFarthestZoneMm, kNearestZoneMm);
+  zone_->setDecimals(0);
+  zone_->setLocale(QLocale::c());
+  zone_->setSuffix(tr(" mm"));
+  zone_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  zone_->setKeyboardTracking(false);
+  zone_->setFixedWidth(zone_->fontMetrics().horizontalAdvance(QStringLiteral("-100 mm")) + 2 * theme::kGrid);
+  zone_->setAccessibleName(tr("Release zone of the latch"));
+  zone_->setToolTip(tr("Release zone: a hand that is drawn out further than this lets go"));
   QFont bold = theme::smallFont();
   bold.setBold(true);
   simulated_->setFont(bold);
   simulated_->setToolTip(tr("No hardware: hand, device and force are calculated"));
   setInk(simulated_, theme::warningInk());
   state_->setFont(theme::smallFont());
-  state_->setTextFormat(Qt::PlainText);
-  state_->setWordWrap(true);
-  message_->setTextFormat(Qt::PlainText);
-  message_->setWordWrap(true);
 
   auto* message_row = new QHBoxLayout(message_card_);
-  message_row->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
+  message_row->setContentsMargins(theme::kGrid, 4, theme::kGrid, 4);
   message_row->addWidget(message_, 1);
   message_row->addWidget(rearm_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(theme::kGrid);
-  row->addWidget(devices_, 1);
-  row->addWidget(look_);
-  row->addWidget(start_);
+  auto* choice = new QHBoxLayout;
+  choice->setSpacing(theme::kGrid);
+  for (QWidget* part : {static_cast<QWidget*>(devices_), static_cast<QWidget*>(look_), static_cast<QWidget*>(start_),
+                        static_cast<QWidget*>(grip_), static_cast<QWidget*>(zone_)}) {
+    choice->addWidget(part);
+  }
   auto* state_row = new QHBoxLayout;
   state_row->setSpacing(theme::kGrid);
   state_row->addWidget(simulated_);
   state_row->addWidget(state_, 1);
+  line_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  line_->setSpacing(theme::kGrid);
+  line_->addLayout(choice);
+  line_->addLayout(state_row, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
-  layout->addLayout(row);
-  layout->addLayout(state_row);
+  layout->addLayout(line_);
   layout->addWidget(message_card_);
 
   connect(devices_, &QComboBox::currentIndexChanged, this, &DeviceBar::showState);
   connect(look_, &QToolButton::clicked, &search_, &DeviceSearch::search);
   connect(start_, &QPushButton::clicked, this, &DeviceBar::toggle);
   connect(rearm_, &QPushButton::clicked, &feel_, &FeelController::rearm);
+  connect(grip_, &QComboBox::activated, this, &DeviceBar::chooseGrip);
+  connect(zone_, &QDoubleSpinBox::valueChanged, this, &DeviceBar::chooseGrip);
   connect(&search_, &DeviceSearch::searching, this, &DeviceBar::showState);
   connect(&search_, &DeviceSearch::found, this, &DeviceBar::listDevices);
   connect(&feel_, &FeelController::stateChanged, this, &DeviceBar::showState);
   connect(&feel_, &FeelController::tripChanged, this, &DeviceBar::showState);
   listDevices();
+}
+
+void DeviceBar::chooseGrip() { feel_.setGrip({grip_->currentIndex() == 1, zone_->value()}); }
+
+void DeviceBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const auto direction = width() < kOneLine ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (line_->direction() != direction) line_->setDirection(direction);
+  fitMessage();
 }
 
 void DeviceBar::setModelOpen(bool open) {
@@ -103,7 +140,7 @@ void DeviceBar::showFailure(const QString& sentence) {
 
 void DeviceBar::showProgress() {
   const QString line = stateText();
-  if (line != state_->text()) state_->setText(line);
+  state_->setFullText(line);
 }
 
 void DeviceBar::listDevices() {
@@ -127,12 +164,23 @@ void DeviceBar::listDevices() {
 
 void DeviceBar::showState() {
   const bool running = feel_.isRunning();
-  devices_->setEnabled(!running);
-  look_->setEnabled(!running && !search_.isSearching());
+  const bool opening = feel_.state() == FeelState::kOpening;
+  const bool stopping = feel_.state() == FeelState::kStopping;
+  const bool busy = running || opening || stopping;
+  devices_->setEnabled(!busy);
+  look_->setEnabled(!busy && !search_.isSearching());
   look_->setText(search_.isSearching() ? tr("Searching…") : tr("Search"));
-  start_->setText(running ? tr("Stop") : tr("Start"));
-  start_->setEnabled(running || model_open_);
-  start_->setToolTip(running ? tr("No force from the next tick on (Esc)") : tr("Feel the open model"));
+  start_->setText(stopping ? tr("Stopping…") : running || opening ? tr("Stop") : tr("Start"));
+  start_->setEnabled(!stopping && (busy || model_open_));
+  start_->setToolTip(running ? tr("No force from the next tick on (F12, or Esc)") : tr("Feel the open model (F9)"));
+  {
+    const QSignalBlocker no_grip(grip_);
+    const QSignalBlocker no_zone(zone_);
+    grip_->setCurrentIndex(feel_.grip().latch ? 1 : 0);
+    zone_->setValue(feel_.grip().release_zone_mm);
+    zone_->setVisible(feel_.grip().latch);
+  }
+  grip_->setToolTip(grip_->currentData(Qt::ToolTipRole).toString());
   const auto& list = search_.list().devices;
   const auto chosen = static_cast<std::size_t>(devices_->currentIndex());
   simulated_->setVisible(feel_.isReplay() || (chosen < list.size() && list[chosen].simulated));
@@ -144,6 +192,8 @@ void DeviceBar::showState() {
         true);
   } else if (!failure_.isEmpty()) {
     setMessage(failure_, true);
+  } else if (const QString advice = feel_.axisAdvice(); !advice.isEmpty() && feel_.strokes() == 0) {
+    setMessage(tr("If pushing in pulls out: %1").arg(advice), false);
   } else {
     QStringList notes;
     for (const std::string& note : search_.list().notes) notes << text(note);
@@ -153,9 +203,15 @@ void DeviceBar::showState() {
   rearm_->setEnabled(feel_.state() == FeelState::kTripped);
 }
 
+void DeviceBar::fitMessage() {
+  const int room = width() - 2 * theme::kGrid - (feel_.trip() ? rearm_->sizeHint().width() + theme::kGrid : 0);
+  message_->setFixedHeight(std::max(message_->heightForWidth(std::max(100, room)), message_->fontMetrics().height()));
+}
+
 void DeviceBar::setMessage(const QString& sentence, bool bad) {
   message_card_->setVisible(!sentence.isEmpty());
   message_->setText(sentence);
+  fitMessage();
   message_card_->setColors(bad ? theme::errorFill() : theme::warningFill(),
                            bad ? theme::errorFill() : theme::warningFill());
   setInk(message_, bad ? theme::errorInk() : theme::warningInk());
@@ -165,6 +221,10 @@ QString DeviceBar::stateText() const {
   switch (feel_.state()) {
     case FeelState::kStopped:
       return model_open_ ? tr("Stopped: nothing is computed.") : tr("Open a model to feel it.");
+    case FeelState::kOpening:
+      return tr("Starting the device…");
+    case FeelState::kStopping:
+      return tr("No force. The device is stopping…");
     case FeelState::kTripped:
       return tr("Tripped: no force.");
     case FeelState::kRearming:
@@ -182,10 +242,10 @@ QString DeviceBar::stateText() const {
 
 void DeviceBar::toggle() {
   failure_.clear();
-  if (feel_.isRunning()) {
-    feel_.stop();
-  } else {
+  if (feel_.state() == FeelState::kStopped) {
     feel_.start(devices_->currentData().toString());
+  } else {
+    feel_.stop();
   }
 }
 

@@ -1,9 +1,12 @@
-// The device: which one, Start and Stop, and how it is doing. It says when the device is simulated.
+// The device: which one, Start and Stop, how the hand takes the tube, and how it is doing. It says when the device is
+// simulated.
 #pragma once
 
 #include <QWidget>
 
+class QBoxLayout;
 class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -12,6 +15,7 @@ namespace tactus::workbench {
 
 class Card;
 class DeviceSearch;
+class ElidedLabel;
 class FeelController;
 
 class DeviceBar : public QWidget {
@@ -27,11 +31,19 @@ class DeviceBar : public QWidget {
   /// Reads the state that changes while running: latency and rate.
   void showProgress();
 
+ public slots:
+  /// Starts on the chosen device, or stops.
+  void toggle();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void listDevices();
   void showState();
-  void toggle();
+  void chooseGrip();
   QString stateText() const;
+  void fitMessage();
   void setMessage(const QString& sentence, bool bad);
 
   FeelController& feel_;
@@ -39,11 +51,14 @@ class DeviceBar : public QWidget {
   QComboBox* devices_;
   QToolButton* look_;
   QPushButton* start_;
+  QComboBox* grip_;
+  QDoubleSpinBox* zone_;
   QLabel* simulated_;
-  QLabel* state_;
+  ElidedLabel* state_;
   Card* message_card_;
   QLabel* message_;
   QPushButton* rearm_;
+  QBoxLayout* line_ = nullptr;
   QString failure_;
   bool model_open_ = false;
 };

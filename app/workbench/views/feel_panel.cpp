@@ -19,6 +19,7 @@
 #include "app/workbench/theme.h"
 #include "app/workbench/views/card.h"
 #include "app/workbench/views/device_bar.h"
+#include "app/workbench/views/elided_label.h"
 #include "app/workbench/views/force_bar.h"
 #include "app/workbench/views/patient_controls.h"
 #include "app/workbench/views/placement_card.h"
@@ -32,14 +33,17 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kSideBySide = 640;  // px: from this width on hand and patient stand next to each other
+constexpr auto kStopKey = Qt::Key_F12;
+constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other
+constexpr int kRoomyWidth = 820;  // px: from this size on all steps of the procedure are listed
+constexpr int kRoomyHeight = 360;
 
-Card* cardOf(QLayout* layout, QWidget* parent) {
-  auto* card = new Card(parent);
-  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid);
-  card->setLayout(layout);
-  return card;
-}
+// Wrapped text in a card must not make the height of the whole panel depend on its width: it would scroll where all
+// fits.
+class CardHolder : public QWidget {
+ public:
+  bool hasHeightForWidth() const override { return false; }
+};
 
 QString swatch(const QColor& color, const QString& name) {
   return QStringLiteral("<span style=\"color:%1\">■</span> %2").arg(color.name(), name.toHtmlEscaped());
@@ -61,9 +65,9 @@ FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* pare
       pad_(new TubePad(this)),
       force_(new QLabel(this)),
       bar_(new ForceBar(this)),
-      limits_(new QLabel(this)),
+      limits_(new ElidedLabel(this)),
       split_(new QCheckBox(tr("Split"), this)),
-      follow_(new QCheckBox(tr("Plots follow the hand"), this)),
+      follow_(new QCheckBox(tr("Plots follow"), this)),
       legend_(new QLabel(this)),
       trace_(new ForceTracePlot(this)),
       sagittal_(new SagittalView(this)),
@@ -81,63 +85,62 @@ FeelPanel::~FeelPanel() = default;
 void FeelPanel::build() {
   force_->setFont(theme::titleFont());
   force_->setTextFormat(Qt::PlainText);
-  for (QLabel* label : {limits_, legend_}) label->setFont(theme::smallFont());
+  force_->setMinimumWidth(QFontMetrics(theme::titleFont()).horizontalAdvance(QStringLiteral("-0.000 N")));
+  limits_->setFont(theme::smallFont());
+  legend_->setFont(theme::smallFont());
   limits_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   QPalette warning = limits_->palette();
   warning.setColor(QPalette::WindowText, theme::warningInk());
   limits_->setPalette(warning);
-  for (QCheckBox* box : {split_, follow_}) box->setFocusPolicy(Qt::TabFocus);
+  for (QCheckBox* box : {split_, follow_}) {
+    box->setFocusPolicy(Qt::TabFocus);
+    box->setFont(theme::smallFont());
+  }
   split_->setToolTip(tr("Show what makes up the force: fuzzy force, friction and limits"));
   follow_->setToolTip(tr("Depth and speed of all plots are those of the tube in the hand"));
   follow_->setChecked(feel_.followsHand());
   showLegend();
 
-  auto* device = new QVBoxLayout;
-  device->addWidget(device_);
-
   auto* number_row = new QHBoxLayout;
-  number_row->addWidget(force_);
-  number_row->addWidget(limits_, 1);
-  auto* hand = new QVBoxLayout;
-  hand->setSpacing(theme::kGrid);
-  hand->addWidget(pad_);
-  hand->addLayout(number_row);
-  hand->addWidget(bar_);
-
+  number_row->setSpacing(theme::kGrid);
+  number_row->addWidget(force_, 0, Qt::AlignTop);
+  number_row->addWidget(bar_, 1);
   auto* options = new QHBoxLayout;
-  options->setSpacing(2 * theme::kGrid);
+  options->setSpacing(theme::kGrid);
   options->addWidget(split_);
   options->addWidget(follow_);
-  options->addStretch(1);
+  options->addWidget(limits_, 1);
   options->addWidget(new PlotMenu(
       *trace_, [this] { return traceTable(scene_, feel_.history(), traced_on_); }, this));
-  auto* trace = new QVBoxLayout;
-  trace->setSpacing(4);
-  trace->addLayout(options);
-  trace->addWidget(legend_);
-  trace->addWidget(trace_, 1);
+  auto* hand = new QVBoxLayout;
+  hand->setSpacing(4);
+  hand->addWidget(pad_);
+  hand->addLayout(number_row);
+  hand->addLayout(options);
+  hand->addWidget(legend_);
+  hand->addWidget(trace_, 1);
 
-  auto* picture_row = new QHBoxLayout;
-  picture_row->setSpacing(theme::kGrid);
-  picture_row->addWidget(sagittal_, 3);
-  picture_row->addWidget(procedure_, 2);
+  picture_ = new QBoxLayout(QBoxLayout::TopToBottom);
+  picture_->setSpacing(theme::kGrid);
+  picture_->addWidget(sagittal_, 3);
+  picture_->addWidget(procedure_, 0);
   auto* patient = new QVBoxLayout;
-  patient->setSpacing(theme::kGrid);
+  patient->setSpacing(4);
   patient->addWidget(patient_);
-  patient->addLayout(picture_row, 1);
-  patient->addWidget(placement_);
+  patient->addLayout(picture_, 1);
 
-  auto* content = new QWidget;
-  hand_half_ = new QVBoxLayout;
-  hand_half_->setSpacing(theme::kGrid);
-  hand_half_->addWidget(cardOf(device, content));
-  hand_half_->addWidget(cardOf(hand, content));
-  hand_half_->addWidget(cardOf(trace, content), 1);
-  halves_ = new QBoxLayout(QBoxLayout::TopToBottom, content);
-  halves_->setContentsMargins(0, 0, 0, 0);
-  halves_->setSpacing(theme::kGrid);
-  halves_->addLayout(hand_half_, 1);
-  halves_->addWidget(cardOf(patient, content), 1);
+  auto* content = new Card;
+  halves_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  halves_->setSpacing(2 * theme::kGrid);
+  halves_->addLayout(hand, 1);
+  halves_->addLayout(patient, 1);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(theme::kGrid, theme::kGrid - 2, theme::kGrid, theme::kGrid - 2);
+  column->setSpacing(theme::kGrid - 2);
+  column->addWidget(device_);
+  column->addLayout(halves_, 1);
+  column->addWidget(placement_);
+  cards_ = column;
 
   auto* scroll = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -147,21 +150,44 @@ void FeelPanel::build() {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll);
-  setMinimumWidth(content->minimumSizeHint().width() + theme::kGrid);
+  arrange();
 }
 
-void FeelPanel::addCard(QWidget* card) { hand_half_->addWidget(card); }
+void FeelPanel::addCard(QWidget* card) {
+  auto* holder = new CardHolder;
+  auto* layout = new QVBoxLayout(holder);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(card);
+  cards_->addWidget(holder);
+}
 
 void FeelPanel::showLegend() {
+  const QColor taken = theme::isDark() ? QColor(0x8F, 0x5A, 0x57) : QColor(0xD9, 0xA3, 0xA3);
   QStringList lines{swatch(theme::accent(), tr("felt"))};
   if (feel_.history().hasRecorded()) lines << swatch(theme::mutedInk(), tr("felt in the recording"));
   if (split_->isChecked()) {
     lines << swatch(theme::expert(2), tr("fuzzy force")) << swatch(theme::expert(1), tr("with friction"))
-          << swatch(QColor(0xD9, 0xA3, 0xA3), tr("taken by limits"));
+          << swatch(taken, tr("taken by limits"));
   }
   legend_->setText(lines.join(QStringLiteral("  ")));
   legend_->setVisible(lines.size() > 1);
 }
+
+void FeelPanel::arrange() {
+  const bool narrow = width() < kSideBySide;
+  const bool roomy = !narrow && width() >= kRoomyWidth && height() >= kRoomyHeight;
+  const auto direction = narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (halves_->direction() != direction) halves_->setDirection(direction);
+  halves_->setStretch(0, roomy ? 4 : 1);
+  halves_->setStretch(1, roomy ? 5 : 1);
+  const auto picture = roomy ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+  if (picture_->direction() != picture) picture_->setDirection(picture);
+  picture_->setStretch(0, 3);
+  picture_->setStretch(1, roomy ? 2 : 0);
+  procedure_->setCompact(!roomy);
+}
+
+void FeelPanel::toggle() { device_->toggle(); }
 
 void FeelPanel::connectAll() {
   connect(pad_, &TubePad::targetMoved, &feel_, &FeelController::setTarget);
@@ -229,6 +255,7 @@ void FeelPanel::showFelt() {
   reading.target_mm = feel_.targetMm();
   reading.running = feel_.isRunning();
   reading.live = feel_.isHandLive();
+  reading.latch = feel_.grip().latch;
   reading.held = sample.phase != render::Phase::kReleased;
   pad_->setReading(reading);
   sagittal_->setDepth(depth_mm);
@@ -245,7 +272,7 @@ void FeelPanel::showForce() {
   const QString force = forceText(sample.force_n, "N");
   if (force != force_->text()) force_->setText(force);
   const QString limits = limitText();
-  if (limits != limits_->text()) limits_->setText(limits);
+  limits_->setFullText(limits);
 }
 
 QString FeelPanel::limitText() const {
@@ -269,25 +296,47 @@ QString FeelPanel::limitText() const {
 }
 
 bool FeelPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ApplicationDeactivate) feel_.setHeld(false);
-  const bool press = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-  if (!press && event->type() != QEvent::KeyRelease) return QWidget::eventFilter(watched, event);
-  const auto* key = static_cast<QKeyEvent*>(event);
-  if (key->key() == Qt::Key_Escape && press) {
+  if (event->type() == QEvent::ApplicationDeactivate && !feel_.grip().latch) feel_.setHeld(false);
+  const bool asks = event->type() == QEvent::ShortcutOverride;
+  const bool press = event->type() == QEvent::KeyPress || asks;
+  if (asking_ || (!press && event->type() != QEvent::KeyRelease)) return QWidget::eventFilter(watched, event);
+  auto* key = static_cast<QKeyEvent*>(event);
+  if (press && key->key() == kStopKey) {
     feel_.stop();
     event->accept();
     return true;
   }
+  if (press && key->key() == Qt::Key_Escape) return escape(*watched, *key, asks);
   if (key->key() != Qt::Key_Space || isTyping(QApplication::focusWidget())) return QWidget::eventFilter(watched, event);
   if (!key->isAutoRepeat()) feel_.setHeld(press);
   event->accept();
   return true;
 }
 
+bool FeelPanel::escape(QObject& watched, QKeyEvent& key, bool asks) {
+  if (asks) {
+    // Whoever drags something says now that Escape is his.
+    asking_ = true;
+    key.ignore();
+    QCoreApplication::sendEvent(&watched, &key);
+    asking_ = false;
+    escape_taken_ = key.isAccepted();
+    if (escape_taken_) return true;
+  }
+  if (escape_taken_) return false;
+  feel_.stop();
+  key.accept();
+  return true;
+}
+
 void FeelPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const auto direction = width() >= kSideBySide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
-  if (halves_->direction() != direction) halves_->setDirection(direction);
+  arrange();
+}
+
+void FeelPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showLegend();
 }
 
 void FeelPanel::showEvent(QShowEvent* event) {

@@ -15,6 +15,7 @@ namespace tactus::workbench {
 
 class DeviceBar;
 class DeviceSearch;
+class ElidedLabel;
 class FeelController;
 class ForceBar;
 class ForceTracePlot;
@@ -32,24 +33,30 @@ class FeelPanel : public QWidget {
   FeelPanel(SceneController& scene, FeelController& feel, QWidget* parent = nullptr);
   ~FeelPanel() override;
 
-  /// A further card below the trace.
+  /// A further card below everything else.
   void addCard(QWidget* card);
+  /// Starts on the chosen device, or stops.
+  void toggle();
 
  protected:
-  /// Space holds the tube and Escape stops, wherever the keyboard is, while a model is felt.
+  /// Space holds the tube and F12 stops, wherever the keyboard is, while a model is felt. Escape stops too, unless
+  /// something is dragged: then it takes the drag back.
   bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void build();
+  void arrange();
+  void showLegend();
+  bool escape(QObject& watched, QKeyEvent& key, bool asks);
   void connectAll();
   void adoptModel();
   void showRegions();
   void showState();
   void showFelt();
   void showForce();
-  void showLegend();
   QString limitText() const;
 
   SceneController& scene_;
@@ -60,7 +67,7 @@ class FeelPanel : public QWidget {
   TubePad* pad_;
   QLabel* force_;
   ForceBar* bar_;
-  QLabel* limits_;
+  ElidedLabel* limits_;
   QCheckBox* split_;
   QCheckBox* follow_;
   QLabel* legend_;
@@ -69,11 +76,14 @@ class FeelPanel : public QWidget {
   SagittalView* sagittal_;
   ProcedurePanel* procedure_;
   PlacementCard* placement_;
-  QBoxLayout* halves_ = nullptr;
-  QBoxLayout* hand_half_ = nullptr;
+  QBoxLayout* halves_ = nullptr;          ///< hand and patient
+  QBoxLayout* picture_ = nullptr;         ///< way of the tube and procedure
+  QBoxLayout* cards_ = nullptr;           ///< from top to bottom
   std::optional<fuzzy::Variable> depth_;  ///< whose regions are shown
   bool filtering_ = false;
-  bool trace_due_ = false;  ///< the trace is drawn at every second beat
+  bool asking_ = false;        ///< the widget with the keyboard is asked whether it wants Escape
+  bool escape_taken_ = false;  ///< it does
+  bool trace_due_ = false;     ///< the trace is drawn at every second beat
 };
 
 }  // namespace tactus::workbench

@@ -21,7 +21,9 @@ void FeelStatus::showState() {
   colors.setColor(QPalette::WindowText, tripped ? theme::errorInk() : theme::mutedInk());
   setPalette(colors);
   if (!device) {
-    setText(tr("Feel: stopped"));
+    setText(feel_.state() == FeelState::kOpening    ? tr("Feel: starting…")
+            : feel_.state() == FeelState::kStopping ? tr("Feel: stopping…")
+                                                    : tr("Feel: stopped"));
   } else {
     const QString name = device->simulated ? tr("simulated device") : workbench::text(device->name);
     setText(tripped ? tr("Feel: tripped, %1").arg(name) : tr("Feel: running, %1").arg(name));
@@ -32,8 +34,7 @@ void FeelStatus::showState() {
 void FeelStatus::showLatency() {
   QString latency;
   if (const auto felt = feel_.isRunning() ? feel_.editLatency() : std::nullopt) {
-    latency =
-        felt->last_ticks == 1 ? tr("Edit felt after 1 tick") : tr("Edit felt after %1 ticks").arg(felt->last_ticks);
+    latency = felt->last_ticks == 1 ? tr("felt after 1 tick") : tr("felt after %1 ticks").arg(felt->last_ticks);
   }
   if (latency == latency_) return;
   latency_ = latency;

@@ -17,7 +17,7 @@ class ForceBar : public QWidget {
   void setFullScale(double full_n);
 
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return sizeHint(); }
+  QSize minimumSizeHint() const override { return {100, sizeHint().height()}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -1,6 +1,7 @@
 #include "app/workbench/views/main_window.h"
 
 #include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -16,6 +17,7 @@
 #include <utility>
 
 #include "app/version.h"
+#include "app/workbench/controllers/feel_controller.h"
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/recent_files.h"
 #include "app/workbench/controllers/scene_controller.h"
@@ -62,6 +64,7 @@ MainWindow::MainWindow(ModelController& models, SceneController& scene, FeelCont
                        QSettings& settings)
     : models_(models),
       scene_(scene),
+      feel_(feel),
       recent_(recent),
       settings_(settings),
       banner_(new MessageBanner(this)),
@@ -146,10 +149,33 @@ void MainWindow::buildMenus() {
     action->setEnabled(false);
   }
 
+  buildFeelMenu();
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   shortcuts_ = help->addAction(tr("&Keyboard shortcuts"));
   shortcuts_->setShortcut(QKeySequence::HelpContents);
   about_ = help->addAction(tr("&About Tactus Workbench"));
+}
+
+void MainWindow::buildFeelMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("F&eel"));
+  feel_start_ = menu->addAction(tr("&Start on the chosen device"));
+  feel_start_->setShortcut(Qt::Key_F9);
+  // Works without the menu too, whatever has the keyboard (feel_panel.cpp).
+  feel_stop_ = menu->addAction(tr("S&top: no force"));
+  feel_stop_->setShortcut(Qt::Key_F12);
+  menu->addSeparator();
+  flex_ = menu->addAction(tr("&Flex the neck, or raise the head"));
+  flex_->setShortcut(Qt::Key_F8);
+  new_placement_ = menu->addAction(tr("&New placement"));
+  showFeel();
+}
+
+void MainWindow::showFeel() {
+  const bool open = models_.current() != nullptr;
+  feel_start_->setEnabled(open && feel_.state() == FeelState::kStopped);
+  feel_stop_->setEnabled(feel_.isRunning() || feel_.state() == FeelState::kOpening);
+  flex_->setEnabled(open);
+  new_placement_->setEnabled(feel_.isRunning());
 }
 
 void MainWindow::connectAll() {
@@ -163,6 +189,11 @@ void MainWindow::connectAll() {
   connect(quit_, &QAction::triggered, this, &QWidget::close);
   connect(panel_menu_, &QMenu::aboutToShow, this, &MainWindow::listPanels);
   connect(reset_layout_, &QAction::triggered, &panels(), &PanelArea::resetLayout);
+  connect(feel_start_, &QAction::triggered, bench_, &BenchView::toggleFeel);
+  connect(feel_stop_, &QAction::triggered, &feel_, &FeelController::stop);
+  connect(flex_, &QAction::triggered, &feel_, [this] { feel_.setNeckFlexed(!feel_.isNeckFlexed()); });
+  connect(new_placement_, &QAction::triggered, &feel_, &FeelController::newPlacement);
+  connect(&feel_, &FeelController::stateChanged, this, &MainWindow::showFeel);
   connect(shortcuts_, &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(about_, &QAction::triggered, this, &MainWindow::showAbout);
   connect(start_, &StartView::openRequested, this, &MainWindow::choose);
@@ -294,6 +325,7 @@ void MainWindow::showModel() {
     enter(lastStage(settings_));
   }
   save_map_->setEnabled(open.model.inputs.size() > 1);
+  showFeel();
   showTitle();
   if (open.warnings.isEmpty()) {
     banner_->hide();
@@ -341,7 +373,7 @@ void MainWindow::listLooks() {
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, chosen = look] {
       theme::storeLook(settings_, chosen);
-      banner_->showNote(tr("The look changes with the next start of the workbench."));
+      theme::changeLook(*qApp, chosen);
     });
   }
 }

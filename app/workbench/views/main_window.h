@@ -63,6 +63,8 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildMenus();
+  void buildFeelMenu();
+  void showFeel();
   void connectAll();
   void restorePlace();
   void choose();
@@ -80,6 +82,7 @@ class MainWindow : public QMainWindow {
 
   ModelController& models_;
   SceneController& scene_;
+  FeelController& feel_;
   RecentFiles& recent_;
   QSettings& settings_;
   MessageBanner* banner_;
@@ -103,6 +106,10 @@ class MainWindow : public QMainWindow {
   QAction* copy_picture_ = nullptr;
   QAction* quit_ = nullptr;
   QAction* reset_layout_ = nullptr;
+  QAction* feel_start_ = nullptr;
+  QAction* feel_stop_ = nullptr;
+  QAction* flex_ = nullptr;
+  QAction* new_placement_ = nullptr;
   QAction* shortcuts_ = nullptr;
   QAction* about_ = nullptr;
 };

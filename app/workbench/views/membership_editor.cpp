@@ -24,6 +24,7 @@
 #include "app/workbench/views/number_box.h"
 #include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/popup_form.h"
+#include "app/workbench/views/term_sliders.h"
 #include "app/workbench/views/term_table.h"
 
 namespace tactus::workbench {
@@ -67,6 +68,7 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
       plot_(new MembershipEditorPlot(this)),
       hint_(new ElidedLabel(this)),
       hint_time_(new QTimer(this)),
+      sliders_(new TermSliders(terms, this)),
       table_(new TermTable(terms, this)) {
   variables_->setExpanding(false);
   variables_->setDrawBase(false);
@@ -105,9 +107,10 @@ void MembershipEditor::buildPlace() {
   layout->setSpacing(4);
   layout->addWidget(variables_);
   layout->addLayout(modes);
-  layout->addWidget(plot_, 3);
+  layout->addWidget(plot_, 1);
   layout->addWidget(hint_);
-  layout->addWidget(table_, 2);
+  layout->addWidget(sliders_);
+  layout->addWidget(table_);
 }
 
 void MembershipEditor::connectAll() {
@@ -190,6 +193,7 @@ void MembershipEditor::showTerms() {
   plot_->setTerms(terms_.variable(), terms_.terms());
   plot_->setStopped(edits_.stopped());
   showGhost();
+  if (!edits_.stopped().isEmpty()) showRefusal(tr("It goes no further: stopped by %1.").arg(edits_.stopped()));
   showModes();
   showValue();
 }

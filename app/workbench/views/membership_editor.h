@@ -19,6 +19,7 @@ class GhostController;
 class MembershipEditorPlot;
 class SceneController;
 class TermController;
+class TermSliders;
 class TermTable;
 
 class MembershipEditor : public Card {
@@ -62,6 +63,7 @@ class MembershipEditor : public Card {
   MembershipEditorPlot* plot_;
   ElidedLabel* hint_;
   QTimer* hint_time_;
+  TermSliders* sliders_;
   TermTable* table_;
   bool filling_ = false;
 };

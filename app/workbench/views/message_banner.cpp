@@ -39,7 +39,7 @@ void MessageBanner::show(const QString& sentence, const QColor& ink, const QColo
   label_->setPalette(colors);
   close_->setPalette(colors);
   label_->setText(sentence);
-  setColors(fill, ink.lighter(180));
+  setColors(fill, fill);
   setVisible(true);
 }
 

@@ -40,7 +40,7 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   bold.setWeight(QFont::DemiBold);
   badge_text->setFont(bold);
   setInk(*badge_text, theme::warningInk());
-  simulated_->setColors(theme::warningFill(), theme::warningFill().darker(115));
+  simulated_->setColors(theme::warningFill(), theme::warningFill());
   auto* badge_layout = new QHBoxLayout(simulated_);
   badge_layout->setContentsMargins(theme::kGrid, 4, theme::kGrid, 4);
   badge_layout->addWidget(badge_text);

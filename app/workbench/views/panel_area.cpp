@@ -195,6 +195,7 @@ void PanelArea::showTitles() {
     if (tabs->contextMenuPolicy() == Qt::CustomContextMenu) continue;
     tabs->setContextMenuPolicy(Qt::CustomContextMenu);
     tabs->setFont(theme::smallFont());
+    tabs->setDrawBase(false);
     tabs->setAccessibleName(tr("Panels that share a place"));
     connect(tabs, &QWidget::customContextMenuRequested, this, [this, tabs](const QPoint& place) {
       if (QDockWidget* panel = dockOfTab(*tabs, tabs->tabAt(place))) showMenu(*panel, tabs->mapToGlobal(place));

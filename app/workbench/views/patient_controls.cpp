@@ -27,6 +27,10 @@ PatientControls::PatientControls(SceneController& scene, FeelController& feel, Q
   // Checked where the value is; the group must not insist, because a value may be in no term.
   term_buttons_->setExclusive(false);
   neck_->setCheckable(true);
+  neck_->setFont(theme::smallFont());
+  // Both texts have their place.
+  neck_->setMinimumWidth(QFontMetrics(theme::smallFont()).horizontalAdvance(tr("Flex the neck")) + 3 * theme::kGrid);
+  lubrication_->setFont(theme::smallFont());
   neck_->setFocusPolicy(Qt::TabFocus);
   neck_->setToolTip(tr("The head moves within a second, and the force with it"));
 
@@ -35,8 +39,8 @@ PatientControls::PatientControls(SceneController& scene, FeelController& feel, Q
   layout->setSpacing(theme::kGrid);
   layout->addWidget(lubrication_);
   layout->addWidget(terms_);
-  layout->addStretch(1);
   layout->addWidget(neck_);
+  layout->addStretch(1);
 
   connect(term_buttons_, &QButtonGroup::idClicked, this, [this](int term) {
     const auto input = inputNamed(scene_.model()->model, kLubricationId);
@@ -71,6 +75,7 @@ void PatientControls::build() {
       auto* button = new QPushButton(labelOf(terms[i]), terms_);
       button->setCheckable(true);
       button->setFocusPolicy(Qt::TabFocus);
+      button->setFont(theme::smallFont());
       button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + 2 * theme::kGrid);
       terms_layout_->addWidget(button);
       term_buttons_->addButton(button, static_cast<int>(i));
@@ -89,7 +94,14 @@ void PatientControls::showValues() {
   if (const auto input = inputNamed(model, kLubricationId)) {
     const auto term = strongestTerm(model.inputs[*input], scene_.value(*input));
     const QList<QAbstractButton*> buttons = term_buttons_->buttons();
-    for (qsizetype i = 0; i < buttons.size(); ++i) buttons[i]->setChecked(term == static_cast<std::size_t>(i));
+    for (qsizetype i = 0; i < buttons.size(); ++i) {
+      const bool chosen = term == static_cast<std::size_t>(i);
+      // Bold too: in the dark look a button that is down is hard to tell from one that is not.
+      QFont font = theme::smallFont();
+      font.setBold(chosen);
+      buttons[i]->setFont(font);
+      buttons[i]->setChecked(chosen);
+    }
   }
   const bool flexed = feel_.isNeckFlexed();
   neck_->setChecked(flexed);

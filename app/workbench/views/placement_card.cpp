@@ -6,12 +6,21 @@
 
 #include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
+#include "app/workbench/views/elided_label.h"
 
 namespace tactus::workbench {
 namespace {
 
+constexpr int kOneLine = 500;  // px: below it the summary has a line of its own
+
 QString strokesText(unsigned strokes) {
   return strokes == 1 ? PlacementCard::tr("1 stroke") : PlacementCard::tr("%1 strokes").arg(strokes);
+}
+
+void setInk(QLabel* label) {
+  QPalette muted = label->palette();
+  muted.setColor(QPalette::WindowText, theme::mutedInk());
+  label->setPalette(muted);
 }
 
 }  // namespace
@@ -19,35 +28,38 @@ QString strokesText(unsigned strokes) {
 PlacementCard::PlacementCard(QWidget* parent)
     : QWidget(parent),
       progress_(new QLabel(this)),
-      summary_(new QLabel(this)),
+      summary_(new ElidedLabel(this)),
       next_(new QPushButton(tr("New placement"), this)) {
   progress_->setTextFormat(Qt::PlainText);
   progress_->setFont(theme::headingFont());
-  summary_->setTextFormat(Qt::PlainText);
-  summary_->setWordWrap(true);
   summary_->setFont(theme::smallFont());
-  QPalette muted = summary_->palette();
-  muted.setColor(QPalette::WindowText, theme::mutedInk());
-  summary_->setPalette(muted);
-  summary_->setMinimumHeight(2 * QFontMetrics(theme::smallFont()).height());
-  summary_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  setInk(summary_);
   next_->setToolTip(tr("Take the tube out and begin again"));
   next_->setMinimumWidth(next_->sizeHint().width() + 2 * theme::kGrid);
   next_->setFocusPolicy(Qt::TabFocus);
 
-  auto* layout = new QGridLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setHorizontalSpacing(theme::kGrid);
-  layout->setVerticalSpacing(4);
-  layout->addWidget(progress_, 0, 0);
-  layout->addWidget(next_, 0, 1);
-  layout->addWidget(summary_, 1, 0, 1, 2);
-  layout->setColumnStretch(0, 1);
+  layout_ = new QGridLayout(this);
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setHorizontalSpacing(theme::kGrid);
+  layout_->setVerticalSpacing(2);
+  layout_->addWidget(progress_, 0, 0);
+  layout_->addWidget(summary_, 0, 1);
+  layout_->addWidget(next_, 0, 2);
+  layout_->setColumnStretch(1, 1);
 
   setProgress(0, 0, {});
   setSummary(std::nullopt);
   setRunning(false);
   connect(next_, &QPushButton::clicked, this, &PlacementCard::newPlacementRequested);
+}
+
+void PlacementCard::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool below = width() < kOneLine;
+  if (below == below_) return;
+  below_ = below;
+  layout_->removeWidget(summary_);
+  layout_->addWidget(summary_, below ? 1 : 0, below ? 0 : 1, 1, below ? 3 : 1);
 }
 
 void PlacementCard::setProgress(unsigned strokes, double depth_mm, const QString& region) {
@@ -59,14 +71,14 @@ void PlacementCard::setProgress(unsigned strokes, double depth_mm, const QString
 
 void PlacementCard::setSummary(const std::optional<PlacementSummary>& summary) {
   if (!summary) {
-    summary_->setText(tr("A summary follows when the placement ends."));
+    summary_->setFullText(tr("A summary follows when the placement ends."));
     return;
   }
   const QString numbers = tr("%1 s, %2, %3 deep, peak %4, mean %5")
                               .arg(numberText(summary->duration_s, 1), strokesText(summary->strokes),
                                    quantityText(summary->depth_mm, "mm", 0), quantityText(summary->peak_force_n, "N"),
                                    quantityText(summary->mean_force_n, "N"));
-  summary_->setText(
+  summary_->setFullText(
       (summary->simulated ? tr("Last placement (simulated device): %1") : tr("Last placement: %1")).arg(numbers));
 }
 

@@ -6,10 +6,13 @@
 
 #include "app/workbench/controllers/placement.h"
 
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
 namespace tactus::workbench {
+
+class ElidedLabel;
 
 class PlacementCard : public QWidget {
   Q_OBJECT
@@ -25,10 +28,15 @@ class PlacementCard : public QWidget {
  signals:
   void newPlacementRequested();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QLabel* progress_;
-  QLabel* summary_;
+  ElidedLabel* summary_;
   QPushButton* next_;
+  QGridLayout* layout_ = nullptr;
+  bool below_ = false;
 };
 
 }  // namespace tactus::workbench

@@ -19,6 +19,8 @@ class ProcedurePanel : public QWidget {
 
   /// Depth of the tip, mm.
   void setDepth(double depth_mm);
+  /// Only the step at hand and its text.
+  void setCompact(bool compact);
 
  private:
   struct Row {
@@ -29,6 +31,8 @@ class ProcedurePanel : public QWidget {
 
   std::vector<ProcedureStep> steps_;
   std::vector<Row> rows_;
+  QWidget* list_;
+  QLabel* head_;  ///< the step at hand, where there is no list
   QLabel* text_;
   std::optional<std::size_t> shown_;
 };

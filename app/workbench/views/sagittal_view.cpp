@@ -19,8 +19,9 @@ constexpr double kLeader = 14;      // px from the picture to the names
 // More than this share of the widget is not for names; longer ones end in an ellipsis.
 constexpr double kLabelShare = 0.55;
 
-QColor skin() { return {0xF7, 0xF1, 0xEC}; }
-QColor passage() { return {0xEB, 0xD3, 0xCB}; }
+// The same hues in both looks.
+QColor skin() { return theme::isDark() ? QColor(0x35, 0x30, 0x2D) : QColor(0xF7, 0xF1, 0xEC); }
+QColor passage() { return theme::isDark() ? QColor(0x5C, 0x45, 0x3E) : QColor(0xEB, 0xD3, 0xCB); }
 
 }  // namespace
 

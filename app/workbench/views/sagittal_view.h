@@ -26,7 +26,7 @@ class SagittalView : public QWidget {
   void setNeckFlexed(bool flexed);
 
   QSize sizeHint() const override { return {260, 300}; }
-  QSize minimumSizeHint() const override { return {200, 220}; }
+  QSize minimumSizeHint() const override { return {180, 112}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -76,14 +76,21 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
                                       {tr("Next grid"), tr("Page down")},
                                       {tr("Choose from a menu"), tr("Enter")}},
                                      this));
+  plot_column->addLayout(makeSection(tr("Membership functions"),
+                                     {{tr("Move a vertex, an edge or a term"), tr("drag, or its slider")},
+                                      {tr("Fine step, coarse step"), tr("left, right; with Shift")},
+                                      {tr("Next vertex"), tr("up, down")},
+                                      {tr("Take a drag back"), tr("Esc")}},
+                                     this));
   plot_column->addLayout(makeSection(tr("While a model is felt"),
                                      {{tr("Hold the tube"), tr("Space")},
                                       {tr("Move the hand"), tr("left, right; with Shift farther")},
-                                      {tr("Stop"), tr("Esc")}},
+                                      {tr("No force, at once"), tr("F12, or Esc while nothing is dragged")}},
                                      this));
   plot_column->addLayout(makeSection(tr("Panels"),
-                                     {{tr("Move, or put behind another"), tr("drag the title")},
-                                      {tr("Take out of the window, or back"), tr("double click the title")}},
+                                     {{tr("Move, or put behind another"), tr("drag the title or tab")},
+                                      {tr("Take out of the window, or back"), tr("double click the title or tab")},
+                                      {tr("Float, close, reset the layout"), tr("right button on the title or tab")}},
                                      this));
   plot_column->addStretch(1);
 

@@ -36,6 +36,7 @@ constexpr int kSwatchSide = 12;  // px
 constexpr int kNarrowestName = 100;
 constexpr int kMoreWidth = 22;
 constexpr int kMostParts = 8;
+constexpr int kFewestRows = 4;  // with the head
 
 // A triangle has its peak where a trapezoid has its left shoulder; a Gaussian its mean.
 int columnOf(Shape shape, std::size_t point) {
@@ -86,6 +87,7 @@ std::optional<std::vector<double>> parsedCuts(const QString& typed) {
 
 TermTable::TermTable(TermController& terms, QWidget* parent) : QScrollArea(parent), terms_(terms) {
   setFrameShape(QFrame::NoFrame);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setBackgroundRole(QPalette::Base);
@@ -149,6 +151,11 @@ void TermTable::build() {
   setWidget(content);
   // The numbers are never cut off; what is left of the width belongs to the names.
   setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+  // All rows where there is room for them, and never more room than rows: the rest belongs to the plot.
+  const int row = content->sizeHint().height() / (static_cast<int>(rows_.size()) + 1);
+  setMaximumHeight(content->sizeHint().height() + 2);
+  setMinimumHeight(std::min(maximumHeight(), kFewestRows * row));
+  updateGeometry();
   building_ = false;
   showValues();
   showLocks();

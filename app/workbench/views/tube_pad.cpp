@@ -37,6 +37,7 @@ void TubePad::setReading(const Reading& reading) {
   if (reading == reading_) return;
   const bool other_cursor = reading.live != reading_.live;
   reading_ = reading;
+  setToolTip(hint());
   if (other_cursor) setCursor(reading.live ? Qt::SizeHorCursor : Qt::ArrowCursor);
   update();
 }
@@ -57,7 +58,10 @@ double TubePad::positionAt(double x) const {
 
 QString TubePad::hint() const {
   if (!reading_.running) return tr("Start, then hold the mouse button here and push to the right.");
+  if (!reading_.live && reading_.latch) return tr("Press the button once, and push the device away from you.");
   if (!reading_.live) return tr("Hold the device and push it away from you.");
+  if (reading_.latch && reading_.held) return tr("Push to the right; click or Space lets go.");
+  if (reading_.latch) return tr("Click or Space takes the tube; then push to the right.");
   if (reading_.held) return tr("Let go, go back to the left, and take the next stroke.");
   return tr("Hold the mouse button or Space and push to the right.");
 }

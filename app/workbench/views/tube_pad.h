@@ -18,6 +18,7 @@ class TubePad : public QWidget {
     double target_mm = 0;  ///< what the cursor wants
     bool live = false;     ///< mouse and keyboard drive the hand
     bool held = false;     ///< the hand holds the tube
+    bool latch = false;    ///< a press takes the tube, the next one lets go
     bool running = false;
 
     bool operator==(const Reading&) const = default;
@@ -25,7 +26,7 @@ class TubePad : public QWidget {
   void setReading(const Reading& reading);
 
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return {240, sizeHint().height()}; }
+  QSize minimumSizeHint() const override { return {200, sizeHint().height()}; }
 
  signals:
   void targetMoved(double position_mm);

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QSignalSpy>
 #include <QTest>
+#include <atomic>
 #include <gtest/gtest.h>
 
 #include "app/workbench/controllers/model_controller.h"
@@ -21,6 +22,7 @@ constexpr double kRounding = 1e-12;
 constexpr std::uint64_t kMostTicks = 2;  // an edit is felt no later
 
 constexpr std::size_t kDepth = 1;
+constexpr int kPatienceMs = 10'000;
 
 class FeelControllerTest : public testing::Test {
  protected:
@@ -172,6 +174,44 @@ TEST_F(FeelControllerTest, TheTraceKeepsTenSeconds) {
   EXPECT_LE(trace.size(), 2502u);
   EXPECT_GE(trace.size(), 2498u);
   EXPECT_GE(trace.front().time_s, feel.history().nowS() - FeelHistory::kTraceS);
+}
+
+TEST_F(FeelControllerTest, ASlowDeviceStartsAndStopsInTheBackground) {
+  std::atomic<bool> lets_go{false};
+  const auto let = [&lets_go] {
+    lets_go.store(true);
+    lets_go.notify_all();
+  };
+  FeelController slow{scene, time.slowSettings(lets_go)};
+  slow.start(QStringLiteral("slow"));
+  EXPECT_EQ(slow.state(), FeelState::kOpening);
+  EXPECT_FALSE(slow.isRunning());
+  let();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kRunning; }, kPatienceMs));
+  EXPECT_TRUE(slow.isRunning());
+
+  // The call comes back while the device still stops, and what is shown has no force any more.
+  lets_go.store(false);
+  slow.stop();
+  EXPECT_EQ(slow.state(), FeelState::kStopping);
+  EXPECT_FALSE(slow.isRunning());
+  EXPECT_EQ(slow.latest().force_n, 0);
+  slow.start(QStringLiteral("slow"));
+  EXPECT_EQ(slow.state(), FeelState::kStopping);
+  let();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kStopped; }, kPatienceMs));
+}
+
+TEST_F(FeelControllerTest, ADeviceThatStillStartsCanBeStopped) {
+  std::atomic<bool> lets_go{false};
+  FeelController slow{scene, time.slowSettings(lets_go)};
+  slow.start(QStringLiteral("slow"));
+  slow.stop();
+  EXPECT_EQ(slow.state(), FeelState::kStopping);
+  lets_go.store(true);
+  lets_go.notify_all();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kStopped; }, kPatienceMs));
+  EXPECT_FALSE(slow.isRunning());
 }
 
 TEST_F(FeelControllerTest, RefusesWhatCannotBeFelt) {

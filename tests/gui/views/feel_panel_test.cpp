@@ -1,8 +1,11 @@
 #include "app/workbench/views/feel_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
@@ -72,7 +75,12 @@ TEST_F(FeelPanelTest, TheMousePushesTheTubeAndTheForceIsShown) {
   time.advance(feel, 60);
   EXPECT_NE(saying<QLabel>("0.000 N"), nullptr);
   click("Stop");
-  EXPECT_NE(saying<QLabel>("Last placement (simulated device)"), nullptr);
+  // In a line that ends where the panel does; the tool tip has all of it.
+  const QList<QLabel*> labels = panel.findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    const QString start = QStringLiteral("Last placement (simulated device)");
+    return label->text().startsWith(start) || label->toolTip().startsWith(start);
+  }));
 }
 
 TEST_F(FeelPanelTest, SpaceHoldsTheTubeAndEscapeStops) {
@@ -86,6 +94,75 @@ TEST_F(FeelPanelTest, SpaceHoldsTheTubeAndEscapeStops) {
   EXPECT_FALSE(feel.latest().enabled);
   QTest::keyPress(&panel, Qt::Key_Escape);
   EXPECT_FALSE(feel.isRunning());
+}
+
+TEST_F(FeelPanelTest, ItsOwnKeyStopsTheForceWhateverHasTheKeyboard) {
+  click("Start");
+  time.advance(feel, 50);
+  QWidget other;
+  other.show();
+  QTest::keyPress(&other, Qt::Key_F12);
+  EXPECT_FALSE(feel.isRunning());
+}
+
+// A widget that wants Escape for itself, as a plot does while something is dragged.
+class Dragged : public QWidget {
+ public:
+  bool cancelled = false;
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride) {
+      event->accept();
+      return true;
+    }
+    return QWidget::event(event);
+  }
+  void keyPressEvent(QKeyEvent* event) override { cancelled = event->key() == Qt::Key_Escape; }
+};
+
+TEST_F(FeelPanelTest, EscapeTakesADragBackAndLeavesTheForce) {
+  click("Start");
+  time.advance(feel, 50);
+  Dragged dragged;
+  dragged.show();
+  QTest::keyPress(&dragged, Qt::Key_Escape);
+  EXPECT_TRUE(dragged.cancelled);
+  EXPECT_TRUE(feel.isRunning());
+  QTest::keyPress(&panel, Qt::Key_Escape);
+  EXPECT_FALSE(feel.isRunning());
+}
+
+TEST_F(FeelPanelTest, ALatchTakesTheTubeWithOnePress) {
+  auto* grip = panel.findChildren<QComboBox*>().back();
+  grip->setCurrentIndex(1);
+  emit grip->activated(1);
+  EXPECT_TRUE(feel.grip().latch);
+  click("Start");
+  time.advance(feel, 50);
+  const auto press = [this] {
+    QTest::keyPress(&panel, Qt::Key_Space);
+    time.advance(feel, 50);
+    QTest::keyRelease(&panel, Qt::Key_Space);
+    time.advance(feel, 50);
+  };
+  press();
+  EXPECT_TRUE(feel.latest().enabled);
+  press();
+  EXPECT_FALSE(feel.latest().enabled);
+  // Drawn out beyond the release zone of -20 mm it lets go by itself.
+  press();
+  ASSERT_TRUE(feel.latest().enabled);
+  time.moveTo(feel, -40, 100);
+  EXPECT_FALSE(feel.latest().enabled);
+}
+
+TEST_F(FeelPanelTest, NothingIsCutInTheSmallestPlace) {
+  panel.resize(590, 296);
+  QCoreApplication::processEvents();
+  const auto* area = panel.findChild<QScrollArea*>();
+  EXPECT_LE(area->widget()->height(), area->viewport()->height());
+  EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
 }
 
 TEST_F(FeelPanelTest, TheForceCanBeSplit) {

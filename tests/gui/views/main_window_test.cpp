@@ -1,5 +1,6 @@
 #include "app/workbench/views/main_window.h"
 
+#include <QAction>
 #include <QCommandLinkButton>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -15,8 +16,10 @@
 
 #include "app/workbench/models/reading_model.h"
 #include "app/workbench/plots/curve_plot.h"
+#include "app/workbench/theme.h"
 #include "app/workbench/views/bench_view.h"
 #include "app/workbench/views/message_banner.h"
+#include "app/workbench/views/operating_strip.h"
 #include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/start_view.h"
 #include "app/workbench/workbench.h"
@@ -186,6 +189,29 @@ TEST_F(MainWindowTest, SavesPicturesByTheirEnding) {
   EXPECT_FALSE(QFile::exists(folder.path(QStringLiteral("a.bmp"))));
   // The caption of the picture leaves no trace in the window.
   EXPECT_EQ(curves(), before);
+}
+
+TEST_F(MainWindowTest, TheLookChangesAtOnce) {
+  openSample();
+  const QImage light = curves();
+  const auto choose = [this](const QString& name) {
+    for (QAction* action : window.findChildren<QAction*>()) {
+      if (action->text() == name) action->trigger();
+    }
+  };
+  const QList<QLabel*> labels = window.strip().findChildren<QLabel*>();
+  const QLabel* head = *std::find_if(labels.begin(), labels.end(),
+                                     [](const QLabel* label) { return label->text() == QStringLiteral("Speed"); });
+  const QColor muted = head->palette().color(QPalette::WindowText);
+  choose(QStringLiteral("&Dark"));
+  EXPECT_TRUE(theme::isDark());
+  const QImage dark = curves();
+  EXPECT_EQ(dark.pixelColor(1, 1), theme::card());
+  EXPECT_NE(light.pixelColor(1, 1), theme::card());
+  EXPECT_EQ(head->palette().color(QPalette::WindowText), theme::mutedInk());
+  choose(QStringLiteral("&Light"));
+  EXPECT_EQ(head->palette().color(QPalette::WindowText), muted);
+  EXPECT_EQ(curves(), light);
 }
 
 TEST_F(MainWindowTest, AnotherInputCanBeTheAxis) {

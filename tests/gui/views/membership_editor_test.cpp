@@ -2,6 +2,7 @@
 
 #include <QLineEdit>
 #include <QMenu>
+#include <QStyle>
 #include <QTabBar>
 #include <QTest>
 #include <QToolButton>
@@ -11,10 +12,12 @@
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/term_controller.h"
+#include "app/workbench/display_text.h"
 #include "app/workbench/plots/membership_editor_plot.h"
 #include "app/workbench/views/lock_button.h"
 #include "app/workbench/views/number_box.h"
 #include "app/workbench/views/popup_form.h"
+#include "app/workbench/views/vertex_slider.h"
 
 #include "tests/gui/sample_models.h"
 
@@ -215,6 +218,44 @@ TEST_F(MembershipEditorTest, ATermWithRulesIsRemovedAfterASmallForm) {
   EXPECT_EQ(terms.terms().size(), 2U);
   QTest::keyClick(form, Qt::Key_Return);
   EXPECT_EQ(terms.terms().size(), 1U);
+}
+
+TEST_F(MembershipEditorTest, ASliderMovesAVertexOfTheChosenTerm) {
+  terms.select(Grip{0, Grip::Part::kTerm, 0, false});
+  const std::string label = labelOf(terms.terms()[0]).toStdString();
+  auto* slider = named<VertexSlider>(QString::fromStdString("Right foot of " + label));
+  ASSERT_NE(slider, nullptr);
+  const Points before = points(0);
+  const double range = terms.variable().max - terms.variable().min;
+  const double per_pixel =
+      range / (slider->width() - slider->style()->pixelMetric(QStyle::PM_SliderLength, nullptr, slider));
+  QTest::mousePress(slider, Qt::LeftButton, {}, {20, 8});
+  QTest::mouseMove(slider, {24, 8});
+  QTest::mouseMove(slider, {30, 8});
+  EXPECT_TRUE(edits.inGesture());
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, {30, 8});
+  EXPECT_NEAR(points(0)[3], before[3] + 10 * per_pixel, range / 1000);
+  EXPECT_FALSE(edits.inGesture());
+  edits.undo();
+  EXPECT_EQ(points(0), before);
+
+  // An arrow key is a fine step, and Escape takes a drag back.
+  QTest::keyClick(slider, Qt::Key_Right);
+  EXPECT_GT(points(0)[3], before[3]);
+  edits.undo();
+  QTest::mousePress(slider, Qt::LeftButton, {}, {20, 8});
+  QTest::mouseMove(slider, {40, 8});
+  QTest::keyClick(slider, Qt::Key_Escape);
+  EXPECT_EQ(points(0), before);
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, {40, 8});
+  EXPECT_EQ(points(0), before);
+}
+
+TEST_F(MembershipEditorTest, TheRoomBelowTheTableGoesToThePlot) {
+  const int small = plot->height();
+  editor.resize(720, 900);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(plot->height() - small, 900 - 560);
 }
 
 }  // namespace

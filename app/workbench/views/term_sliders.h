@@ -1,0 +1,48 @@
+// Sliders for the vertices of one term, as in the paper: the chosen term, in step with the plot and the numbers.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <string>
+#include <vector>
+
+#include "core/fuzzy/force_model.h"
+
+class QHBoxLayout;
+class QLabel;
+
+namespace tactus::workbench {
+
+class ElidedLabel;
+class TermController;
+class VertexSlider;
+
+class TermSliders : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TermSliders(TermController& terms, QWidget* parent = nullptr);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  struct Part {
+    QWidget* cell;
+    QLabel* name;
+    VertexSlider* slider;
+  };
+  void follow();
+  void build(const fuzzy::Term& term);
+  void show(const fuzzy::Term& term);
+
+  TermController& terms_;
+  QHBoxLayout* layout_;
+  ElidedLabel* title_;
+  std::vector<Part> parts_;
+  std::size_t term_ = 0;  ///< its place in the list; the first one where nothing is chosen
+  fuzzy::Shape shape_ = fuzzy::Shape::kTrapezoid;
+  std::string variable_;
+};
+
+}  // namespace tactus::workbench
