@@ -152,7 +152,8 @@ TEST_F(BenchViewTest, AThousandMovesComputeOncePerFrame) {
   hideAll();
   dock("curves")->show();
   settle();
-  const auto one = bench.scene.curves().x.size() * 3 + 3;  // mean and two experts, along the axis and at the cursor
+  // Mean and two experts along the axis, the same of the model before and after for their difference, and the cursor.
+  const auto one = bench.scene.curves().x.size() * 9 + 3;
   const std::uint64_t before = bench.scene.evaluations();
   QElapsedTimer clock;
   clock.start();
@@ -167,7 +168,7 @@ TEST_F(BenchViewTest, AThousandMovesComputeOncePerFrame) {
   const auto frames = static_cast<std::uint64_t>(clock.elapsed() / Refresh::kFrameMs + 2);
   const std::uint64_t computed = bench.scene.evaluations() - before;
   EXPECT_GT(computed, 0U);
-  EXPECT_LE(computed, frames * (one + 20));  // up to some more places at the vertices that move
+  EXPECT_LE(computed, frames * (one + 60));  // up to some more places at the vertices that move
 }
 
 TEST_F(BenchViewTest, AClickInTheMapSetsTheOperatingPoint) {
