@@ -12,6 +12,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr double kHeadroom = 1.08;
+constexpr int kLow = 130;  // px: below this height the lines need the room of the axes' names
 
 QCPGraph* addLine(QCustomPlot& plot, const QPen& pen) {
   QCPGraph* graph = plot.addGraph();
@@ -19,8 +20,12 @@ QCPGraph* addLine(QCustomPlot& plot, const QPen& pen) {
   return graph;
 }
 
-fuzzy::Variable axisOf(const char* id, const QString& label, const char* unit, double min, double max) {
-  return {id, label.toStdString(), unit, min, max, {}};
+fuzzy::Variable timeAxis() {
+  return {"time", ForceTracePlot::tr("Time").toStdString(), "s", -FeelHistory::kTraceS, 0, {}};
+}
+
+fuzzy::Variable forceAxis(double full_n) {
+  return {"force", ForceTracePlot::tr("Force").toStdString(), "N", 0, full_n, {}};
 }
 
 }  // namespace
@@ -42,17 +47,24 @@ ForceTracePlot::ForceTracePlot(QWidget* parent) : QWidget(parent), plot_(makePlo
   limits_->setBrush(taken);
   limits_->setChannelFillGraph(force_);
 
-  const fuzzy::Variable time = axisOf("time", tr("Time"), "s", -FeelHistory::kTraceS, 0);
-  styleAxis(*plot_->xAxis, time);
-  plot_->xAxis->setLabel(axisText(time));
-  const fuzzy::Variable force = axisOf("force", tr("Force"), "N", 0, full_n_);
-  styleAxis(*plot_->yAxis, force);
-  plot_->yAxis->setLabel(axisText(force));
+  styleAxis(*plot_->xAxis, timeAxis());
+  styleAxis(*plot_->yAxis, forceAxis(full_n_));
   plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
-  plot_->yAxis->ticker()->setTickCount(3);
   plot_->axisRect()->setAutoMargins(QCP::msLeft | QCP::msBottom);
   plot_->axisRect()->setMargins(QMargins(0, theme::kGrid, 2 * theme::kGrid, 0));
+  nameAxes(height() >= kLow);
   setSplit(false);
+}
+
+void ForceTracePlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  nameAxes(height() >= kLow);
+}
+
+void ForceTracePlot::nameAxes(bool roomy) {
+  plot_->xAxis->setLabel(roomy ? axisText(timeAxis()) : QString());
+  plot_->yAxis->setLabel(roomy ? axisText(forceAxis(full_n_)) : QStringLiteral("N"));
+  plot_->yAxis->ticker()->setTickCount(roomy ? 3 : 2);
 }
 
 void ForceTracePlot::setFullScale(double full_n) {
@@ -109,6 +121,10 @@ std::vector<LegendEntry> ForceTracePlot::legend() const {
           {tr("taken by limits"), Qt::NoPen, limits_->brush()}};
 }
 
-void ForceTracePlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
+void ForceTracePlot::paintPicture(QCPPainter& painter, const QSize& size) {
+  nameAxes(true);
+  paintPlot(*plot_, painter, size, {});
+  nameAxes(height() >= kLow);
+}
 
 }  // namespace tactus::workbench

@@ -31,7 +31,12 @@ class ForceTracePlot : public QWidget, public PlotSource {
   std::vector<LegendEntry> legend() const override;
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void nameAxes(bool roomy);
+
   QCustomPlot* plot_;
   QCPGraph* force_;
   QCPGraph* recorded_;  ///< of the recording that is replayed

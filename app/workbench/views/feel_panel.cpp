@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/workbench/controllers/depth_regions.h"
 #include "app/workbench/controllers/device_search.h"
@@ -185,6 +186,7 @@ void FeelPanel::arrange() {
   picture_->setStretch(0, 3);
   picture_->setStretch(1, roomy ? 2 : 0);
   procedure_->setCompact(!roomy);
+  if (roomy != std::exchange(roomy_, roomy)) emit roomChanged(roomy);
 }
 
 void FeelPanel::toggle() { device_->toggle(); }

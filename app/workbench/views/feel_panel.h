@@ -37,6 +37,11 @@ class FeelPanel : public QWidget {
   void addCard(QWidget* card);
   /// Starts on the chosen device, or stops.
   void toggle();
+  /// There is room for more than what is needed to feel.
+  bool isRoomy() const { return roomy_; }
+
+ signals:
+  void roomChanged(bool roomy);
 
  protected:
   /// Space holds the tube and F12 stops, wherever the keyboard is, while a model is felt. Escape stops too, unless
@@ -72,6 +77,7 @@ class FeelPanel : public QWidget {
   QCheckBox* follow_;
   QLabel* legend_;
   ForceTracePlot* trace_;
+  bool roomy_ = false;
   std::optional<haptics::DeviceInfo> traced_on_;  ///< what the trace was felt on
   SagittalView* sagittal_;
   ProcedurePanel* procedure_;

@@ -142,6 +142,7 @@ void RecordingsCard::showState() {
   const bool open = study_.isOpen();
   hint_->setVisible(!open);
   content_->setVisible(open);
+  setVisible(open || roomy_);
   const bool replaying = store_.replayed().has_value();
   const bool recording = store_.isRecording();
   const bool any = !study_.recordings().empty();
@@ -164,6 +165,11 @@ void RecordingsCard::showState() {
     record_->setText(tr("Cancel"));
     record_->setToolTip(tr("The recording begins with Start; a click takes it back"));
   }
+}
+
+void RecordingsCard::setRoomy(bool roomy) {
+  roomy_ = roomy;
+  showState();
 }
 
 void RecordingsCard::choose(int person) {

@@ -21,6 +21,9 @@ class RecordingsCard : public Card {
  public:
   RecordingsCard(FeelStore& store, StudyController& study, FeelController& feel, QWidget* parent = nullptr);
 
+  /// Without room for it, the hint for who has no study open is left out.
+  void setRoomy(bool roomy);
+
  private:
   void build();
   void listPeople();
@@ -38,6 +41,7 @@ class RecordingsCard : public Card {
   QPushButton* record_;
   QComboBox* list_;
   QPushButton* replay_;
+  bool roomy_ = true;
   std::size_t listed_ = 0;  ///< recordings in the list
 };
 

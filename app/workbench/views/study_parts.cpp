@@ -25,7 +25,11 @@ StudyParts::StudyParts(MainWindow& window, StudyController& study, FeelControlle
                        const ModelController& models, RecentFiles& recent)
     : window_(window), study_(study), feel_(feel), store_(store), models_(models), recent_(recent) {
   buildMenu();
-  window_.feelPanel().addCard(new RecordingsCard(store, study, feel));
+  FeelPanel& panel = window_.feelPanel();
+  auto* recordings = new RecordingsCard(store, study, feel);
+  panel.addCard(recordings);
+  recordings->setRoomy(panel.isRoomy());
+  connect(&panel, &FeelPanel::roomChanged, recordings, &RecordingsCard::setRoomy);
   window_.installEventFilter(this);
   connectAll();
   showState();
