@@ -28,7 +28,7 @@ std::string jsonByExpert(std::span<const ExpertRules> experts, Value value) {
   for (const auto& expert : experts) {
     parts.push_back(base::jsonString(expert.participant.code) + ": " + value(expert));
   }
-  return "{" + base::joined(parts, ", ") + "}";
+  return "{ " + base::joined(parts, ", ") + " }";
 }
 
 /// One form as a text, several as a list, none as null.

@@ -50,7 +50,7 @@ struct Workbench {
         rule_parts(window, rules),
         edit_parts(window, edits, terms, scene),
         curve_parts(window, models, edits, ghost, references),
-        finding_parts(window, findings, terms),
+        finding_parts(window, findings, terms, rules),
         study_parts(window, study, feel, feel_store, models, recent),
         history_parts(window, edit_parts.menu(), edits, compare, scene, feel, author) {
     history_parts.addRecovery(autosave, recovery, study);

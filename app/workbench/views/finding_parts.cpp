@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "app/workbench/controllers/findings_controller.h"
+#include "app/workbench/controllers/rule_controller.h"
 #include "app/workbench/controllers/term_controller.h"
 #include "app/workbench/views/findings_panel.h"
 #include "app/workbench/views/main_window.h"
@@ -10,13 +11,15 @@
 
 namespace tactus::workbench {
 
-FindingParts::FindingParts(MainWindow& window, FindingsController& findings, TermController& terms) {
+FindingParts::FindingParts(MainWindow& window, FindingsController& findings, TermController& terms,
+                           RuleController& rules) {
   window.panels().addPanel(QStringLiteral("findings"), QCoreApplication::translate("FindingParts", "Findings"),
                            new FindingsPanel(findings));
-  // The editor behind the findings then stands at the list that the finding is about.
+  // The editors behind the findings then stand at what the finding is about.
   QObject::connect(&findings, &FindingsController::lookedAt, &terms,
-                   [&terms](const QString& expert, const QString& input) {
+                   [&terms, &rules](const QString& expert, const QString& input) {
                      if (!terms.isOpen()) return;
+                     if (!expert.isEmpty()) rules.setExpert(expert.toStdString());
                      terms.setExpert(expert.toStdString());
                      if (!input.isEmpty()) terms.setVariable(input.toStdString());
                    });

@@ -64,6 +64,13 @@ TEST_F(BuildMessages, AFolderGivenAsADotGivesTheModelItsName) {
   EXPECT_EQ(model->model.name, "study");
 }
 
+TEST_F(BuildMessages, AModelThatIsReadAndWrittenAgainKeepsItsBytes) {
+  ASSERT_EQ(build().status, 0);
+  const auto model = model_io::readModel(out_);
+  ASSERT_TRUE(model.has_value());
+  EXPECT_EQ(model_io::formatModel(model->model), readText(out_));
+}
+
 TEST_F(BuildMessages, MistakesOfATableNameFileLineAndColumn) {
   write("rules", kRules + "A,wel,,,,small,,\n");
   EXPECT_EQ(refusal(), "st/rules.csv: line 2, column 'lubrication': found 'wel', wanted one of poor, medium, well\n");
