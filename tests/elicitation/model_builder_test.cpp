@@ -214,7 +214,7 @@ TEST(ModelBuilder, GivenRulesWithoutAFormGetTheSetTheyUse) {
     EXPECT_TRUE(mentions(built.value().notes, "name no form"));
     EXPECT_TRUE(mentions(built.value().notes, findDepthTerms(built.value().experts.at(0).depth_terms)->label));
     EXPECT_FALSE(mentions(built.value().notes, built.value().experts.at(0).depth_terms)) << "an id of the program";
-    EXPECT_EQ(settingOf(built.value().model, "forms"), "{\"A\": null}");
+    EXPECT_EQ(settingOf(built.value().model, "forms"), "{ \"A\": null }");
     EXPECT_EQ(settingOf(built.value().model, "depth_terms_inferred"), "[\"A\"]");
     return built.value().experts.at(0).depth_terms;
   };
@@ -274,8 +274,8 @@ TEST(ModelBuilder, ProvenanceSaysWhichFormsAndDepthTermsWereUsed) {
   settings.extra = {{"simulation_seed", "7"}};
   const auto built = buildModel(study, forms(), settings);
   ASSERT_TRUE(built) << built.error().message();
-  EXPECT_EQ(settingOf(built->model, "forms"), "{\"A\": \"short\", \"B\": \"reading\"}");
-  EXPECT_EQ(settingOf(built->model, "depth_terms"), "{\"A\": \"form_a1\", \"B\": \"form_a2\"}");
+  EXPECT_EQ(settingOf(built->model, "forms"), "{ \"A\": \"short\", \"B\": \"reading\" }");
+  EXPECT_EQ(settingOf(built->model, "depth_terms"), "{ \"A\": \"form_a1\", \"B\": \"form_a2\" }");
   EXPECT_EQ(settingOf(built->model, "depth_terms_inferred"), "absent");
   EXPECT_EQ(settingOf(built->model, "simulation_seed"), "7");
 }
