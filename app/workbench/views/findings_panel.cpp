@@ -17,18 +17,12 @@
 #include "app/workbench/views/elided_label.h"
 #include "app/workbench/views/finding_delegate.h"
 #include "app/workbench/views/fix_card.h"
+#include "app/workbench/views/muted_text.h"
 
 namespace tactus::workbench {
 namespace {
 
 constexpr int kAll = -1;
-
-void mute(QWidget& label) {
-  label.setFont(theme::smallFont());
-  QPalette muted = label.palette();
-  muted.setColor(QPalette::WindowText, theme::mutedInk());
-  label.setPalette(muted);
-}
 
 }  // namespace
 
@@ -52,9 +46,9 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     choice->setMaximumWidth(220);
   }
-  mute(*state_);
+  setMuted(*state_);
   state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  mute(*range_);
+  setMuted(*range_);
   list_->setModel(&model_);
   list_->setItemDelegate(delegate_);
   list_->setFrameShape(QFrame::NoFrame);

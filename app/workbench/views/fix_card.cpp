@@ -10,19 +10,9 @@
 #include "app/workbench/controllers/findings_controller.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/muted_text.h"
 
 namespace tactus::workbench {
-namespace {
-
-void mute(QWidget& label) {
-  label.setFont(theme::smallFont());
-  QPalette muted = label.palette();
-  muted.setColor(QPalette::WindowText, theme::mutedInk());
-  label.setPalette(muted);
-}
-
-}  // namespace
-
 FixCard::FixCard(FindingsController& findings, QWidget* parent)
     : QFrame(parent),
       findings_(findings),
@@ -39,7 +29,7 @@ FixCard::FixCard(FindingsController& findings, QWidget* parent)
   other_end_->setText(tr("Where it begins"));
   other_end_->setToolTip(tr("The operating point goes to where the change of the force begins"));
   note_->setWordWrap(true);
-  mute(*note_);
+  setMuted(*note_);
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(theme::kGrid);
   grid_->setVerticalSpacing(theme::kGrid / 2);
@@ -93,7 +83,7 @@ void FixCard::showFixes() {
     button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     auto* effect = new ElidedLabel(fixes_);
     effect->setFullText(fixes[i].effect);
-    mute(*effect);
+    setMuted(*effect);
     effect->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     grid_->addWidget(button, static_cast<int>(i), 0);
     grid_->addWidget(effect, static_cast<int>(i), 1);

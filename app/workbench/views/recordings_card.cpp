@@ -15,17 +15,10 @@
 #include "app/workbench/controllers/study_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
+#include "app/workbench/views/muted_text.h"
 
 namespace tactus::workbench {
 namespace {
-
-void setMuted(QLabel* label) {
-  label->setFont(theme::smallFont());
-  label->setTextFormat(Qt::PlainText);
-  QPalette colors = label->palette();
-  colors.setColor(QPalette::WindowText, theme::mutedInk());
-  label->setPalette(colors);
-}
 
 QString personText(const StudyPerson& person) {
   if (person.researcher) return RecordingsCard::tr("Researcher (%1)").arg(person.code);
@@ -74,7 +67,8 @@ RecordingsCard::RecordingsCard(FeelStore& store, StudyController& study, FeelCon
 }
 
 void RecordingsCard::build() {
-  setMuted(hint_);
+  setMuted(*hint_);
+  hint_->setTextFormat(Qt::PlainText);
   hint_->setWordWrap(true);
   auto* who_label = new QLabel(tr("Who feels"), content_);
   auto* list_label = new QLabel(tr("Recordings"), content_);
