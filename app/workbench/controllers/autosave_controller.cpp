@@ -16,7 +16,6 @@ constexpr int kDelayInGestureMs = 2000;  // a drag changes the model with every 
 
 AutosaveController::AutosaveController(ModelController& models, EditController& edits, QString root, QObject* parent)
     : QObject(parent), models_(models), edits_(edits), folder_(std::make_shared<AutosaveFolder>(std::move(root))) {
-  worker_.setMaxThreadCount(1);
   due_.setSingleShot(true);
   connect(&due_, &QTimer::timeout, this, &AutosaveController::write);
   connect(&edits_, &EditController::modelReset, this, &AutosaveController::onReset);
@@ -41,7 +40,7 @@ void AutosaveController::onChange() {
 void AutosaveController::onReset() {
   due_.stop();
   again_ = false;
-  worker_.start([folder = folder_] { folder->remove(); });
+  worker_.post([folder = folder_] { folder->remove(); });
   onChange();
 }
 
@@ -58,15 +57,14 @@ void AutosaveController::write() {
                      ? std::make_shared<const editing::EditHistory>(edits_.history())
                      : nullptr;
   AutosaveFolder::Facts facts{models_.current()->path, !models_.isModified()};
-  worker_.start([this, folder = folder_, history = std::move(history), facts = std::move(facts)] {
+  worker_.post([this, folder = folder_, history = std::move(history), facts = std::move(facts)] {
     QString failure;
     if (!history) {
       folder->remove();
     } else if (const auto done = folder->write(*history, facts); !done) {
       failure = text(done.error().message());
     }
-    QMetaObject::invokeMethod(
-        this, [this, failure] { finish(failure); }, Qt::QueuedConnection);
+    answers_.post([this, failure] { finish(failure); });
   });
 }
 

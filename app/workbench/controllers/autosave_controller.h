@@ -4,11 +4,12 @@
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 #include <QTimer>
 #include <memory>
 
 #include "app/workbench/controllers/autosave_folder.h"
+#include "app/workbench/controllers/mailbox.h"
+#include "app/workbench/controllers/worker.h"
 
 namespace tactus::workbench {
 
@@ -48,7 +49,8 @@ class AutosaveController : public QObject {
   bool busy_ = false;   ///< the worker writes
   bool again_ = false;  ///< there is something newer than what it writes
   QString failure_;
-  QThreadPool worker_;  ///< last: it waits for its end before the rest is gone
+  Mailbox answers_;
+  Worker worker_;  ///< last: it waits for its end before the rest is gone
 };
 
 }  // namespace tactus::workbench

@@ -1,7 +1,5 @@
 #include "app/workbench/controllers/background.h"
 
-#include <QCoreApplication>
-#include <QEvent>
 #include <sys/resource.h>
 #include <unistd.h>
 #include <utility>
@@ -12,14 +10,7 @@ namespace {
 // The servo and the screen come first.
 constexpr int kNiceness = 10;
 
-QEvent::Type doneEvent() {
-  static const int type = QEvent::registerEventType();
-  return static_cast<QEvent::Type>(type);
-}
-
 }  // namespace
-
-Background::Background(QObject* parent) : QObject(parent) {}
 
 Background::~Background() {
   drop();
@@ -31,9 +22,18 @@ Background::~Background() {
 void Background::run(Job job) {
   drop();
   busy_ = true;
+  auto task = [this, number = newest_, job = std::move(job)](const std::stop_token& stop) {
+    Deliver deliver = job(stop);
+    if (stop.stop_requested()) return;
+    answers_.post([this, number, deliver = std::move(deliver)] {
+      if (number != newest_) return;
+      busy_ = false;
+      deliver();
+    });
+  };
   {
     const std::lock_guard lock(mutex_);
-    waiting_ = std::move(job);
+    waiting_ = std::move(task);
   }
   if (!thread_.joinable()) thread_ = std::jthread([this](const std::stop_token& end) { work(end); });
   wake_.notify_one();
@@ -41,24 +41,10 @@ void Background::run(Job job) {
 
 void Background::drop() {
   busy_ = false;
+  ++newest_;
   const std::lock_guard lock(mutex_);
   waiting_ = nullptr;
-  done_ = nullptr;
   running_.request_stop();
-}
-
-bool Background::event(QEvent* event) {
-  if (event->type() != doneEvent()) return QObject::event(event);
-  Deliver done;
-  {
-    const std::lock_guard lock(mutex_);
-    done = std::exchange(done_, nullptr);
-  }
-  // The newest job may have been asked for after the one that this event tells of.
-  if (!done) return true;
-  busy_ = false;
-  done();
-  return true;
 }
 
 void Background::work(const std::stop_token& end) {
@@ -66,17 +52,14 @@ void Background::work(const std::stop_token& end) {
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness);
   std::unique_lock lock(mutex_);
   while (wake_.wait(lock, end, [this] { return waiting_ != nullptr; })) {
-    Job job = std::exchange(waiting_, nullptr);
+    auto task = std::exchange(waiting_, nullptr);
     running_ = std::stop_source();
     const std::stop_token stop = running_.get_token();
     lock.unlock();
-    Deliver done = job(stop);
+    task(stop);
     // What the job holds goes before the next one begins.
-    job = nullptr;
+    task = nullptr;
     lock.lock();
-    if (stop.stop_requested()) continue;
-    done_ = std::move(done);
-    QCoreApplication::postEvent(this, new QEvent(doneEvent()));
   }
 }
 

@@ -1,28 +1,30 @@
 // Work that may take longer than a frame, on a thread of its own. Of several jobs only the newest counts.
 #pragma once
 
-#include <QObject>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <stop_token>
 #include <thread>
 
+#include "app/workbench/controllers/mailbox.h"
+
 namespace tactus::workbench {
 
 /// Thread: gui, but for what a job does.
-class Background : public QObject {
-  Q_OBJECT
-
+class Background {
  public:
   /// What to do with the result of a job, on the thread of the GUI.
   using Deliver = std::function<void()>;
   /// Computes on the other thread, from what it owns or shares without changing it. May give up when the token says so.
   using Job = std::function<Deliver(const std::stop_token& stop)>;
 
-  explicit Background(QObject* parent = nullptr);
+  Background() = default;
   /// Waits for the end of a job that runs.
-  ~Background() override;
+  ~Background();
+  Background(const Background&) = delete;
+  Background& operator=(const Background&) = delete;
 
   /// Begins `job` as soon as the one that runs has ended. What was asked for before is dropped: a job that waits does
   /// not begin, one that runs is told to stop, and its result is not delivered.
@@ -32,18 +34,16 @@ class Background : public QObject {
   /// Whether a result will come.
   bool isBusy() const { return busy_; }
 
- protected:
-  bool event(QEvent* event) override;
-
  private:
   void work(const std::stop_token& end);
 
-  bool busy_ = false;  ///< of the GUI's thread alone
-  std::mutex mutex_;   ///< of the members below
+  bool busy_ = false;         ///< of the GUI's thread alone
+  std::uint64_t newest_ = 0;  ///< likewise: the number of the job that counts
+  Mailbox answers_;
+  std::mutex mutex_;  ///< guards the next three
   std::condition_variable_any wake_;
-  Job waiting_;
+  std::function<void(const std::stop_token&)> waiting_;
   std::stop_source running_;
-  Deliver done_;
   std::jthread thread_;  ///< began with the first job
 };
 

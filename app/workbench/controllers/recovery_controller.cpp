@@ -24,7 +24,6 @@ bool isStudy(const QString& document) { return document.endsWith(QLatin1String("
 RecoveryController::RecoveryController(ModelController& models, EditController& edits, AutosaveController& autosave,
                                        QString root, QObject* parent)
     : QObject(parent), models_(models), edits_(edits), autosave_(autosave), root_(std::move(root)) {
-  worker_.setMaxThreadCount(1);
   connect(&models_, &ModelController::opened, this, &RecoveryController::onOpened);
   connect(&autosave_, &AutosaveController::written, this, [this] {
     for (const auto& work : std::exchange(replaced_, {})) work->discard();
@@ -78,10 +77,9 @@ void RecoveryController::restore() {
   taken_ = std::move(*taken);
   emit offerChanged();
   const editing::Stamp stamp{edits_.author().toStdString(), QDateTime::currentMSecsSinceEpoch()};
-  worker_.start([this, taken = taken_, stamp, in_study] {
+  worker_.post([this, taken = taken_, stamp, in_study] {
     const auto found = std::make_shared<base::Result<Found>>(read(*taken, stamp, in_study));
-    QMetaObject::invokeMethod(
-        this, [this, found] { adopt(std::move(*found)); }, Qt::QueuedConnection);
+    answers_.post([this, found] { adopt(std::move(*found)); });
   });
 }
 

@@ -4,12 +4,13 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <QThreadPool>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "app/workbench/controllers/autosave_folder.h"
+#include "app/workbench/controllers/mailbox.h"
+#include "app/workbench/controllers/worker.h"
 
 namespace tactus::workbench {
 
@@ -70,8 +71,9 @@ class RecoveryController : public QObject {
   std::shared_ptr<TakenWork> taken_;                  ///< being restored
   std::vector<std::shared_ptr<TakenWork>> replaced_;  ///< restored, to be deleted once they are autosaved again
   bool busy_ = false;
-  QString wanted_;      ///< the study that has to be opened first
-  QThreadPool worker_;  ///< last: it waits for its end before the rest is gone
+  QString wanted_;  ///< the study that has to be opened first
+  Mailbox answers_;
+  Worker worker_;  ///< last: it waits for its end before the rest is gone
 };
 
 }  // namespace tactus::workbench

@@ -228,10 +228,6 @@ void StudyController::refresh() {
   });
 }
 
-void StudyController::answer(std::function<void()> work) {
-  QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
-}
-
 // A study whose disk refuses keeps what was ordered; nobody gets away from it by accident.
 bool StudyController::mayLeave(const QString& path) {
   if (opening_) return false;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/mailbox.h"
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/study_contents.h"
 #include "app/workbench/controllers/study_worker.h"
@@ -96,8 +97,8 @@ class StudyController : public QObject {
  private:
   using TextCache = std::map<study::RecordId, study::ModelVersion>;
   void post(StudyWorker::Task task) { worker_.post(std::move(task)); }
-  /// Hands `work` from the thread of the worker to this one.
-  void answer(std::function<void()> work);
+  /// Hands `call` from the thread of the worker to this one.
+  void answer(Mailbox::Call call) { answers_.post(std::move(call)); }
   bool mayLeave(const QString& path);
   void begin(const QString& path, bool make);
   void changeOver(std::shared_ptr<StudyContents> contents);
@@ -132,6 +133,7 @@ class StudyController : public QObject {
   bool slow_ = false;  ///< an order has been waiting so long that the screen says so
   QTimer slow_timer_;
   QTimer retry_;
+  Mailbox answers_;
   StudyWorker worker_;  ///< last: its end waits for the thread, which answers to all above
 };
 

@@ -2,13 +2,12 @@
 // disk that is slow or full holds nobody up.
 #pragma once
 
-#include <condition_variable>
 #include <deque>
 #include <functional>
-#include <mutex>
 #include <optional>
-#include <thread>
+#include <utility>
 
+#include "app/workbench/controllers/worker.h"
 #include "core/base/error.h"
 #include "core/store/study_file.h"
 #include "core/study/record_id.h"
@@ -35,23 +34,14 @@ class StudyWorker {
   };
   using Task = std::function<void(Desk&)>;
 
-  StudyWorker();
-  /// Does everything that was posted, closes the study and ends the thread.
-  ~StudyWorker();
-  StudyWorker(const StudyWorker&) = delete;
-  StudyWorker& operator=(const StudyWorker&) = delete;
-
-  /// `task` runs in the thread of the worker, after all that were posted before. Thread: any.
-  void post(Task task);
+  /// `task` runs in the thread of the worker, after all that were posted before.
+  void post(Task task) {
+    worker_.post([this, task = std::move(task)] { task(desk_); });
+  }
 
  private:
-  void run();
-
-  std::mutex mutex_;  ///< guards the two below
-  std::deque<Task> tasks_;
-  bool ending_ = false;
-  std::condition_variable wake_;
-  std::thread thread_;  ///< last: it runs as soon as it is made
+  Desk desk_;      ///< of the thread of the worker, but for its end
+  Worker worker_;  ///< last: everything that was posted is done before the study is closed
 };
 
 }  // namespace tactus::workbench
