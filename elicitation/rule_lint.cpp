@@ -54,13 +54,13 @@ std::size_t settingsFor(const analysis::ForceProbe& probe, std::size_t places) {
 }
 
 RuleLint ruleLint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-                  std::span<const ExpertRules> origins, const RuleLintSettings& settings) {
+                  std::span<const ExpertRules> origins, const RuleLintSettings& settings, const std::stop_token& stop) {
   TACTUS_CHECK(origins.empty() || origins.size() == model.experts.size());
   RuleContext context{model, compiled, origins, settings, std::nullopt};
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     if (model.inputs[i].id == settings.region_input) context.region_input = i;
   }
-  analysis::ForceProbe probe(model, compiled, kAllowance);
+  analysis::ForceProbe probe(model, compiled, kAllowance, stop);
   RuleLint out;
   const auto add = [&out](std::vector<RuleFinding> findings) {
     std::move(findings.begin(), findings.end(), std::back_inserter(out.findings));
@@ -68,7 +68,7 @@ RuleLint ruleLint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& co
   ToldSteps told;
   add(findingsOfSteps(context, probe, told));
   add(findingsOfExperts(context, probe));
-  out.model = analysis::lint(model, compiled);
+  out.model = analysis::lint(model, compiled, stop);
   add(findingsOfModel(context, out.model, told));
   add(findingsOfMissingItems(context, probe));
   out.newtons_complete = out.model.newtons_complete && probe.affords();

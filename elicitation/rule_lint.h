@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,10 @@ struct RuleLint {
 
 /// All findings about `model`, which must be valid, with `compiled` made from it. `origins`: one for each expert in the
 /// model's order (BuiltModel::experts), or none where only the model is known; then no item is missing and rules are
-/// named by their number. Experts are compared only where the force is in newtons.
+/// named by their number. Experts are compared only where the force is in newtons. It ends soon after `stop` says so;
+/// what it found until then is of no use.
 RuleLint ruleLint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-                  std::span<const ExpertRules> origins = {}, const RuleLintSettings& settings = {});
+                  std::span<const ExpertRules> origins = {}, const RuleLintSettings& settings = {},
+                  const std::stop_token& stop = {});
 
 }  // namespace tactus::elicitation

@@ -139,7 +139,7 @@ Result<Edit> withoutAcceptance(Edit edit, const std::string& name) {
 }  // namespace
 
 std::vector<std::pair<std::string, Result<Edit>>> closeHole(const ForceModel& model, const std::string& expert,
-                                                            const std::string& name) {
+                                                            const std::string& name, const std::stop_token& stop) {
   std::vector<std::pair<std::string, Result<Edit>>> out;
   const auto holes = holesOf(model, expert);
   const auto hole =
@@ -154,13 +154,15 @@ std::vector<std::pair<std::string, Result<Edit>>> closeHole(const ForceModel& mo
     out.emplace_back(std::move(text), withoutAcceptance(std::move(**edit), name));
   };
   for (const InputRange& gap : hole->ranges) {
-    if (gap.whole_universe) continue;
+    if (gap.whole_universe || stop.stop_requested()) continue;
     std::vector<TermListId> tried;
     for (const std::size_t reader : expertsOf(model, expert)) {
       const bool own = needsOwnList(model, expert, reader, gap.input);
       const TermListId list =
           own ? TermListId{gap.input, model.experts[reader].id} : listOf(model.experts[reader], gap.input);
-      if (out.size() >= kMostStretches || std::find(tried.begin(), tried.end(), list) != tried.end()) continue;
+      if (stop.stop_requested() || out.size() >= kMostStretches ||
+          std::find(tried.begin(), tried.end(), list) != tried.end())
+        continue;
       tried.push_back(list);
       for (const bool to_the_right : {true, false}) offer(reader, own, gap, to_the_right);
     }

@@ -1,6 +1,7 @@
 // What closes a hole in the coverage: a term stretched over the gap, or the word of a researcher that it may stay.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +20,9 @@ inline constexpr std::size_t kMostStretches = 8;
 /// the other side, so the two sum to one there (a gap at the end of the universe is filled up to the end). Where the
 /// list is shared and others read it too, an expert's hole is closed in a list of its own. Only edits after which no
 /// part of the hole is left are offered; an edit that leaves a part of it would only move the finding. The acceptance
-/// of a hole that nobody has any more goes with it.
+/// of a hole that nobody has any more goes with it. It ends soon after `stop` says so.
 std::vector<std::pair<std::string, base::Result<Edit>>> closeHole(const fuzzy::ForceModel& model,
-                                                                  const std::string& expert, const std::string& name);
+                                                                  const std::string& expert, const std::string& name,
+                                                                  const std::stop_token& stop = {});
 
 }  // namespace tactus::editing

@@ -23,8 +23,9 @@ using Kind = analysis::Finding::Kind;
 
 class Fixes {
  public:
-  Fixes(const ForceModel& model, const CompiledModel& compiled, const analysis::Finding& finding)
-      : model_(model), compiled_(compiled), finding_(finding) {
+  Fixes(const ForceModel& model, const CompiledModel& compiled, const analysis::Finding& finding,
+        const std::stop_token& stop)
+      : model_(model), compiled_(compiled), finding_(finding), stop_(stop) {
     const auto expert = findExpert(model, finding.expert);
     if (expert) expert_ = *expert;
   }
@@ -33,7 +34,9 @@ class Fixes {
     switch (finding_.kind) {
       case Kind::kHole:
       case Kind::kAbstentionJump:
-        for (auto& [text, edit] : closeHole(model_, finding_.expert, finding_.place)) add(text, std::move(edit));
+        for (auto& [text, edit] : closeHole(model_, finding_.expert, finding_.place, stop_)) {
+          add(text, std::move(edit));
+        }
         break;
       case Kind::kConflict:
         addConflict();
@@ -55,7 +58,7 @@ class Fixes {
 
  private:
   void add(std::string text, base::Result<Edit> edit) {
-    if (!edit) return;
+    if (!edit || stop_.stop_requested()) return;
     const auto impact = editImpact(model_, compiled_, edit->model, edit->compiled);
     out_.push_back({std::move(text), std::move(*edit), impact});
   }
@@ -102,6 +105,7 @@ class Fixes {
   const ForceModel& model_;
   const CompiledModel& compiled_;
   const analysis::Finding& finding_;
+  std::stop_token stop_;
   const Expert* expert_ = nullptr;
   std::vector<Fix> out_;
 };
@@ -146,12 +150,13 @@ std::optional<Kind> kindOf(elicitation::RuleFinding::Kind kind) {
 
 }  // namespace
 
-std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled, const analysis::Finding& finding) {
-  return Fixes(model, compiled, finding).run();
+std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled, const analysis::Finding& finding,
+                          const std::stop_token& stop) {
+  return Fixes(model, compiled, finding, stop).run();
 }
 
 std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled,
-                          const elicitation::RuleFinding& finding) {
+                          const elicitation::RuleFinding& finding, const std::stop_token& stop) {
   const auto kind = kindOf(finding.kind);
   if (!kind) return {};
   analysis::Finding plain;
@@ -161,12 +166,12 @@ std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled
   for (const auto& source : finding.sources) {
     if (source.rule) plain.rules.push_back(*source.rule);
   }
-  auto out = fixesFor(model, compiled, plain);
+  auto out = fixesFor(model, compiled, plain, stop);
   if (finding.kind == elicitation::RuleFinding::Kind::kRegionWithoutRule && finding.to.size() == model.inputs.size()) {
     // Its newtons are those of the hole that it leaves.
     plain.kind = Kind::kHole;
     plain.place = holeAt(model, plain.expert, finding.to);
-    auto of_hole = fixesFor(model, compiled, plain);
+    auto of_hole = fixesFor(model, compiled, plain, stop);
     std::move(of_hole.begin(), of_hole.end(), std::back_inserter(out));
   }
   return out;

@@ -1,6 +1,7 @@
 // One click for a finding of the lint: the edits that would settle it, each with the newtons that it changes.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,11 +26,12 @@ struct Fix {
 ///   conflict            keep the one rule, disable the other; either way round
 ///   redundant rule, unreachable rule    disable it
 ///   unused or unreachable term          remove it; where the terms sum to one also so that its neighbours close up
+/// It ends soon after `stop` says so; what it has until then is of no use.
 std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-                          const analysis::Finding& finding);
+                          const analysis::Finding& finding, const std::stop_token& stop = {});
 /// The same for a finding of the rule lint. A region without a rule is an unused term and the hole that it leaves;
 /// the others that the model's own lint does not know have no fix.
 std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-                          const elicitation::RuleFinding& finding);
+                          const elicitation::RuleFinding& finding, const std::stop_token& stop = {});
 
 }  // namespace tactus::editing

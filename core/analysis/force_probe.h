@@ -2,6 +2,8 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/analysis/sample_points.h"
@@ -13,8 +15,14 @@ namespace tactus::analysis {
 /// A model with an allowance, counted in rules looked at: the same on every machine.
 class ForceProbe {
  public:
-  ForceProbe(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t allowance_rules)
-      : model_(model), compiled_(compiled), vertices_(sortedVertices(model)), left_(allowance_rules) {
+  /// Once `stop` says so nothing is afforded any more.
+  ForceProbe(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t allowance_rules,
+             std::stop_token stop = {})
+      : model_(model),
+        compiled_(compiled),
+        vertices_(sortedVertices(model)),
+        left_(allowance_rules),
+        stop_(std::move(stop)) {
     for (const auto& expert : model.experts) all_rules_ += expert.rules.size() + kFixedCost;
   }
 
@@ -31,7 +39,7 @@ class ForceProbe {
   /// Cost of one averaged force.
   std::size_t costOfMean() const noexcept { return all_rules_; }
   /// False once the allowance is spent; callers stop looking then.
-  bool affords() const noexcept { return left_ > 0; }
+  bool affords() const noexcept { return left_ > 0 && !stop_.stop_requested(); }
 
   fuzzy::Evaluation mean(std::span<const double> point) {
     spend(all_rules_);
@@ -52,6 +60,7 @@ class ForceProbe {
   const fuzzy::CompiledModel& compiled_;
   std::vector<std::vector<double>> vertices_;
   std::size_t left_;
+  std::stop_token stop_;
   std::size_t all_rules_ = 0;
 };
 

@@ -32,22 +32,23 @@ constexpr double kNoJump = 1e-12;
 
 class Linter {
  public:
-  Linter(const ForceModel& model, const fuzzy::CompiledModel& compiled)
-      : model_(model), probe_(model, compiled, kAllowance), always_fires_(model.experts.size()) {}
+  Linter(const ForceModel& model, const fuzzy::CompiledModel& compiled, const std::stop_token& stop)
+      : model_(model), stop_(stop), probe_(model, compiled, kAllowance, stop), always_fires_(model.experts.size()) {}
 
   Lint run() {
     findHoles();
     addHoles();
-    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
+    for (std::size_t e = 0; e < model_.experts.size() && !stop_.stop_requested(); ++e) {
       const auto rules = resolveRules(model_, model_.experts[e]);
       addConflicts(model_.experts[e], rules);
       addRedundantRules(model_.experts[e], rules);
       addUnreachableRules(model_.experts[e], rules);
       addTerms(model_.experts[e], rules);
     }
-    for (std::size_t i = 0; i < model_.inputs.size(); ++i) addDirections(i);
+    for (std::size_t i = 0; i < model_.inputs.size() && !stop_.stop_requested(); ++i) addDirections(i);
     out_.newtons_complete = probe_.affords();
-    out_.reachable = reachableRange(model_, probe_.compiled());
+    if (stop_.stop_requested()) return std::move(out_);
+    out_.reachable = reachableRange(model_, probe_.compiled(), stop_);
     out_.bounds = forceBounds(model_, always_fires_);
     return std::move(out_);
   }
@@ -83,7 +84,7 @@ class Linter {
       return found;
     };
     common_ = look(weighty, kCoverageAllowance).holes;
-    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
+    for (std::size_t e = 0; e < model_.experts.size() && !stop_.stop_requested(); ++e) {
       Coverage found = look(std::span(&e, 1), std::max(kSmallestSearch, kCoverageAllowance / model_.experts.size()));
       always_fires_[e] = found.complete && found.holes.empty() && !hasGaussianInputs(model_.experts[e]);
       own_.push_back(std::move(found.holes));
@@ -232,6 +233,7 @@ class Linter {
   }
 
   const ForceModel& model_;
+  std::stop_token stop_;
   ForceProbe probe_;
   Lint out_;
   std::vector<Hole> common_;            ///< where every expert abstains
@@ -266,6 +268,8 @@ std::string_view name(Kind kind) noexcept {
   return "";
 }
 
-Lint lint(const ForceModel& model, const fuzzy::CompiledModel& compiled) { return Linter(model, compiled).run(); }
+Lint lint(const ForceModel& model, const fuzzy::CompiledModel& compiled, const std::stop_token& stop) {
+  return Linter(model, compiled, stop).run();
+}
 
 }  // namespace tactus::analysis

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,7 @@ struct Lint {
 /// change of the consequent is a step up or down; three quarters of an expert's steps in one direction make it the
 /// direction. The reachable range is what was seen at the vertices of the terms and between them, so the true range may
 /// be a little wider; it lies within the bounds.
-Lint lint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled);
+/// It ends soon after `stop` says so; what it found until then is of no use.
+Lint lint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, const std::stop_token& stop = {});
 
 }  // namespace tactus::analysis

@@ -16,8 +16,9 @@ constexpr std::size_t kAllowance = 100'000'000;
 
 }  // namespace
 
-ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled) {
-  ForceProbe probe(model, compiled, std::numeric_limits<std::size_t>::max());
+ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+                          const std::stop_token& stop) {
+  ForceProbe probe(model, compiled, std::numeric_limits<std::size_t>::max(), stop);
   const SamplePoints points =
       kinkPoints(model, std::clamp(kAllowance / probe.costOfMean(), kFewestPoints, kMostPoints));
 
@@ -33,7 +34,7 @@ ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledM
     ++range.fired;
     return force.force_n;
   };
-  for (std::size_t p = 0; p < points.size(); ++p) look(points.choice(p));
+  for (std::size_t p = 0; p < points.size() && probe.affords(); ++p) look(points.choice(p));
   if (range.fired == 0) return range;
   points.climb(highest, range.max_n, look);
   points.climb(lowest, -range.min_n, [&](const SamplePoints::Choice& choice) -> std::optional<double> {

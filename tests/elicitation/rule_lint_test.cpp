@@ -362,5 +362,15 @@ TEST(RuleLint, EveryHoleOfAnExpertIsAMissingItem) {
   }
 }
 
+TEST(RuleLint, EndsWithoutALookAtTheForcesOnceItIsToldToStop) {
+  const Linted linted(twoAlike());
+  std::stop_source stop;
+  stop.request_stop();
+  const auto lint = ruleLint(linted.built.model, linted.compiled, {}, {}, stop.get_token());
+  EXPECT_EQ(lint.model.reachable.points, 0U);
+  EXPECT_FALSE(lint.newtons_complete);
+  EXPECT_GT(linted.lint.model.reachable.points, 0U);
+}
+
 }  // namespace
 }  // namespace tactus::elicitation

@@ -31,7 +31,7 @@ bool sameFinding(const ShownFinding& one, const ShownFinding& other) {
 }
 
 std::vector<FixOffer> offersFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-                                const ShownFinding& shown) {
+                                const ShownFinding& shown, const std::stop_token& stop) {
   std::vector<FixOffer> out;
   if (shown.acceptance == Acceptance::kLapsed) {
     if (auto edit = editing::forgetLapsed(model)) {
@@ -40,7 +40,7 @@ std::vector<FixOffer> offersFor(const fuzzy::ForceModel& model, const fuzzy::Com
     }
     return out;
   }
-  for (editing::Fix& fix : editing::fixesFor(model, compiled, shown.finding)) {
+  for (editing::Fix& fix : editing::fixesFor(model, compiled, shown.finding, stop)) {
     const QString what = text(fix.edit.label);
     out.push_back({text(fix.text), impactText(fix.impact, model.output.unit), what, std::move(fix.edit)});
   }
@@ -74,9 +74,9 @@ void FindingsController::setWatched(bool watched) {
   begun_ = false;
 }
 
-const std::vector<ShownFinding>& FindingsController::findings() const {
-  static const std::vector<ShownFinding> none;
-  return report_ ? report_->findings : none;
+std::shared_ptr<const std::vector<ShownFinding>> FindingsController::shared() const {
+  static const auto none = std::make_shared<const std::vector<ShownFinding>>();
+  return report_ ? std::shared_ptr<const std::vector<ShownFinding>>(report_, &report_->findings) : none;
 }
 
 const elicitation::RuleLint* FindingsController::lint() const { return report_ ? &report_->lint : nullptr; }
@@ -158,7 +158,7 @@ void FindingsController::refresh() {
     // Every model of the history is valid.
     TACTUS_CHECK(compiled.has_value());
     auto report = std::make_shared<Report>();
-    report->lint = elicitation::ruleLint(*model, *compiled);
+    report->lint = elicitation::ruleLint(*model, *compiled, {}, {}, stop);
     if (stop.stop_requested()) return {};
     report->findings = shownFindings(*model, *compiled, report->lint);
     report->model = *model;
@@ -191,9 +191,9 @@ void FindingsController::dropFixes() {
 void FindingsController::findFixes() {
   if (!watched_ || !chosen_ || !isCurrent()) return;
   fix_worker_.run([this, report = report_, index = *chosen_,
-                   revision = revision_](const std::stop_token& /*stop*/) -> Background::Deliver {
-    auto offers =
-        std::make_shared<std::vector<FixOffer>>(offersFor(report->model, report->compiled, report->findings[index]));
+                   revision = revision_](const std::stop_token& stop) -> Background::Deliver {
+    auto offers = std::make_shared<std::vector<FixOffer>>(
+        offersFor(report->model, report->compiled, report->findings[index], stop));
     return [this, offers, index, revision] {
       if (revision != revision_ || chosen_ != index) return;
       fixes_ = std::move(*offers);

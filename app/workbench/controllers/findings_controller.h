@@ -37,7 +37,9 @@ class FindingsController : public QObject {
   void setWatched(bool watched);
 
   /// The findings of the model as it was linted last.
-  const std::vector<ShownFinding>& findings() const;
+  const std::vector<ShownFinding>& findings() const { return *shared(); }
+  /// The same, to keep; other findings are another list.
+  std::shared_ptr<const std::vector<ShownFinding>> shared() const;
   /// Whether they are of the model as it stands. Otherwise they are being refreshed, or nobody looks.
   bool isCurrent() const { return report_ != nullptr && linted_ == revision_; }
   /// The reachable range, the completeness and the rest of the lint; null before the first one.

@@ -41,31 +41,34 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   return {};
 }
 
-const ShownFinding& FindingsModel::findingAt(int row) const { return findings_.findings()[indexAt(row)]; }
-
 int FindingsModel::rowOf(std::size_t index) const {
   const auto it = std::find(rows_.begin(), rows_.end(), index);
   return it == rows_.end() ? -1 : static_cast<int>(it - rows_.begin());
 }
 
+bool FindingsModel::isCurrent() const { return all_ == findings_.shared(); }
+
 void FindingsModel::adopt() {
   beginResetModel();
+  all_ = findings_.shared();
   rows_.clear();
-  const auto& all = findings_.findings();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (passes(all[i])) rows_.push_back(i);
+  std::set<std::string> experts;
+  if (const fuzzy::ForceModel* const model = findings_.lintedModel(); model != nullptr && !who_.isEmpty()) {
+    for (const fuzzy::Expert& expert : model->experts) {
+      if (labelOf(expert) == who_) experts.insert(expert.id);
+    }
+  }
+  for (std::size_t i = 0; i < all_->size(); ++i) {
+    if (passes((*all_)[i], experts)) rows_.push_back(i);
   }
   endResetModel();
 }
 
-bool FindingsModel::passes(const ShownFinding& shown) const {
+bool FindingsModel::passes(const ShownFinding& shown, const std::set<std::string>& experts) const {
   if (kind_ && shown.finding.kind != *kind_) return false;
   if (who_.isEmpty() || shown.who == who_) return true;
-  const fuzzy::ForceModel* const model = findings_.lintedModel();
-  return std::any_of(shown.finding.experts.begin(), shown.finding.experts.end(), [&](const std::string& id) {
-    return std::any_of(model->experts.begin(), model->experts.end(),
-                       [&](const fuzzy::Expert& e) { return e.id == id && labelOf(e) == who_; });
-  });
+  return std::any_of(shown.finding.experts.begin(), shown.finding.experts.end(),
+                     [&](const std::string& id) { return experts.contains(id); });
 }
 
 }  // namespace tactus::workbench

@@ -1,8 +1,11 @@
-// The findings of the lint as a list: those of one group and one expert, in the order of the controller.
+// The findings of the lint as a list: those of one kind and one expert, in the order of the controller.
 #pragma once
 
 #include <QAbstractListModel>
+#include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "app/workbench/controllers/shown_finding.h"
@@ -28,20 +31,23 @@ class FindingsModel : public QAbstractListModel {
 
   /// Index of the finding in row `row` in FindingsController::findings.
   std::size_t indexAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
-  const ShownFinding& findingAt(int row) const;
+  const ShownFinding& findingAt(int row) const { return (*all_)[indexAt(row)]; }
   /// Row of a finding by that index; -1 where it is filtered out.
   int rowOf(std::size_t index) const;
 
+  /// Whether the rows are those of the findings that the controller has now; a hidden list need not be.
+  bool isCurrent() const;
   /// Takes the findings of the controller as they are now.
   void adopt();
 
  private:
-  bool passes(const ShownFinding& shown) const;
+  bool passes(const ShownFinding& shown, const std::set<std::string>& experts) const;
 
   const FindingsController& findings_;
   std::optional<elicitation::RuleFinding::Kind> kind_;
   QString who_;
-  std::vector<std::size_t> rows_;
+  std::shared_ptr<const std::vector<ShownFinding>> all_;  ///< null before the first time
+  std::vector<std::size_t> rows_;                         ///< indices in all_
 };
 
 }  // namespace tactus::workbench

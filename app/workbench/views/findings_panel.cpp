@@ -89,11 +89,11 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
     showState();
   });
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
-    if (index.isValid()) findings_.choose(model_.indexAt(index.row()));
+    if (index.isValid() && model_.isCurrent()) findings_.choose(model_.indexAt(index.row()));
   });
   connect(list_, &QListView::clicked, this, [this](const QModelIndex& index) {
     // A second click on the same row goes back to its place.
-    if (findings_.chosen() == model_.indexAt(index.row())) findings_.goTo(false);
+    if (model_.isCurrent() && findings_.chosen() == model_.indexAt(index.row())) findings_.goTo(false);
   });
   connect(&findings_, &FindingsController::changed, this, &FindingsPanel::adopt);
   // The fixes below take room from the list once they are laid out.
@@ -121,9 +121,10 @@ void FindingsPanel::hideEvent(QHideEvent* event) {
 void FindingsPanel::adopt() {
   if (!isVisible()) return;
   delegate_->setOld(!findings_.isCurrent());
-  if (const auto* const model = findings_.lintedModel()) delegate_->setForceUnit(model->output.unit);
-  fillFilters();
-  {
+  // A drag only makes the findings old.
+  if (!model_.isCurrent()) {
+    if (const auto* const model = findings_.lintedModel()) delegate_->setForceUnit(model->output.unit);
+    fillFilters();
     const QSignalBlocker quiet(list_->selectionModel());
     model_.adopt();
   }

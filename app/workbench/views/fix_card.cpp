@@ -77,7 +77,8 @@ void FixCard::showFixes() {
   }
   const auto& fixes = findings_.fixes();
   for (std::size_t i = 0; i < fixes.size(); ++i) {
-    auto* button = new QPushButton(fixes[i].text, fixes_);
+    // An ampersand of a label is no shortcut.
+    auto* button = new QPushButton(QString(fixes[i].text).replace(QLatin1Char('&'), QLatin1String("&&")), fixes_);
     button->setToolTip(fixes[i].what);
     button->setObjectName(QStringLiteral("fix_%1").arg(i));
     button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);

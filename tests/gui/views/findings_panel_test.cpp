@@ -125,5 +125,21 @@ TEST_F(FindingsPanelTest, SaysWhenNothingIsFound) {
   EXPECT_TRUE(said);
 }
 
+TEST_F(FindingsPanelTest, AListThatWasHiddenWhileAnotherModelWasOpenedIsPainted) {
+  look();
+  ASSERT_GT(list().model()->rowCount(), 3);
+  bench.window.enter(Stage::kUnderstand);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel().isVisible(); }, kPatience));
+  bench.models.open(folder.write(tests::twoExperts(), QStringLiteral("again.tactus.json")));
+  bench.window.enter(Stage::kTune);
+  // Before anything is linted anew.
+  panel().grab();
+  for (int row = 0; row < list().model()->rowCount(); ++row) {
+    EXPECT_FALSE(list().model()->index(row, 0).data().toString().isEmpty());
+  }
+  look();
+  EXPECT_GT(list().model()->rowCount(), 3);
+}
+
 }  // namespace
 }  // namespace tactus::workbench
