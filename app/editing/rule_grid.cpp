@@ -149,8 +149,13 @@ Result<Edit> setAnswer(const ForceModel& model, const GridId& grid, const CellPl
   Rule answer = ruleOf(out, grid, cell);
   std::string label = labelOf(expert) + ": " + conditionsText(out, expert, answer) + ": ";
   const auto rules = rulesLike(expert, answer);
-  label += rules.empty() ? "no answer" : consequentText(out, expert, expert.rules[rules.front()].then);
-  label += " to " + (then ? consequentText(out, expert, *then) : std::string("no answer"));
+  const Rule* const before = rules.empty() ? nullptr : &expert.rules[rules.front()];
+  label += before == nullptr ? "no answer" : consequentText(out, expert, before->then);
+  if (before != nullptr && then == before->then) {
+    label += counts(*before) ? ", alone" : ", counts again";
+  } else {
+    label += " to " + (then ? consequentText(out, expert, *then) : std::string("no answer"));
+  }
 
   std::vector<std::size_t> leaving = rules;
   if (then && !rules.empty()) {

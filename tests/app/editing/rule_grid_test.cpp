@@ -135,6 +135,11 @@ TEST(RuleGrid, AnAnswerIsChangedTakenAwayAndGivenAgain) {
   const auto none = must(setAnswer(model, grid, cell, std::nullopt));
   EXPECT_EQ(none.model.experts[0].rules.size(), 44);
   EXPECT_EQ(none.label, "S4: IF Tube lubrication is well AND Depth is esophagus: medium to no answer");
+  const std::vector<std::size_t> fourth = {3};
+  const auto off = must(enableRules(model, "S4", fourth, false)).model;
+  const auto again = must(setAnswer(off, grid, cell, "medium"));
+  EXPECT_EQ(again.label, "S4: IF Tube lubrication is well AND Depth is esophagus: medium, counts again");
+  EXPECT_EQ(again.model, model);
   refusal(setAnswer(model, grid, cell, "huge"));
   refusal(setAnswer(model, grid, {"well", "elbow"}, "small"));
 }
@@ -147,6 +152,9 @@ TEST(RuleGrid, ACellWithAConflictKeepsOneRule) {
   EXPECT_TRUE(ruleGrid(both, grid)->at(2, 4).conflict);
   const auto settled = must(setAnswer(both, grid, {"well", "esophagus"}, "large")).model;
   EXPECT_EQ(settled.experts[0].rules.size(), 45);
+  const auto kept = must(setAnswer(both, grid, {"well", "esophagus"}, "medium"));
+  EXPECT_EQ(kept.label, "S4: IF Tube lubrication is well AND Depth is esophagus: medium, alone");
+  EXPECT_EQ(kept.model, model);
   EXPECT_FALSE(ruleGrid(settled, grid)->at(2, 4).conflict);
 }
 
