@@ -202,7 +202,6 @@ void TermController::beginMove(const Grip& grip) {
 }
 
 void TermController::moveBy(double by) {
-  // Undo or another edit in the middle of a drag ends it.
   if (moving_ && edits_.inGesture()) edits_.update(moved(*moving_, by));
 }
 
@@ -359,6 +358,11 @@ void TermController::adoptModel() {
 }
 
 void TermController::follow() {
+  // Undo or another edit has ended the move.
+  if (!edits_.inGesture()) {
+    moving_.reset();
+    stepping_ = false;
+  }
   const TermListId before = list_;
   resolveList();
   if (selected_ && !holds(terms(), *selected_)) selected_.reset();

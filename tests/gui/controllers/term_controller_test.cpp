@@ -326,5 +326,16 @@ TEST_F(TermControllerTest, NoHandMakesAnInvalidModelAndUndoReturnsExactly) {
   EXPECT_EQ(models.current()->model, tests::twoExperts());
 }
 
+TEST_F(TermControllerTest, AMoveThatAnotherEditEndedDoesNotGoOn) {
+  terms.beginMove({1, Part::kTerm, 0, false});
+  terms.moveBy(-0.5);
+  terms.remove("far", true);
+  edits.begin();  // somebody else's gesture
+  terms.moveBy(1);
+  EXPECT_TRUE(edits.history().gestureLabel().empty());
+  edits.cancel();
+  EXPECT_EQ(terms.terms().size(), 1U);
+}
+
 }  // namespace
 }  // namespace tactus::workbench
