@@ -29,7 +29,7 @@ RuleController::RuleController(EditController& edits, const SceneController& sce
   connect(&rest_, &QTimer::timeout, this, &RuleController::endWeighing);
   connect(&edits_, &EditController::modelReset, this, &RuleController::adoptModel);
   connect(&edits_, &EditController::changed, this, &RuleController::follow);
-  connect(&scene_, &SceneController::readingChanged, this, &RuleController::hereChanged);
+  connect(&scene_, &SceneController::readingChanged, this, &RuleController::readAnew);
   if (edits_.isOpen()) adoptModel();
 }
 
@@ -128,14 +128,32 @@ double RuleController::valueHere(const std::string& input_id) const {
 
 const analysis::ExplainedExpert* RuleController::here() const {
   if (scene_.model() == nullptr) return nullptr;
-  for (const analysis::ExplainedExpert& explained : scene_.explanation().experts) {
+  for (const analysis::ExplainedExpert& explained : explanation().experts) {
     if (explained.id == expert_) return &explained;
   }
   return nullptr;
 }
 
+const analysis::Explanation& RuleController::explanation() const {
+  if (!scene_.showsAnother()) return scene_.explanation();
+  // What is edited is the open model, also while another one is looked at.
+  if (!own_explanation_) {
+    auto explained = analysis::explain(model(), edits_.history().compiled(), scene_.readingPoint());
+    TACTUS_CHECK(explained.has_value());
+    own_explanation_ = std::move(*explained);
+    scene_.countEvaluations(1 + own_explanation_->experts.size());
+  }
+  return *own_explanation_;
+}
+
+void RuleController::readAnew() {
+  own_explanation_.reset();
+  emit hereChanged();
+}
+
 void RuleController::setExpert(std::string id) {
-  if (id == expert_) return;
+  // A list to choose from may be a moment older than the model.
+  if (id == expert_ || !editing::findExpert(model(), id)) return;
   endWeighing();
   expert_ = std::move(id);
   dropGrids();
@@ -145,7 +163,10 @@ void RuleController::setExpert(std::string id) {
 }
 
 void RuleController::setRegion(std::string id) {
-  if (id == region_) return;
+  const auto& inputs = model().inputs;
+  const auto is = [&](const fuzzy::Variable& input) { return input.id == id; };
+  if (id == region_ || std::none_of(inputs.begin(), inputs.end(), is)) return;
+  endWeighing();
   region_ = std::move(id);
   dropGrids();
   selected_.reset();
@@ -153,9 +174,18 @@ void RuleController::setRegion(std::string id) {
   emit selectionChanged();
 }
 
+RuleGridSizes RuleController::sizes() const {
+  RuleGridSizes out;
+  for (const Grid& grid : grids()) {
+    out.rows.push_back(grid.cells.rows.size());
+    out.columns = grid.cells.columns.size();
+  }
+  return out;
+}
+
 void RuleController::select(std::optional<RuleCell> cell) {
   endWeighing();
-  if (!cell) {
+  if (!cell || !sizes().has(*cell)) {
     selected_.reset();
   } else {
     const Grid& grid = grids()[cell->grid];
@@ -164,75 +194,29 @@ void RuleController::select(std::optional<RuleCell> cell) {
   emit selectionChanged();
 }
 
-std::optional<RuleCell> RuleController::firstCell() const {
-  for (std::size_t g = 0; g < grids().size(); ++g) {
-    if (!grids()[g].cells.cells.empty()) return RuleCell{g, 0, 0};
-  }
-  return std::nullopt;
-}
-
 void RuleController::step(int columns, int rows) {
   const auto now = selected();
-  if (!now) {
-    select(firstCell());
-    return;
-  }
-  RuleCell next = *now;
-  const auto last_column = grids()[next.grid].cells.columns.size() - 1;
-  if (columns < 0 && next.column > 0) --next.column;
-  if (columns > 0 && next.column < last_column) ++next.column;
-  if (rows > 0) {
-    if (next.row + 1 < grids()[next.grid].cells.rows.size()) {
-      ++next.row;
-    } else if (next.grid + 1 < grids().size()) {
-      next = {next.grid + 1, 0, next.column};
-    }
-  }
-  if (rows < 0) {
-    if (next.row > 0) {
-      --next.row;
-    } else if (next.grid > 0) {
-      next = {next.grid - 1, grids()[next.grid - 1].cells.rows.size() - 1, next.column};
-    }
-  }
-  select(next);
+  select(now ? stepped(sizes(), *now, columns, rows) : sizes().first());
 }
 
 void RuleController::stepGrid(int count) {
   const auto now = selected();
-  if (!now) {
-    select(firstCell());
-    return;
-  }
-  const auto last = static_cast<std::ptrdiff_t>(grids().size()) - 1;
-  const auto grid =
-      static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(now->grid) + count, 0, last));
-  select(RuleCell{grid, std::min(now->row, grids()[grid].cells.rows.size() - 1), now->column});
+  select(now ? steppedGrid(sizes(), *now, count) : sizes().first());
 }
 
 void RuleController::stepToEnd(bool last) {
-  const auto now = selected() ? selected() : firstCell();
-  if (!now) return;
-  select(RuleCell{now->grid, now->row, last ? grids()[now->grid].cells.columns.size() - 1 : 0});
+  const auto now = selected() ? selected() : sizes().first();
+  if (now) select(RuleCell{now->grid, now->row, last ? sizes().columns - 1 : 0});
 }
 
 void RuleController::goOn() {
-  const auto now = selected();
-  if (!now) return;
-  const editing::RuleGrid& cells = grids()[now->grid].cells;
-  if (now->column + 1 < cells.columns.size()) {
-    select(RuleCell{now->grid, now->row, now->column + 1});
-  } else if (now->row + 1 < cells.rows.size()) {
-    select(RuleCell{now->grid, now->row + 1, 0});
-  } else if (now->grid + 1 < grids().size()) {
-    select(RuleCell{now->grid + 1, 0, 0});
-  }
+  if (const auto now = selected()) select(nextToFill(sizes(), *now));
 }
 
 void RuleController::answer(std::optional<std::size_t> word) {
   endWeighing();
   const auto now = selected();
-  if (!now) return;
+  if (!now || (word && *word >= words().size())) return;
   // An empty cell that stays empty is no edit.
   if (!word && !cell(*now).rule) return;
   std::optional<std::string> then;
@@ -329,6 +313,9 @@ void RuleController::follow() {
   emit rulesChanged();
 }
 
-void RuleController::dropGrids() { grids_.reset(); }
+void RuleController::dropGrids() {
+  grids_.reset();
+  own_explanation_.reset();
+}
 
 }  // namespace tactus::workbench

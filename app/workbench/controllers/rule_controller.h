@@ -11,18 +11,10 @@
 
 #include "app/editing/rule_grid.h"
 #include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/rule_cell.h"
 #include "app/workbench/controllers/scene_controller.h"
 
 namespace tactus::workbench {
-
-/// A cell of the grids, which stand above each other.
-struct RuleCell {
-  std::size_t grid = 0;
-  std::size_t row = 0;
-  std::size_t column = 0;
-
-  bool operator==(const RuleCell&) const = default;
-};
 
 class RuleController : public QObject {
   Q_OBJECT
@@ -59,7 +51,8 @@ class RuleController : public QObject {
   QStringList otherAnswers(const RuleCell& place) const;
   std::optional<RuleCell> selected() const;
 
-  /// How much rule number `rule` acts at the place that is read, in [0, 1].
+  /// How much rule number `rule` acts at the place that is read, in [0, 1]; also while the comparison shows another
+  /// model this is said of the open one.
   double strength(std::size_t rule) const;
   /// How much term number `term` of an input holds there, in [0, 1].
   double membership(const std::string& input_id, std::size_t term) const;
@@ -73,6 +66,7 @@ class RuleController : public QObject {
   // Ids come by value: an edit may replace the model that they were read from.
   void setExpert(std::string id);
   void setRegion(std::string id);
+  /// A cell that is not there selects nothing.
   void select(std::optional<tactus::workbench::RuleCell> cell);
   /// Moves the selection as the arrow keys do: from grid to grid, not beyond the ends.
   void step(int columns, int rows);
@@ -83,7 +77,7 @@ class RuleController : public QObject {
   /// To the next cell as they are filled in: along the row, then the next row, then the next grid.
   void goOn();
 
-  /// Answers the selected cell with a word, or takes its answer away.
+  /// Answers the selected cell with a word, or takes its answer away. A word that is not there does nothing.
   void answer(std::optional<std::size_t> word);
   void answerAndGoOn(std::size_t word);
 
@@ -113,8 +107,10 @@ class RuleController : public QObject {
   void adoptModel();
   void follow();
   void dropGrids();
-  std::optional<RuleCell> firstCell() const;
+  RuleGridSizes sizes() const;
   const analysis::ExplainedExpert* here() const;
+  const analysis::Explanation& explanation() const;
+  void readAnew();
   base::Result<void> apply(base::Result<editing::Edit> edit);
 
   EditController& edits_;
@@ -123,6 +119,7 @@ class RuleController : public QObject {
   std::string region_;
   std::optional<Selected> selected_;
   mutable std::optional<std::vector<Grid>> grids_;
+  mutable std::optional<analysis::Explanation> own_explanation_;  ///< while another model is shown
   std::optional<std::size_t> weighing_;
   QTimer rest_;
 };

@@ -32,6 +32,8 @@ class SceneController : public QObject {
   const OpenModel* model() const { return model_.get(); }
   /// The same, to keep.
   std::shared_ptr<const OpenModel> shared() const { return model_; }
+  /// Whether that is another one in the place of the open model, while versions are compared.
+  bool showsAnother() const { return models_.shown() != models_.current(); }
 
   std::size_t xInput() const { return x_input_; }
   const fuzzy::Variable& xVariable() const { return model_->model.inputs[x_input_]; }

@@ -32,6 +32,12 @@ NumberBox::NumberBox(const fuzzy::Variable& variable, double step, QWidget* pare
   setAccessibleName(labelOf(variable));
 }
 
+void NumberBox::setExact(double value) {
+  setValue(value);
+  exact_ = value;
+  shown_ = this->value();
+}
+
 QString NumberBox::textFromValue(double value) const { return numberText(value, decimals()); }
 
 }  // namespace tactus::workbench

@@ -18,6 +18,15 @@ class NumberBox : public QDoubleSpinBox {
   NumberBox(const fuzzy::Variable& variable, double step, QWidget* parent = nullptr);
 
   QString textFromValue(double value) const override;
+
+  /// Shows `value`, which may have more digits than the box.
+  void setExact(double value);
+  /// What was set so, with all its digits, as long as the box shows it; otherwise what was typed.
+  double exact() const { return value() == shown_ ? exact_ : value(); }
+
+ private:
+  double exact_ = 0;
+  double shown_ = 0;
 };
 
 }  // namespace tactus::workbench

@@ -79,7 +79,7 @@ void RuleCellBar::showCell() {
   const QSignalBlocker no_weight(weight_);
   const QSignalBlocker no_enabled(enabled_);
   // What somebody types stays until it is entered.
-  if (weight_->value() != cell.weight) weight_->setValue(cell.weight);
+  if (weight_->exact() != cell.weight) weight_->setExact(cell.weight);
   enabled_->setChecked(cell.rule && cell.enabled);
 }
 

@@ -19,7 +19,9 @@ constexpr double kLine = 50;       // px, height of a rule
 constexpr double kStrength = 64;   // px, width of the strengths
 constexpr double kNarrowest = 72;  // px, width of a cell
 
-double headHeight() { return QFontMetricsF(theme::smallFont()).height() + theme::kGrid; }
+double lineHeight() { return QFontMetricsF(theme::smallFont()).height(); }
+// The name of a column above its value, which is never cut.
+double headHeight() { return 2 * lineHeight() + theme::kGrid; }
 
 std::size_t indexOf(const std::vector<fuzzy::Term>& terms, const std::string& id) {
   const auto found = std::find_if(terms.begin(), terms.end(), [&id](const auto& term) { return term.id == id; });
@@ -123,12 +125,16 @@ double RuleFlow::lineTop(std::size_t line) const { return headHeight() + kLine *
 
 void RuleFlow::paintHead(QPainter& painter) const {
   const Columns place = columns(0, headHeight());
-  painter.setPen(theme::mutedInk());
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     const fuzzy::Variable& input = open_->model.inputs[inputs_[i]];
-    drawElided(painter, place.inputs[i].adjusted(4, 0, -8, 0), Qt::AlignLeft | Qt::AlignTop,
-               labelOf(input) + QLatin1Char(' ') + placeText(input, values_[inputs_[i]]));
+    const QRectF head = place.inputs[i].adjusted(4, 0, -8, 0);
+    painter.setPen(theme::mutedInk());
+    drawElided(painter, head, Qt::AlignLeft | Qt::AlignTop, labelOf(input));
+    painter.setPen(theme::ink());
+    drawElided(painter, head.adjusted(0, lineHeight(), 0, 0), Qt::AlignLeft | Qt::AlignTop,
+               placeText(input, values_[inputs_[i]]));
   }
+  painter.setPen(theme::mutedInk());
   drawElided(painter, place.strength.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignTop, tr("strength"));
   drawElided(painter, place.output.adjusted(4, 0, -4, 0), Qt::AlignLeft | Qt::AlignTop, labelOf(open_->model.output));
 }

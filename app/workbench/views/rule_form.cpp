@@ -104,7 +104,7 @@ void RuleForm::show(const fuzzy::Rule& rule) {
     choose(*line.terms, condition == rule.conditions.end() ? std::string() : condition->term);
   }
   choose(*then_, rule.then);
-  weight_->setValue(rule.weight);
+  weight_->setExact(rule.weight);
   say({}, false);
   showTarget();
   QFrame::show();
@@ -175,7 +175,7 @@ fuzzy::Rule RuleForm::typed() const {
     if (!term.empty()) rule.conditions.push_back({line.input, term});
   }
   rule.then = then_->currentData().toString().toStdString();
-  rule.weight = weight_->value();
+  rule.weight = weight_->exact();
   if (target_) rule.enabled = before_.enabled;
   return rule;
 }

@@ -42,6 +42,8 @@ QString nameOf(const std::vector<fuzzy::Term>& terms, std::size_t term) {
 RuleGrids::RuleGrids(RuleController& rules, QWidget* parent) : QWidget(parent), rules_(rules) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Rules as grids of force words"));
+  // Other rules may stand in other places, also before they are shown.
+  connect(&rules_, &RuleController::rulesChanged, this, [this] { geometry_.reset(); });
   connect(&rules_, &RuleController::selectionChanged, this, [this] {
     if (!isVisible()) return;
     const auto selected = rules_.selected();
@@ -76,8 +78,13 @@ QSize RuleGrids::minimumSizeHint() const {
   return {static_cast<int>(std::ceil(size.width())), static_cast<int>(std::ceil(size.height()))};
 }
 
+const RuleGridGeometry& RuleGrids::places() const {
+  if (!geometry_) geometry_ = RuleGridGeometry(needs(), size());
+  return *geometry_;
+}
+
 void RuleGrids::showRules() {
-  geometry_ = RuleGridGeometry(needs(), size());
+  geometry_.reset();
   // Only another number of rows or columns lays the panel out anew.
   if (minimumSize() != minimumSizeHint()) setMinimumSize(minimumSizeHint());
   const auto selected = rules_.selected();
@@ -87,7 +94,7 @@ void RuleGrids::showRules() {
 
 void RuleGrids::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  geometry_ = RuleGridGeometry(needs(), size());
+  geometry_.reset();
 }
 
 void RuleGrids::changeEvent(QEvent* event) {
@@ -97,7 +104,7 @@ void RuleGrids::changeEvent(QEvent* event) {
 
 void RuleGrids::mousePressEvent(QMouseEvent* event) {
   if (!rules_.isOpen()) return;
-  if (const auto cell = geometry_.at(event->position())) rules_.select(cell);
+  if (const auto cell = places().at(event->position())) rules_.select(cell);
 }
 
 void RuleGrids::contextMenuEvent(QContextMenuEvent* event) {
@@ -191,7 +198,7 @@ bool RuleGrids::moveKey(int key) {
 bool RuleGrids::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip || !rules_.isOpen()) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  if (const auto cell = geometry_.at(help->pos())) {
+  if (const auto cell = places().at(help->pos())) {
     QToolTip::showText(help->globalPos(), tipOf(*cell), this, cellRect(*cell));
   } else {
     QToolTip::hideText();
@@ -234,7 +241,7 @@ void RuleGrids::paintEvent(QPaintEvent* /*event*/) {
 void RuleGrids::paintHeads(QPainter& painter) const {
   const std::vector<fuzzy::Term>& columns = rules_.terms(rules_.region());
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    const QRectF place = geometry_.columnHead(c);
+    const QRectF place = places().columnHead(c);
     setHeadInk(painter, rules_.membership(rules_.region(), c) > 0, labelOf(columns[c]), place.width());
     painter.drawText(place, Qt::AlignCenter,
                      brokenLabel(labelOf(columns[c]), place.width(), QFontMetricsF(painter.font())));
@@ -244,7 +251,7 @@ void RuleGrids::paintHeads(QPainter& painter) const {
 void RuleGrids::paintGrid(QPainter& painter, std::size_t grid) const {
   const RuleController::Grid& shown = rules_.grids()[grid];
   const fuzzy::Variable& input = rules_.input(shown.id.condition);
-  const QRectF title = geometry_.title(grid).adjusted(0, 6, 0, 0);
+  const QRectF title = places().title(grid).adjusted(0, 6, 0, 0);
   painter.setPen(theme::ink());
   painter.setFont(boldFont());
   painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, labelOf(input));
@@ -256,7 +263,7 @@ void RuleGrids::paintGrid(QPainter& painter, std::size_t grid) const {
 
   const std::vector<fuzzy::Term>& rows = rules_.terms(shown.id.condition);
   for (std::size_t r = 0; r < shown.cells.rows.size(); ++r) {
-    const QRectF head = geometry_.rowHead(grid, r);
+    const QRectF head = places().rowHead(grid, r);
     setHeadInk(painter, rules_.membership(shown.id.condition, r) > 0, nameOf(rows, r), head.width());
     painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter,
                      brokenLabel(nameOf(rows, r), head.width(), QFontMetricsF(painter.font())));
@@ -267,7 +274,7 @@ void RuleGrids::paintGrid(QPainter& painter, std::size_t grid) const {
 
 void RuleGrids::paintCell(QPainter& painter, const RuleCell& place) const {
   const editing::GridCell& cell = rules_.cell(place);
-  const QRectF rect = geometry_.cell(place);
+  const QRectF rect = places().cell(place);
   if (!cell.rule) {
     paintNoWord(painter, rect);
     return;
@@ -284,7 +291,7 @@ void RuleGrids::paintSelection(QPainter& painter) const {
   const auto selected = rules_.selected();
   if (!selected) return;
   // Two rings, so that it is seen on every color; pale while the keys go elsewhere.
-  const QRectF place = geometry_.cell(*selected);
+  const QRectF place = places().cell(*selected);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(hasFocus() ? theme::ink() : theme::mutedInk(), hasFocus() ? 2.5 : 1.5));
   painter.drawRoundedRect(place.adjusted(-1, -1, 1, 1), 5, 5);

@@ -20,7 +20,7 @@ class RuleGrids : public QWidget {
   QSize sizeHint() const override { return minimumSizeHint(); }
   QSize minimumSizeHint() const override;
   /// Where a cell stands, in the coordinates of the widget.
-  QRect cellRect(const RuleCell& cell) const { return geometry_.cell(cell).toRect(); }
+  QRect cellRect(const RuleCell& cell) const { return places().cell(cell).toRect(); }
   /// The words as a menu, for the selected cell.
   QMenu* makeMenu();
 
@@ -39,6 +39,7 @@ class RuleGrids : public QWidget {
 
  private:
   RuleGridGeometry::Needs needs() const;
+  const RuleGridGeometry& places() const;
   bool answerKey(int key);
   bool moveKey(int key);
   void paintHeads(QPainter& painter) const;
@@ -48,7 +49,7 @@ class RuleGrids : public QWidget {
   QString tipOf(const RuleCell& cell) const;
 
   RuleController& rules_;
-  RuleGridGeometry geometry_;
+  mutable std::optional<RuleGridGeometry> geometry_;  ///< of the rules as they stand, once somebody asked for it
 };
 
 }  // namespace tactus::workbench

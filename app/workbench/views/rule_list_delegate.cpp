@@ -92,7 +92,7 @@ QWidget* RuleListDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
 
 void RuleListDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
   if (auto* box = qobject_cast<NumberBox*>(editor)) {
-    box->setValue(index.data(Qt::EditRole).toDouble());
+    box->setExact(index.data(Qt::EditRole).toDouble());
     box->selectAll();
   } else if (auto* words = qobject_cast<QComboBox*>(editor)) {
     words->setCurrentIndex(index.data(RuleListModel::kWord).toInt());
@@ -102,7 +102,7 @@ void RuleListDelegate::setEditorData(QWidget* editor, const QModelIndex& index) 
 void RuleListDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {
   if (auto* box = qobject_cast<NumberBox*>(editor)) {
     box->interpretText();
-    model->setData(index, box->value());
+    model->setData(index, box->exact());
   } else if (auto* words = qobject_cast<QComboBox*>(editor)) {
     model->setData(index, words->currentIndex());
   }

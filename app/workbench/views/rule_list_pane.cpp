@@ -195,7 +195,8 @@ void RuleListPane::sync() {
 void RuleListPane::showCount() {
   const int all = list_->rowCount();
   const int shown = sieve_->rowCount();
-  count_->setText(shown == all ? tr("%1 rules").arg(all) : tr("%1 of %2").arg(shown).arg(all));
+  const QString whole = all == 1 ? tr("1 rule") : tr("%1 rules").arg(all);
+  count_->setText(shown == all ? whole : tr("%1 of %2").arg(shown).arg(all));
 }
 
 void RuleListPane::showActions() {

@@ -69,11 +69,13 @@ RulePanel::RulePanel(const SceneController& scene, QWidget* parent)
 
 void RulePanel::adoptModel() {
   const fuzzy::ForceModel& model = scene_.model()->model;
+  const QVariant chosen = who_->currentData();
   who_->clear();
-  who_->addItem(tr("Mean"));
-  for (const fuzzy::Expert& expert : model.experts) who_->addItem(labelOf(expert));
-  // With one expert the mean is that expert, whose rules say more.
-  choose(model.experts.size() == 1 ? 1 : 0);
+  who_->addItem(tr("Mean"), QString());
+  for (const fuzzy::Expert& expert : model.experts) who_->addItem(labelOf(expert), text(expert.id));
+  // With one expert the mean is that expert, whose rules say more. Otherwise who was looked at stays.
+  const int row = model.experts.size() == 1 ? 1 : who_->findData(chosen);
+  choose(std::max(row, 0));
 }
 
 void RulePanel::choose(int row) {

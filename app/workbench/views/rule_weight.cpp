@@ -11,7 +11,7 @@ NumberBox* makeWeightBox(QWidget* parent) {
   weight.label = QCoreApplication::translate("RuleWeight", "Weight").toStdString();
   weight.unit = "1";
   auto* box = new NumberBox(weight, kStep, parent);
-  box->setValue(1);
+  box->setExact(1);
   // A wheel that passes over the box must not change a rule.
   box->setFocusPolicy(Qt::StrongFocus);
   return box;

@@ -6,34 +6,14 @@
 
 #include "app/editing/same_bits.h"
 #include "app/editing/term_split.h"
+#include "app/workbench/controllers/compare_controller.h"
 
-#include "tests/gui/sample_models.h"
-#include "tests/support/ngt_model.h"
+#include "tests/gui/s4_rules.h"
 
 namespace tactus::workbench {
 namespace {
 
-// Grids of S4: lubrication (poor, medium, well), neck flexion (small, medium, large), speed (slow, medium, fast)
-// against six regions of depth. Table A2 has no oropharynx, column 2.
-class RuleControllerTest : public testing::Test {
- protected:
-  void SetUp() override {
-    start = support::s4AsPrinted();
-    start.created_utc = "2026-11-21T08:00:00Z";
-    start.generator = "tactus tests";
-    models.open(folder.write(start));
-    ASSERT_TRUE(rules.isOpen());
-  }
-
-  const fuzzy::Rule& rule(std::size_t index) const { return rules.expert().rules[index]; }
-
-  tests::ModelFolder folder;
-  fuzzy::ForceModel start;
-  ModelController models;
-  SceneController scene{models};
-  EditController edits{models};
-  RuleController rules{edits, scene};
-};
+using RuleControllerTest = tests::S4Rules;
 
 TEST_F(RuleControllerTest, TheColumnsAreTheWayOfTheTube) {
   EXPECT_EQ(rules.region(), "depth");
@@ -167,6 +147,42 @@ TEST_F(RuleControllerTest, WhatSpeaksAgainstACellIsNamed) {
   EXPECT_EQ(rules.otherAnswers({0, 2, 4}), QStringList(QStringLiteral("very_large")));
   rules.enable({45}, false);
   EXPECT_FALSE(rules.cell({0, 2, 4}).conflict);
+}
+
+TEST_F(RuleControllerTest, WhatIsNotThereIsNotChosen) {
+  const QSignalSpy other(&rules, &RuleController::rulesChanged);
+  rules.setExpert("nobody");
+  rules.setRegion("nowhere");
+  EXPECT_EQ(rules.expert().id, "S4");
+  EXPECT_EQ(rules.region(), "depth");
+  EXPECT_EQ(other.size(), 0);
+  for (const RuleCell& cell : {RuleCell{3, 0, 0}, RuleCell{0, 3, 0}, RuleCell{0, 0, 6}}) {
+    rules.select(cell);
+    EXPECT_FALSE(rules.selected());
+  }
+  rules.select(RuleCell{0, 0, 0});
+  rules.answer(5);
+  EXPECT_FALSE(edits.canUndo());
+}
+
+TEST_F(RuleControllerTest, StrengthsAreThoseOfTheOpenModelWhileAnotherIsShown) {
+  CompareController compare(models, edits);
+  scene.setValue(0, 0.7);  // medium 0.5, well 0.5
+  scene.setValue(1, 0);
+  scene.setValue(2, 30);  // nasal cavity
+  scene.setValue(3, 0);
+  const RuleCell medium{0, 1, 0};
+  rules.remove({0, 1});  // of the others each has another number now
+  const std::size_t number = *rules.cell(medium).rule;
+  rules.setWeight(number, 0.5);
+  EXPECT_NEAR(rules.strength(number), 0.25, 1e-12);
+  compare.choose(CompareSide::kB, {CompareChoice::Kind::kState, 0, {}});
+  compare.show(CompareSide::kB);
+  ASSERT_TRUE(compare.showsAnother());
+  EXPECT_NEAR(rules.strength(number), 0.25, 1e-12);
+  scene.setValue(0, 0.65);  // medium 0.75
+  EXPECT_NEAR(rules.strength(number), 0.375, 1e-12);
+  EXPECT_EQ(rules.membership("depth", 0), 1);
 }
 
 }  // namespace

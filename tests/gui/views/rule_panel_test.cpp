@@ -1,0 +1,54 @@
+#include "app/workbench/views/rule_panel.h"
+
+#include <QComboBox>
+#include <gtest/gtest.h>
+
+#include "app/editing/rule_edits.h"
+#include "app/workbench/controllers/compare_controller.h"
+#include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/scene_controller.h"
+
+#include "tests/gui/sample_models.h"
+
+namespace tactus::workbench {
+namespace {
+
+class RulePanelTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    models.open(folder.write(tests::twoExperts()));
+    panel.resize(600, 300);
+    panel.show();
+  }
+
+  QComboBox& who() { return *panel.findChild<QComboBox*>(); }
+
+  tests::ModelFolder folder;
+  ModelController models;
+  SceneController scene{models};
+  EditController edits{models};
+  RulePanel panel{scene};
+};
+
+TEST_F(RulePanelTest, WhoIsLookedAtStays) {
+  EXPECT_EQ(who().currentText(), QStringLiteral("Mean"));
+  who().setCurrentIndex(2);
+  emit who().activated(2);
+  // A weight in the mean is another frame for the plots.
+  ASSERT_TRUE(edits.apply(editing::setExpertWeight(edits.model(), "A", 0.5)));
+  EXPECT_EQ(who().currentText(), QStringLiteral("B"));
+  CompareController compare(models, edits);
+  compare.choose(CompareSide::kB, {CompareChoice::Kind::kExpert, 0, "A"});
+  compare.show(CompareSide::kB);
+  EXPECT_EQ(who().currentText(), QStringLiteral("B"));
+  compare.end();
+  EXPECT_EQ(who().currentText(), QStringLiteral("B"));
+
+  auto model = tests::twoExperts();
+  model.experts[1].id = "C";
+  models.open(folder.write(model, QStringLiteral("other.tactus.json")));
+  EXPECT_EQ(who().currentText(), QStringLiteral("Mean"));
+}
+
+}  // namespace
+}  // namespace tactus::workbench
