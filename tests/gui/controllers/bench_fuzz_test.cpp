@@ -24,22 +24,19 @@ int gestures() {
 
 void playOn(const fuzzy::ForceModel& start, std::uint64_t seed, std::size_t& states, std::size_t& refusals) {
   const tests::ModelFolder folder;
-  ModelController models;
-  models.open(folder.write(start));
-  ASSERT_NE(models.current(), nullptr);
-  SceneController scene(models);
-  models.reopen();  // the scene follows from its beginning on
-  EditController edits(models);
-  TermController terms(edits);
-  tests::BenchGestures gestures(seed, models, scene, edits, terms);
+  tests::BenchControllers bench;
+  bench.models.open(folder.write(start));
+  ASSERT_NE(bench.models.current(), nullptr);
+  tests::BenchGestures gestures(seed, bench);
   for (int k = 0; k < kOfOneModel; ++k) {
     const std::string what = gestures.play();
     if (k % 8 == 0) QCoreApplication::processEvents();
     const std::string wrong = gestures.check(k % 5 == 0);
     ASSERT_EQ(wrong, "") << "gesture " << k << ", " << what;
   }
-  models.save();
-  ASSERT_FALSE(models.isModified());
+  bench.edits.commit();
+  bench.models.save();
+  ASSERT_FALSE(bench.models.isModified());
   ASSERT_EQ(gestures.unwind(), "");
   states += gestures.states();
   refusals += gestures.refusals();

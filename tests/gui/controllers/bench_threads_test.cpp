@@ -30,15 +30,12 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
   model.experts[1].id = "S5";
   const tests::ModelFolder folder;
   const QString path = folder.write(model);
-  ModelController models;
-  SceneController scene(models);
-  FeelController feel(scene);
-  EditController edits(models);
-  TermController terms(edits);
-  FindingsController findings(edits, scene);
+  tests::BenchControllers bench;
+  FindingsController& findings = bench.findings;
+  FeelController feel(bench.scene);
   DeviceSearch search;
-  models.open(path);
-  tests::BenchGestures hand(7, models, scene, edits, terms);
+  bench.models.open(path);
+  tests::BenchGestures hand(7, bench);
   findings.setWatched(true);
   search.search();
   feel.start(QStringLiteral("virtual"));
@@ -68,10 +65,10 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
     QCoreApplication::processEvents();
     if (feel.state() == FeelState::kTripped) feel.rearm();
   }
-  edits.commit();
+  bench.edits.commit();
   findings.setWatched(true);
   ASSERT_TRUE(QTest::qWaitFor([&] { return findings.isCurrent(); }, kPatience));
-  EXPECT_EQ(*findings.lintedModel(), edits.model());
+  EXPECT_EQ(*findings.lintedModel(), bench.edits.model());
   // The last edit is in the force.
   const auto last = feel.latest().orders;
   feel.newPlacement();
