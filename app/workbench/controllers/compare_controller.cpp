@@ -31,8 +31,10 @@ bool sameInputs(const fuzzy::ForceModel& one, const fuzzy::ForceModel& other) {
                     [](const auto& a, const auto& b) { return a.id == b.id; });
 }
 
-CompareResult differenceOf(const OpenModel& a, const OpenModel& b) {
+// Nothing where it was told to stop.
+std::optional<CompareResult> differenceOf(const OpenModel& a, const OpenModel& b, const std::stop_token& stop) {
   const auto whole = analysis::forceDifference(a.model, a.compiled, b.model, b.compiled);
+  if (stop.stop_requested()) return std::nullopt;
   const auto near = editing::editImpact(a.model, a.compiled, b.model, b.compiled);
   CompareResult out{whole.largest_n, whole.at,    whole.first_n,       whole.second_n,
                     near.noticeable, whole.rms_n, whole.only_one_fires};
@@ -50,7 +52,6 @@ CompareResult differenceOf(const OpenModel& a, const OpenModel& b) {
 
 CompareController::CompareController(ModelController& models, EditController& edits, QObject* parent)
     : QObject(parent), models_(models), edits_(edits) {
-  worker_.setMaxThreadCount(1);
   connect(&edits_, &EditController::modelReset, this, &CompareController::reset);
   connect(&edits_, &EditController::historyChanged, this, [this] {
     // What was the state before may be another one.
@@ -154,27 +155,21 @@ base::Result<std::shared_ptr<const OpenModel>> CompareController::make(const Com
 }
 
 void CompareController::compute() {
-  if (result_ || asked_ || !edits_.isOpen() || edits_.inGesture()) return;
+  if (result_ || worker_.isBusy() || !edits_.isOpen() || edits_.inGesture()) return;
   const auto a = modelOf(CompareSide::kA);
   const auto b = modelOf(CompareSide::kB);
   if (!a || !b) {
     emit refused(text((a ? b.error() : a.error()).message()));
     return;
   }
-  asked_ = true;
-  worker_.clear();
-  worker_.start([this, question = question_, a = *a, b = *b] {
-    const CompareResult result = differenceOf(*a, *b);
-    QMetaObject::invokeMethod(
-        this, [this, question, result] { take(question, result); }, Qt::QueuedConnection);
+  worker_.run([this, a = *a, b = *b](const std::stop_token& stop) -> Background::Deliver {
+    const auto result = differenceOf(*a, *b, stop);
+    if (!result) return {};
+    return [this, result = *result] {
+      result_ = result;
+      emit resultChanged();
+    };
   });
-}
-
-void CompareController::take(std::uint64_t question, const CompareResult& result) {
-  if (question != question_) return;
-  asked_ = false;
-  result_ = result;
-  emit resultChanged();
 }
 
 void CompareController::show(CompareSide side) {
@@ -231,9 +226,10 @@ void CompareController::onEdited() {
 }
 
 void CompareController::forget() {
-  ++question_;
-  asked_ = false;
-  if (std::exchange(result_, std::nullopt)) emit resultChanged();
+  worker_.drop();
+  const bool was_known = std::exchange(result_, std::nullopt).has_value();
+  // The end of a gesture too, which may leave everything as it was: only then can it be computed again.
+  if (was_known || !edits_.inGesture()) emit resultChanged();
 }
 
 }  // namespace tactus::workbench

@@ -4,14 +4,13 @@
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/editing/edit_history.h"
+#include "app/workbench/controllers/background.h"
 #include "app/workbench/controllers/open_model.h"
 
 namespace tactus::workbench {
@@ -47,7 +46,7 @@ struct CompareResult {
   std::size_t only_one = 0;  ///< points at which only one of them has a force
 };
 
-/// Thread: gui. The difference is computed by a worker; the newest question wins.
+/// Thread: gui. The difference is computed in the background; what is asked last counts.
 class CompareController : public QObject {
   Q_OBJECT
 
@@ -101,7 +100,6 @@ class CompareController : public QObject {
   void reset();
   void onEdited();
   void forget();
-  void take(std::uint64_t question, const CompareResult& result);
   base::Result<std::shared_ptr<const OpenModel>> make(const CompareChoice& choice);
 
   ModelController& models_;
@@ -109,9 +107,7 @@ class CompareController : public QObject {
   CompareChoice sides_[2];
   std::optional<CompareSide> shown_;
   std::optional<CompareResult> result_;
-  std::uint64_t question_ = 0;  ///< number of the newest one; rises when what is compared changes
-  bool asked_ = false;          ///< a worker is at it
-  QThreadPool worker_;          ///< last: it waits for its end before the rest is gone
+  Background worker_;
 };
 
 }  // namespace tactus::workbench

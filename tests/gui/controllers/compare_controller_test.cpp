@@ -161,6 +161,33 @@ TEST_F(CompareControllerTest, TheSameModelTwiceIsNothingToCompare) {
   EXPECT_FALSE(compare.shown());
 }
 
+TEST_F(CompareControllerTest, ADragThatIsTakenBackLeavesSomethingToCompute) {
+  raiseLow();
+  // As the card does: it asks whenever the result changes.
+  QObject::connect(&compare, &CompareController::resultChanged, &compare, [this] { compare.compute(); });
+  compare.compute();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return compare.result().has_value(); }, 5000));
+  edits.begin();
+  edits.update(editing::moveEdge(edits.base(), kLow, editing::Side::kLeft, 0.05));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !compare.result(); }, 5000));
+  edits.update(editing::moveEdge(edits.base(), kLow, editing::Side::kLeft, 0.06));
+  edits.cancel();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return compare.result().has_value(); }, 5000));
+}
+
+TEST_F(CompareControllerTest, EndsWhileTheDifferenceIsComputed) {
+  compare.choose(CompareSide::kB, {Kind::kExpert, 0, "B"});
+  const QSignalSpy known(&compare, &CompareController::resultChanged);
+  compare.compute();
+  // Another choice drops the question; its answer must not come.
+  compare.choose(CompareSide::kB, {Kind::kOpen, 0, {}});
+  compare.compute();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return compare.result().has_value(); }, 5000));
+  EXPECT_EQ(compare.result()->largest_n, 0);
+  CompareController leaving(models, edits);
+  leaving.compute();
+}
+
 TEST_F(CompareControllerTest, OffersTheOpenModelItsExpertsAndEveryState) {
   raiseLow();
   QStringList names;
