@@ -27,6 +27,8 @@ class SteppedFeel {
 
   /// Ticks of all loops so far.
   std::uint64_t ticks() const { return ticks_; }
+  /// Loops that are there now.
+  int loops() const { return loop_ != nullptr ? 1 : 0; }
 
  private:
   class Loop;

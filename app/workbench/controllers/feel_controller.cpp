@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/workbench/controllers/feel_run.h"
+#include "app/workbench/controllers/feel_scene.h"
 #include "app/workbench/controllers/patient.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
@@ -30,24 +31,6 @@ QString sentenceCase(QString sentence) {
   return sentence;
 }
 
-haptics::EnableSettings enableOf(const haptics::DeviceInfo& info, const FeelGrip& grip) {
-  haptics::EnableSettings enable;
-  const bool by_key = info.simulated || info.buttons == 0;
-  enable.kind = grip.latch ? haptics::EnableKind::kLatch
-                : by_key   ? haptics::EnableKind::kPedal
-                           : haptics::EnableKind::kButton;
-  enable.release_zone_mm = grip.release_zone_mm;
-  return enable;
-}
-
-// What was recorded is the hand after its debounce, on the button of the device that replays it.
-haptics::EnableSettings enableOfReplay() {
-  haptics::EnableSettings enable;
-  enable.kind = haptics::EnableKind::kButton;
-  enable.press_debounce_s = 0;
-  return enable;
-}
-
 }  // namespace
 
 FeelSettings realFeel() {
@@ -63,7 +46,7 @@ FeelController::FeelController(SceneController& scene, FeelSettings settings, QO
   look_.setInterval(kLookMs);
   connect(&beat_, &QTimer::timeout, this, &FeelController::beat);
   connect(&look_, &QTimer::timeout, this, &FeelController::lookAtDevice);
-  connect(&scene_, &SceneController::modelChanged, this, &FeelController::onModel);
+  connect(&scene_, &SceneController::modelChanged, this, &FeelController::onAnotherModel);
   connect(&scene_, &SceneController::modelEdited, this, &FeelController::onModel);
   connect(&scene_, &SceneController::valueChanged, this, &FeelController::onValue);
   connect(this, &FeelController::handMoved, this, &FeelController::onHandMoved);
@@ -78,8 +61,6 @@ std::optional<haptics::DeviceInfo> FeelController::device() const {
 }
 
 bool FeelController::isHandLive() const { return run_ && run_->liveHand() != nullptr; }
-
-bool FeelController::isHeldByKey() const { return run_ && (run_->info().simulated || run_->info().buttons == 0); }
 
 QString FeelController::axisAdvice() const {
   return run_ && run_->info().position_axes > 1 ? text(run_->axisAdvice()) : QString();
@@ -119,10 +100,12 @@ void FeelController::startReplay(std::unique_ptr<haptics::HapticDevice> device, 
 
 void FeelController::startOn(Beginning beginning) {
   TACTUS_CHECK(scene_.model() != nullptr);
-  if (state_ == FeelState::kOpening || state_ == FeelState::kStopping) return;
-  stop();
-  if (state_ != FeelState::kStopped) return;  // the device before takes its time
-  auto servo_scene = makeScene(kEditFadeS);
+  if (run_) stop();
+  if (state_ != FeelState::kStopped) {
+    emit failed(tr("The device before is still starting or stopping; try again when it has stopped."));
+    return;
+  }
+  auto servo_scene = servoSceneOf(scene_, kEditFadeS);
   if (!servo_scene) {
     emit failed(text(servo_scene.error().message()));
     return;
@@ -163,8 +146,7 @@ void FeelController::begin(base::Result<std::unique_ptr<FeelRun>> run, bool repl
   latest_ = {};
   history_.clear();
   history_.setRecorded(std::move(recorded));
-  latency_.reset();
-  pending_edits_.clear();
+  latency_ = {};
   conditions_new_ = false;
   trip_.reset();
   held_ = false;
@@ -175,8 +157,10 @@ void FeelController::begin(base::Result<std::unique_ptr<FeelRun>> run, bool repl
   beat_.start();
   emit tripChanged();
   enter(FeelState::kRunning);
+  if (!waited) return;
   // What changed while the device started.
-  if (waited) postScene(kEditFadeS);
+  run_->orders().enable = enableOf(run_->info(), grip_);
+  postScene(kEditFadeS);
 }
 
 void FeelController::stop() {
@@ -252,6 +236,7 @@ void FeelController::rearm() {
 void FeelController::newPlacement() {
   if (!run_) return;
   beat();
+  if (!run_) return;  // a replay may have come to its end
   endPlacement();
   run_->orders().placement = ++placements_;
   placement_orders_ = run_->post();
@@ -305,6 +290,11 @@ void FeelController::onModel() {
   if (run_) postScene(kEditFadeS);
 }
 
+// What is felt is what is shown: the force of the model before must not go on.
+void FeelController::onAnotherModel() {
+  if (run_ && !postScene(kEditFadeS)) stop();
+}
+
 void FeelController::onValue(std::size_t input) {
   const std::string& id = scene_.model()->model.inputs[input].id;
   if (id == kNeckFlexionId) emit neckChanged();
@@ -323,30 +313,18 @@ void FeelController::onHandMoved(double depth_mm, double speed_mm_s) {
   if (const auto depth = inputNamed(model, kDepthId)) scene_.setValue(*depth, depth_mm);
 }
 
-base::Result<std::shared_ptr<const haptics::ServoScene>> FeelController::makeScene(double fade_s) const {
-  const fuzzy::ForceModel& model = scene_.model()->model;
-  haptics::Conditions conditions;
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    const std::string& id = model.inputs[i].id;
-    if (id != kDepthId && id != kSpeedId) conditions[id] = scene_.value(i);
-  }
-  haptics::SceneSettings settings;
-  settings.moved = {kDepthId, kSpeedId};
-  settings.fade_s = fade_s;
-  return haptics::ServoScene::make(model, conditions, settings);
-}
-
-void FeelController::postScene(double fade_s) {
+bool FeelController::postScene(double fade_s) {
   const std::uint64_t ticks_before = run_->servo().ticks();
   conditions_new_ = false;
-  auto servo_scene = makeScene(fade_s);
+  auto servo_scene = servoSceneOf(scene_, fade_s);
   if (!servo_scene) {
     emit failed(tr("The edit is not felt: %1").arg(text(servo_scene.error().message())));
-    return;
+    return false;
   }
   depth_offset_mm_ = (*servo_scene)->renderer().depth_offset_mm;
   run_->orders().scene = std::move(*servo_scene);
-  pending_edits_.push_back({run_->post(), ticks_before});
+  latency_.posted(run_->post(), ticks_before);
+  return true;
 }
 
 void FeelController::takeAll(std::span<const haptics::Sample> samples) {
@@ -358,12 +336,7 @@ void FeelController::take(const haptics::Sample& sample) {
   latest_ = sample;
   history_.add(sample);
   meter_.add(sample, depthMm());
-  for (; !pending_edits_.empty() && pending_edits_.front().number <= sample.orders; pending_edits_.pop_front()) {
-    EditLatency latency = latency_.value_or(EditLatency{});
-    latency.last_ticks = sample.tick - pending_edits_.front().ticks_before;
-    latency.longest_ticks = std::max(latency.longest_ticks, latency.last_ticks);
-    latency_ = latency;
-  }
+  latency_.take(sample);
 }
 
 void FeelController::watchTrip() {
@@ -387,12 +360,7 @@ void FeelController::watchTrip() {
 
 void FeelController::watchRelease() {
   if (state_ != FeelState::kRearming || latest_.orders < arming_) return;
-  const haptics::EnableSettings& enable = run_->orders().enable;
-  const bool button = (latest_.buttons & enable.button_mask) != 0;
-  const bool down = enable.kind == haptics::EnableKind::kPedal   ? held_
-                    : enable.kind == haptics::EnableKind::kLatch ? held_ || button
-                                                                 : button;
-  if (down) return;
+  if (isDown(run_->orders().enable, latest_, held_)) return;
   run_->orders().armed = true;
   arming_ = run_->post();
   trip_.reset();

@@ -6,7 +6,6 @@
 #include <QTime>
 #include <QTimer>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <future>
 #include <memory>
@@ -15,11 +14,12 @@
 #include <string>
 
 #include "app/devices/open_device.h"
+#include "app/workbench/controllers/feel_grip.h"
 #include "app/workbench/controllers/feel_history.h"
+#include "app/workbench/controllers/feel_latency.h"
 #include "app/workbench/controllers/feel_loop.h"
 #include "app/workbench/controllers/placement.h"
 #include "core/haptics/device.h"
-#include "core/haptics/limit_settings.h"
 #include "core/haptics/loop_statistics.h"
 #include "core/haptics/sample.h"
 #include "core/haptics/trip.h"
@@ -42,20 +42,6 @@ enum class FeelState {
 struct FeelTrip {
   QString sentence;  ///< cause, and value and limit once they are known
   QTime at;          ///< time of day
-};
-
-/// How long an edit took until it was in the force, in ticks of the servo.
-struct EditLatency {
-  std::uint64_t last_ticks = 0;     ///< from the edit to the first tick that used it, making the scene included
-  std::uint64_t longest_ticks = 0;  ///< of all edits since the start
-};
-
-/// How the hand takes the tube: with what the device has, or with a latch, because a squeezed switch spoils the feel.
-struct FeelGrip {
-  bool latch = false;            ///< a press takes the tube, the next one lets go
-  double release_zone_mm = -20;  ///< with a latch: axis positions further out than this let go too
-
-  bool operator==(const FeelGrip&) const = default;
 };
 
 /// Where devices and loops come from; a test gives its own.
@@ -86,8 +72,6 @@ class FeelController : public QObject {
   std::optional<haptics::DeviceInfo> device() const;
   /// The hand is one that mouse and keyboard drive.
   bool isHandLive() const;
-  /// The tube is held with a key or the mouse, not with a button of the device.
-  bool isHeldByKey() const;
   const FeelGrip& grip() const { return grip_; }
   /// What to do where inwards turns out to be outwards; empty for a device with one axis.
   QString axisAdvice() const;
@@ -107,7 +91,7 @@ class FeelController : public QObject {
   std::uint32_t strokes() const { return meter_.strokes(); }
   std::optional<PlacementSummary> lastPlacement() const { return last_placement_; }
   /// Nothing before the first edit of this run.
-  std::optional<EditLatency> editLatency() const { return latency_; }
+  const std::optional<EditLatency>& editLatency() const { return latency_.value(); }
   /// Of the present run; empty while stopped.
   haptics::LoopStatistics statistics() const;
   bool followsHand() const { return follows_hand_; }
@@ -118,7 +102,7 @@ class FeelController : public QObject {
   std::uint64_t placementOrders() const { return placement_orders_; }
 
   /// Starts on `device`, which moves by itself as a recording did, with its button as the hand; `recorded` stands
-  /// beside the force. Ends with `stateChanged` or `failed`. A model must be open.
+  /// beside the force. Ends with `stateChanged` or `failed`. A model must be open, and nothing opening or stopping.
   void startReplay(std::unique_ptr<haptics::HapticDevice> device, RecordedForce recorded);
 
  public slots:
@@ -168,10 +152,10 @@ class FeelController : public QObject {
   void startOn(Beginning beginning);
   void takeAll(std::span<const haptics::Sample> samples);
   void onModel();
+  void onAnotherModel();
   void onValue(std::size_t input);
   void onHandMoved(double depth_mm, double speed_mm_s);
-  void postScene(double fade_s);
-  base::Result<std::shared_ptr<const haptics::ServoScene>> makeScene(double fade_s) const;
+  bool postScene(double fade_s);
   void take(const haptics::Sample& sample);
   void watchTrip();
   void watchRelease();
@@ -208,12 +192,7 @@ class FeelController : public QObject {
   PlacementMeter meter_;
   std::optional<PlacementSummary> last_placement_;
 
-  struct PendingEdit {
-    std::uint64_t number = 0;
-    std::uint64_t ticks_before = 0;
-  };
-  std::deque<PendingEdit> pending_edits_;  ///< posted, and not yet seen in a sample
-  std::optional<EditLatency> latency_;
+  FeelLatency latency_;
   std::uint64_t arming_ = 0;  ///< number of the orders that disarm, while re-arming; then of those that arm
 };
 

@@ -1,5 +1,6 @@
 #include "app/workbench/controllers/feel_recorder.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tactus::workbench {
@@ -16,6 +17,14 @@ FeelRecorder::FeelRecorder(double rate_hz, const std::vector<Condition>& conditi
     conditions_.push_back(condition.value);
   }
   piece_ = empty_;
+}
+
+bool FeelRecorder::has(const std::vector<Condition>& conditions) const {
+  const auto first = empty_.channels.end() - static_cast<std::ptrdiff_t>(conditions_.size());
+  return std::equal(first, empty_.channels.end(), conditions.begin(), conditions.end(),
+                    [](const study::Channel& channel, const Condition& condition) {
+                      return channel.name == condition.id && channel.unit == condition.unit;
+                    });
 }
 
 void FeelRecorder::add(const haptics::Sample& sample, double depth_mm, int placement) {

@@ -24,7 +24,9 @@ class FeelRecorder {
   /// The first sample that is added is time 0. `rate_hz`: of the servo.
   FeelRecorder(double rate_hz, const std::vector<Condition>& conditions);
 
-  /// From the next sample on.
+  /// Whether these are the conditions that it began with, in other values.
+  bool has(const std::vector<Condition>& conditions) const;
+  /// From the next sample on; as many as at the beginning.
   void setConditions(const std::vector<double>& values) { conditions_ = values; }
   /// `depth_mm` as the model counts it; `placement` from 1.
   void add(const haptics::Sample& sample, double depth_mm, int placement);

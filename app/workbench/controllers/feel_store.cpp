@@ -31,6 +31,7 @@ FeelStore::FeelStore(FeelController& feel, SceneController& scene, StudyControll
   connect(&feel_, &FeelController::sampled, this, &FeelStore::onSampled);
   connect(&feel_, &FeelController::advanced, this, &FeelStore::onAdvanced);
   connect(&feel_, &FeelController::placementEnded, this, &FeelStore::onPlacementEnded);
+  connect(&scene_, &SceneController::modelChanged, this, &FeelStore::onModel);
   connect(&study_, &StudyController::opened, this, &FeelStore::onStudy);
   connect(&study_, &StudyController::closed, this, &FeelStore::onStudy);
   connect(&study_, &StudyController::leaving, this, [this] { setRecording(false); });
@@ -103,17 +104,25 @@ void FeelStore::endRecording() {
 
 void FeelStore::onSampled(std::span<const haptics::Sample> samples) {
   if (!recorder_) return;
-  if (feel_.placementOrders() != placement_orders_) {
-    placement_orders_ = feel_.placementOrders();
-    ++placement_;
-  }
   std::vector<double> values;
   for (const auto& condition : conditions()) values.push_back(condition.value);
   recorder_->setConditions(values);
   for (const haptics::Sample& sample : samples) {
-    if (sample.orders >= first_orders_) recorder_->add(sample, sample.depth_mm + feel_.depthOffsetMm(), placement_);
+    if (sample.orders < first_orders_) continue;
+    if (sample.orders >= feel_.placementOrders() && feel_.placementOrders() != placement_orders_) {
+      placement_orders_ = feel_.placementOrders();
+      ++placement_;
+    }
+    recorder_->add(sample, sample.depth_mm + feel_.depthOffsetMm(), placement_);
   }
   if (recorder_->pieceS() >= kPieceS) storePiece();
+}
+
+// A recording has a channel for each condition; a model of other inputs has others.
+void FeelStore::onModel() {
+  if (!recorder_ || recorder_->has(conditions())) return;
+  setRecording(false);
+  emit said(tr("The recording into %1 has ended, because the model has other inputs now.").arg(study_.fileName()));
 }
 
 void FeelStore::storePiece() {

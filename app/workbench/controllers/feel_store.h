@@ -62,6 +62,7 @@ class FeelStore : public QObject {
   void onAdvanced();
   void onPlacementEnded();
   void onStudy();
+  void onModel();
   void beginRecording();
   void endRecording();
   void storePiece();

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <atomic>
 #include <gtest/gtest.h>
+#include <thread>
 
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
@@ -56,7 +57,7 @@ TEST_F(FeelControllerTest, StartsOnTheVirtualDeviceAndSaysThatItIsSimulated) {
   ASSERT_TRUE(feel.device());
   EXPECT_TRUE(feel.device()->simulated);
   EXPECT_TRUE(feel.isHandLive());
-  EXPECT_TRUE(feel.isHeldByKey());
+  EXPECT_TRUE(isHeldByKey(*feel.device()));
   time.advance(feel, 50);
   EXPECT_EQ(feel.latest().tick, 50u);
   EXPECT_EQ(feel.latest().force_n, 0);
@@ -196,8 +197,10 @@ TEST_F(FeelControllerTest, ASlowDeviceStartsAndStopsInTheBackground) {
   EXPECT_EQ(slow.state(), FeelState::kStopping);
   EXPECT_FALSE(slow.isRunning());
   EXPECT_EQ(slow.latest().force_n, 0);
+  const QSignalSpy failed(&slow, &FeelController::failed);
   slow.start(QStringLiteral("slow"));
   EXPECT_EQ(slow.state(), FeelState::kStopping);
+  EXPECT_EQ(failed.count(), 1);
   let();
   EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kStopped; }, kPatienceMs));
 }
@@ -212,6 +215,53 @@ TEST_F(FeelControllerTest, ADeviceThatStillStartsCanBeStopped) {
   lets_go.notify_all();
   EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kStopped; }, kPatienceMs));
   EXPECT_FALSE(slow.isRunning());
+}
+
+TEST_F(FeelControllerTest, AGripThatIsChosenWhileADeviceStartsCounts) {
+  std::atomic<bool> lets_go{false};
+  FeelController slow{scene, time.slowSettings(lets_go)};
+  slow.start(QStringLiteral("slow"));
+  slow.setGrip({true, -20});
+  lets_go.store(true);
+  lets_go.notify_all();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kRunning; }, kPatienceMs));
+  time.advance(slow, 50);
+  slow.setHeld(true);
+  time.advance(slow, 50);
+  slow.setHeld(false);
+  time.advance(slow, 50);
+  // One press took the tube, and nothing has to be held.
+  EXPECT_TRUE(slow.latest().enabled);
+}
+
+TEST_F(FeelControllerTest, AProgramThatEndsWaitsForADeviceThatStops) {
+  std::atomic<bool> lets_go{true};
+  std::thread late;
+  {
+    FeelController slow{scene, time.slowSettings(lets_go)};
+    slow.start(QStringLiteral("slow"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kRunning; }, kPatienceMs));
+    lets_go.store(false);
+    slow.stop();
+    late = std::thread([&] {
+      lets_go.store(true);
+      lets_go.notify_all();
+    });
+  }
+  late.join();
+  EXPECT_EQ(time.loops(), 0);
+}
+
+TEST_F(FeelControllerTest, AModelThatCannotBeFeltEndsTheForceOfTheOneBefore) {
+  feel.start(QStringLiteral("virtual"));
+  push();
+  EXPECT_GT(feel.latest().force_n, 0.1);
+  const QSignalSpy failed(&feel, &FeelController::failed);
+  fuzzy::ForceModel inches = tests::twoExperts();
+  inches.inputs[kDepth].unit = "in";
+  models.open(folder.write(inches, QStringLiteral("inches.tactus.json")));
+  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  EXPECT_EQ(failed.count(), 1);
 }
 
 TEST_F(FeelControllerTest, RefusesWhatCannotBeFelt) {

@@ -161,6 +161,48 @@ TEST_F(FeelStoreTest, ARecordingIsStoredInPiecesWhileItGoesOn) {
   EXPECT_TRUE(store::checkStudy(file)->empty());
 }
 
+TEST_F(FeelStoreTest, ARecordingEndsWithTheConditionsThatItBeganWith) {
+  feel.start(QStringLiteral("virtual"));
+  store.setRecording(true);
+  place();
+  fuzzy::ForceModel warm = tests::twoExperts();
+  warm.inputs.push_back({"warmth", "Warmth", "1", 0, 1, {{"cool", "Cool", fuzzy::Shape::kTrapezoid, {0, 0, 1, 1}}}});
+  models.open(folder.write(warm, QStringLiteral("warm.tactus.json")));
+  EXPECT_FALSE(store.isRecording());
+  place();
+  feel.stop();
+  ASSERT_TRUE(comesTrue([this] { return study.recordings().size() == 1 && study.recordings()[0].finished; }));
+  ASSERT_TRUE(closed());
+  const auto file = tests::lookInto(path);
+  const auto samples = *store::feelRecording(file, (*store::feelRecordings(file))[0].start.entry.id);
+  for (const study::Channel& channel : samples.channels) EXPECT_EQ(channel.values.size(), samples.size());
+  EXPECT_EQ(channelOf(samples, "warmth"), nullptr);
+}
+
+TEST_F(FeelStoreTest, EverySampleOfARecordingBelongsToItsPlacement) {
+  feel.start(QStringLiteral("virtual"));
+  store.setRecording(true);
+  place();
+  time.advance(feel, 7);
+  feel.newPlacement();
+  time.advance(feel, 7);
+  place();
+  store.setRecording(false);
+  ASSERT_TRUE(comesTrue([this] { return study.recordings().size() == 1 && study.recordings()[0].finished; }));
+  ASSERT_TRUE(closed());
+  const auto file = tests::lookInto(path);
+  const auto samples = *store::feelRecording(file, (*store::feelRecordings(file))[0].start.entry.id);
+  const auto& placements = *channelOf(samples, "placement");
+  const auto& strokes = *channelOf(samples, "stroke");
+  EXPECT_EQ(placements.back(), 2);
+  // A placement begins with the tube out of the hand and no stroke.
+  for (std::size_t i = 1; i < placements.size(); ++i) {
+    if (placements[i] != placements[i - 1]) {
+      EXPECT_EQ(strokes[i], 0) << i;
+    }
+  }
+}
+
 TEST_F(FeelStoreTest, AReplayOnTheSameModelGivesTheRecordedForce) {
   store.setRecording(true);  // begins with the run
   feel.start(QStringLiteral("virtual"));
