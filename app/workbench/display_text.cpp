@@ -55,7 +55,8 @@ QString placeText(const fuzzy::Variable& variable, double value) {
 }
 
 QString forceText(double force, const std::string& unit) {
-  const QString number = text(base::formatFixed(force, 3));
+  // Never -0.000.
+  const QString number = text(base::formatFixed(std::abs(force) < 0.0005 ? 0 : force, 3));
   return unitText(unit).isEmpty() ? number : number + QLatin1Char(' ') + unitText(unit);
 }
 

@@ -14,6 +14,12 @@ TEST(DisplayText, NumbersHaveAPointAndNoZerosAtTheEnd) {
   EXPECT_EQ(numberText(-0.001), QStringLiteral("0"));
 }
 
+TEST(DisplayText, AForceHasThreeDigitsAndNoSignAtZero) {
+  EXPECT_EQ(forceText(0.4684, "N"), QStringLiteral("0.468 N"));
+  EXPECT_EQ(forceText(-0.2, "N"), QStringLiteral("-0.200 N"));
+  EXPECT_EQ(forceText(-0.0004, "N"), QStringLiteral("0.000 N"));
+}
+
 TEST(DisplayText, ARatioHasNoUnit) {
   EXPECT_EQ(quantityText(0.5, "1"), QStringLiteral("0.5"));
   EXPECT_EQ(quantityText(30, "mm/s"), QStringLiteral("30 mm/s"));

@@ -68,6 +68,7 @@ CurvePlot::CurvePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   setMinimumSize(360, 160);
+  setAccessibleName(tr("Force curves"));
 
   bands_ = new TermBands(*plot_);
   silence_ = new SilenceMarks(*plot_);

@@ -35,6 +35,7 @@ ForceMapPlot::ForceMapPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(th
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   setMinimumSize(260, 180);
+  setAccessibleName(tr("Force over two inputs as a map"));
 
   colors_ = new QCPColorMap(plot_->xAxis, plot_->yAxis);
   scale_ = new QCPColorScale(plot_);

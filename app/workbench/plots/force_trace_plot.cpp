@@ -35,6 +35,7 @@ ForceTracePlot::ForceTracePlot(QWidget* parent) : QWidget(parent), plot_(makePlo
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   setMinimumSize(200, 72);
+  setAccessibleName(tr("Force of the last ten seconds"));
 
   // The limits first, so that the lines stand above the fill.
   limits_ = addLine(*plot_, Qt::NoPen);
@@ -101,6 +102,7 @@ void ForceTracePlot::setHistory(const FeelHistory& history) {
     if (!point.recorded_n) continue;
     recorded_time << point.time_s - history.nowS();
     recorded << *point.recorded_n;
+    lowest_n = std::min(lowest_n, *point.recorded_n);
     highest_n = std::max(highest_n, *point.recorded_n);
   }
   recorded_->setData(recorded_time, recorded, true);

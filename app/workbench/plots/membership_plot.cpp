@@ -42,6 +42,7 @@ MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   setMinimumHeight(112);
+  setAccessibleName(tr("Terms of %1").arg(labelOf(variable_)));
 
   labels_ = new TermLabels(*plot_, kLabelRows);
   styleAxis(*plot_->xAxis, variable);

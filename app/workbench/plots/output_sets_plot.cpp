@@ -19,6 +19,7 @@ OutputSetsPlot::OutputSetsPlot(QWidget* parent) : QWidget(parent), plot_(makePlo
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   setMinimumSize(200, 120);
+  setAccessibleName(tr("Clipped sets of the output and their centroid"));
   cursor_ = new ReadingCursor(*plot_);
   plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
 }

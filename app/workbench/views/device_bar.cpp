@@ -56,7 +56,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   devices_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   look_->setText(tr("Search"));
   look_->setToolTip(tr("Look for haptic devices on this computer"));
-  start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Stopping…")) + 3 * theme::kGrid);
+  start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Stopping…")) + 2 * theme::kGrid);
   start_->setFocusPolicy(Qt::TabFocus);
   grip_->setAccessibleName(tr("How the hand takes the tube"));
   grip_->setFocusPolicy(Qt::TabFocus);
@@ -126,6 +126,7 @@ void DeviceBar::resizeEvent(QResizeEvent* event) {
   const auto direction = width() < kOneLine ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
   if (line_->direction() != direction) line_->setDirection(direction);
   fitMessage();
+  showStateText();
 }
 
 void DeviceBar::setModelOpen(bool open) {
@@ -139,8 +140,9 @@ void DeviceBar::showFailure(const QString& sentence) {
 }
 
 void DeviceBar::showProgress() {
-  const QString line = stateText();
-  state_->setFullText(line);
+  showStateText();
+  // Advice for the first stroke.
+  if (advises_ && feel_.strokes() > 0) showMessage();
 }
 
 void DeviceBar::listDevices() {
@@ -185,26 +187,33 @@ void DeviceBar::showState() {
   const auto chosen = static_cast<std::size_t>(devices_->currentIndex());
   simulated_->setVisible(feel_.isReplay() || (chosen < list.size() && list[chosen].simulated));
   showProgress();
+  showMessage();
+}
 
+void DeviceBar::showMessage() {
+  const bool running = feel_.isRunning();
+  advises_ = false;
+  rearm_->setVisible(running && feel_.trip());
+  rearm_->setEnabled(feel_.state() == FeelState::kTripped);
   if (const auto trip = feel_.trip()) {
-    setMessage(
-        tr("%1 (%2). No force until you arm again.").arg(trip->sentence, trip->at.toString(QStringLiteral("HH:mm:ss"))),
-        true);
+    // Of a run that has ended the cause stays said.
+    const QString what = running ? tr("%1 (%2). No force until you arm again.") : tr("%1 (%2).");
+    setMessage(what.arg(trip->sentence, trip->at.toString(QStringLiteral("HH:mm:ss"))), true);
   } else if (!failure_.isEmpty()) {
     setMessage(failure_, true);
   } else if (const QString advice = feel_.axisAdvice(); !advice.isEmpty() && feel_.strokes() == 0) {
+    advises_ = true;
     setMessage(tr("If pushing in pulls out: %1").arg(advice), false);
   } else {
     QStringList notes;
     for (const std::string& note : search_.list().notes) notes << text(note);
     setMessage(running ? QString() : notes.join(QLatin1Char('\n')), false);
   }
-  rearm_->setVisible(feel_.trip().has_value());
-  rearm_->setEnabled(feel_.state() == FeelState::kTripped);
 }
 
 void DeviceBar::fitMessage() {
-  const int room = width() - 2 * theme::kGrid - (feel_.trip() ? rearm_->sizeHint().width() + theme::kGrid : 0);
+  const int room =
+      width() - 2 * theme::kGrid - (rearm_->isVisibleTo(this) ? rearm_->sizeHint().width() + theme::kGrid : 0);
   message_->setFixedHeight(std::max(message_->heightForWidth(std::max(100, room)), message_->fontMetrics().height()));
 }
 
@@ -215,6 +224,32 @@ void DeviceBar::setMessage(const QString& sentence, bool bad) {
   message_card_->setColors(bad ? theme::errorFill() : theme::warningFill(),
                            bad ? theme::errorFill() : theme::warningFill());
   setInk(message_, bad ? theme::errorInk() : theme::warningInk());
+}
+
+// Where there is little room, in a word; the tool tip has the rest.
+void DeviceBar::showStateText() {
+  const QString whole = stateText();
+  const bool fits = state_->fontMetrics().horizontalAdvance(whole) < state_->width();
+  state_->setFullText(fits ? whole : stateWord());
+  state_->setToolTip(fits ? QString() : whole);
+}
+
+QString DeviceBar::stateWord() const {
+  switch (feel_.state()) {
+    case FeelState::kStopped:
+      return tr("Stopped");
+    case FeelState::kOpening:
+      return tr("Starting");
+    case FeelState::kStopping:
+      return tr("Stopping");
+    case FeelState::kTripped:
+      return tr("Tripped");
+    case FeelState::kRearming:
+      return tr("Let go");
+    case FeelState::kRunning:
+      break;
+  }
+  return feel_.isReplay() ? tr("Replay") : tr("Running");
 }
 
 QString DeviceBar::stateText() const {

@@ -41,8 +41,11 @@ class DeviceBar : public QWidget {
  private:
   void listDevices();
   void showState();
+  void showMessage();
   void chooseGrip();
+  void showStateText();
   QString stateText() const;
+  QString stateWord() const;
   void fitMessage();
   void setMessage(const QString& sentence, bool bad);
 
@@ -61,6 +64,7 @@ class DeviceBar : public QWidget {
   QBoxLayout* line_ = nullptr;
   QString failure_;
   bool model_open_ = false;
+  bool advises_ = false;  ///< the message is advice for a hand that has not pushed yet
 };
 
 }  // namespace tactus::workbench

@@ -13,6 +13,7 @@
 #include "app/workbench/views/membership_editor.h"
 #include "app/workbench/views/operating_strip.h"
 #include "app/workbench/views/panel_area.h"
+#include "app/workbench/views/undo_keys.h"
 
 namespace tactus::workbench {
 namespace {
@@ -40,6 +41,7 @@ EditParts::EditParts(MainWindow& window, EditController& edits, TermController& 
   connect(&edits_, &EditController::sending, clock_, &FrameClock::begin);
   connect(&edits_, &EditController::changed, clock_, &FrameClock::sent);
   window_.strip().setFrameTime(new FrameStatus(*clock_));
+  new UndoKeys(this);
   showUndo();
 }
 

@@ -50,8 +50,11 @@ QString swatch(const QColor& color, const QString& name) {
   return QStringLiteral("<span style=\"color:%1\">■</span> %2").arg(color.name(), name.toHtmlEscaped());
 }
 
-bool isTyping(const QWidget* focus) {
-  return focus && (focus->inherits("QLineEdit") || focus->inherits("QAbstractSpinBox") || focus->inherits("QTextEdit"));
+// Space is a letter there, or chooses something. In a number there is no space.
+bool wantsSpace() {
+  const QWidget* focus = QApplication::focusWidget();
+  return QApplication::activePopupWidget() || QApplication::activeModalWidget() ||
+         (focus && (focus->inherits("QLineEdit") || focus->inherits("QTextEdit")));
 }
 
 }  // namespace
@@ -214,6 +217,8 @@ void FeelPanel::showRegions() {
   const fuzzy::ForceModel& model = scene_.model()->model;
   const auto input = inputNamed(model, kDepthId);
   const auto depth = input ? std::optional(model.inputs[*input]) : std::nullopt;
+  // What counts as flexed follows from the terms.
+  sagittal_->setNeckFlexed(feel_.isNeckFlexed());
   if (depth == depth_) return;
   depth_ = depth;
   sagittal_->setRegions(depth ? depthRegions(*depth) : std::vector<DepthRegion>());
@@ -223,7 +228,6 @@ void FeelPanel::showRegions() {
 void FeelPanel::adoptModel() {
   const fuzzy::ForceModel& model = scene_.model()->model;
   showRegions();
-  sagittal_->setNeckFlexed(feel_.isNeckFlexed());
   trace_->setFullScale(model.output.max);
   device_->setModelOpen(true);
   showFelt();
@@ -309,8 +313,11 @@ bool FeelPanel::eventFilter(QObject* watched, QEvent* event) {
     return true;
   }
   if (press && key->key() == Qt::Key_Escape) return escape(*watched, *key, asks);
-  if (key->key() != Qt::Key_Space || isTyping(QApplication::focusWidget())) return QWidget::eventFilter(watched, event);
-  if (!key->isAutoRepeat()) feel_.setHeld(press);
+  if (key->key() != Qt::Key_Space) return QWidget::eventFilter(watched, event);
+  // Whatever has opened since the press, the hand lets go.
+  if (!press && !key->isAutoRepeat()) feel_.setHeld(false);
+  if (wantsSpace()) return QWidget::eventFilter(watched, event);
+  if (press && !key->isAutoRepeat()) feel_.setHeld(true);
   event->accept();
   return true;
 }

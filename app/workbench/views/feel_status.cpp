@@ -16,7 +16,7 @@ FeelStatus::FeelStatus(const FeelController& feel, QWidget* parent) : QLabel(par
 
 void FeelStatus::showState() {
   const auto device = feel_.device();
-  const bool tripped = feel_.trip().has_value();
+  const bool tripped = device && feel_.trip();
   QPalette colors = palette();
   colors.setColor(QPalette::WindowText, tripped ? theme::errorInk() : theme::mutedInk());
   setPalette(colors);

@@ -29,6 +29,7 @@
 #include "app/workbench/views/operating_strip.h"
 #include "app/workbench/views/panel_area.h"
 #include "app/workbench/views/plot_menu.h"
+#include "app/workbench/views/reading_order.h"
 #include "app/workbench/views/shortcut_sheet.h"
 #include "app/workbench/views/stage_rail.h"
 #include "app/workbench/views/start_view.h"
@@ -222,7 +223,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = draggedFile(*event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
-  openFile(path);
+  // Queued: whoever dropped the file must not wait for an answer about unsaved changes.
+  QMetaObject::invokeMethod(
+      this, [this, path] { openFile(path); }, Qt::QueuedConnection);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -230,6 +233,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  // Nobody can stop the force once the window is gone.
+  feel_.stop();
   panels().storeLayout();
   settings_.setValue(QLatin1String(kGeometryKey), saveGeometry());
   QMainWindow::closeEvent(event);
@@ -239,6 +244,8 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   rail_->setCompact(width() < kRoomyWidth);
 }
+
+bool MainWindow::focusNextPrevChild(bool next) { return focusNextAsRead(*this, next); }
 
 void MainWindow::say(const QString& sentence) { strip_->showMessage(sentence); }
 

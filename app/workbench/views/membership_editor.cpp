@@ -151,6 +151,24 @@ void MembershipEditor::showEvent(QShowEvent* event) {
   Card::showEvent(event);
 }
 
+void MembershipEditor::resizeEvent(QResizeEvent* event) {
+  Card::resizeEvent(event);
+  nameVariables();
+}
+
+// With short names where the labels of the model do not fit beside each other; the tool tips have them.
+void MembershipEditor::nameVariables() {
+  if (!terms_.isOpen()) return;
+  const auto& inputs = terms_.model().inputs;
+  if (variables_->count() != static_cast<int>(inputs.size()) + 1) return;
+  const auto name = [&](QString (*text_of)(const fuzzy::Variable&)) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) variables_->setTabText(static_cast<int>(i), text_of(inputs[i]));
+    variables_->setTabText(variables_->count() - 1, text_of(terms_.model().output));
+  };
+  name(labelOf);
+  if (variables_->sizeHint().width() > contentsRect().width() - 2 * theme::kGrid) name(shortLabelOf);
+}
+
 void MembershipEditor::showModel() {
   setEnabled(terms_.isOpen());
   if (!terms_.isOpen() || !isVisible()) return;
@@ -166,6 +184,7 @@ void MembershipEditor::showModel() {
   for (const fuzzy::Variable& input : model.inputs) add_tab(input);
   add_tab(model.output);
   filling_ = false;
+  nameVariables();
   showList();
   showHint();
 }

@@ -33,11 +33,13 @@ class MembershipEditor : public Card {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void buildPlace();
   void connectAll();
   void showModel();
+  void nameVariables();
   void showExperts();
   void showList();
   void showTerms();

@@ -33,6 +33,7 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   summary_->setTextFormat(Qt::PlainText);
   setInk(*summary_, theme::mutedInk());
   terms_label_->setBuddy(terms_of_);
+  terms_of_->setAccessibleName(tr("Whose terms are shown"));
   terms_of_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
 
   auto* badge_text = new QLabel(tr("Contains simulated data"), simulated_);

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QTimer>
+#include <algorithm>
 
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
@@ -16,6 +17,8 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kMessageMs = 15'000;  // long enough to read two sentences
+constexpr int kSavedShare = 6;      // at most this part of the strip for where edits are kept
+constexpr int kLeastSaved = 160;    // px
 constexpr int kRoomy = 1600;        // px: from this width on the labels of the model fit beside everything else
 
 void setInk(QLabel& label, const QColor& ink) {
@@ -83,6 +86,7 @@ void OperatingStrip::showMessage(const QString& sentence) {
 void OperatingStrip::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   nameInputs();
+  if (models_.current()) showSaved();
 }
 
 void OperatingStrip::build() {
@@ -137,16 +141,16 @@ void OperatingStrip::showStored(const QString& stored, bool bad) {
 }
 
 void OperatingStrip::showSaved() {
-  if (!stored_.isEmpty()) {
-    saved_->setText(stored_);
-    saved_->setToolTip(models_.current()->path);
-    setInk(*saved_, stored_bad_ ? theme::warningInk() : theme::mutedInk());
-    return;
-  }
+  const bool in_study = !stored_.isEmpty();
   const bool modified = models_.isModified();
-  saved_->setText(modified ? tr("● Changes not saved") : tr("Saved"));
-  saved_->setToolTip(models_.current()->path);
-  setInk(*saved_, modified ? theme::warningInk() : theme::mutedInk());
+  const QString state = in_study ? stored_ : modified ? tr("● Changes not saved") : tr("Saved");
+  // A study may have a long name; its end and the tool tip tell it.
+  const int room = std::max(width() / kSavedShare, kLeastSaved);
+  const QString shown = saved_->fontMetrics().elidedText(state, Qt::ElideMiddle, room);
+  saved_->setText(shown);
+  const QString& path = models_.current()->path;
+  saved_->setToolTip(shown == state ? path : state + QLatin1Char('\n') + path);
+  setInk(*saved_, (in_study ? stored_bad_ : modified) ? theme::warningInk() : theme::mutedInk());
 }
 
 }  // namespace tactus::workbench

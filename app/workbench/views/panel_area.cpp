@@ -11,6 +11,7 @@
 
 #include "app/workbench/theme.h"
 #include "app/workbench/views/panel_title.h"
+#include "app/workbench/views/reading_order.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
@@ -28,6 +29,17 @@ QWidget* scrollable(QWidget* panel) {
   area->setWidget(panel);
   return area;
 }
+
+// Out of the window it is a window of its own.
+class PanelDock : public QDockWidget {
+ public:
+  using QDockWidget::QDockWidget;
+
+ protected:
+  bool focusNextPrevChild(bool next) override {
+    return isWindow() ? focusNextAsRead(*this, next) : QDockWidget::focusNextPrevChild(next);
+  }
+};
 
 // What a dock holds. The panel in it is hidden while a tab stands before it; the holder never is, because a dock with
 // hidden content may not have any size.
@@ -59,9 +71,12 @@ PanelArea::PanelArea(QSettings& settings, QWidget* parent) : QMainWindow(parent)
 
 QDockWidget* PanelArea::addPanel(const QString& id, const QString& title, QWidget* panel) {
   TACTUS_CHECK(!docks_.contains(id));
-  auto* dock = new QDockWidget(title, this);
+  auto* dock = new PanelDock(title, this);
   dock->setObjectName(id);
   dock->setWidget(holderOf(scrollable(panel)));
+  for (QScrollArea* area : dock->findChildren<QScrollArea*>()) {
+    if (area->accessibleName().isEmpty()) area->setAccessibleName(title);
+  }
   auto* head = new PanelTitle(*dock);
   dock->setTitleBarWidget(head);
   addDockWidget(Qt::TopDockWidgetArea, dock);

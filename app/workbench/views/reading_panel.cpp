@@ -40,6 +40,8 @@ ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings,
   table_->horizontalHeader()->setResizeContentsPrecision(0);
   table_->horizontalHeader()->setSectionResizeMode(ReadingModel::kWho, QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(ReadingModel::kForce, QHeaderView::ResizeToContents);
+  // Tab leads out of the table.
+  table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("Forces at the place that is read"));
 
   auto* layout = new QVBoxLayout(this);

@@ -109,12 +109,11 @@ bool StudyParts::mayEnd() {
   // The placement and the recording that go on end, and are stored.
   feel_.stop();
   store_.setRecording(false);
-  if (study_.failure().isEmpty()) {
-    if (!study_.isBusy()) return true;
-    ending_ = true;
-    return false;
-  }
   ending_ = false;
+  if (study_.failure().isEmpty()) {
+    ending_ = study_.isBusy();
+    return !ending_;
+  }
   const auto answer =
       QMessageBox::warning(&window_, tr("Not stored"),
                            tr("What was done last is not stored in %1: %2").arg(study_.fileName(), study_.failure()),

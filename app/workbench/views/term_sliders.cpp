@@ -40,7 +40,7 @@ void TermSliders::follow() {
   if (const auto selected = terms_.selected()) term_ = selected->term;
   term_ = std::min(term_, terms_.terms().size() - 1);
   const fuzzy::Term& term = terms_.terms()[term_];
-  if (parts_.size() != term.points.size() || shape_ != term.shape || variable_ != terms_.variable().id) build(term);
+  if (parts_.size() != term.points.size() || shape_ != term.shape) build(term);
   show(term);
 }
 
@@ -52,16 +52,12 @@ void TermSliders::build(const fuzzy::Term& term) {
   }
   parts_.clear();
   shape_ = term.shape;
-  variable_ = terms_.variable().id;
-  const fuzzy::Variable& variable = terms_.variable();
   for (std::size_t p = 0; p < term.points.size(); ++p) {
     Part part{new QWidget(this), nullptr, nullptr};
     part.name = new QLabel(part.cell);
     part.name->setTextFormat(Qt::PlainText);
     part.name->setFont(theme::smallFont());
     part.slider = new VertexSlider(part.cell);
-    const bool width = term.shape == fuzzy::Shape::kGaussian && p == 1;
-    part.slider->setEnds(width ? 0 : variable.min, width ? variable.max - variable.min : variable.max);
     auto* column = new QVBoxLayout(part.cell);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -87,14 +83,17 @@ void TermSliders::build(const fuzzy::Term& term) {
 
 void TermSliders::show(const fuzzy::Term& term) {
   title_->setFullText(labelOf(term));
+  const fuzzy::Variable& variable = terms_.variable();
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const QString name = text(editing::pointName(term.shape, p));
     QString sentence = name;
     if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
     parts_[p].name->setText(sentence);
     parts_[p].slider->setAccessibleName(tr("%1 of %2").arg(sentence, labelOf(term)));
-    parts_[p].slider->setToolTip(tr("%1: %2. Drag, or arrow keys, with Shift farther")
-                                     .arg(sentence, placeText(terms_.variable(), term.points[p])));
+    parts_[p].slider->setToolTip(
+        tr("%1: %2. Drag, or arrow keys, with Shift farther").arg(sentence, placeText(variable, term.points[p])));
+    const bool width = term.shape == fuzzy::Shape::kGaussian && p == 1;
+    parts_[p].slider->setEnds(width ? 0 : variable.min, width ? variable.max - variable.min : variable.max);
     parts_[p].slider->setEnabled(!terms_.isLocked(term.id, p));
     parts_[p].slider->setPlace(term.points[p]);
   }

@@ -3,7 +3,6 @@
 
 #include <QString>
 #include <QWidget>
-#include <string>
 #include <vector>
 
 #include "core/fuzzy/force_model.h"
@@ -42,7 +41,6 @@ class TermSliders : public QWidget {
   std::vector<Part> parts_;
   std::size_t term_ = 0;  ///< its place in the list; the first one where nothing is chosen
   fuzzy::Shape shape_ = fuzzy::Shape::kTrapezoid;
-  std::string variable_;
 };
 
 }  // namespace tactus::workbench

@@ -8,7 +8,6 @@
 #include <QMenu>
 #include <QScrollBar>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QToolButton>
 #include <algorithm>
 #include <utility>
@@ -20,9 +19,7 @@
 #include "app/workbench/theme.h"
 #include "app/workbench/views/lock_button.h"
 #include "app/workbench/views/number_box.h"
-#include "app/workbench/views/popup_form.h"
-#include "core/base/text.h"
-#include "core/fuzzy/membership.h"
+#include "app/workbench/views/term_forms.h"
 
 namespace tactus::workbench {
 namespace {
@@ -35,7 +32,6 @@ enum Column { kSwatch, kName, kShape, kFirstPoint, kMore = kFirstPoint + 4, kCol
 constexpr int kSwatchSide = 12;  // px
 constexpr int kNarrowestName = 100;
 constexpr int kMoreWidth = 22;
-constexpr int kMostParts = 8;
 constexpr int kFewestRows = 4;  // with the head
 
 // A triangle has its peak where a trapezoid has its left shoulder; a Gaussian its mean.
@@ -57,36 +53,11 @@ QString shapeText(Shape shape) {
   return {};
 }
 
-QString cutsText(const std::vector<double>& cuts, const fuzzy::Variable& variable) {
-  QStringList parts;
-  for (const double cut : cuts) parts << text(editing::numberText(variable, cut));
-  return parts.join(QStringLiteral(", "));
-}
-
-// Places that cut the part of the core inside the universe into equal parts.
-std::vector<double> equalCuts(const fuzzy::Variable& variable, const Term& term, int parts) {
-  const auto shape = fuzzy::MembershipFunction::of(term);
-  const double from = std::max(shape.b, variable.min);
-  const double to = std::min(shape.c, variable.max);
-  std::vector<double> cuts;
-  for (int i = 1; i < parts; ++i) cuts.push_back(roundedPlace(variable, from + (to - from) * i / parts));
-  return cuts;
-}
-
-std::optional<std::vector<double>> parsedCuts(const QString& typed) {
-  std::vector<double> cuts;
-  for (const QString& part : typed.split(QLatin1Char(','))) {
-    const auto number = base::parseNumber(part.trimmed().toStdString());
-    if (!number) return std::nullopt;
-    cuts.push_back(*number);
-  }
-  return cuts;
-}
-
 }  // namespace
 
 TermTable::TermTable(TermController& terms, QWidget* parent) : QScrollArea(parent), terms_(terms) {
   setFrameShape(QFrame::NoFrame);
+  setAccessibleName(tr("Terms as numbers"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -207,7 +178,6 @@ void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
 
   row.name = new QLineEdit;
   row.name->setFrame(false);
-  row.name->setAccessibleName(tr("Name of %1").arg(labelOf(term)));
   row.name->setToolTip(tr("Id in the model: %1").arg(text(term.id)));
   row.name->installEventFilter(this);
   grid.addWidget(row.name, place, kName);
@@ -216,17 +186,18 @@ void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
   for (const fuzzy::Shape shape : fuzzy::kShapes) row.shapes->addItem(shapeText(shape), static_cast<int>(shape));
   row.shapes->setCurrentIndex(row.shapes->findData(static_cast<int>(term.shape)));
   row.shapes->setFont(theme::smallFont());
-  row.shapes->setAccessibleName(tr("Shape of %1").arg(labelOf(term)));
   row.shapes->setFocusPolicy(Qt::StrongFocus);
   row.shapes->installEventFilter(this);
   grid.addWidget(row.shapes, place, kShape);
 
   for (std::size_t p = 0; p < term.points.size(); ++p) row.points.push_back(buildPoint(grid, index, p));
-  buildButtons(grid, index);
+  row.more = buildMore(grid, index);
 
   const std::string id = term.id;
   QLineEdit* const name = row.name;
   connect(name, &QLineEdit::editingFinished, this, [this, id, name] {
+    // From now on it shows the name that the term has, also after an undo.
+    name->setModified(false);
     const Term* const now = fuzzy::findTerm(terms_.terms(), id);
     if (now != nullptr && name->text().trimmed() != labelOf(*now)) terms_.rename(id, name->text());
   });
@@ -255,12 +226,10 @@ TermTable::Point TermTable::buildPoint(QGridLayout& grid, std::size_t index, std
           .horizontalAdvance(numberText(variable.max) + (sigma ? QStringLiteral("σ .0") : QStringLiteral(".00"))) +
       14);
   const QString name = text(editing::pointName(term.shape, point));
-  out.number->setAccessibleName(QStringLiteral("%1: %2").arg(labelOf(term), name));
   out.number->setToolTip(name);
   out.number->installEventFilter(this);
 
   out.lock = new LockButton;
-  out.lock->setAccessibleName(tr("Lock the %1 of %2").arg(name, labelOf(term)));
   out.lock->setToolTip(tr("Lock the %1: it stays where it is").arg(name));
 
   auto* cell = new QWidget;
@@ -281,14 +250,13 @@ TermTable::Point TermTable::buildPoint(QGridLayout& grid, std::size_t index, std
   return out;
 }
 
-void TermTable::buildButtons(QGridLayout& grid, std::size_t index) {
+QToolButton* TermTable::buildMore(QGridLayout& grid, std::size_t index) {
   const Term& term = terms_.terms()[index];
   const std::string id = term.id;
   auto* more = new QToolButton;
   more->setText(QStringLiteral("⋯"));
   more->setAutoRaise(true);
   more->setFixedWidth(kMoreWidth);
-  more->setAccessibleName(tr("More for %1").arg(labelOf(term)));
   more->setToolTip(tr("Split or remove the term"));
   auto* menu = new QMenu(more);
   menu->setToolTipsVisible(true);
@@ -301,8 +269,9 @@ void TermTable::buildButtons(QGridLayout& grid, std::size_t index) {
   connect(more, &QToolButton::clicked, menu,
           [menu, more] { menu->popup(more->mapToGlobal(QPoint(0, more->height()))); });
   grid.addWidget(more, static_cast<int>(index) + 1, kMore);
-  connect(split, &QAction::triggered, this, [this, id, more] { askSplit(id, *more); });
-  connect(remove, &QAction::triggered, this, [this, id, more] { askRemove(id, *more); });
+  connect(split, &QAction::triggered, this, [this, id, more] { askSplit(terms_, id, *more, this); });
+  connect(remove, &QAction::triggered, this, [this, id, more] { askRemove(terms_, id, *more, this); });
+  return more;
 }
 
 void TermTable::showValues() {
@@ -310,6 +279,7 @@ void TermTable::showValues() {
   for (std::size_t t = 0; t < rows_.size(); ++t) {
     const Term& term = terms_.terms()[t];
     const QString label = labelOf(term);
+    nameRow(rows_[t], term);
     if (!rows_[t].name->hasFocus() || !rows_[t].name->isModified()) {
       rows_[t].name->setText(label);
       rows_[t].name->setCursorPosition(0);
@@ -320,6 +290,18 @@ void TermTable::showValues() {
       const QSignalBlocker no_number(rows_[t].points[p].number);
       rows_[t].points[p].number->setValue(term.points[p]);
     }
+  }
+}
+
+void TermTable::nameRow(const Row& row, const Term& term) {
+  const QString label = labelOf(term);
+  row.name->setAccessibleName(tr("Name of %1").arg(label));
+  row.shapes->setAccessibleName(tr("Shape of %1").arg(label));
+  row.more->setAccessibleName(tr("More for %1").arg(label));
+  for (std::size_t p = 0; p < row.points.size(); ++p) {
+    const QString point = text(editing::pointName(term.shape, p));
+    row.points[p].number->setAccessibleName(QStringLiteral("%1: %2").arg(label, point));
+    row.points[p].lock->setAccessibleName(tr("Lock the %1 of %2").arg(point, label));
   }
 }
 
@@ -345,63 +327,6 @@ void TermTable::showSelection() {
     name.setColor(QPalette::Base, Qt::transparent);
     rows_[t].name->setPalette(name);
   }
-}
-
-void TermTable::askSplit(const std::string& term, const QWidget& anchor) {
-  const Term* const found = fuzzy::findTerm(terms_.terms(), term);
-  if (found == nullptr) return;
-  const Term whole = *found;
-  const fuzzy::Variable variable = terms_.variable();
-  auto* form = new PopupForm(tr("Split %1").arg(labelOf(whole)), tr("Split"), this);
-  const std::size_t rules = terms_.rulesOf(term);
-  const bool output = variable.id == terms_.model().output.id;
-  if (rules > 0 && !output) {
-    form->setNote(rules == 1
-                      ? tr("Its rule is copied to each part, so the force stays as it is until you change a part.")
-                      : tr("Its %1 rules are copied to each part, so the force stays as it is until you change "
-                           "a part.")
-                            .arg(rules));
-  }
-  auto* parts = new QSpinBox(form);
-  parts->setRange(2, kMostParts);
-  parts->setAccessibleName(tr("Number of parts"));
-  auto* cuts = new QLineEdit(cutsText(equalCuts(variable, whole, 2), variable), form);
-  cuts->setAccessibleName(tr("Cuts"));
-  form->addField(tr("Parts:"), parts);
-  const QString unit = unitText(variable.unit);
-  form->addField(unit.isEmpty() ? tr("Cuts:") : tr("Cuts (%1):").arg(unit), cuts);
-  connect(parts, &QSpinBox::valueChanged, form,
-          [variable, whole, cuts](int count) { cuts->setText(cutsText(equalCuts(variable, whole, count), variable)); });
-  connect(form, &PopupForm::accepted, this, [this, term, cuts, form] {
-    const auto places = parsedCuts(cuts->text());
-    if (!places) {
-      form->setNote(tr("“%1” is no list of numbers: type the cuts with commas between them, such as 290, 365.")
-                        .arg(cuts->text()));
-      return;
-    }
-    form->close();
-    terms_.split(term, *places);
-  });
-  form->openAt(anchor);
-}
-
-void TermTable::askRemove(const std::string& term, const QWidget& anchor) {
-  const std::size_t rules = terms_.rulesOf(term);
-  if (rules == 0) {
-    terms_.remove(term, false);
-    return;
-  }
-  const Term* const found = fuzzy::findTerm(terms_.terms(), term);
-  if (found == nullptr) return;
-  auto* form = new PopupForm(tr("Remove %1").arg(labelOf(*found)),
-                             rules == 1 ? tr("Remove it and its rule") : tr("Remove it and %1 rules").arg(rules), this);
-  form->setNote(rules == 1 ? tr("One rule names this term and goes with it. Undo brings both back.")
-                           : tr("%1 rules name this term and go with it. Undo brings all back.").arg(rules));
-  connect(form, &PopupForm::accepted, this, [this, term, form] {
-    form->close();
-    terms_.remove(term, true);
-  });
-  form->openAt(anchor);
 }
 
 }  // namespace tactus::workbench

@@ -11,6 +11,7 @@
 class QComboBox;
 class QGridLayout;
 class QLineEdit;
+class QToolButton;
 
 namespace tactus::workbench {
 
@@ -40,6 +41,7 @@ class TermTable : public QScrollArea {
     QLineEdit* name = nullptr;
     QComboBox* shapes = nullptr;
     std::vector<Point> points;
+    QToolButton* more = nullptr;
   };
 
   void follow();
@@ -47,13 +49,12 @@ class TermTable : public QScrollArea {
   void buildHeads(QGridLayout& grid);
   void buildRow(QGridLayout& grid, std::size_t index);
   Point buildPoint(QGridLayout& grid, std::size_t index, std::size_t point);
-  void buildButtons(QGridLayout& grid, std::size_t index);
+  QToolButton* buildMore(QGridLayout& grid, std::size_t index);
+  static void nameRow(const Row& row, const fuzzy::Term& term);
   bool sameRows() const;
   void showValues();
   void showLocks();
   void showSelection();
-  void askSplit(const std::string& term, const QWidget& anchor);
-  void askRemove(const std::string& term, const QWidget& anchor);
 
   TermController& terms_;
   std::vector<Row> rows_;

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
@@ -57,13 +58,13 @@ double TubePad::positionAt(double x) const {
 }
 
 QString TubePad::hint() const {
-  if (!reading_.running) return tr("Start, then hold the mouse button here and push to the right.");
-  if (!reading_.live && reading_.latch) return tr("Press the button once, and push the device away from you.");
-  if (!reading_.live) return tr("Hold the device and push it away from you.");
-  if (reading_.latch && reading_.held) return tr("Push to the right; click or Space lets go.");
-  if (reading_.latch) return tr("Click or Space takes the tube; then push to the right.");
-  if (reading_.held) return tr("Let go, go back to the left, and take the next stroke.");
-  return tr("Hold the mouse button or Space and push to the right.");
+  if (!reading_.running) return tr("Start, hold the button, push right.");
+  if (!reading_.live && reading_.latch) return tr("Press once, push the device away.");
+  if (!reading_.live) return tr("Hold the device, push it away.");
+  if (reading_.latch && reading_.held) return tr("Push right; click or Space lets go.");
+  if (reading_.latch) return tr("Click or Space, then push right.");
+  if (reading_.held) return tr("Let go, go back left, push again.");
+  return tr("Hold mouse or Space, push right.");
 }
 
 void TubePad::paintEvent(QPaintEvent* /*event*/) {
@@ -129,11 +130,20 @@ void TubePad::mouseMoveEvent(QMouseEvent* event) {
 void TubePad::mousePressEvent(QMouseEvent* event) {
   if (!reading_.running || event->button() != Qt::LeftButton) return;
   if (reading_.live) emit targetMoved(positionAt(event->position().x()));
+  pressed_ = true;
   emit gripped(true);
 }
 
 void TubePad::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) emit gripped(false);
+  if (event->button() != Qt::LeftButton) return;
+  pressed_ = false;
+  emit gripped(false);
+}
+
+// Nobody hears of the release any more.
+void TubePad::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (std::exchange(pressed_, false)) emit gripped(false);
 }
 
 void TubePad::keyPressEvent(QKeyEvent* event) {

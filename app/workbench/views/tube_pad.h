@@ -38,6 +38,7 @@ class TubePad : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   double xOf(double position_mm) const;
@@ -45,6 +46,7 @@ class TubePad : public QWidget {
   QString hint() const;
 
   Reading reading_;
+  bool pressed_ = false;  ///< with the mouse
 };
 
 }  // namespace tactus::workbench

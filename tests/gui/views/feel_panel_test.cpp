@@ -2,8 +2,10 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalSpy>
@@ -94,6 +96,34 @@ TEST_F(FeelPanelTest, SpaceHoldsTheTubeAndEscapeStops) {
   EXPECT_FALSE(feel.latest().enabled);
   QTest::keyPress(&panel, Qt::Key_Escape);
   EXPECT_FALSE(feel.isRunning());
+}
+
+TEST_F(FeelPanelTest, SpaceHoldsTheTubeWhileTheKeyboardIsInANumber) {
+  click("Start");
+  time.advance(feel, 50);
+  QDoubleSpinBox number;
+  number.show();
+  number.setFocus();
+  QTest::keyPress(&number, Qt::Key_Space);
+  time.advance(feel, 50);
+  EXPECT_TRUE(feel.latest().enabled);
+  QTest::keyRelease(&number, Qt::Key_Space);
+  // A menu that opens has its own use for the key.
+  QMenu menu;
+  menu.addAction(QStringLiteral("Something"));
+  menu.popup(QPoint(0, 0));
+  QTest::keyPress(&menu, Qt::Key_Space);
+  time.advance(feel, 50);
+  EXPECT_FALSE(feel.latest().enabled);
+}
+
+TEST_F(FeelPanelTest, APadThatIsHiddenLetsGo) {
+  click("Start");
+  push();
+  ASSERT_TRUE(feel.latest().enabled);
+  panel.hide();
+  time.advance(feel, 60);
+  EXPECT_FALSE(feel.latest().enabled);
 }
 
 TEST_F(FeelPanelTest, ItsOwnKeyStopsTheForceWhateverHasTheKeyboard) {

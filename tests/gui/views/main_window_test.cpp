@@ -6,6 +6,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QSettings>
 #include <QSlider>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/editing/membership_edits.h"
 #include "app/workbench/models/reading_model.h"
 #include "app/workbench/plots/curve_plot.h"
 #include "app/workbench/theme.h"
@@ -64,6 +66,7 @@ class MainWindowTest : public testing::Test {
     if (!enter.isAccepted()) return false;
     QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &drop);
+    QCoreApplication::processEvents();
     return true;
   }
 
@@ -117,6 +120,62 @@ TEST_F(MainWindowTest, AnExactValueCanBeTyped) {
   EXPECT_EQ(bench.scene.value(0), 12.34);
   EXPECT_EQ(number->text(), QStringLiteral("12.34 mm/s"));
   EXPECT_EQ(ofVariable<QSlider>(QStringLiteral("Speed"))->value(), 12);
+}
+
+TEST_F(MainWindowTest, UndoBelongsToTheModelUnlessSomebodyTypes) {
+  openSample();
+  for (const Stage stage : {Stage::kUnderstand, Stage::kTune}) {
+    window.enter(stage);
+    QCoreApplication::processEvents();
+    for (QWidget* field : window.findChildren<QWidget*>()) {
+      const bool is_field = qobject_cast<QAbstractSpinBox*>(field) || qobject_cast<QLineEdit*>(field);
+      if (!is_field || !field->isVisible() || !field->isEnabled() || field->focusPolicy() == Qt::NoFocus) continue;
+      const fuzzy::ForceModel before = bench.edits.model();
+      ASSERT_TRUE(bench.edits.apply(editing::moveVertex(before, {{"depth", ""}, "near", 2}, 3)));
+      field->setFocus();
+      QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+      EXPECT_EQ(bench.edits.model(), before) << field->accessibleName().toStdString();
+      QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+      EXPECT_NE(bench.edits.model(), before) << field->accessibleName().toStdString();
+      bench.edits.undo();
+    }
+  }
+  // What is being typed is taken back before the model is.
+  auto* number = ofVariable<QDoubleSpinBox>(QStringLiteral("Speed of the operating point"));
+  ASSERT_NE(number, nullptr);
+  const QString shown = number->text();
+  ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), {{"depth", ""}, "near", 2}, 3)));
+  const fuzzy::ForceModel edited = bench.edits.model();
+  number->setFocus();
+  number->selectAll();
+  QTest::keyClicks(number, QStringLiteral("7"));
+  QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(bench.edits.model(), edited);
+  EXPECT_EQ(number->text(), shown);
+  QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_NE(bench.edits.model(), edited);
+}
+
+TEST_F(MainWindowTest, ClosingTheWindowEndsTheForce) {
+  openSample();
+  bench.feel.start(QStringLiteral("virtual"));
+  ASSERT_TRUE(bench.feel.isRunning());
+  window.close();
+  EXPECT_FALSE(bench.feel.isRunning());
+}
+
+TEST_F(MainWindowTest, ALongNameOfAStudyLeavesRoomInTheStrip) {
+  openSample();
+  const QString name = QStringLiteral("the-study-of-nasogastric-tube-placement-with-a-very-long-name.tactus");
+  window.strip().showStored(QStringLiteral("Stored in ") + name, false);
+  const QList<QLabel*> labels = window.strip().findChildren<QLabel*>();
+  const auto saved = std::find_if(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text().startsWith(QLatin1String("Stored"));
+  });
+  ASSERT_NE(saved, labels.end());
+  EXPECT_LT((*saved)->fontMetrics().horizontalAdvance((*saved)->text()), window.width() / 4);
+  EXPECT_TRUE((*saved)->text().endsWith(QLatin1String("name.tactus")));
+  EXPECT_TRUE((*saved)->toolTip().contains(name));
 }
 
 TEST_F(MainWindowTest, TheMouseReadsTheCurves) {

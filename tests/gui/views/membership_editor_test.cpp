@@ -196,6 +196,10 @@ TEST_F(MembershipEditorTest, ATermIsRenamedInItsRow) {
   QTest::keyClick(name, Qt::Key_Return);
   EXPECT_EQ(terms.terms()[1].label, "Deep");
   EXPECT_EQ(terms.terms()[1].id, "far");
+  // Its row says so, to a screen reader too, and shows what an undo brings back while the keyboard is still there.
+  EXPECT_NE(named<QToolButton>(QStringLiteral("More for Deep")), nullptr);
+  edits.undo();
+  EXPECT_EQ(name->text(), QStringLiteral("Far"));
 }
 
 TEST_F(MembershipEditorTest, ASmallFormSplitsATerm) {
@@ -249,6 +253,16 @@ TEST_F(MembershipEditorTest, ASliderMovesAVertexOfTheChosenTerm) {
   EXPECT_EQ(points(0), before);
   QTest::mouseRelease(slider, Qt::LeftButton, {}, {40, 8});
   EXPECT_EQ(points(0), before);
+}
+
+TEST_F(MembershipEditorTest, TheSlidersHaveTheEndsOfAnotherModel) {
+  const auto far_right = [this] { return named<VertexSlider>(QStringLiteral("Right foot of Near")); };
+  ASSERT_EQ(far_right()->value(), 5000);  // 5 of 10 mm
+  fuzzy::ForceModel longer = tests::twoExperts();
+  longer.inputs[1].max = 20;
+  models.open(folder.write(longer, QStringLiteral("longer.tactus.json")));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(far_right()->value(), 2500);
 }
 
 TEST_F(MembershipEditorTest, TheRoomBelowTheTableGoesToThePlot) {

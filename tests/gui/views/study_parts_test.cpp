@@ -1,15 +1,18 @@
 #include "app/workbench/views/study_parts.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
+#include <QTimer>
 #include <QUrl>
 #include <gtest/gtest.h>
 
@@ -106,6 +109,33 @@ TEST_F(StudyPartsTest, TheWindowStaysUntilEverythingIsWritten) {
   bench.study.close();
   ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
   EXPECT_EQ(store::modelVersions(tests::lookInto(path))->size(), 2U);
+}
+
+TEST_F(StudyPartsTest, AWindowThatIsKeptOpenIsNotClosedByTheNextWrite) {
+  ASSERT_TRUE(open());
+  window.openFile(folder.write(tests::twoExperts()));
+  // In a file of its own, beside the study.
+  ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
+  int asked = 0;
+  QTimer answer;
+  QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!question) return;
+    ++asked;
+    question->button(QMessageBox::Cancel)->click();
+  });
+  answer.start(10);
+  const auto write = [this] {
+    bench.study.order([](store::StudyFile&, study::RecordIds&) { return base::Result<void>(); });
+  };
+  write();
+  window.close();
+  ASSERT_TRUE(comesTrue([&] { return asked == 1; }));
+  EXPECT_TRUE(window.isVisible());
+  write();
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isBusy(); }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(asked, 1);
 }
 
 TEST_F(StudyPartsTest, TheRecordingsStandInTheFeelPanel) {
