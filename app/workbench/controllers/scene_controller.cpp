@@ -129,6 +129,7 @@ void SceneController::applyPreset(const FigurePreset& preset) {
 }
 
 void SceneController::setHover(double x) {
+  if (std::isnan(x)) return;
   const double place = clamped(xVariable(), x);
   if (hover_ == place) return;
   hover_ = place;
@@ -199,6 +200,7 @@ void SceneController::adoptEdit() {
 
 bool SceneController::storeValue(std::size_t input, double value) {
   TACTUS_CHECK(input < values_.size());
+  if (std::isnan(value)) return false;
   const double inside = clamped(model_->model.inputs[input], value);
   if (values_[input] == inside) return false;
   values_[input] = inside;

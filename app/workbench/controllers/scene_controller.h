@@ -63,7 +63,7 @@ class SceneController : public QObject {
 
  public slots:
   void setXInput(std::size_t input);
-  /// Sets input `input` to `value`, clamped to its universe.
+  /// Sets input `input` to `value`, clamped to its universe. What is no number changes nothing.
   void setValue(std::size_t input, double value);
   /// Sets the inputs as in a figure of the paper, with the depth on the x axis where the model has one.
   void applyPreset(const tactus::workbench::FigurePreset& preset);

@@ -2,6 +2,7 @@
 
 #include <QSignalSpy>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "tests/gui/sample_models.h"
 
@@ -40,6 +41,16 @@ TEST_F(SceneControllerTest, ReadsTheForcesOfEveryExpert) {
   EXPECT_FALSE(near.experts[1].fired);
   scene.setHover(5.5);
   EXPECT_FALSE(scene.reading().mean.fired);
+}
+
+TEST_F(SceneControllerTest, WhatIsNoNumberIsNotRead) {
+  scene.setValue(kDepth, 2);
+  scene.setValue(kDepth, std::numeric_limits<double>::quiet_NaN());
+  scene.setHover(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(scene.value(kDepth), 2);
+  EXPECT_EQ(scene.readingX(), 2);
+  scene.setValue(kDepth, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(scene.value(kDepth), 10);
 }
 
 TEST_F(SceneControllerTest, HoverReadsAndTheValueStays) {
