@@ -171,7 +171,7 @@ class Words {
     }
     QString out = tr("%1, force from %2 to %3").arg(along, consequentText(*before), consequentText(*after));
     if (!others.empty()) out += tr(" where %1").arg(conditionsText(others));
-    return frame.arg(out) + numbers();
+    return frame.arg(out + numbers());
   }
 
   QString disagreement() const {

@@ -17,8 +17,8 @@ QString impactText(const editing::EditImpact& impact, const std::string& unit) {
     out = tr("max ΔF %1").arg(forceText(impact.largest_n, unit));
     if (unit == "N") out += tr(" (%1 JND)").arg(numberText(impact.noticeable, 1));
   }
-  if (impact.closed > 0) out += tr(" · a force where there was none");
-  if (impact.opened > 0) out += tr(" · leaves places without a force");
+  if (impact.closed > 0) out += tr(" · fills a hole");
+  if (impact.opened > 0) out += tr(" · leaves a hole");
   return out;
 }
 

@@ -48,8 +48,12 @@ void LegendChip::paintEvent(QPaintEvent* /*event*/) {
   painter.setOpacity(isChecked() ? 1 : kOff);
   const double middle = height() / 2.0;
   const QRectF swatch(kInside, middle - 5, kSwatch, 10);
-  if (look_.fill.style() != Qt::NoBrush) painter.fillRect(swatch, look_.fill);
+  // The entry may have been made in the other look.
+  QBrush fill = look_.fill;
+  fill.setColor(theme::inLook(fill.color()));
+  if (fill.style() != Qt::NoBrush) painter.fillRect(swatch, fill);
   QPen pen = look_.pen;
+  pen.setColor(theme::inLook(pen.color()));
   pen.setWidthF(std::min(pen.widthF(), 4.0));
   painter.setPen(pen);
   painter.drawLine(QPointF(swatch.left(), middle), QPointF(swatch.right(), middle));

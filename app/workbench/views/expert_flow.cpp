@@ -17,6 +17,7 @@ constexpr double kLine = 50;     // px, height of an expert
 constexpr double kDot = 10;      // px
 constexpr double kForces = 120;  // px, width of force and share
 constexpr double kNarrowestSketch = 90;
+constexpr int kNarrowest = 340;  // px, of all
 
 }  // namespace
 
@@ -36,7 +37,7 @@ QSize ExpertFlow::sizeHint() const {
   return {640, static_cast<int>(kLine * static_cast<double>(explanation_.experts.size()))};
 }
 
-QSize ExpertFlow::minimumSizeHint() const { return {360, sizeHint().height()}; }
+QSize ExpertFlow::minimumSizeHint() const { return {kNarrowest, sizeHint().height()}; }
 
 void ExpertFlow::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
@@ -66,7 +67,9 @@ void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
   const QRectF words(4 + kDot + theme::kGrid, line.top() + 5, width() - kForces - sketch_width - kDot - 28, kLine - 10);
   painter.setPen(theme::ink());
   painter.setFont(theme::headingFont());
-  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, labelOf(open_->model.experts[expert]));
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop,
+                   painter.fontMetrics().elidedText(labelOf(open_->model.experts[expert]), Qt::ElideRight,
+                                                    static_cast<int>(words.width())));
   painter.setPen(theme::mutedInk());
   painter.setFont(theme::smallFont());
   painter.drawText(

@@ -55,7 +55,9 @@ void paintForceWord(QPainter& painter, const QRectF& place, const ForceWord& wor
   const QString weight = QStringLiteral("×") + numberText(word.weight, 2);
   const QFontMetricsF metrics(painter.font());
   const bool acts = word.strength > 0;
-  const QRectF words = place.adjusted(acts ? kBar + 5 : 3, 0, -3, 0);
+  // In a low place the mark of a conflict would stand on the word.
+  const bool beside = word.conflict && place.height() < metrics.height() + kBadge;
+  const QRectF words = place.adjusted(acts ? kBar + 5 : 3, 0, beside ? -kBadge - 3 : -3, 0);
   const double room = words.width();
   QString text = brokenLabel(word.word, room, metrics);
   // The weight stands behind the word or, where there is no room, below it.

@@ -103,7 +103,7 @@ void RuleEditor::showHead() {
   QStringList texts;
   QStringList ids;
   for (const fuzzy::Expert& expert : model.experts) {
-    texts << tr("Rules of %1").arg(labelOf(expert));
+    texts << labelOf(expert);
     ids << text(expert.id);
   }
   fill(*experts_, texts, ids, text(rules_.expert().id));

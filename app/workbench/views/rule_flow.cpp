@@ -16,8 +16,9 @@ namespace tactus::workbench {
 namespace {
 
 constexpr double kLine = 50;       // px, height of a rule
-constexpr double kStrength = 64;   // px, width of the strengths
-constexpr double kNarrowest = 72;  // px, width of a cell
+constexpr double kStrength = 56;   // px, width of the strengths
+constexpr double kNarrowest = 58;  // px, width of a cell
+constexpr double kPad = 3;         // px, beside what is in a cell
 
 double lineHeight() { return QFontMetricsF(theme::smallFont()).height(); }
 // The name of a column above its value, which is never cut.
@@ -31,6 +32,20 @@ std::size_t indexOf(const std::vector<fuzzy::Term>& terms, const std::string& id
 void drawElided(QPainter& painter, const QRectF& place, Qt::Alignment alignment, const QString& text) {
   painter.drawText(place, static_cast<int>(alignment),
                    painter.fontMetrics().elidedText(text, Qt::ElideRight, static_cast<int>(place.width())));
+}
+
+// The id in words where the label has no room: two of them may begin alike.
+void drawName(QPainter& painter, const QRectF& place, const fuzzy::Variable& variable) {
+  const bool fits = painter.fontMetrics().horizontalAdvance(labelOf(variable)) <= place.width();
+  drawElided(painter, place, Qt::AlignLeft | Qt::AlignTop, fits ? labelOf(variable) : shortLabelOf(variable));
+}
+
+// A number behind a name, which gives way.
+void drawTerm(QPainter& painter, const QRectF& place, const QString& name, double membership) {
+  const QString number = QLatin1Char(' ') + numberText(membership);
+  const QFontMetrics metrics = painter.fontMetrics();
+  const int room = static_cast<int>(place.width()) - metrics.horizontalAdvance(number);
+  painter.drawText(place, Qt::AlignLeft | Qt::AlignTop, metrics.elidedText(name, Qt::ElideRight, room) + number);
 }
 
 }  // namespace
@@ -127,16 +142,16 @@ void RuleFlow::paintHead(QPainter& painter) const {
   const Columns place = columns(0, headHeight());
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     const fuzzy::Variable& input = open_->model.inputs[inputs_[i]];
-    const QRectF head = place.inputs[i].adjusted(4, 0, -8, 0);
+    const QRectF head = place.inputs[i].adjusted(kPad, 0, -kPad, 0);
     painter.setPen(theme::mutedInk());
-    drawElided(painter, head, Qt::AlignLeft | Qt::AlignTop, labelOf(input));
+    drawName(painter, head, input);
     painter.setPen(theme::ink());
     drawElided(painter, head.adjusted(0, lineHeight(), 0, 0), Qt::AlignLeft | Qt::AlignTop,
                placeText(input, values_[inputs_[i]]));
   }
   painter.setPen(theme::mutedInk());
   drawElided(painter, place.strength.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignTop, tr("strength"));
-  drawElided(painter, place.output.adjusted(4, 0, -4, 0), Qt::AlignLeft | Qt::AlignTop, labelOf(open_->model.output));
+  drawName(painter, place.output.adjusted(kPad, 0, -kPad, 0), open_->model.output);
 }
 
 void RuleFlow::paintLine(QPainter& painter, std::size_t line) const {
@@ -159,7 +174,7 @@ void RuleFlow::paintCondition(QPainter& painter, const QRectF& cell, std::size_t
     const std::size_t term = indexOf(terms, conditions[i].term);
     const QColor color = theme::term(term, terms.size());
     const double words = QFontMetricsF(painter.font()).height();
-    SetSketch sketch(painter, cell.adjusted(4, 3 + words, -8, -4), variable);
+    SetSketch sketch(painter, cell.adjusted(kPad, 3 + words, -kPad, -4), variable);
     sketch.ground();
     sketch.implied(terms[term], rule.memberships[i], fuzzy::Implication::kClip, color);
     sketch.term(terms[term], color);
@@ -167,8 +182,7 @@ void RuleFlow::paintCondition(QPainter& painter, const QRectF& cell, std::size_t
     sketch.mark(values_[input], theme::accent());
     // The smallest membership is what counts.
     painter.setPen(i == rule.smallest_condition ? theme::ink() : theme::mutedInk());
-    drawElided(painter, cell.adjusted(4, 2, -8, 0), Qt::AlignLeft | Qt::AlignTop,
-               labelOf(terms[term]) + QLatin1Char(' ') + numberText(rule.memberships[i]));
+    drawTerm(painter, cell.adjusted(kPad, 2, -kPad, 0), labelOf(terms[term]), rule.memberships[i]);
   }
 }
 
@@ -190,13 +204,13 @@ void RuleFlow::paintOutput(QPainter& painter, const QRectF& cell, const analysis
   const std::size_t term = indexOf(terms, expert.rules[rule.rule].then);
   const QColor color = theme::term(term, terms.size());
   const double words = QFontMetricsF(painter.font()).height();
-  SetSketch sketch(painter, cell.adjusted(4, 3 + words, -4, -4), open_->model.output);
+  SetSketch sketch(painter, cell.adjusted(kPad, 3 + words, -kPad, -4), open_->model.output);
   sketch.ground();
   // A rule that is not the strongest of its term adds nothing, and its set stays an outline.
   if (rule.wins) sketch.implied(terms[term], rule.strength, open_->model.implication, color);
   sketch.term(terms[term], color);
   painter.setPen(rule.wins ? theme::ink() : theme::mutedInk());
-  drawElided(painter, cell.adjusted(4, 2, -4, 0), Qt::AlignLeft | Qt::AlignTop,
+  drawElided(painter, cell.adjusted(kPad, 2, -kPad, 0), Qt::AlignLeft | Qt::AlignTop,
              rule.wins ? labelOf(terms[term]) : tr("%1, a stronger rule says so too").arg(labelOf(terms[term])));
 }
 

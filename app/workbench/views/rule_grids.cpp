@@ -43,7 +43,7 @@ RuleGrids::RuleGrids(RuleController& rules, QWidget* parent) : QWidget(parent), 
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Rules as grids of force words"));
   // Other rules may stand in other places, also before they are shown.
-  connect(&rules_, &RuleController::rulesChanged, this, [this] { geometry_.reset(); });
+  connect(&rules_, &RuleController::rulesChanged, this, &RuleGrids::measureAnew);
   connect(&rules_, &RuleController::selectionChanged, this, [this] {
     if (!isVisible()) return;
     const auto selected = rules_.selected();
@@ -52,7 +52,7 @@ RuleGrids::RuleGrids(RuleController& rules, QWidget* parent) : QWidget(parent), 
   });
 }
 
-RuleGridGeometry::Needs RuleGrids::needs() const {
+RuleGridGeometry::Needs RuleGrids::measured() const {
   RuleGridGeometry::Needs needs;
   if (!rules_.isOpen()) return needs;
   const QFontMetricsF metrics(boldFont());
@@ -73,6 +73,16 @@ RuleGridGeometry::Needs RuleGrids::needs() const {
   return needs;
 }
 
+void RuleGrids::measureAnew() {
+  needs_.reset();
+  geometry_.reset();
+}
+
+const RuleGridGeometry::Needs& RuleGrids::needs() const {
+  if (!needs_) needs_ = measured();
+  return *needs_;
+}
+
 QSize RuleGrids::minimumSizeHint() const {
   const QSizeF size = RuleGridGeometry::smallest(needs());
   return {static_cast<int>(std::ceil(size.width())), static_cast<int>(std::ceil(size.height()))};
@@ -84,7 +94,6 @@ const RuleGridGeometry& RuleGrids::places() const {
 }
 
 void RuleGrids::showRules() {
-  geometry_.reset();
   // Only another number of rows or columns lays the panel out anew.
   if (minimumSize() != minimumSizeHint()) setMinimumSize(minimumSizeHint());
   const auto selected = rules_.selected();
@@ -99,7 +108,9 @@ void RuleGrids::resizeEvent(QResizeEvent* event) {
 
 void RuleGrids::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange && isVisible()) showRules();
+  if (event->type() != QEvent::FontChange) return;
+  measureAnew();
+  if (isVisible()) showRules();
 }
 
 void RuleGrids::mousePressEvent(QMouseEvent* event) {

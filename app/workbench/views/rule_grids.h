@@ -38,7 +38,9 @@ class RuleGrids : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  RuleGridGeometry::Needs needs() const;
+  void measureAnew();
+  RuleGridGeometry::Needs measured() const;
+  const RuleGridGeometry::Needs& needs() const;
   const RuleGridGeometry& places() const;
   bool answerKey(int key);
   bool moveKey(int key);
@@ -49,7 +51,9 @@ class RuleGrids : public QWidget {
   QString tipOf(const RuleCell& cell) const;
 
   RuleController& rules_;
-  mutable std::optional<RuleGridGeometry> geometry_;  ///< of the rules as they stand, once somebody asked for it
+  // Of the rules as they stand, once somebody asked for it.
+  mutable std::optional<RuleGridGeometry::Needs> needs_;
+  mutable std::optional<RuleGridGeometry> geometry_;
 };
 
 }  // namespace tactus::workbench

@@ -226,7 +226,7 @@ void RuleListPane::fitRows() {
   }
   int widest = 0;
   for (const fuzzy::Term& word : rules_.words()) widest = std::max(widest, metrics.horizontalAdvance(labelOf(word)));
-  const int width = std::clamp(widest, kNarrowestWord, kWidestWord) + 3 * theme::kGrid;
+  const int width = std::clamp(widest, kNarrowestWord, kWidestWord) + 4 * theme::kGrid;
   if (table_->columnWidth(RuleListModel::kConsequent) != width) {
     table_->setColumnWidth(RuleListModel::kConsequent, width);
   }

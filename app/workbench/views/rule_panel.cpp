@@ -52,8 +52,8 @@ RulePanel::RulePanel(const SceneController& scene, QWidget* parent)
       *sets_, [this] { return table(); }, this));
   auto* body = new QHBoxLayout;
   body->setSpacing(theme::kGrid);
-  body->addWidget(area_, 5);
-  body->addWidget(sets_, 3);
+  body->addWidget(area_, 2);
+  body->addWidget(sets_, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid);
@@ -81,6 +81,11 @@ void RulePanel::adoptModel() {
 void RulePanel::choose(int row) {
   who_->setCurrentIndex(row);
   flows_->setCurrentIndex(row == 0 ? 0 : 1);
+  // Only the one that is seen asks for room.
+  for (int page = 0; page < flows_->count(); ++page) {
+    const auto policy = page == flows_->currentIndex() ? QSizePolicy::Expanding : QSizePolicy::Ignored;
+    flows_->widget(page)->setSizePolicy(policy, policy);
+  }
   area_->verticalScrollBar()->setValue(0);
   refresh_->request();
 }
