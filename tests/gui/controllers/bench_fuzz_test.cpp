@@ -14,7 +14,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kGestures = 4000;   // some seconds
+constexpr int kGestures = 2000;   // some seconds
 constexpr int kOfOneModel = 250;  // a model that was torn apart for long has little left to edit
 
 int gestures() {
