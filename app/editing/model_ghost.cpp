@@ -12,6 +12,8 @@
 namespace tactus::editing {
 namespace {
 
+constexpr double kRounding = 1e-12;  // share of a force; less is no difference of the models
+
 struct Forces {
   std::vector<double> force_n;
   std::vector<std::uint8_t> fired;
@@ -50,9 +52,16 @@ base::Result<GhostCurve> ghostCurve(const fuzzy::CompiledModel& compiled_before,
     const GhostCurve::Point here{places[k], before->force_n[k], after->force_n[k], before->fired[k] != 0,
                                  after->fired[k] != 0};
     out.points.push_back(here);
+    if (here.before_fired && !here.after_fired) ++out.opened;
+    if (!here.before_fired && here.after_fired) ++out.closed;
     if (!here.before_fired || !here.after_fired) continue;
     const double newtons = std::abs(here.after_n - here.before_n);
-    out.noticeable = std::max(out.noticeable, newtons / elicitation::justNoticeableDifference(std::abs(here.before_n)));
+    if (newtons <= kRounding * std::abs(here.before_n)) continue;
+    const double noticeable = newtons / elicitation::justNoticeableDifference(std::abs(here.before_n));
+    if (noticeable > out.noticeable) {
+      out.noticeable = noticeable;
+      out.noticeable_at = here.at;
+    }
     if (newtons <= out.largest_n) continue;
     out.largest_n = newtons;
     out.largest_at = here.at;

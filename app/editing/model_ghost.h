@@ -24,6 +24,9 @@ struct GhostCurve {
   double largest_n = 0;  ///< largest |difference| on the curve where both fire
   std::optional<double> largest_at;
   double noticeable = 0;  ///< largest one in just-noticeable differences around the force before
+  std::optional<double> noticeable_at;
+  std::size_t opened = 0;  ///< places that had a force before and have none now
+  std::size_t closed = 0;  ///< the other way round
 };
 
 /// Both forces along input number `input` at `places`, ascending, the other inputs at the values of `point` (one per

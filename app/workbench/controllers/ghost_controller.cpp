@@ -4,8 +4,8 @@
 #include <iterator>
 #include <utility>
 
-#include "app/editing/model_ghost.h"
 #include "app/workbench/controllers/edit_controller.h"
+#include "app/workbench/controllers/impact_text.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "core/base/check.h"
@@ -19,6 +19,11 @@ bool sameInputs(const fuzzy::ForceModel& a, const fuzzy::ForceModel& b) {
   };
   return std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(), same) &&
          a.output.id == b.output.id && a.output.unit == b.output.unit;
+}
+
+bool sameExperts(const fuzzy::ForceModel& a, const fuzzy::ForceModel& b) {
+  return std::equal(a.experts.begin(), a.experts.end(), b.experts.begin(), b.experts.end(),
+                    [](const auto& one, const auto& other) { return one.id == other.id; });
 }
 
 // The curves of `before` in the order of the experts of `now`.
@@ -120,8 +125,8 @@ void GhostController::compute() const {
     // The place on the axis has no part in a curve.
     setting.push_back(i == scene_.xInput() ? 0 : scene_.value(i));
   }
-  const bool same_before =
-      curves_ && curves_before_ == before() && curves_setting_ == setting && curves_input_ == scene_.xInput();
+  const bool same_before = curves_ && curves_before_ == before() && curves_setting_ == setting &&
+                           curves_input_ == scene_.xInput() && sameExperts(curves_after_->model, scene_.model()->model);
   if (same_before && curves_after_ == scene_.shared()) return;
   const OpenModel& past = *before();
   const OpenModel& now = *scene_.model();
@@ -140,22 +145,36 @@ void GhostController::compute() const {
   const std::vector<double>& now_x = scene_.curves().x;
   std::vector<double> places;
   std::set_union(curves_->x.begin(), curves_->x.end(), now_x.begin(), now_x.end(), std::back_inserter(places));
-  const auto compared = editing::ghostCurve(past.compiled, now.compiled, scene_.xInput(), setting, places);
+  auto compared = editing::ghostCurve(past.compiled, now.compiled, scene_.xInput(), setting, places);
   TACTUS_CHECK(compared.has_value());
   scene_.countEvaluations(places.size() * (2 + past.model.experts.size() + now.model.experts.size()));
-  curves_->largest_n = compared->largest_n;
-  curves_->largest_at = compared->largest_at;
-  curves_->noticeable = compared->noticeable;
+  curves_->difference = std::move(*compared);
+  curves_->difference.points.clear();
   curves_after_ = scene_.shared();
 }
 
 QString GhostController::differenceText() const {
   const GhostCurves* ghost = curves();
   if (!ghost) return {};
-  if (!ghost->largest_at) return tr("no change of this curve");
-  return tr("max ΔF %1 (%2 JND) at %3")
-      .arg(forceText(ghost->largest_n, scene_.model()->model.output.unit), numberText(ghost->noticeable, 1),
-           placeText(scene_.xVariable(), *ghost->largest_at));
+  const fuzzy::Variable& x = scene_.xVariable();
+  const editing::GhostCurve& difference = ghost->difference;
+  const bool newtons = scene_.model()->model.output.unit == "N";
+  QStringList parts;
+  if (difference.largest_at) {
+    const QString force = forceChangeText(difference.largest_n, scene_.model()->model.output.unit);
+    const QString at = placeText(x, *difference.largest_at);
+    const QString noticeable = tr("%1 JND").arg(numberText(difference.noticeable, 1));
+    if (!newtons) {
+      parts << tr("max ΔF %1 at %2").arg(force, at);
+    } else if (difference.noticeable_at == difference.largest_at) {
+      parts << tr("max ΔF %1 (%2) at %3").arg(force, noticeable, at);
+    } else {
+      parts << tr("max ΔF %1 at %2, %3 at %4").arg(force, at, noticeable, placeText(x, *difference.noticeable_at));
+    }
+  }
+  if (difference.closed > 0) parts << tr("fills a hole");
+  if (difference.opened > 0) parts << tr("leaves a hole");
+  return parts.isEmpty() ? tr("no change of this curve") : parts.join(QStringLiteral(" · "));
 }
 
 }  // namespace tactus::workbench

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/editing/edit_history.h"
+#include "app/editing/model_ghost.h"
 #include "app/workbench/controllers/force_curves.h"
 #include "app/workbench/controllers/open_model.h"
 
@@ -21,10 +22,9 @@ struct GhostCurves {
   std::vector<double> x;                ///< ascending, in the unit of the input on the x axis
   std::vector<fuzzy::Evaluation> mean;  ///< one per place
   std::vector<std::vector<fuzzy::Evaluation>>
-      experts;                       ///< per expert of the open model; empty for one not there before
-  double largest_n = 0;              ///< largest |difference| of the means where both have a force
-  std::optional<double> largest_at;  ///< where on the x axis; nothing where there is no difference
-  double noticeable = 0;             ///< the largest one in just-noticeable differences
+      experts;  ///< per expert of the open model; empty for one not there before
+  /// How far the means are apart; its `points` are left out.
+  editing::GhostCurve difference;
 };
 
 /// Thread: gui.
@@ -52,7 +52,9 @@ class GhostController : public QObject {
   /// The curves of `before`, computed when asked for and only after something they depend on changed; null where there
   /// is none. A model must be open.
   const GhostCurves* curves() const;
-  /// `max ΔF 0.032 N (0.4 JND) at 215 mm` along the present curves, or that there is none.
+  /// `max ΔF 0.032 N (0.4 JND) at 215 mm` along the present curves, or that there is none; whether places got or lost
+  /// a force. Just-noticeable differences only where the unit of the force is newtons; where the largest of them is at
+  /// another place, both places.
   QString differenceText() const;
 
  public slots:

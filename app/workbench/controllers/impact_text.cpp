@@ -1,6 +1,8 @@
 #include "app/workbench/controllers/impact_text.h"
 
 #include <QCoreApplication>
+#include <QStringList>
+#include <cmath>
 
 #include "app/workbench/display_text.h"
 
@@ -11,15 +13,22 @@ QString tr(const char* text) { return QCoreApplication::translate("ImpactText", 
 
 }  // namespace
 
+QString forceChangeText(double change_n, const std::string& unit) {
+  constexpr double kLastDigit = 0.001;  // of forceText
+  return change_n < kLastDigit / 2 ? tr("below %1").arg(forceText(kLastDigit, unit)) : forceText(change_n, unit);
+}
+
 QString impactText(const editing::EditImpact& impact, const std::string& unit) {
-  QString out = tr("no change of the force");
-  if (impact.largest_n != 0) {
-    out = tr("max ΔF %1").arg(forceText(impact.largest_n, unit));
-    if (unit == "N") out += tr(" (%1 JND)").arg(numberText(impact.noticeable, 1));
+  QStringList parts;
+  // Less is rounding.
+  if (impact.largest_n > 1e-12 * std::abs(impact.before_n)) {
+    QString change = tr("max ΔF %1").arg(forceChangeText(impact.largest_n, unit));
+    if (unit == "N") change += tr(" (%1 JND)").arg(numberText(impact.noticeable, 1));
+    parts << change;
   }
-  if (impact.closed > 0) out += tr(" · fills a hole");
-  if (impact.opened > 0) out += tr(" · leaves a hole");
-  return out;
+  if (impact.closed > 0) parts << tr("fills a hole");
+  if (impact.opened > 0) parts << tr("leaves a hole");
+  return parts.isEmpty() ? tr("no change of the force") : parts.join(QStringLiteral(" · "));
 }
 
 }  // namespace tactus::workbench

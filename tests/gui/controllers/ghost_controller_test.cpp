@@ -47,9 +47,9 @@ TEST_F(GhostControllerTest, StandsForTheModelBeforeTheLastEdit) {
   EXPECT_DOUBLE_EQ(curves->mean.back().force_n, 0.5);
   EXPECT_DOUBLE_EQ(curves->experts[0].back().force_n, 0.75);
   // The mean of 0.75 N and 0.25 N was 0.5 N and is 0.25 N now; JND(0.5 N) = sqrt(0.04^2 + 0.06^2) = 0.0721 N.
-  EXPECT_NEAR(curves->largest_n, 0.25, 1e-12);
-  EXPECT_NEAR(curves->noticeable, 0.25 / std::sqrt(0.0016 + 0.0036), 1e-9);
-  EXPECT_GE(*curves->largest_at, 6);
+  EXPECT_NEAR(curves->difference.largest_n, 0.25, 1e-12);
+  EXPECT_NEAR(curves->difference.noticeable, 0.25 / std::sqrt(0.0016 + 0.0036), 1e-9);
+  EXPECT_GE(*curves->difference.largest_at, 6);
   EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF 0.250 N (3.5 JND) at ")))
       << ghost.differenceText().toStdString();
 }
@@ -117,7 +117,45 @@ TEST_F(GhostControllerTest, FollowsTheSetting) {
   scene.setValue(1, 2);
   EXPECT_EQ(ghost.differenceText(), QStringLiteral("no change of this curve"));
   scene.setValue(1, 8);
-  EXPECT_NEAR(ghost.curves()->largest_n, 0.25, 1e-12);
+  EXPECT_NEAR(ghost.curves()->difference.largest_n, 0.25, 1e-12);
+}
+
+TEST_F(GhostControllerTest, AHoleThatClosesIsAChange) {
+  // Nobody speaks at depths from 5 to 6 mm until "near" reaches to 5.5 mm; elsewhere nothing moves.
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.inputs[1].terms[0].points = {0, 0, 5, 5.5};
+  ASSERT_TRUE(edits.apply(editing::finished(model, "near reaches farther")));
+  scene.setValue(0, 20);
+  EXPECT_EQ(ghost.differenceText(), QStringLiteral("fills a hole"));
+  ASSERT_TRUE(edits.apply(editing::finished(tests::twoExperts(), "and back")));
+  EXPECT_EQ(ghost.differenceText(), QStringLiteral("leaves a hole"));
+}
+
+TEST_F(GhostControllerTest, TheMostNoticeableChangeMayBeAtAnotherPlace) {
+  fuzzy::ForceModel model = tests::twoExperts();
+  const auto rectangle = [](const char* id, double middle) {
+    return fuzzy::Term{id, id, fuzzy::Shape::kTrapezoid, {middle - 0.1, middle - 0.1, middle + 0.1, middle + 0.1}};
+  };
+  model.output.terms.push_back(rectangle("low_more", 0.45));
+  model.output.terms.push_back(rectangle("low_much_more", 0.69));
+  model.experts[0].rules[0].then = "low_more";
+  model.experts[1].rules[0].then = "low_much_more";
+  ASSERT_TRUE(edits.apply(editing::finished(model, "both")));
+  scene.setValue(0, 20);
+  // Near: 0.2 N from 0.25 N, 0.2 / sqrt(0.0016 + 0.0009) = 4 JND. Far: 0.22 N from 0.5 N, 3.1 JND.
+  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF 0.220 N at ")));
+  EXPECT_TRUE(ghost.differenceText().contains(QStringLiteral(", 4 JND at "))) << ghost.differenceText().toStdString();
+}
+
+TEST_F(GhostControllerTest, NewtonsAloneAreNoticed) {
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.output.unit = "mN";
+  models.open(folder.write(model, QStringLiteral("other.tactus.json")));
+  model.experts[0].rules[2].then = "low";
+  ASSERT_TRUE(edits.apply(editing::finished(model, "far is low")));
+  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF 0.250 mN at ")))
+      << ghost.differenceText().toStdString();
+  EXPECT_FALSE(ghost.differenceText().contains(QStringLiteral("JND")));
 }
 
 }  // namespace
