@@ -43,6 +43,7 @@ constexpr Pair kWarningFill{0xFFFFF1D0, 0xFF42340F};
 constexpr Pair kErrorInk{0xFF9B1C1C, 0xFFFF9A94};
 constexpr Pair kErrorFill{0xFFFDECEA, 0xFF4A1F1E};
 constexpr Pair kMean{0xFF2B3540, 0xFFF2F5F8};
+constexpr Pair kFriction{0xFF7B3FA0, 0xFFC79BEA};
 
 QColor pick(const Pair& pair) { return QColor::fromRgb(isDark() ? pair.dark : pair.light); }
 QColor pick(QRgb light, QRgb dark) { return QColor::fromRgb(isDark() ? dark : light); }
@@ -118,11 +119,12 @@ QColor warningFill() { return pick(kWarningFill); }
 QColor errorInk() { return pick(kErrorInk); }
 QColor errorFill() { return pick(kErrorFill); }
 QColor mean() { return pick(kMean); }
+QColor friction() { return pick(kFriction); }
 
 QColor inLook(const QColor& color) {
   const bool dark = isDark();
   for (const Pair& pair : {kWindow, kBorder, kGridLine, kInk, kMutedInk, kAccent, kWarningInk, kWarningFill, kErrorInk,
-                           kErrorFill, kMean}) {
+                           kErrorFill, kMean, kFriction}) {
     if ((color.rgb() | 0xFF000000U) != (dark ? pair.light : pair.dark)) continue;
     QColor now = QColor::fromRgb(dark ? pair.dark : pair.light);
     now.setAlphaF(color.alphaF());
@@ -130,6 +132,8 @@ QColor inLook(const QColor& color) {
   }
   return color;
 }
+
+QColor onCard(const QColor& color) { return mixed(card(), color, color.alphaF()); }
 
 QColor expert(std::size_t index) {
   static constexpr std::array<QColor, 6> kColors = {QColor(0x00, 0x72, 0xB2), QColor(0xD5, 0x5E, 0x00),

@@ -37,6 +37,9 @@ QColor errorFill();
 /// The line of the mean.
 QColor mean();
 
+/// The force of the friction, where it stands beside that of the mean.
+QColor friction();
+
 /// Line of expert `index`: Okabe and Ito's colors (2008), told apart with any kind of color vision; they repeat after
 /// six.
 QColor expert(std::size_t index);
@@ -53,6 +56,9 @@ QColor inkOn(const QColor& fill);
 QFont titleFont();    ///< name of the model
 QFont headingFont();  ///< heads of cards and panels
 QFont smallFont();    ///< notes, readouts, labels in plots
+
+/// What a color with an alpha looks like on a card.
+QColor onCard(const QColor& color);
 
 /// The color of the present look that `color` stands for: what was taken from the functions above in the other look
 /// gets its counterpart, with its alpha; everything else, also the white of light cards, stays as it is.

@@ -24,13 +24,10 @@ fuzzy::Variable timeAxis() {
   return {"time", ForceTracePlot::tr("Time").toStdString(), "s", -FeelHistory::kTraceS, 0, {}};
 }
 
-fuzzy::Variable forceAxis(double full_n) {
-  return {"force", ForceTracePlot::tr("Force").toStdString(), "N", 0, full_n, {}};
-}
-
 }  // namespace
 
-ForceTracePlot::ForceTracePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+ForceTracePlot::ForceTracePlot(QWidget* parent)
+    : QWidget(parent), plot_(makePlot(this)), force_name_(tr("Force").toStdString()) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
@@ -39,8 +36,8 @@ ForceTracePlot::ForceTracePlot(QWidget* parent) : QWidget(parent), plot_(makePlo
 
   // The limits first, so that the lines stand above the fill.
   limits_ = addLine(*plot_, Qt::NoPen);
-  model_ = addLine(*plot_, QPen(theme::expert(2), 1.4));
-  friction_ = addLine(*plot_, QPen(theme::expert(1), 1.4));
+  model_ = addLine(*plot_, QPen(theme::mean(), 1.4));
+  friction_ = addLine(*plot_, QPen(theme::friction(), 1.4));
   recorded_ = addLine(*plot_, QPen(theme::mutedInk(), 1.4, Qt::DashLine));
   force_ = addLine(*plot_, QPen(theme::accent(), 2));
   QColor taken = theme::errorInk();
@@ -49,7 +46,7 @@ ForceTracePlot::ForceTracePlot(QWidget* parent) : QWidget(parent), plot_(makePlo
   limits_->setChannelFillGraph(force_);
 
   styleAxis(*plot_->xAxis, timeAxis());
-  styleAxis(*plot_->yAxis, forceAxis(full_n_));
+  styleAxis(*plot_->yAxis, forceAxis());
   plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
   plot_->axisRect()->setAutoMargins(QCP::msLeft | QCP::msBottom);
   plot_->axisRect()->setMargins(QMargins(0, theme::kGrid, 2 * theme::kGrid, 0));
@@ -64,14 +61,17 @@ void ForceTracePlot::resizeEvent(QResizeEvent* event) {
 
 void ForceTracePlot::nameAxes(bool roomy) {
   plot_->xAxis->setLabel(roomy ? axisText(timeAxis()) : QString());
-  plot_->yAxis->setLabel(roomy ? axisText(forceAxis(full_n_)) : QStringLiteral("N"));
+  plot_->yAxis->setLabel(roomy ? axisText(forceAxis()) : QStringLiteral("N"));
   plot_->yAxis->ticker()->setTickCount(roomy ? 3 : 2);
 }
 
-void ForceTracePlot::setFullScale(double full_n) {
-  if (full_n == full_n_) return;
-  full_n_ = full_n;
+fuzzy::Variable ForceTracePlot::forceAxis() const { return {"force", force_name_, "N", 0, full_n_, {}}; }
+
+void ForceTracePlot::setOutput(const fuzzy::Variable& output) {
+  force_name_ = labelOf(output).toStdString();
+  full_n_ = output.max;
   plot_->yAxis->setRange(0, full_n_);
+  nameAxes(height() >= kLow);
   redraw(*plot_);
 }
 
@@ -82,6 +82,7 @@ void ForceTracePlot::setSplit(bool split) {
 }
 
 void ForceTracePlot::setHistory(const FeelHistory& history) {
+  replays_ = history.hasRecorded();
   const auto& trace = history.trace();
   QVector<double> time, force, friction, model;
   for (QVector<double>* column : {&time, &force, &friction, &model})
@@ -116,11 +117,14 @@ void ForceTracePlot::setHistory(const FeelHistory& history) {
 }
 
 std::vector<LegendEntry> ForceTracePlot::legend() const {
-  if (!split_) return {};
-  return {{tr("felt"), force_->pen()},
-          {tr("fuzzy force"), model_->pen()},
-          {tr("with friction"), friction_->pen()},
-          {tr("taken by limits"), Qt::NoPen, limits_->brush()}};
+  std::vector<LegendEntry> entries{{tr("felt"), force_->pen()}};
+  if (replays_) entries.push_back({tr("felt in the recording"), recorded_->pen()});
+  if (split_) {
+    entries.push_back({tr("fuzzy force"), model_->pen()});
+    entries.push_back({tr("with friction"), friction_->pen()});
+    entries.push_back({tr("taken by limits"), Qt::NoPen, limits_->brush()});
+  }
+  return entries.size() > 1 ? entries : std::vector<LegendEntry>();
 }
 
 void ForceTracePlot::paintPicture(QCPPainter& painter, const QSize& size) {

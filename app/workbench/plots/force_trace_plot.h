@@ -3,8 +3,11 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
+#include <vector>
 
 #include "app/workbench/plots/plot_source.h"
+#include "core/fuzzy/force_model.h"
 
 class QCustomPlot;
 class QCPGraph;
@@ -19,8 +22,8 @@ class ForceTracePlot : public QWidget, public PlotSource {
  public:
   explicit ForceTracePlot(QWidget* parent = nullptr);
 
-  /// End of the force axis, > 0; a larger force makes it longer.
-  void setFullScale(double full_n);
+  /// The force axis has the name of `output` and ends at its end, > 0; a larger force makes it longer.
+  void setOutput(const fuzzy::Variable& output);
   /// Shows what makes up the force as well.
   void setSplit(bool split);
   bool isSplit() const { return split_; }
@@ -28,6 +31,7 @@ class ForceTracePlot : public QWidget, public PlotSource {
   void setHistory(const FeelHistory& history);
 
   QSize pictureSize() const override { return {1000, 360}; }
+  /// None where the force that is felt is the only line.
   std::vector<LegendEntry> legend() const override;
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
@@ -36,6 +40,7 @@ class ForceTracePlot : public QWidget, public PlotSource {
 
  private:
   void nameAxes(bool roomy);
+  fuzzy::Variable forceAxis() const;
 
   QCustomPlot* plot_;
   QCPGraph* force_;
@@ -44,7 +49,9 @@ class ForceTracePlot : public QWidget, public PlotSource {
   QCPGraph* model_;
   QCPGraph* limits_;  ///< fills what the limits took, between friction and force
   bool split_ = false;
+  bool replays_ = false;  ///< beside what was recorded
   double full_n_ = 1;
+  std::string force_name_;
 };
 
 }  // namespace tactus::workbench

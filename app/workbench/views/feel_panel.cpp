@@ -166,15 +166,13 @@ void FeelPanel::addCard(QWidget* card) {
 }
 
 void FeelPanel::showLegend() {
-  const QColor taken = theme::isDark() ? QColor(0x8F, 0x5A, 0x57) : QColor(0xD9, 0xA3, 0xA3);
-  QStringList lines{swatch(theme::accent(), tr("felt"))};
-  if (feel_.history().hasRecorded()) lines << swatch(theme::mutedInk(), tr("felt in the recording"));
-  if (split_->isChecked()) {
-    lines << swatch(theme::expert(2), tr("fuzzy force")) << swatch(theme::expert(1), tr("with friction"))
-          << swatch(taken, tr("taken by limits"));
+  QStringList lines;
+  for (const LegendEntry& entry : trace_->legend()) {
+    const bool area = entry.fill.style() != Qt::NoBrush;
+    lines << swatch(area ? theme::onCard(entry.fill.color()) : entry.pen.color(), entry.name);
   }
   legend_->setText(lines.join(QStringLiteral("  ")));
-  legend_->setVisible(lines.size() > 1);
+  legend_->setVisible(!lines.isEmpty());
 }
 
 void FeelPanel::arrange() {
@@ -228,7 +226,7 @@ void FeelPanel::showRegions() {
 void FeelPanel::adoptModel() {
   const fuzzy::ForceModel& model = scene_.model()->model;
   showRegions();
-  trace_->setFullScale(model.output.max);
+  trace_->setOutput(model.output);
   device_->setModelOpen(true);
   showFelt();
 }
@@ -246,6 +244,7 @@ void FeelPanel::showState() {
     filtering_ = running;
   }
   placement_->setRunning(running);
+  trace_->setHistory(feel_.history());
   showLegend();
   showFelt();
 }
