@@ -52,7 +52,21 @@ bool mentions(const std::vector<fuzzy::NamedJson>& members) {
   });
 }
 
+template <typename Named>
+std::optional<std::size_t> placeOf(const std::vector<Named>& all, const std::string& id) {
+  const auto found = std::find_if(all.begin(), all.end(), [&id](const Named& one) { return one.id == id; });
+  return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
+}
+
 }  // namespace
+
+std::optional<std::size_t> inputNamed(const fuzzy::ForceModel& model, const std::string& id) {
+  return placeOf(model.inputs, id);
+}
+
+std::optional<std::size_t> expertNamed(const fuzzy::ForceModel& model, const std::string& id) {
+  return placeOf(model.experts, id);
+}
 
 base::Result<OpenModel> readOpenModel(const QString& path) {
   auto read = model_io::readModel(path.toStdString());

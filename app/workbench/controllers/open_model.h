@@ -3,6 +3,9 @@
 
 #include <QString>
 #include <QStringList>
+#include <cstddef>
+#include <optional>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
@@ -21,6 +24,10 @@ struct OpenModel {
 
 /// Reads and compiles the model file `path`.
 base::Result<OpenModel> readOpenModel(const QString& path);
+
+/// Place of the input, or of the expert, `id` in `model`.
+std::optional<std::size_t> inputNamed(const fuzzy::ForceModel& model, const std::string& id);
+std::optional<std::size_t> expertNamed(const fuzzy::ForceModel& model, const std::string& id);
 
 /// Whether the provenance or the label of an expert says that data are simulated: the word in a text, or a key with the
 /// word and a value other than false, 0, null and empty.

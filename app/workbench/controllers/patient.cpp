@@ -1,17 +1,13 @@
 #include "app/workbench/controllers/patient.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
 
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
-
-std::optional<std::size_t> inputNamed(const fuzzy::ForceModel& model, const char* id) {
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    if (model.inputs[i].id == id) return i;
-  }
-  return std::nullopt;
-}
 
 double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term) {
   const auto inside = [&variable](double x) { return std::clamp(x, variable.min, variable.max); };
@@ -24,6 +20,18 @@ double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term) {
       return inside(term.points[0]);
   }
   return variable.min;
+}
+
+Interval halfRange(const fuzzy::Variable& variable, const fuzzy::Term& term) {
+  const std::vector<double>& p = term.points;
+  Interval half;
+  if (term.shape == fuzzy::Shape::kGaussian) {
+    const double away = p[1] * std::sqrt(2 * std::numbers::ln2);
+    half = {p[0] - away, p[0] + away};
+  } else {
+    half = {std::midpoint(p[0], p[1]), std::midpoint(p[p.size() - 2], p[p.size() - 1])};
+  }
+  return {std::clamp(half.low, variable.min, variable.max), std::clamp(half.high, variable.min, variable.max)};
 }
 
 std::optional<std::size_t> strongestTerm(const fuzzy::Variable& variable, double value) {

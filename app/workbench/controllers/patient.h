@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/workbench/controllers/force_curves.h"
+#include "app/workbench/controllers/open_model.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::workbench {
@@ -15,11 +17,11 @@ inline constexpr auto kNeckFlexionId = "neck_flexion";
 inline constexpr auto kDepthId = "depth";
 inline constexpr auto kSpeedId = "speed";
 
-/// Place of the input `id` in `model`.
-std::optional<std::size_t> inputNamed(const fuzzy::ForceModel& model, const char* id);
-
 /// The middle of the part of `variable`'s universe that belongs fully to `term`.
 double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term);
+
+/// The part of the universe that belongs to `term` by half or more; of no width where there is none.
+Interval halfRange(const fuzzy::Variable& variable, const fuzzy::Term& term);
 
 /// The term that `value` belongs to most; the first of equals. Nothing where it belongs to none.
 std::optional<std::size_t> strongestTerm(const fuzzy::Variable& variable, double value);

@@ -11,10 +11,15 @@
 #include "app/workbench/plots/landmark_marks.h"
 #include "app/workbench/plots/map_marks.h"
 #include "app/workbench/plots/plot_style.h"
+#include "app/workbench/plots/term_labels.h"
 #include "app/workbench/theme.h"
 
 namespace tactus::workbench {
 namespace {
+
+constexpr int kRoomy = 300;      // px: below this height the map needs the room of the landmarks' names
+constexpr int kBeside = 2;       // px from the map or its landmarks to the bars of the terms
+constexpr int kBeforeScale = 4;  // px from the names of the terms to the color scale
 
 QCPColorGradient forceColors() {
   constexpr std::size_t kStops = 16;
@@ -47,11 +52,13 @@ ForceMapPlot::ForceMapPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(th
   plot_->axisRect()->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
   scale_->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
   plot_->axisRect()->setBackground(silentGround());
-  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid, 0, 0));
 
   contours_ = new ContourMarks(*plot_);
   landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kAbove);
   y_landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kBeside);
+  x_terms_ = new TermLabels(*plot_, 1);
+  y_terms_ = new TermLabels(*plot_, 1, TermLabels::Side::kRight);
+  for (TermLabels* terms : {x_terms_, y_terms_}) terms->setBars(true);
   cross_ = new MapCross(*plot_);
   connect(plot_, &QCustomPlot::mousePress, this, &ForceMapPlot::onMouse);
   connect(plot_, &QCustomPlot::mouseMove, this, &ForceMapPlot::onMouse);
@@ -71,8 +78,32 @@ void ForceMapPlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, c
   landmarks_->setVariable(x);
   y_landmarks_->setVariable(y);
   setToolTip(landmarks_->explanation() + y_landmarks_->explanation());
-  plot_->axisRect()->setMinimumMargins(QMargins(0, std::max(theme::kGrid, landmarks_->height()), 0, 0));
+  makeRoom(height());
   setMap(nullptr);
+}
+
+void ForceMapPlot::setTerms(const std::vector<fuzzy::Term>& x, const std::vector<fuzzy::Term>& y) {
+  constexpr std::size_t kInOneRow = 3;
+  x_terms_->setRows(x.size() > kInOneRow ? 2 : 1);
+  y_terms_->setRows(y.size() > kInOneRow ? 2 : 1);
+  x_terms_->setTerms(x_, x);
+  y_terms_->setTerms(y_, y);
+  makeRoom(height());
+  redraw(*plot_);
+}
+
+// From the plot outward: landmarks, bars of the terms, their names.
+void ForceMapPlot::makeRoom(int height) {
+  landmarks_->setNamed(height >= kRoomy);
+  x_terms_->setDistance(landmarks_->height() + kBeside);
+  y_terms_->setDistance(kBeside);
+  plot_->axisRect()->setMinimumMargins(
+      QMargins(0, landmarks_->height() + kBeside + x_terms_->height(), kBeside + y_terms_->height() + kBeforeScale, 0));
+}
+
+void ForceMapPlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  makeRoom(height());
 }
 
 void ForceMapPlot::setMap(const ForceMap* map) {
@@ -114,12 +145,16 @@ void ForceMapPlot::setMap(const ForceMap* map) {
   redraw(*plot_);
 }
 
-void ForceMapPlot::setPoint(double x, double y, const QString& tag) {
+void ForceMapPlot::setPoint(double x, double y, std::optional<double> /*force_n*/, const QString& tag) {
   cross_->set(x, y, tag);
   redraw(*plot_);
 }
 
-void ForceMapPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {cross_}); }
+void ForceMapPlot::paintPicture(QCPPainter& painter, const QSize& size) {
+  makeRoom(size.height());
+  paintPlot(*plot_, painter, size, {cross_});
+  makeRoom(height());
+}
 
 void ForceMapPlot::onMouse(QMouseEvent* event) {
   if (!event->buttons().testFlag(Qt::LeftButton)) return;

@@ -4,9 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/workbench/controllers/force_map.h"
-#include "app/workbench/plots/plot_source.h"
-#include "core/fuzzy/force_model.h"
+#include "app/workbench/plots/map_view.h"
 
 class QCPColorMap;
 class QCPColorScale;
@@ -18,18 +16,19 @@ namespace tactus::workbench {
 class ContourMarks;
 class LandmarkMarks;
 class MapCross;
+class TermLabels;
 
-class ForceMapPlot : public QWidget, public PlotSource {
+class ForceMapPlot : public QWidget, public MapView {
   Q_OBJECT
 
  public:
   explicit ForceMapPlot(QWidget* parent = nullptr);
 
-  void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, const fuzzy::Variable& output);
-  /// The map for the axes that were set, or none.
-  void setMap(const ForceMap* map);
-  /// The operating point and what stands beside it.
-  void setPoint(double x, double y, const QString& tag);
+  void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, const fuzzy::Variable& output) override;
+  /// The terms along both axes, with their names.
+  void setTerms(const std::vector<fuzzy::Term>& x, const std::vector<fuzzy::Term>& y);
+  void setMap(const ForceMap* map) override;
+  void setPoint(double x, double y, std::optional<double> force_n, const QString& tag) override;
 
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
@@ -37,13 +36,19 @@ class ForceMapPlot : public QWidget, public PlotSource {
   /// The mouse was pressed or dragged at a place, in the units of the axes.
   void picked(double x, double y);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void onMouse(QMouseEvent* event);
+  void makeRoom(int height);
 
   QCustomPlot* plot_;
   QCPColorMap* colors_ = nullptr;
   QCPColorScale* scale_ = nullptr;
   ContourMarks* contours_;
+  TermLabels* x_terms_;
+  TermLabels* y_terms_;
   LandmarkMarks* landmarks_;
   LandmarkMarks* y_landmarks_;
   MapCross* cross_;

@@ -20,6 +20,10 @@ constexpr double kLeader = 3;  // px from the bars to the lowest row
 LandmarkMarks::LandmarkMarks(QCustomPlot& plot, Place place)
     : QCPLayerable(&plot, QStringLiteral("axes")), place_(place), font_(theme::smallFont()) {
   font_.setItalic(true);
+  // Over the line of the operating point, which would run through a name.
+  const auto names = QStringLiteral("names");
+  if (!plot.layer(names)) plot.addLayer(names, plot.layer(QStringLiteral("overlay")), QCustomPlot::limAbove);
+  setLayer(names);
 }
 
 void LandmarkMarks::setVariable(const fuzzy::Variable& variable) { landmarks_ = landmarksFor(variable); }
@@ -36,7 +40,8 @@ QString LandmarkMarks::explanation() const {
 }
 
 int LandmarkMarks::height() const {
-  return landmarks_.empty() ? 0 : static_cast<int>(kBar + kLeader + kRows * QFontMetricsF(font_).height()) + 1;
+  if (landmarks_.empty()) return 0;
+  return static_cast<int>(named_ ? kBar + kLeader + kRows * QFontMetricsF(font_).height() : kBar) + 1;
 }
 
 void LandmarkMarks::applyDefaultAntialiasingHint(QCPPainter* painter) const { painter->setAntialiasing(true); }
@@ -61,7 +66,7 @@ void LandmarkMarks::draw(QCPPainter* painter) {
     painter->drawRect(QRectF(left - 0.75, edge - kBar, std::max(1.5, right - left), kBar));
     labels.push_back({(left + right) / 2, metrics.horizontalAdvance(mark.name)});
   }
-  if (place_ == Place::kBars) return;
+  if (!named_) return;
 
   const QRect room = place_ == Place::kAbove ? mParentPlot->viewport() : area->rect();
   // Names that hang end above the membership 1.

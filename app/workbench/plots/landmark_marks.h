@@ -16,7 +16,6 @@ class LandmarkMarks : public QCPLayerable {
   enum class Place {
     kInside,  ///< at the lower edge, over the ground of the plot
     kAbove,   ///< on top of the plot, which leaves height() for them
-    kBars,    ///< at the lower edge without names, where the plot is small
     kUnder,   ///< under the upper edge, where the ground of the plot is free
     kBeside,  ///< along the left axis, over the ground of the plot, where that axis is the depth
   };
@@ -25,9 +24,11 @@ class LandmarkMarks : public QCPLayerable {
 
   /// The landmarks of the axis of `variable`, none where it is not the depth.
   void setVariable(const fuzzy::Variable& variable);
+  /// Without names where there is no room for them: bars alone.
+  void setNamed(bool named) { named_ = named; }
   /// One line per landmark with its place and its source; empty where there are none.
   QString explanation() const;
-  /// Room that the bars and two rows of names take, px; 0 without landmarks.
+  /// Room that the bars and the rows of names take, px; 0 without landmarks.
   int height() const;
 
  protected:
@@ -38,6 +39,7 @@ class LandmarkMarks : public QCPLayerable {
   void drawBeside(QCPPainter& painter) const;
 
   Place place_;
+  bool named_ = true;
   std::vector<Landmark> landmarks_;
   QFont font_;
 };

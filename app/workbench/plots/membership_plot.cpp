@@ -61,8 +61,9 @@ MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
   plot_->axisRect()->setAutoMargins(QCP::msBottom);
   plot_->axisRect()->setMargins(QMargins(kLeftMargin, labels_->height(), kRightMargin, 0));
 
-  auto* landmarks = new LandmarkMarks(*plot_, LandmarkMarks::Place::kBars);
+  auto* landmarks = new LandmarkMarks(*plot_, LandmarkMarks::Place::kInside);
   landmarks->setVariable(variable);
+  landmarks->setNamed(false);
   marker_ = new ValueMarker(*plot_);
 
   connect(plot_, &QCustomPlot::mousePress, this, &MembershipPlot::onMouse);

@@ -62,7 +62,8 @@ void SurfacePainting::paintCell(QPainter& painter, std::size_t x, std::size_t y)
 void SurfacePainting::paintEdges(QPainter& painter, std::size_t x, std::size_t y) const {
   const auto edge = [&](bool far, std::size_t line, bool beside_hole, const QPointF& from, const QPointF& to) {
     if (!beside_hole && (!far || line % line_every_ != 0)) return;
-    painter.setPen(QPen(beside_hole ? kRimColor : kMeshColor, 0));
+    // Flat ends, because half transparent lines that overlap leave dots.
+    painter.setPen(QPen(beside_hole ? kRimColor : kMeshColor, 0, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(from, to);
   };
   const std::size_t last = mesh_->cells() - 1;

@@ -9,14 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "app/workbench/controllers/force_map.h"
-#include "app/workbench/plots/plot_source.h"
+#include "app/workbench/plots/map_view.h"
 #include "app/workbench/plots/surface_picture.h"
 
 namespace tactus::workbench {
 
 /// While the picture changes it is painted as fine as half a frame allows, and as fine as the map is once it rests.
-class SurfacePlot : public QWidget, public PlotSource {
+class SurfacePlot : public QWidget, public MapView {
   Q_OBJECT
 
  public:
@@ -26,11 +25,9 @@ class SurfacePlot : public QWidget, public PlotSource {
 
   explicit SurfacePlot(QWidget* parent = nullptr);
 
-  void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, const fuzzy::Variable& output);
-  /// The map for the axes that were set, or none.
-  void setMap(const ForceMap* map);
-  /// The operating point and what stands beside it. `force_n` is not set where no rule fires.
-  void setPoint(double x, double y, std::optional<double> force_n, const QString& tag);
+  void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, const fuzzy::Variable& output) override;
+  void setMap(const ForceMap* map) override;
+  void setPoint(double x, double y, std::optional<double> force_n, const QString& tag) override;
 
   const SurfaceLook& look() const { return frame_.look; }
   void setLook(const SurfaceLook& look);

@@ -42,6 +42,9 @@ ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings,
   table_->horizontalHeader()->setSectionResizeMode(ReadingModel::kForce, QHeaderView::ResizeToContents);
   // Tab leads out of the table.
   table_->setTabKeyNavigation(false);
+  // As high as there is room; the height it would like to have would make the panel scroll.
+  table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  table_->setMinimumHeight(2 * table_->verticalHeader()->defaultSectionSize());
   table_->setAccessibleName(tr("Forces at the place that is read"));
 
   auto* layout = new QVBoxLayout(this);

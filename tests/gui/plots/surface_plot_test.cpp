@@ -1,5 +1,6 @@
 #include "app/workbench/plots/surface_plot.h"
 
+#include <QApplication>
 #include <QImage>
 #include <QPainter>
 #include <QTest>
@@ -129,6 +130,34 @@ TEST_F(SurfacePlotTest, RefinesWhenItRestsAndNotWhileHidden) {
   EXPECT_FALSE(plot.isRested());
   plot.show();
   EXPECT_TRUE(rest());
+}
+
+TEST_F(SurfacePlotTest, AnotherLookIsThatOfAFreshStart) {
+  const ForceMap map = tests::sampleMap(51, [](double x, double y) { return x * y > 0.4 ? -1 : x * y; });
+  plot.setMap(&map);
+  ASSERT_TRUE(rest());
+  // The frame of the focus goes from one window to the other.
+  const auto seen = [](SurfacePlot& shown) {
+    shown.clearFocus();
+    return shown.grab().toImage();
+  };
+  const QImage light = seen(plot);
+  const auto change = [this](theme::Look look) {
+    theme::changeLook(*qApp, look);
+    return QTest::qWaitFor([this] { return !plot.isRested(); }, kPatience) && rest();
+  };
+  ASSERT_TRUE(change(theme::Look::kDark));
+  const QImage dark = seen(plot);
+  SurfacePlot fresh;
+  fresh.resize(plot.size());
+  fresh.setAxes(kX, kY, kForce);
+  fresh.show();
+  fresh.setMap(&map);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return fresh.isRested(); }, kPatience));
+  EXPECT_EQ(seen(fresh), dark);
+  EXPECT_NE(dark, light);
+  ASSERT_TRUE(change(theme::Look::kLight));
+  EXPECT_EQ(seen(plot), light);
 }
 
 TEST_F(SurfacePlotTest, TheOperatingPointIsMarkedWhereItStands) {
