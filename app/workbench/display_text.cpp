@@ -1,5 +1,6 @@
 #include "app/workbench/display_text.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,11 @@ double roundedPlace(const fuzzy::Variable& variable, double value) {
 
 QString placeText(const fuzzy::Variable& variable, double value) {
   return quantityText(value, variable.unit, placeDigits(variable));
+}
+
+QString rangeText(const fuzzy::Variable& variable, double from, double to) {
+  return QCoreApplication::translate("DisplayText", "%1 to %2")
+      .arg(numberText(from, placeDigits(variable)), placeText(variable, to));
 }
 
 QString forceText(double force, const std::string& unit) {

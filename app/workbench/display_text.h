@@ -29,6 +29,8 @@ double placeOf(const fuzzy::Variable& variable, double value);
 double roundedPlace(const fuzzy::Variable& variable, double value);
 /// That place with its unit.
 QString placeText(const fuzzy::Variable& variable, double value);
+/// Two places with one unit: `0 to 150 mm`.
+QString rangeText(const fuzzy::Variable& variable, double from, double to);
 
 /// A force as it is read off a curve, to three digits: `0.468 N`.
 QString forceText(double force, const std::string& unit);

@@ -49,7 +49,7 @@ struct Workbench {
         window(models, scene, feel, recent, settings),
         rule_parts(window, rules),
         edit_parts(window, edits, terms, scene),
-        curve_parts(window, models, edits, ghost, references),
+        curve_parts(window, models, edits, ghost, references, settings),
         finding_parts(window, findings, terms, rules),
         study_parts(window, study, feel, feel_store, models, recent),
         history_parts(window, edit_parts.menu(), edits, compare, scene, feel, author) {

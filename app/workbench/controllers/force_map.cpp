@@ -31,6 +31,7 @@ ForceMapController::ForceMapController(const SceneController& scene, QObject* pa
     here_.reset();
   });
   connect(&scene_, &SceneController::valueChanged, this, &ForceMapController::dropPoint);
+  connect(&scene_, &SceneController::presetApplied, this, &ForceMapController::applyPreset);
   if (scene_.model()) adoptModel();
 }
 
@@ -74,6 +75,8 @@ void ForceMapController::setAxes(std::size_t x_input, std::size_t y_input) {
   stop();
   x_input_ = x_input;
   y_input_ = y_input;
+  x_id_ = scene_.model()->model.inputs[x_input].id;
+  y_id_ = scene_.model()->model.inputs[y_input].id;
   map_.reset();
   stale_ = true;
   emit choiceChanged();
@@ -83,10 +86,19 @@ void ForceMapController::setExpert(std::optional<std::size_t> expert) {
   if (expert == expert_) return;
   stop();
   expert_ = expert;
+  expert_id_ = expert ? scene_.model()->model.experts[*expert].id : std::string();
   map_.reset();
   here_.reset();
   stale_ = true;
   emit choiceChanged();
+}
+
+void ForceMapController::applyPreset(const FigurePreset& preset) {
+  const auto x = inputNamed(scene_.model()->model, preset.map_x);
+  const auto y = inputNamed(scene_.model()->model, preset.map_y);
+  if (!x || !y) return;
+  setExpert(std::nullopt);
+  setAxes(*x, *y);
 }
 
 void ForceMapController::update() {
@@ -139,16 +151,19 @@ void ForceMapController::adoptModel() {
   map_.reset();
   here_.reset();
   stale_ = true;
-  const std::vector<fuzzy::Variable>& inputs = scene_.model()->model.inputs;
-  const auto find = [&inputs](const char* id, std::size_t otherwise) {
-    const auto found = std::find_if(inputs.begin(), inputs.end(), [id](const auto& input) { return input.id == id; });
-    return found == inputs.end() ? otherwise : static_cast<std::size_t>(found - inputs.begin());
-  };
-  // Depth and speed as in Fig. 9 of the paper. A model with one input has no map.
-  x_input_ = find("depth", inputs.size() - 1);
-  y_input_ = find("speed", 0);
-  if (x_input_ == y_input_) y_input_ = x_input_ == 0 ? inputs.size() - 1 : 0;
-  expert_.reset();
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const auto x_chosen = inputNamed(model, x_id_);
+  const auto y_chosen = inputNamed(model, y_id_);
+  if (x_chosen && y_chosen) {
+    x_input_ = *x_chosen;
+    y_input_ = *y_chosen;
+  } else {
+    // Depth and speed as in Fig. 9 of the paper. A model with one input has no map.
+    x_input_ = inputNamed(model, "depth").value_or(model.inputs.size() - 1);
+    y_input_ = inputNamed(model, "speed").value_or(0);
+    if (x_input_ == y_input_) y_input_ = x_input_ == 0 ? model.inputs.size() - 1 : 0;
+  }
+  expert_ = expertNamed(model, expert_id_);
   emit choiceChanged();
 }
 

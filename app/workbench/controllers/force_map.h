@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/workbench/controllers/open_model.h"
@@ -16,6 +17,7 @@
 namespace tactus::workbench {
 
 class SceneController;
+struct FigurePreset;
 
 /// Forces on a grid over the universes of two inputs, ends included.
 struct ForceMap {
@@ -60,7 +62,7 @@ class ForceMapController : public QObject {
   void removeViewer();
 
  public slots:
-  /// Chooses the axes; equal inputs change places.
+  /// Chooses the axes; equal inputs change places. Axes and expert stay chosen where another model has them too.
   void setAxes(std::size_t x_input, std::size_t y_input);
   void setExpert(std::optional<std::size_t> expert);
   /// Sees to it that the map is that of the scene as it is now: the first slice at once, the others from the event
@@ -77,6 +79,7 @@ class ForceMapController : public QObject {
 
  private:
   void adoptModel();
+  void applyPreset(const FigurePreset& preset);
   void dropPoint(std::size_t input);
   void compute();
   void stop();
@@ -89,6 +92,10 @@ class ForceMapController : public QObject {
   std::size_t x_input_ = 0;
   std::size_t y_input_ = 0;
   std::optional<std::size_t> expert_;
+  /// The same as ids, which hold for another model too; empty: nothing was chosen.
+  std::string x_id_;
+  std::string y_id_;
+  std::string expert_id_;
   std::optional<ForceMap> map_;
   mutable std::optional<fuzzy::Evaluation> here_;  ///< at the operating point, computed when asked for
   int viewers_ = 0;

@@ -8,13 +8,20 @@
 
 namespace tactus::workbench {
 
+std::vector<double> weightsOf(const fuzzy::ForceModel& model) {
+  std::vector<double> weights;
+  for (const fuzzy::Expert& expert : model.experts) weights.push_back(expert.weight);
+  return weights;
+}
+
 ForceSpread spreadOf(const ForceCurves& curves, std::span<const double> weights) {
   TACTUS_CHECK(weights.size() == curves.experts.size());
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const std::size_t count = curves.x.size();
   const double heaviest = weights.empty() ? 1 : *std::max_element(weights.begin(), weights.end());
   ForceSpread spread{std::vector<double>(count, kNone), std::vector<double>(count, kNone),
-                     std::vector<double>(count, kNone), std::vector<double>(count, kNone)};
+                     std::vector<double>(count, kNone), std::vector<double>(count, kNone),
+                     std::vector<double>(count, kNone)};
   for (std::size_t i = 0; i < count; ++i) {
     double lowest = HUGE_VAL;
     double highest = -HUGE_VAL;
@@ -41,6 +48,7 @@ ForceSpread spreadOf(const ForceCurves& curves, std::span<const double> weights)
     }
     if (speaking >= kFewestForDeviation) {
       const double deviation = std::sqrt(squares / (weight - weight_squared / weight));
+      spread.deviation_n[i] = deviation;
       spread.minus_sd_n[i] = curves.mean[i].force_n - deviation;
       spread.plus_sd_n[i] = curves.mean[i].force_n + deviation;
     }

@@ -12,9 +12,13 @@ namespace tactus::workbench {
 struct ForceSpread {
   std::vector<double> lowest_n;  ///< of the experts who have a rule there; two at least
   std::vector<double> highest_n;
-  std::vector<double> minus_sd_n;  ///< the mean less one standard deviation; three experts at least
+  std::vector<double> deviation_n;  ///< one standard deviation; three experts at least
+  std::vector<double> minus_sd_n;   ///< the mean less that
   std::vector<double> plus_sd_n;
 };
+
+/// The weights of the experts, in their order.
+std::vector<double> weightsOf(const fuzzy::ForceModel& model);
 
 /// Experts from which on a standard deviation says something.
 inline constexpr std::size_t kFewestForDeviation = 3;

@@ -73,6 +73,7 @@ void ReferenceController::setExpert(std::optional<std::size_t> expert) {
   TACTUS_CHECK(!expert || *expert < scene_.model()->model.experts.size());
   if (expert == expert_) return;
   expert_ = expert;
+  expert_id_ = expert ? scene_.model()->model.experts[*expert].id : std::string();
   drop();
   emit changed();
 }
@@ -82,7 +83,7 @@ void ReferenceController::adoptModel() {
   std::erase_if(references_, [&inputs](const ReferenceCurve& curve) {
     return std::none_of(inputs.begin(), inputs.end(), [&](const auto& input) { return input.id == curve.input; });
   });
-  if (expert_ && *expert_ >= scene_.model()->model.experts.size()) expert_.reset();
+  expert_ = expertNamed(scene_.model()->model, expert_id_);
   drop();
   emit changed();
 }
@@ -128,9 +129,9 @@ QString ReferenceController::differenceText(const std::optional<ReferenceDiffere
   if (!difference) return tr("no range in common");
   const fuzzy::Variable& x = scene_.xVariable();
   const std::string& unit = scene_.model()->model.output.unit;
-  return tr("RMS %1 · largest %2 at %3 · over %4 to %5")
+  return tr("RMS %1 · largest %2 at %3 · over %4")
       .arg(forceText(difference->rms_n, unit), forceText(difference->largest_n, unit),
-           placeText(x, difference->largest_at), numberText(difference->from, 1), placeText(x, difference->to));
+           placeText(x, difference->largest_at), rangeText(x, difference->from, difference->to));
 }
 
 }  // namespace tactus::workbench

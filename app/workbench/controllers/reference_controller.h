@@ -4,6 +4,7 @@
 #include <QObject>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/workbench/controllers/open_model.h"
@@ -53,6 +54,7 @@ class ReferenceController : public QObject {
   const SceneController& scene_;
   std::vector<ReferenceCurve> references_;
   std::optional<std::size_t> expert_;
+  std::string expert_id_;  ///< empty: the mean
   mutable std::optional<std::vector<std::optional<ReferenceDifference>>> differences_;
 };
 

@@ -105,7 +105,7 @@ base::Result<std::vector<ReferenceCurve>> readReferences(const QString& path, co
     auto curve = std::find_if(curves.begin(), curves.end(), [&](const auto& known) { return known.name == name; });
     if (curve == curves.end()) {
       if (curves.size() == kMostReferences) return too_many(curves.size() + 1, kMostReferences, " curves");
-      curve = curves.insert(curves.end(), ReferenceCurve{name, columns->input->id, {}, {}, 0});
+      curve = curves.insert(curves.end(), ReferenceCurve{path, name, columns->input->id, {}, {}, 0});
     }
     if (auto added = addRow(*curve, *table, *columns, row); !added) return tl::unexpected(added.error());
   }

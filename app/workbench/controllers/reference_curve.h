@@ -13,6 +13,7 @@
 namespace tactus::workbench {
 
 struct ReferenceCurve {
+  QString file;                 ///< path
   QString name;                 ///< of the series, or of the file where it has no series
   std::string input;            ///< id of the input on the x axis
   std::vector<double> x;        ///< ascending, in the unit of the input

@@ -12,13 +12,6 @@ namespace {
 
 double clamped(const fuzzy::Variable& variable, double value) { return std::clamp(value, variable.min, variable.max); }
 
-std::optional<std::size_t> indexOf(const fuzzy::ForceModel& model, const std::string& id) {
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    if (model.inputs[i].id == id) return i;
-  }
-  return std::nullopt;
-}
-
 std::optional<std::size_t> expertWithOwnTerms(const fuzzy::ForceModel& model, const std::string& id) {
   for (std::size_t i = 0; i < model.experts.size(); ++i) {
     if (model.experts[i].id == id && !model.experts[i].overrides.empty()) return i;
@@ -64,6 +57,15 @@ const ForceCurves& SceneController::curves() const {
   return *curves_;
 }
 
+const FamilyCurves& SceneController::familyCurves() const {
+  TACTUS_CHECK(model_ != nullptr && family_.has_value());
+  if (!family_curves_) {
+    family_curves_ = computeFamily(model_->model, model_->compiled, x_input_, values_, *family_);
+    countEvaluations(family_curves_->x.size() * family_curves_->curves.size());
+  }
+  return *family_curves_;
+}
+
 std::vector<double> SceneController::readingPoint() const {
   TACTUS_CHECK(model_ != nullptr);
   std::vector<double> point = values_;
@@ -100,7 +102,11 @@ void SceneController::setXInput(std::size_t input) {
   x_input_ = input;
   hover_.reset();
   dropCurves();
+  // The input of a family cannot be the axis too.
+  const bool family_ends = family_ && family_->input == x_input_;
+  if (family_ends) family_.reset();
   emit xInputChanged();
+  if (family_ends) emit familyChanged();
   announceCurves();
 }
 
@@ -115,17 +121,30 @@ void SceneController::setValue(std::size_t input, double value) {
 
 void SceneController::applyPreset(const FigurePreset& preset) {
   // All figures of the paper run over the depth.
-  if (const auto depth = indexOf(model_->model, "depth")) setXInput(*depth);
+  if (const auto depth = inputNamed(model_->model, "depth")) setXInput(*depth);
   bool curves_stale = false;
   for (const FigurePreset::Setting& setting : preset.settings) {
-    const auto input = indexOf(model_->model, setting.input);
+    const auto input = inputNamed(model_->model, setting.input);
     if (input && storeValue(*input, setting.value)) curves_stale |= *input != x_input_;
   }
+  auto family = familyOf(model_->model, preset);
+  if (family && family->input == x_input_) family.reset();
+  setFamily(std::move(family));
+  emit presetApplied(preset);
   if (curves_stale) {
     announceCurves();
   } else {
     emit readingChanged();
   }
+}
+
+void SceneController::clearFamily() { setFamily(std::nullopt); }
+
+void SceneController::setFamily(std::optional<CurveFamily> family) {
+  if (family == family_) return;
+  family_ = std::move(family);
+  family_curves_.reset();
+  emit familyChanged();
 }
 
 void SceneController::setHover(double x) {
@@ -161,7 +180,7 @@ void SceneController::adoptModel() {
 
   values_.clear();
   for (const fuzzy::Variable& input : model.inputs) values_.push_back(std::midpoint(input.min, input.max));
-  x_input_ = indexOf(model, "depth").value_or(model.inputs.size() - 1);
+  x_input_ = inputNamed(model, "depth").value_or(model.inputs.size() - 1);
   hover_.reset();
   dropCurves();
 
@@ -169,21 +188,32 @@ void SceneController::adoptModel() {
   const std::vector<FigurePreset> presets = figurePresets(model);
   if (!presets.empty()) {
     for (const auto& setting : presets.back().settings) {
-      const std::size_t input = *indexOf(model, setting.input);
+      const std::size_t input = *inputNamed(model, setting.input);
       values_[input] = clamped(model.inputs[input], setting.value);
     }
   }
   // Whoever opens an edited file again, or a second model of the same kind, keeps the setting.
   if (previous) {
     for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-      const auto old = indexOf(previous->model, model.inputs[i].id);
+      const auto old = inputNamed(previous->model, model.inputs[i].id);
       if (!old) continue;
       values_[i] = clamped(model.inputs[i], previous_values[*old]);
       if (*old == previous_x) x_input_ = i;
     }
     if (previous_terms) terms_of_ = expertWithOwnTerms(model, previous->model.experts[*previous_terms].id);
+    if (family_) adoptFamily(previous->model.inputs[family_->input].id);
   }
   emit modelChanged();
+}
+
+// The family stays where the model has its input.
+void SceneController::adoptFamily(const std::string& varied) {
+  FigurePreset preset;
+  preset.figure = family_->figure;
+  preset.varied = varied;
+  preset.values = family_->values;
+  family_ = familyOf(model_->model, preset);
+  if (family_ && family_->input == x_input_) family_.reset();
 }
 
 void SceneController::adoptEdit() {
@@ -216,6 +246,7 @@ bool SceneController::storeValue(std::size_t input, double value) {
 // What is read lies on the curves.
 void SceneController::dropCurves() {
   curves_.reset();
+  family_curves_.reset();
   dropReading();
 }
 

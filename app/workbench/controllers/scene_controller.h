@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "app/workbench/controllers/curve_family.h"
 #include "app/workbench/controllers/figure_presets.h"
 #include "app/workbench/controllers/force_curves.h"
 #include "app/workbench/controllers/model_controller.h"
@@ -47,6 +49,11 @@ class SceneController : public QObject {
   /// The curves along the x axis in the present setting.
   const ForceCurves& curves() const;
 
+  /// Curves of the mean at several values of another input, shown in the place of those of the experts.
+  const std::optional<CurveFamily>& family() const { return family_; }
+  /// Its curves along the x axis in the present setting. There must be a family.
+  const FamilyCurves& familyCurves() const;
+
   /// The forces at the place under the mouse, or at the value of the input on the x axis.
   const Reading& reading() const;
   /// How the force comes about there.
@@ -65,8 +72,11 @@ class SceneController : public QObject {
   void setXInput(std::size_t input);
   /// Sets input `input` to `value`, clamped to its universe. What is no number changes nothing.
   void setValue(std::size_t input, double value);
-  /// Sets the inputs as in a figure of the paper, with the depth on the x axis where the model has one.
+  /// Sets the inputs as in a figure of the paper, with the depth on the x axis where the model has one, and its family
+  /// of curves.
   void applyPreset(const tactus::workbench::FigurePreset& preset);
+  /// The curves of the experts again.
+  void clearFamily();
   /// Reads at `x` on the x axis until `clearHover`.
   void setHover(double x);
   void clearHover();
@@ -81,13 +91,18 @@ class SceneController : public QObject {
   void xInputChanged();
   void valueChanged(std::size_t input);
   void curvesChanged();
+  /// Another family, or none any more; its lines are others. `curvesChanged` tells of new curves of the same family.
+  void familyChanged();
+  void presetApplied(const tactus::workbench::FigurePreset& preset);
   void readingChanged();
   void termsChanged();
 
  private:
   void adoptModel();
   void adoptEdit();
+  void adoptFamily(const std::string& varied);
   bool storeValue(std::size_t input, double value);
+  void setFamily(std::optional<CurveFamily> family);
   void dropCurves();
   void dropReading();
   void announceCurves();
@@ -98,8 +113,10 @@ class SceneController : public QObject {
   std::vector<double> values_;
   std::optional<double> hover_;
   std::optional<std::size_t> terms_of_;
+  std::optional<CurveFamily> family_;
   // Computed when asked for.
   mutable std::optional<ForceCurves> curves_;
+  mutable std::optional<FamilyCurves> family_curves_;
   mutable std::optional<Reading> reading_;
   mutable std::optional<analysis::Explanation> explanation_;
   mutable std::uint64_t evaluations_ = 0;

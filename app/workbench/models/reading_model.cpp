@@ -1,5 +1,8 @@
 #include "app/workbench/models/reading_model.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
 
@@ -51,7 +54,15 @@ bool ReadingModel::setData(const QModelIndex& index, const QVariant& value, int 
 
 void ReadingModel::adoptModel() {
   beginResetModel();
-  shown_.assign(scene_.model()->model.experts.size() + 1, true);
+  const std::vector<bool> old_shown = std::exchange(shown_, {});
+  const std::vector<std::string> old_ids = std::exchange(ids_, {});
+  // Who was hidden stays hidden, where the model still has him.
+  shown_.push_back(old_shown.empty() || old_shown[kMeanRow]);
+  for (const fuzzy::Expert& expert : scene_.model()->model.experts) {
+    const auto old = std::find(old_ids.begin(), old_ids.end(), expert.id);
+    shown_.push_back(old == old_ids.end() || old_shown[static_cast<std::size_t>(old - old_ids.begin()) + 1]);
+    ids_.push_back(expert.id);
+  }
   endResetModel();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <string>
 #include <vector>
 
 #include "app/workbench/controllers/scene_controller.h"
@@ -42,6 +43,7 @@ class ReadingModel : public QAbstractTableModel {
 
   const SceneController& scene_;
   std::vector<bool> shown_;
+  std::vector<std::string> ids_;  ///< of the experts
 };
 
 }  // namespace tactus::workbench

@@ -26,6 +26,11 @@ QPen ghostPen(const QColor& line, bool fast) {
   return pen;
 }
 
+QPen familyPen(std::size_t index, std::size_t count, bool fast) {
+  // The dark end of the ramp would drown in a dark ground.
+  return {theme::isDark() ? theme::termText(index, count) : theme::term(index, count), fast ? 1.0 : 2.0};
+}
+
 QPen referencePen(std::size_t index) {
   static constexpr std::array<QRgb, kMostReferences> kLight = {0x5B2DA0, 0x6B4E00, 0x00646B,
                                                                0x8A1F11, 0x3F5F00, 0xB0006A};

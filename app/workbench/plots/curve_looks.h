@@ -7,6 +7,8 @@ namespace tactus::workbench {
 
 /// A line before an edit: dashed, and fainter than `line`.
 QPen ghostPen(const QColor& line, bool fast = false);
+/// Line `index` of `count` of a family: a ramp like that of terms, because the values have an order too.
+QPen familyPen(std::size_t index, std::size_t count, bool fast = false);
 /// The line of reference number `index`: colors that neither an expert nor the mean has.
 QPen referencePen(std::size_t index);
 

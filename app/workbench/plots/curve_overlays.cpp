@@ -15,7 +15,9 @@ QString tr(const char* text) { return QCoreApplication::translate("CurveOverlays
 
 QVector<double> column(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
-QVector<double> withGaps(const std::vector<fuzzy::Evaluation>& curve) {
+}  // namespace
+
+QVector<double> withGaps(std::span<const fuzzy::Evaluation> curve) {
   QVector<double> forces;
   forces.reserve(static_cast<qsizetype>(curve.size()));
   for (const fuzzy::Evaluation& point : curve) {
@@ -23,8 +25,6 @@ QVector<double> withGaps(const std::vector<fuzzy::Evaluation>& curve) {
   }
   return forces;
 }
-
-}  // namespace
 
 CurveOverlays::CurveOverlays(QCustomPlot& plot) : plot_(plot) {
   QCPLayer* const curves = plot_.layer(QStringLiteral("main"));
@@ -45,7 +45,7 @@ void CurveOverlays::removeLines(std::vector<QCPGraph*>& lines) {
 }
 
 void CurveOverlays::clear() {
-  for (auto* lines : {&band_, &ghosts_, &references_}) removeLines(*lines);
+  for (auto* lines : {&band_, &ghosts_, &family_, &references_}) removeLines(*lines);
 }
 
 void CurveOverlays::setSpread(const std::vector<double>& x, const ForceSpread& spread, SpreadShown shown) {
@@ -54,10 +54,8 @@ void CurveOverlays::setSpread(const std::vector<double>& x, const ForceSpread& s
     for (int i = 0; i < 4; ++i) band_.push_back(addLine(kUnder));
     band_[0]->setPen(Qt::NoPen);
     band_[1]->setPen(Qt::NoPen);
-    band_[1]->setBrush(rangeLook({}).fill);
     band_[1]->setChannelFillGraph(band_[0]);
-    band_[2]->setPen(deviationLook({}).pen);
-    band_[3]->setPen(deviationLook({}).pen);
+    takeLook();
   }
   const std::vector<double>* const values[] = {&spread.lowest_n, &spread.highest_n, &spread.minus_sd_n,
                                                &spread.plus_sd_n};
@@ -67,6 +65,35 @@ void CurveOverlays::setSpread(const std::vector<double>& x, const ForceSpread& s
     band_[i]->setVisible(visible);
     if (visible) band_[i]->setData(places, column(*values[i]), true);
   }
+}
+
+void CurveOverlays::takeLook() {
+  for (std::size_t i = 0; i < family_.size(); ++i) family_[i]->setPen(familyPen(i, family_.size(), fast_));
+  if (band_.empty()) return;
+  band_[1]->setBrush(rangeLook({}).fill);
+  band_[2]->setPen(deviationLook({}).pen);
+  band_[3]->setPen(deviationLook({}).pen);
+}
+
+void CurveOverlays::setFamily(const QStringList& names) {
+  removeLines(family_);
+  for (const QString& name : names) {
+    QCPGraph* line = addLine(kOver);
+    line->setName(name);
+    line->setPen(familyPen(family_.size(), static_cast<std::size_t>(names.size()), fast_));
+    family_.push_back(line);
+  }
+}
+
+void CurveOverlays::setFamilyCurves(const FamilyCurves& curves) {
+  const QVector<double> x = column(curves.x);
+  for (std::size_t i = 0; i < family_.size(); ++i) family_[i]->setData(x, withGaps(curves.curves[i]), true);
+}
+
+void CurveOverlays::setFamilyShown(std::size_t line, bool shown) { family_[line]->setVisible(shown); }
+
+LegendEntry CurveOverlays::familyLine(std::size_t line) const {
+  return {family_[line]->name(), familyPen(line, family_.size())};
 }
 
 void CurveOverlays::setGhost(const GhostCurves* ghost, const std::vector<QPen>& pens) {
@@ -110,10 +137,14 @@ void CurveOverlays::setFast(bool fast) {
     pen.setWidthF(fast ? 1 : 1.4);
     line->setPen(pen);
   }
+  for (std::size_t i = 0; i < family_.size(); ++i) family_[i]->setPen(familyPen(i, family_.size(), fast));
 }
 
 std::vector<LegendEntry> CurveOverlays::legend(const QString& ghost_name) const {
   std::vector<LegendEntry> entries;
+  for (std::size_t i = 0; i < family_.size(); ++i) {
+    if (isFamilyShown(i)) entries.push_back(familyLine(i));
+  }
   if (!band_.empty() && shown_.range) entries.push_back(rangeLook(tr("Range of the experts")));
   if (!band_.empty() && shown_.deviation) {
     entries.push_back(deviationLook(tr("Mean ± 1 standard deviation of the experts (n − 1)")));

@@ -2,8 +2,10 @@
 // reference curves. Only files of plots/ include this.
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "app/workbench/controllers/curve_family.h"
 #include "app/workbench/controllers/force_spread.h"
 #include "app/workbench/controllers/ghost_controller.h"
 #include "app/workbench/controllers/reference_curve.h"
@@ -12,6 +14,9 @@
 #include "app/workbench/plots/plot_style.h"
 
 namespace tactus::workbench {
+
+/// The forces of a curve for a graph, which leaves a gap where a value is NaN.
+QVector<double> withGaps(std::span<const fuzzy::Evaluation> curve);
 
 class CurveOverlays {
  public:
@@ -24,11 +29,21 @@ class CurveOverlays {
   /// The lines before, dashed, in the pens of the lines now: that of the mean first, then those of the experts. A pen
   /// without style hides its line. Null: no ghost.
   void setGhost(const GhostCurves* ghost, const std::vector<QPen>& pens);
+  /// Lines of the mean at several values of an input, called `names`.
+  void setFamily(const QStringList& names);
+  void setFamilyCurves(const FamilyCurves& curves);
+  void setFamilyShown(std::size_t line, bool shown);
+  bool isFamilyShown(std::size_t line) const { return family_[line]->visible(); }
+  LegendEntry familyLine(std::size_t line) const;
+  std::size_t familySize() const { return family_.size(); }
   void setReferences(const std::vector<ReferenceCurve>& references);
   /// While the hand moves: thin lines.
   void setFast(bool fast);
 
-  /// Entries of the spread and of the references, and one for the ghost with `ghost_name`.
+  /// The look of the application changed.
+  void takeLook();
+
+  /// Entries of the family, the spread and the references, and one for the ghost with `ghost_name`.
   std::vector<LegendEntry> legend(const QString& ghost_name) const;
 
  private:
@@ -38,6 +53,7 @@ class CurveOverlays {
   QCustomPlot& plot_;
   std::vector<QCPGraph*> band_;  ///< lower and upper line of the range, then of the deviation
   std::vector<QCPGraph*> ghosts_;
+  std::vector<QCPGraph*> family_;
   std::vector<QCPGraph*> references_;
   SpreadShown shown_;
   bool fast_ = false;

@@ -3,8 +3,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
 
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
@@ -22,16 +20,6 @@ namespace {
 
 constexpr int kLabelRows = 2;
 constexpr int kMeanGraph = 0;  // graph of the mean; that of expert i is i + 1
-
-// QCustomPlot leaves a gap where a value is NaN.
-QVector<double> withGaps(std::span<const fuzzy::Evaluation> curve) {
-  QVector<double> forces;
-  forces.reserve(static_cast<qsizetype>(curve.size()));
-  for (const fuzzy::Evaluation& point : curve) {
-    forces << (point.fired ? point.force_n : std::numeric_limits<double>::quiet_NaN());
-  }
-  return forces;
-}
 
 Qt::PenStyle lineStyle(std::size_t expert) {
   // The colors repeat after six experts; the dashes then tell them apart.
@@ -95,6 +83,7 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   plot_->yAxis->setLabel(axisText(output));
   plot_->xAxis->grid()->setVisible(false);
   landmarks_->setVariable(x);
+  silence_->setFoot(landmarks_->height());
   setToolTip(landmarks_->explanation());
 
   overlays_->clear();
@@ -125,8 +114,10 @@ void CurvePlot::setCurves(const ForceCurves& curves) {
     plot_->graph(static_cast<int>(i) + 1)->setData(x, withGaps(curves.experts[i]), true);
     silent_.push_back(silentIntervals(curves.x, curves.experts[i]));
   }
-  const bool any = spread_.range || spread_.deviation;
-  overlays_->setSpread(curves.x, any ? spreadOf(curves, weights_) : ForceSpread(), spread_);
+  // The spread is one of the experts, who make way for a family.
+  const SpreadShown spread = overlays_->familySize() > 0 ? SpreadShown{false, false} : spread_;
+  const bool any = spread.range || spread.deviation;
+  overlays_->setSpread(curves.x, any ? spreadOf(curves, weights_) : ForceSpread(), spread);
   updateSilence();
 }
 
@@ -177,9 +168,32 @@ void CurvePlot::setReferences(const std::vector<ReferenceCurve>& references) {
       highest = std::max(highest, reference.force_n[i]);
     }
   }
+  // To round numbers, so that the ends of the axis read well.
+  const double step = std::pow(10, std::floor(std::log10(output_.max - output_.min)) - 1);
+  if (lowest < output_.min) lowest = std::floor(lowest / step) * step;
+  if (highest > output_.max) highest = std::ceil(highest / step) * step;
   plot_->yAxis->setRange(lowest, highest);
   redraw(*plot_);
 }
+
+void CurvePlot::setFamily(const QStringList& names) {
+  overlays_->setFamily(names);
+  redraw(*plot_);
+}
+
+void CurvePlot::setFamilyCurves(const FamilyCurves& curves) {
+  overlays_->setFamilyCurves(curves);
+  redraw(*plot_);
+}
+
+void CurvePlot::setFamilyShown(std::size_t line, bool shown) {
+  overlays_->setFamilyShown(line, shown);
+  redraw(*plot_);
+}
+
+bool CurvePlot::isFamilyShown(std::size_t line) const { return overlays_->isFamilyShown(line); }
+
+LegendEntry CurvePlot::familyLine(std::size_t line) const { return overlays_->familyLine(line); }
 
 void CurvePlot::setFast(bool fast) {
   if (fast == fast_) return;
@@ -214,6 +228,14 @@ std::vector<LegendEntry> CurvePlot::legend() const {
 }
 
 void CurvePlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {cursor_}); }
+
+void CurvePlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || plot_->graphCount() == 0) return;
+  styleLines();
+  overlays_->takeLook();
+  redraw(*plot_);
+}
 
 void CurvePlot::leaveEvent(QEvent* event) {
   emit hoverLeft();

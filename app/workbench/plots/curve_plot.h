@@ -2,12 +2,13 @@
 // abstains; dashed what was before an edit, dotted what a reference says.
 #pragma once
 
-#include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "app/workbench/controllers/curve_family.h"
 #include "app/workbench/controllers/force_curves.h"
 #include "app/workbench/controllers/reference_curve.h"
 #include "app/workbench/plots/curve_looks.h"
@@ -51,6 +52,14 @@ class CurvePlot : public QWidget, public PlotSource {
   SpreadShown spreadShown() const { return spread_; }
   /// The curves before an edit, called `name` in a legend; null: none.
   void setGhost(const GhostCurves* ghost, const QString& name);
+  /// Lines called `names`, of the mean at several values of an input, in the place of those of the experts; empty:
+  /// none.
+  void setFamily(const QStringList& names);
+  void setFamilyCurves(const FamilyCurves& curves);
+  void setFamilyShown(std::size_t line, bool shown);
+  bool isFamilyShown(std::size_t line) const;
+  /// How its line looks in a legend.
+  LegendEntry familyLine(std::size_t line) const;
   /// Curves for the present x axis. The axis of the force grows where they reach farther than the output.
   void setReferences(const std::vector<ReferenceCurve>& references);
   /// While the hand moves: thin lines without smoothing, which are drawn in half the time.
@@ -69,6 +78,7 @@ class CurvePlot : public QWidget, public PlotSource {
   void picked(double x);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
  private:

@@ -292,6 +292,8 @@ bool MembershipEditorPlot::event(QEvent* event) {
     event->accept();
     return true;
   }
+  // The lines before an edit are mixed with the ground.
+  if (event->type() == QEvent::PaletteChange && labels_) drawTerms();
   return QWidget::event(event);
 }
 

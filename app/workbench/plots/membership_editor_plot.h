@@ -103,7 +103,7 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
   QString stopped_;
 
   QCustomPlot* plot_;
-  TermLabels* labels_;
+  TermLabels* labels_ = nullptr;
   LandmarkMarks* landmarks_;
   ValueMarker* marker_;
   GripMarks* marks_;

@@ -58,7 +58,7 @@ void SilenceMarks::draw(QCPPainter* painter) {
   painter->setFont(font_);
   for (const Interval& interval : everyone_) drawEveryone(*painter, interval);
   const double height = QFontMetricsF(font_).height();
-  double bottom = mParentPlot->axisRect()->bottom();
+  double bottom = mParentPlot->axisRect()->bottom() - foot_;
   for (const Lane& lane : lanes_) {
     drawLane(*painter, lane, bottom);
     bottom -= height;
@@ -76,16 +76,16 @@ void SilenceMarks::drawEveryone(QCPPainter& painter, const Interval& interval) c
   const QString note = tr("no rule fires");
   const QFontMetricsF metrics(font_);
   const double width = metrics.horizontalAdvance(note);
+  const QPointF middle = box.center() - QPointF(0, foot_ / 2);
   painter.setPen(theme::mutedInk());
   if (box.width() >= width + 2 * theme::kGrid) {
-    const QRectF plate(box.center().x() - width / 2 - 4, box.center().y() - metrics.height() / 2, width + 8,
-                       metrics.height());
+    const QRectF plate(middle.x() - width / 2 - 4, middle.y() - metrics.height() / 2, width + 8, metrics.height());
     fill(painter, plate, theme::card(), 1);
     painter.drawText(QPointF(plate.left() + 4, plate.bottom() - metrics.descent()), note);
     return;
   }
   painter.save();
-  painter.translate(box.center());
+  painter.translate(middle);
   painter.rotate(-90);
   fill(painter, QRectF(-width / 2 - 4, -metrics.height() / 2, width + 8, metrics.height()), theme::card(), 0.85F);
   painter.drawText(QPointF(-width / 2, metrics.height() / 2 - metrics.descent()), note);

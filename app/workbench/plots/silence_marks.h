@@ -25,6 +25,9 @@ class SilenceMarks : public QCPLayerable {
   /// then stands for all the others.
   void set(std::vector<Interval> everyone, std::vector<Lane> lanes);
 
+  /// Room at the foot of the plot, px, that something else takes.
+  void setFoot(double px) { foot_ = px; }
+
  protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
   void draw(QCPPainter* painter) override;
@@ -34,6 +37,7 @@ class SilenceMarks : public QCPLayerable {
   void drawLane(QCPPainter& painter, const Lane& lane, double bottom) const;
 
   QFont font_;
+  double foot_ = 0;
   std::vector<Interval> everyone_;
   std::vector<Lane> lanes_;
 };

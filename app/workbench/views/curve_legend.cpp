@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QPainter>
+#include <QSignalBlocker>
 #include <algorithm>
 #include <utility>
 
@@ -30,6 +31,11 @@ void LegendChip::setName(const QString& name) {
   if (name == text()) return;
   setText(name);
   updateGeometry();
+}
+
+void LegendChip::setLook(LegendEntry look) {
+  look_ = std::move(look);
+  update();
 }
 
 QSize LegendChip::sizeHint() const {
@@ -98,6 +104,13 @@ void CurveLegend::setItems(std::vector<Item> items) {
   }
   place(width(), true);
   updateGeometry();
+}
+
+void CurveLegend::setShown(int index, bool shown) {
+  LegendChip* chip = chipAt(index);
+  const QSignalBlocker no_signal(chip);
+  chip->setChecked(shown);
+  chip->update();
 }
 
 LegendChip* CurveLegend::chipAt(int index) const {

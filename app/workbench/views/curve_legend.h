@@ -19,6 +19,8 @@ class LegendChip : public QAbstractButton {
 
   /// Another name for the same line.
   void setName(const QString& name);
+  /// The same line in other colors.
+  void setLook(LegendEntry look);
 
   QSize sizeHint() const override;
 
@@ -48,6 +50,8 @@ class CurveLegend : public QWidget {
   };
   /// In rows from the left, as many as the width needs.
   void setItems(std::vector<Item> items);
+  /// Shows an item as checked or not, and tells nobody.
+  void setShown(int index, bool shown);
   /// The chip of item `index`, or null.
   LegendChip* chipAt(int index) const;
 

@@ -1,12 +1,15 @@
-// Puts what is compared with the curves into the window: what was before an edit, and reference curves from files.
+// Puts what is compared with the curves into the window: what was before an edit, and reference curves from files. What
+// was chosen about them holds at the next start too.
 #pragma once
 
 #include <QObject>
 
 class QAction;
+class QSettings;
 
 namespace tactus::workbench {
 
+class CurvesPanel;
 class EditController;
 class GhostController;
 class MainWindow;
@@ -19,14 +22,19 @@ class CurveParts : public QObject {
  public:
   /// After EditParts, whose membership function editor gets the shapes before an edit.
   CurveParts(MainWindow& window, const ModelController& models, EditController& edits, GhostController& ghost,
-             ReferenceController& references);
+             ReferenceController& references, QSettings& settings);
 
  private:
   void chooseReference();
+  void keepChoices(GhostController& ghost);
+  void openReferences();
+  void storeReferences();
 
   MainWindow& window_;
   const ModelController& models_;
   ReferenceController& references_;
+  QSettings& settings_;
+  CurvesPanel& curves_;
   QAction* open_reference_ = nullptr;
 };
 

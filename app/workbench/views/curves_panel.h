@@ -3,11 +3,11 @@
 #pragma once
 
 #include "app/workbench/plot_table.h"
+#include "app/workbench/plots/curve_looks.h"
 #include "app/workbench/views/card.h"
 
 class QComboBox;
 class QLabel;
-class QPushButton;
 
 namespace tactus::workbench {
 
@@ -36,8 +36,14 @@ class CurvesPanel : public Card {
   void setReferences(ReferenceController& references);
   /// While the hand moves, lines are thin and not smoothed.
   void setFast(bool fast);
+  void setSpreadShown(SpreadShown shown);
+
+ signals:
+  /// Somebody chose another spread.
+  void spreadChosen(tactus::workbench::SpreadShown shown);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -46,8 +52,10 @@ class CurvesPanel : public Card {
   void showAxes();
   void showTerms();
   void onXInputChosen(int index);
-  void onRowShown(int row, bool shown);
+  void onRowShown(int row);
+  void showFamily();
   void showLines();
+  void showLine(int row);
   void showLegend();
   void drawCurves();
   void drawGhost();
@@ -61,7 +69,6 @@ class CurvesPanel : public Card {
   ReferenceController* references_ = nullptr;
   QLabel* title_;
   QComboBox* x_input_;
-  QPushButton* presets_;
   CurvePlot* plot_;
   PlotMenu* menu_;
   CurveLegend* legend_;

@@ -1,6 +1,7 @@
 #include "app/workbench/views/reference_bar.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -35,6 +36,7 @@ ReferenceBar::ReferenceBar(ReferenceController& references, const SceneControlle
 
 void ReferenceBar::build() {
   delete rows_;
+  names_.clear();
   texts_.clear();
   rows_ = new QWidget(this);
   static_cast<QGridLayout*>(layout())->addWidget(rows_, 0, 0);
@@ -48,9 +50,7 @@ void ReferenceBar::build() {
     const int row = grid->rowCount();
     auto* name = new QLabel(QStringLiteral("● ") + reference.name, rows_);
     name->setTextFormat(Qt::PlainText);
-    QPalette colors = name->palette();
-    colors.setColor(QPalette::WindowText, referencePen(reference.color).color());
-    name->setPalette(colors);
+    names_ << name;
     auto* difference = new ElidedLabel(rows_);
     auto* remove = new QToolButton(rows_);
     remove->setText(QStringLiteral("✕"));
@@ -69,9 +69,24 @@ void ReferenceBar::build() {
         remove, &QToolButton::clicked, this, [this, name = reference.name] { references_.remove(name); },
         Qt::QueuedConnection);
   }
+  colorNames();
   listExperts();
   setVisible(!shown.empty());
   showDifferences();
+}
+
+void ReferenceBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colorNames();
+}
+
+void ReferenceBar::colorNames() {
+  const std::vector<ReferenceCurve> shown = references_.shown();
+  for (std::size_t i = 0; i < shown.size() && i < static_cast<std::size_t>(names_.size()); ++i) {
+    QPalette colors;
+    colors.setColor(QPalette::WindowText, referencePen(shown[i].color).color());
+    names_[static_cast<qsizetype>(i)]->setPalette(colors);
+  }
 }
 
 void ReferenceBar::listExperts() {

@@ -5,6 +5,7 @@
 
 class QComboBox;
 class QGridLayout;
+class QLabel;
 
 namespace tactus::workbench {
 
@@ -20,14 +21,19 @@ class ReferenceBar : public QWidget {
   /// Shows the differences as they are now.
   void showDifferences();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void build();
+  void colorNames();
   void listExperts();
 
   ReferenceController& references_;
   const SceneController& scene_;
   QWidget* rows_ = nullptr;
   QComboBox* against_;
+  QList<QLabel*> names_;
   QList<class ElidedLabel*> texts_;
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "app/workbench/controllers/scene_controller.h"
 
@@ -105,6 +106,32 @@ TEST_F(ForceMapTest, TwoViewsCostNoMoreThanOne) {
   EXPECT_TRUE(map.isFinest());
   EXPECT_EQ(&map.forceAtPoint(), &map.forceAtPoint());
   EXPECT_EQ(scene.evaluations(), before + 1);
+}
+
+TEST_F(ForceMapTest, WhatWasChosenStaysWhereAnotherFrameHasIt) {
+  map.setAxes(kSpeed, kDepth);
+  map.setExpert(1);
+  fuzzy::ForceModel model = tests::twoExperts();
+  std::swap(model.experts[0], model.experts[1]);
+  ASSERT_TRUE(models.edit(model));
+  EXPECT_EQ(map.xInput(), kSpeed);
+  EXPECT_EQ(map.yInput(), kDepth);
+  EXPECT_EQ(map.expert(), 0U);  // still expert B
+  model.experts.erase(model.experts.begin());
+  ASSERT_TRUE(models.edit(model));
+  EXPECT_EQ(map.expert(), std::nullopt);
+}
+
+TEST_F(ForceMapTest, AFigureWithASurfaceSetsTheAxes) {
+  map.setAxes(kSpeed, kDepth);
+  map.setExpert(1);
+  FigurePreset preset;
+  preset.map_x = "depth";
+  preset.map_y = "speed";
+  scene.applyPreset(preset);
+  EXPECT_EQ(map.xInput(), kDepth);
+  EXPECT_EQ(map.yInput(), kSpeed);
+  EXPECT_EQ(map.expert(), std::nullopt);
 }
 
 TEST_F(ForceMapTest, TheForceAtThePointIsThatOfTheScene) {

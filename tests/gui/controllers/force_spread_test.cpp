@@ -25,6 +25,7 @@ TEST(ForceSpread, OfFourExpertsIsWhatTheFourSay) {
   EXPECT_EQ(spread.lowest_n[0], 0.2);
   EXPECT_EQ(spread.highest_n[0], 0.8);
   const double deviation = std::sqrt(0.2 / 3);
+  EXPECT_NEAR(spread.deviation_n[0], deviation, 1e-15);
   EXPECT_NEAR(spread.minus_sd_n[0], 0.5 - deviation, 1e-15);
   EXPECT_NEAR(spread.plus_sd_n[0], 0.5 + deviation, 1e-15);
 }

@@ -68,7 +68,7 @@ TEST_F(ReferenceFile, AMistakeGivesOneClearSentence) {
 TEST(ReferenceDifference, OfTwoStraightLinesIsTheIntegral) {
   // The model says 0.5 everywhere, the reference rises from 0 to 1: the difference runs from 0.5 to -0.5, and the mean
   // of its square is 1/12. The largest is at both ends; the first one counts.
-  const ReferenceCurve reference{QStringLiteral("R"), "depth", {0, 10}, {0, 1}, 0};
+  const ReferenceCurve reference{{}, QStringLiteral("R"), "depth", {0, 10}, {0, 1}, 0};
   const std::vector<double> x{0, 2, 10};
   const std::vector<double> force(3, 0.5);
   const auto difference = compare(reference, {x, force});
@@ -81,8 +81,8 @@ TEST(ReferenceDifference, OfTwoStraightLinesIsTheIntegral) {
 }
 
 TEST(ReferenceDifference, DoesNotDependOnHowDenselyTheReferenceWasSampled) {
-  ReferenceCurve coarse{QStringLiteral("R"), "depth", {0, 4, 10}, {0, 1, 0.25}, 0};
-  ReferenceCurve dense{QStringLiteral("R"), "depth", {0, 0.5, 1, 2, 4, 10}, {0, 0.125, 0.25, 0.5, 1, 0.25}, 0};
+  ReferenceCurve coarse{{}, QStringLiteral("R"), "depth", {0, 4, 10}, {0, 1, 0.25}, 0};
+  ReferenceCurve dense{{}, QStringLiteral("R"), "depth", {0, 0.5, 1, 2, 4, 10}, {0, 0.125, 0.25, 0.5, 1, 0.25}, 0};
   const std::vector<double> x{0, 0.5, 1, 2, 4, 10};
   const std::vector<double> force{0.2, 0.2, 0.2, 0.2, 0.2, 0.2};
   const auto a = compare(coarse, {x, force});
@@ -94,7 +94,7 @@ TEST(ReferenceDifference, DoesNotDependOnHowDenselyTheReferenceWasSampled) {
 
 TEST(ReferenceDifference, ComparesOnlyWhereBothHaveAForce) {
   // The reference has a gap from 4 to 6 and ends at 8; the model is silent at 2 and begins at 1.
-  const ReferenceCurve reference{QStringLiteral("R"), "depth", {0, 4, 5, 6, 8}, {0, 0, kNone, 1, 1}, 0};
+  const ReferenceCurve reference{{}, QStringLiteral("R"), "depth", {0, 4, 5, 6, 8}, {0, 0, kNone, 1, 1}, 0};
   const std::vector<double> x{1, 2, 3, 4, 5, 6, 7, 8, 9};
   const std::vector<double> force{1, kNone, 0.25, 0.25, 9, 1.5, 1.5, 1.5, 7};
   const auto difference = compare(reference, {x, force});
@@ -105,7 +105,7 @@ TEST(ReferenceDifference, ComparesOnlyWhereBothHaveAForce) {
   EXPECT_EQ(difference->largest_at, 6);
   EXPECT_EQ(difference->from, 3);
   EXPECT_EQ(difference->to, 8);
-  const ReferenceCurve apart{QStringLiteral("R"), "depth", {20, 30}, {0, 1}, 0};
+  const ReferenceCurve apart{{}, QStringLiteral("R"), "depth", {20, 30}, {0, 1}, 0};
   EXPECT_FALSE(compare(apart, {x, force}).has_value());
 }
 

@@ -168,5 +168,41 @@ TEST_F(SceneControllerTest, PresetsNeedTheInputsOfTheStudy) {
   EXPECT_EQ(scene.value(3), 90);
 }
 
+TEST_F(SceneControllerTest, AFigureWithAFamilyShowsTheMeanAtEveryValue) {
+  // Expert A at "near" (depth 2): low (0.25 N) while slow, high (0.75 N) while fast; 50 mm/s is both halves.
+  FigurePreset preset;
+  preset.figure = QStringLiteral("Fig. 10c");
+  preset.varied = "speed";
+  preset.values = {20, 80};
+  const QSignalSpy another(&scene, &SceneController::familyChanged);
+  scene.setXInput(kSpeed);
+  scene.applyPreset(preset);
+  EXPECT_EQ(scene.xInput(), kDepth);
+  EXPECT_EQ(another.count(), 1);
+  ASSERT_TRUE(scene.family().has_value());
+  const FamilyCurves& curves = scene.familyCurves();
+  ASSERT_EQ(curves.curves.size(), 2U);
+  EXPECT_EQ(curves.x, scene.curves().x);
+  EXPECT_NEAR(curves.curves[0].front().force_n, 0.25, kRounding);
+  EXPECT_NEAR(curves.curves[1].front().force_n, 0.75, kRounding);
+  EXPECT_EQ(familyLineText(scene.model()->model, *scene.family(), 1), QStringLiteral("Speed 80 mm/s"));
+
+  // An edit keeps it and moves its curves; an own list of terms is another frame with the same inputs.
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.experts[0].rules[0].then = "high";
+  model.name = "another";
+  ASSERT_TRUE(models.edit(model));
+  ASSERT_TRUE(scene.family().has_value());
+  EXPECT_NEAR(scene.familyCurves().curves[0].front().force_n, 0.75, kRounding);
+  // What varies cannot be the axis.
+  scene.setXInput(kSpeed);
+  EXPECT_FALSE(scene.family().has_value());
+  EXPECT_EQ(another.count(), 2);
+  scene.setXInput(kDepth);
+  scene.applyPreset(preset);
+  scene.clearFamily();
+  EXPECT_FALSE(scene.family().has_value());
+}
+
 }  // namespace
 }  // namespace tactus::workbench

@@ -5,10 +5,6 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMenuBar>
-#include <QSettings>
-#include <QTest>
-#include <gtest/gtest.h>
-#include <utility>
 
 #include "app/workbench/controllers/force_map.h"
 #include "app/workbench/plots/force_map_plot.h"
@@ -17,37 +13,18 @@
 #include "app/workbench/views/panel_area.h"
 #include "app/workbench/views/shortcut_sheet.h"
 #include "app/workbench/views/stage_button.h"
-#include "app/workbench/workbench.h"
 
-#include "tests/gui/sample_models.h"
+#include "tests/gui/shown_bench.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kSettled = 60;       // ms, some frames of the screen
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kPatience;
+using tests::kSettled;
 
-class BenchViewTest : public testing::Test {
+class BenchViewTest : public tests::ShownBench {
  protected:
-  void SetUp() override {
-    bench.window.resize(1280, 720);
-    bench.window.show();
-    bench.models.open(folder.write(tests::twoExperts()));
-    bench.window.enter(Stage::kUnderstand);
-    settle();
-  }
-
-  /// Until nothing on the screen changes any more.
-  void settle() {
-    QImage last;
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-          QTest::qWait(kSettled);
-          const QImage now = bench.window.grab().toImage();
-          return std::exchange(last, now) == now;
-        },
-        kPatience));
-  }
+  BenchViewTest() : ShownBench(Stage::kUnderstand) {}
 
   QDockWidget* dock(const char* id) { return bench.window.findChild<QDockWidget*>(QLatin1String(id)); }
 
@@ -58,10 +35,6 @@ class BenchViewTest : public testing::Test {
     for (QDockWidget* panel : bench.window.findChildren<QDockWidget*>()) panel->hide();
     QTest::qWait(kSettled);
   }
-
-  tests::ModelFolder folder;
-  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
-  Workbench bench{settings};
 };
 
 TEST_F(BenchViewTest, HiddenPanelsComputeNothing) {

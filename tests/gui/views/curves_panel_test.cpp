@@ -1,51 +1,29 @@
 #include "app/workbench/views/curves_panel.h"
 
+#include <QApplication>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
-#include <QSettings>
-#include <QTest>
 #include <QToolButton>
 #include <algorithm>
-#include <gtest/gtest.h>
-#include <utility>
 
 #include "app/workbench/models/reading_model.h"
 #include "app/workbench/plots/curve_plot.h"
+#include "app/workbench/theme.h"
 #include "app/workbench/views/curve_legend.h"
 #include "app/workbench/views/message_banner.h"
 #include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/reference_bar.h"
-#include "app/workbench/workbench.h"
+#include "core/base/csv.h"
 
-#include "tests/gui/sample_models.h"
+#include "tests/gui/shown_bench.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kSettled = 60;       // ms, some frames of the screen
-constexpr int kPatience = 10'000;  // ms, for a busy machine
-
-class CurvesPanelTest : public testing::Test {
+class CurvesPanelTest : public tests::ShownBench {
  protected:
-  void SetUp() override {
-    bench.window.resize(1280, 800);
-    bench.window.show();
-    bench.models.open(folder.write(tests::twoExperts()));
-    bench.window.enter(Stage::kTune);
-    settle();
-  }
-
-  void settle() {
-    QImage last;
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-          QTest::qWait(kSettled);
-          const QImage now = bench.window.grab().toImage();
-          return std::exchange(last, now) == now;
-        },
-        kPatience));
-  }
+  CurvesPanelTest() : ShownBench(Stage::kTune) {}
 
   bool drop(const QString& path) {
     QMimeData data;
@@ -82,9 +60,6 @@ class CurvesPanelTest : public testing::Test {
 
   QImage picture() { return plot.grab().toImage(); }
 
-  tests::ModelFolder folder;
-  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
-  Workbench bench{settings};
   CurvesPanel& panel = *bench.window.findChild<CurvesPanel*>();
   CurvePlot& plot = *bench.window.findChild<CurvePlot*>();
 };
@@ -181,6 +156,101 @@ TEST_F(CurvesPanelTest, WhatWasSavedCanBeLaidOver) {
   // The model is compared with itself.
   ASSERT_EQ(bench.references.differences().size(), 1U);
   EXPECT_EQ(bench.references.differences().front()->largest_n, 0);
+}
+
+TEST_F(CurvesPanelTest, AFamilyTakesThePlaceOfTheExperts) {
+  bench.scene.setValue(0, 50);
+  settle();
+  const QImage experts = picture();
+  FigurePreset preset;
+  preset.figure = QStringLiteral("Fig. 10c");
+  preset.varied = "speed";
+  preset.values = {20, 80};
+  bench.scene.applyPreset(preset);
+  settle();
+  EXPECT_EQ(legend(),
+            (QStringList{QStringLiteral("Mean"), QStringLiteral("Speed 20 mm/s"), QStringLiteral("Speed 80 mm/s")}));
+  EXPECT_NE(chip(QStringLiteral("Speed 20 mm/s")), nullptr);
+  EXPECT_EQ(chip(QStringLiteral("A")), nullptr);
+
+  // At depth 0 expert A speaks alone: 0.25 N at 20 mm/s, 0.75 N at 80 mm/s.
+  const QString path = folder.path(QStringLiteral("family.csv"));
+  ASSERT_TRUE(panel.plotMenu().saveTable(path).has_value());
+  const auto table = base::CsvTable::read(path.toStdString());
+  ASSERT_TRUE(table.has_value());
+  EXPECT_EQ(table->columns(),
+            (std::vector<std::string>{"depth_mm", "force_n", "force_at_speed_20_mm_s_n", "force_at_speed_80_mm_s_n"}));
+  EXPECT_NEAR(table->number(0, 2).value(), 0.25, 1e-15);
+  EXPECT_NEAR(table->number(0, 3).value(), 0.75, 1e-15);
+
+  QTest::mouseClick(chip(QStringLiteral("80 mm/s")), Qt::LeftButton);
+  settle();
+  EXPECT_EQ(legend(), (QStringList{QStringLiteral("Mean"), QStringLiteral("Speed 20 mm/s")}));
+  bench.scene.clearFamily();
+  settle();
+  EXPECT_EQ(picture(), experts);
+}
+
+TEST_F(CurvesPanelTest, AKeyInTheLegendLeavesTheFocusThere) {
+  LegendChip* const b = chip(QStringLiteral("B"));
+  b->setFocus();
+  QTest::keyClick(b, Qt::Key_Space);
+  settle();
+  EXPECT_FALSE(plot.isExpertShown(1));
+  EXPECT_EQ(chip(QStringLiteral("B")), b);
+  EXPECT_EQ(bench.window.focusWidget(), b);
+}
+
+TEST_F(CurvesPanelTest, WhoWasHiddenStaysHiddenInAnotherFrame) {
+  QTest::mouseClick(chip(QStringLiteral("B")), Qt::LeftButton);
+  bench.references.setExpert(1);
+  fuzzy::ForceModel model = tests::twoExperts();
+  std::swap(model.experts[0], model.experts[1]);
+  ASSERT_TRUE(bench.models.edit(model));
+  settle();
+  EXPECT_FALSE(plot.isExpertShown(0));
+  EXPECT_TRUE(plot.isExpertShown(1));
+  EXPECT_EQ(bench.references.expert(), 0U);
+}
+
+TEST_F(CurvesPanelTest, WhatWasChosenHoldsAtTheNextStart) {
+  QTest::mouseClick(chip(QStringLiteral("Range")), Qt::LeftButton);
+  bench.ghost.setOn(false);
+  ASSERT_TRUE(drop(folder.writeText("series,depth_mm,force_n\none,1,0.3\none,2,0.3\ntwo,1,0.4\ntwo,2,0.4\n",
+                                    QStringLiteral("methods.csv"))));
+  bench.references.remove(QStringLiteral("one"));
+  Workbench next(settings);
+  show(next);
+  tests::settle(next.window);
+  EXPECT_FALSE(next.ghost.isOn());
+  ASSERT_EQ(next.references.all().size(), 1U);
+  EXPECT_EQ(next.references.all().front().name, QStringLiteral("two"));
+  QStringList names;
+  for (const LegendEntry& entry : next.window.findChild<CurvePlot*>()->legend()) names << entry.name;
+  EXPECT_EQ(names,
+            (QStringList{QStringLiteral("Mean"), QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("two")}));
+}
+
+TEST_F(CurvesPanelTest, AnotherLookIsThatOfAFreshStart) {
+  const auto fill = [this](Workbench& shown) {
+    fuzzy::ForceModel model = tests::twoExperts();
+    model.experts[0].rules[2].then = "low";
+    ASSERT_TRUE(shown.edits.apply(editing::finished(model, "far is low")));
+    shown.references.open(folder.writeText("depth_mm,force_n\n7,0.3\n9,0.3\n", QStringLiteral("method.csv")));
+    tests::settle(shown.window);
+  };
+  fill(bench);
+  theme::changeLook(*qApp, theme::Look::kDark);
+  settle();
+  const QImage changed = panel.grab().toImage();
+  {
+    QSettings others(folder.path(QStringLiteral("others.ini")), QSettings::IniFormat);
+    Workbench fresh(others);
+    show(fresh);
+    fill(fresh);
+    EXPECT_EQ(fresh.window.findChild<CurvesPanel*>()->grab().toImage(), changed);
+  }
+  theme::changeLook(*qApp, theme::Look::kLight);
 }
 
 }  // namespace

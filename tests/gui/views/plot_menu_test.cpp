@@ -6,6 +6,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QTest>
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <utility>
 
@@ -14,7 +15,7 @@
 #include "app/workbench/workbench.h"
 #include "core/base/csv.h"
 
-#include "tests/gui/sample_models.h"
+#include "tests/gui/shown_bench.h"
 
 namespace tactus::workbench {
 namespace {
@@ -56,7 +57,8 @@ class PlotMenuTest : public testing::Test {
 TEST_F(PlotMenuTest, TheTableOfTheCurvesIsThatOfTheModel) {
   bench.scene.setValue(0, 20);
   const base::CsvTable table = saved(curves());
-  EXPECT_EQ(table.columns(), (std::vector<std::string>{"depth_mm", "force_n", "force_A_n", "force_B_n"}));
+  EXPECT_EQ(table.columns(), (std::vector<std::string>{"depth_mm", "force_n", "force_A_n", "force_B_n",
+                                                       "lowest_force_n", "highest_force_n"}));
   const fuzzy::CompiledModel& compiled = bench.models.current()->compiled;
   ASSERT_GT(table.rowCount(), 500U);
   for (std::size_t row = 0; row < table.rowCount(); row += 7) {
@@ -66,8 +68,15 @@ TEST_F(PlotMenuTest, TheTableOfTheCurvesIsThatOfTheModel) {
     if (mean.fired) {
       EXPECT_EQ(table.number(row, 1).value(), mean.force_n);
     }
+    const fuzzy::Evaluation a = compiled.evaluateExpert(0, point);
     const fuzzy::Evaluation b = compiled.evaluateExpert(1, point);
     EXPECT_EQ(b.fired, !table.cell(row, 3).empty());
+    // A range is one of two at least.
+    ASSERT_EQ(a.fired && b.fired, !table.cell(row, 4).empty());
+    if (a.fired && b.fired) {
+      EXPECT_EQ(table.number(row, 4).value(), std::min(a.force_n, b.force_n));
+      EXPECT_EQ(table.number(row, 5).value(), std::max(a.force_n, b.force_n));
+    }
   }
 }
 
@@ -119,6 +128,14 @@ TEST_F(PlotMenuTest, ThePictureHasTheLegendAndTheCaption) {
   const QString png = folder.path(QStringLiteral("plot.png"));
   ASSERT_TRUE(curves().savePicture(png).has_value());
   EXPECT_EQ(QImage(png).width(), 2000);
+}
+
+TEST_F(PlotMenuTest, APictureLeavesTheScreenAsItIs) {
+  tests::settle(bench.window);
+  const QImage before = bench.window.grab().toImage();
+  for (PlotMenu* plot : {&curves(), &map()}) ASSERT_TRUE(plot->savePicture(folder.path(QStringLiteral("a.svg"))));
+  tests::settle(bench.window);
+  EXPECT_EQ(bench.window.grab().toImage(), before);
 }
 
 TEST_F(PlotMenuTest, TheClipboardGetsPictureAndTable) {

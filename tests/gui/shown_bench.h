@@ -1,0 +1,56 @@
+// The window of the workbench with a sample model, and waiting until it shows what it has to show.
+#pragma once
+
+#include <QSettings>
+#include <QTest>
+#include <gtest/gtest.h>
+#include <utility>
+
+#include "app/workbench/workbench.h"
+
+#include "tests/gui/sample_models.h"
+
+namespace tactus::tests {
+
+inline constexpr int kSettled = 60;       // ms, some frames of the screen
+inline constexpr int kPatience = 10'000;  // ms, for a busy machine
+
+/// Until nothing in `window` changes any more.
+inline void settle(QWidget& window) {
+  QImage last;
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        QTest::qWait(kSettled);
+        const QImage now = window.grab().toImage();
+        return std::exchange(last, now) == now;
+      },
+      kPatience));
+}
+
+class ShownBench : public testing::Test {
+ protected:
+  explicit ShownBench(workbench::Stage stage) : stage_(stage) {}
+
+  void SetUp() override {
+    show(bench);
+    settle();
+  }
+
+  void show(workbench::Workbench& shown) {
+    shown.window.resize(1280, 720);
+    shown.window.show();
+    shown.models.open(folder.write(twoExperts()));
+    shown.window.enter(stage_);
+  }
+
+  void settle() { tests::settle(bench.window); }
+
+  ModelFolder folder;
+  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
+  workbench::Workbench bench{settings};
+
+ private:
+  workbench::Stage stage_;
+};
+
+}  // namespace tactus::tests
