@@ -106,6 +106,8 @@ class EditHistory {
   const std::vector<State>& states() const { return states_; }
   const std::vector<Event>& events() const { return events_; }
   const std::string& labelOf(StateId state) const { return events_[states_[state].event].label; }
+  /// The version of the event that made the state.
+  const study::RecordId& versionOf(StateId state) const { return events_[states_[state].event].id; }
   /// The undo list: from the model that was opened over the current state to the end of redo.
   std::vector<StateId> line() const;
 
@@ -133,7 +135,6 @@ class EditHistory {
   explicit EditHistory(study::RecordIds ids) : ids_(ids) {}
   void record(EventKind kind, std::string label, const Stamp& stamp, std::optional<study::RecordId> parent);
   base::Result<void> moveTo(StateId state, EventKind kind, const Stamp& stamp);
-  const study::RecordId& versionOf(StateId state) const { return events_[states_[state].event].id; }
   void enter(StateId state, fuzzy::ForceModel model, fuzzy::CompiledModel compiled);
 
   study::RecordIds ids_;

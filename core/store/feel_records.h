@@ -18,7 +18,7 @@ base::Result<void> append(StudyFile& file, const study::FeelStart& record);
 base::Result<void> append(StudyFile& file, const study::FeelPiece& record);
 base::Result<void> append(StudyFile& file, const study::FeelEnd& record);
 
-/// The placements, in the order in which they were added. An error where one cannot be read.
+/// The placements, session by session, in the order in which they were added. An error where one cannot be read.
 base::Result<std::vector<study::PlacementRecord>> placements(const StudyFile& file, const Selection& selection = {});
 
 /// A recording without its samples.

@@ -56,7 +56,7 @@ void AutosaveController::write() {
   auto history = editing::needsAutosave(edits_.history())
                      ? std::make_shared<const editing::EditHistory>(edits_.history())
                      : nullptr;
-  AutosaveFolder::Facts facts{models_.current()->path, !models_.isModified()};
+  AutosaveFolder::Facts facts{models_.current()->path, !models_.isModified() && !models_.current()->in_study};
   worker_.post([this, folder = folder_, history = std::move(history), facts = std::move(facts)] {
     QString failure;
     if (!history) {

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <QUuid>
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "core/base/file.h"
@@ -15,7 +16,10 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr std::size_t kVersionsPerPart = 50;  // some MB, written within a tenth of a second
+constexpr std::size_t kVersionsPerPart = 50;
+// A part is written again with every edit until it is closed: this much takes a tenth of a second.
+constexpr std::size_t kMostOpenBytes = std::size_t{8} << 20U;
+constexpr std::size_t kMostPartBytes = editing::kMostAutosaveBytes / 4;
 constexpr auto kLockName = "lock";
 constexpr auto kFactsName = "facts.json";
 constexpr std::size_t kMostFactsBytes = 1 << 16;
@@ -81,7 +85,7 @@ base::Result<void> AutosaveFolder::begin() {
   }
   path_ = path;
   lock_ = std::move(lock);
-  closed_parts_ = 0;
+  closed_parts_ = closed_events_ = 0;
   return {};
 }
 
@@ -91,19 +95,22 @@ base::Result<void> AutosaveFolder::write(const editing::EditHistory& history, co
   }
   const std::string document = facts.document.toStdString();
   const std::size_t count = history.events().size();
-  std::size_t first = closed_parts_ * kVersionsPerPart;
-  for (; count - first > kVersionsPerPart; first += kVersionsPerPart) {
-    const auto closed = writePart(closed_parts_, history, document, {first, first + kVersionsPerPart});
-    if (!closed) return closed;
+  for (bool done = false; !done;) {
+    std::size_t end = std::min(count, closed_events_ + kVersionsPerPart);
+    std::string text = editing::autosaveText(history, document, {closed_events_, end});
+    while (text.size() > kMostPartBytes && end > closed_events_ + 1) {
+      end = std::midpoint(closed_events_, end);
+      text = editing::autosaveText(history, document, {closed_events_, end});
+    }
+    const auto written = base::writeFileAtomically(pathIn(path_, partName(closed_parts_)), text);
+    if (!written) return written;
+    const bool stays_open = text.size() <= kMostOpenBytes || end == closed_events_;
+    done = end == count;
+    if (done && stays_open) break;
     ++closed_parts_;
+    closed_events_ = end;
   }
-  if (auto newest = writePart(closed_parts_, history, document, {first, count}); !newest) return newest;
   return writeFacts(path_, history, facts);
-}
-
-base::Result<void> AutosaveFolder::writePart(std::size_t number, const editing::EditHistory& history,
-                                             const std::string& document, editing::EventRange range) {
-  return base::writeFileAtomically(pathIn(path_, partName(number)), editing::autosaveText(history, document, range));
 }
 
 void AutosaveFolder::remove() {
@@ -112,7 +119,7 @@ void AutosaveFolder::remove() {
   QDir(path_).removeRecursively();
   lock_.reset();
   path_.clear();
-  closed_parts_ = 0;
+  closed_parts_ = closed_events_ = 0;
 }
 
 std::vector<LostWork> lostWork(const QString& root) {

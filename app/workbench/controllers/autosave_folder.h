@@ -19,7 +19,8 @@ namespace tactus::workbench {
 QString autosaveRoot();
 
 /// Writes what a history has not stored into a folder. Versions that were written once are not written again: they
-/// stand in closed parts of 50 versions; the newest part is replaced as a whole. Thread: one at a time.
+/// stand in closed parts of 50 versions, fewer where the model is large; the newest part is replaced as a whole.
+/// Thread: one at a time.
 class AutosaveFolder {
  public:
   /// Nothing is made before the first `write`. Folders stand in `root`.
@@ -40,13 +41,12 @@ class AutosaveFolder {
 
  private:
   base::Result<void> begin();
-  base::Result<void> writePart(std::size_t number, const editing::EditHistory& history, const std::string& document,
-                               editing::EventRange range);
 
   QString root_;
   QString path_;
   std::unique_ptr<QLockFile> lock_;
   std::size_t closed_parts_ = 0;
+  std::size_t closed_events_ = 0;  ///< that stand in them
 };
 
 /// Work that a process left behind when it ended without closing its document.

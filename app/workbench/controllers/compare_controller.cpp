@@ -15,6 +15,7 @@
 namespace tactus::workbench {
 namespace {
 
+using editing::Event;
 using editing::EventKind;
 using editing::StateId;
 using Kind = CompareChoice::Kind;
@@ -23,6 +24,17 @@ using Kind = CompareChoice::Kind;
 fuzzy::ForceModel alone(fuzzy::ForceModel model, const std::string& id) {
   for (fuzzy::Expert& expert : model.experts) expert.weight = expert.id == id ? 1 : 0;
   return model;
+}
+
+bool isMark(const Event& event) { return event.kind == EventKind::kSnapshot || event.kind == EventKind::kSignOff; }
+
+QString nameOfMark(const Event& mark) {
+  return mark.kind == EventKind::kSnapshot ? CompareController::tr("Snapshot “%1”").arg(text(mark.label))
+                                           : CompareController::tr("Signed off by %1").arg(text(mark.stamp.author));
+}
+
+QString nameOfState(const editing::EditHistory& history, StateId state) {
+  return CompareController::tr("%1 · %2").arg(state).arg(text(history.labelOf(state)));
 }
 
 // Two models over the same inputs can be compared, shown and felt in one place.
@@ -73,15 +85,23 @@ std::vector<CompareController::Option> CompareController::options() const {
   if (experts.size() > 1) {
     for (const fuzzy::Expert& expert : experts) add({Kind::kExpert, 0, expert.id});
   }
+  // Names of states are at hand here; nameOf would look through all events for each.
+  const auto addState = [&](StateId state, QString name) {
+    Option option;
+    option.choice.kind = Kind::kState;
+    option.choice.state = state;
+    option.name = std::move(name);
+    out.push_back(std::move(option));
+  };
   std::vector<bool> named(history.states().size());
   const auto& events = history.events();
   for (auto event = events.rbegin(); event != events.rend(); ++event) {
-    if (event->kind != EventKind::kSnapshot && event->kind != EventKind::kSignOff) continue;
-    if (!named[event->state]) add({Kind::kState, event->state, {}});
+    if (!isMark(*event)) continue;
+    if (!named[event->state]) addState(event->state, nameOfMark(*event));
     named[event->state] = true;
   }
   for (StateId state = history.states().size(); state-- > 0;) {
-    if (!named[state]) add({Kind::kState, state, {}});
+    if (!named[state]) addState(state, nameOfState(history, state));
   }
   return out;
 }
@@ -103,12 +123,9 @@ QString CompareController::nameOf(const CompareChoice& choice) const {
   }
   const editing::EditHistory& history = edits_.history();
   const auto& events = history.events();
-  const auto mark = std::find_if(events.rbegin(), events.rend(), [&](const editing::Event& event) {
-    return event.state == choice.state && (event.kind == EventKind::kSnapshot || event.kind == EventKind::kSignOff);
-  });
-  if (mark == events.rend()) return tr("%1 · %2").arg(choice.state).arg(text(history.labelOf(choice.state)));
-  return mark->kind == EventKind::kSnapshot ? tr("Snapshot “%1”").arg(text(mark->label))
-                                            : tr("Signed off by %1").arg(text(mark->stamp.author));
+  const auto mark = std::find_if(events.rbegin(), events.rend(),
+                                 [&](const Event& event) { return event.state == choice.state && isMark(event); });
+  return mark == events.rend() ? nameOfState(history, choice.state) : nameOfMark(*mark);
 }
 
 void CompareController::choose(CompareSide side, CompareChoice choice) {
@@ -130,12 +147,12 @@ base::Result<std::shared_ptr<const OpenModel>> CompareController::make(const Com
   const std::shared_ptr<const OpenModel> open = models_.current();
   if (choice.kind == Kind::kOpen) return open;
   base::Result<fuzzy::ForceModel> model = open->model;
+  const editing::EditHistory& history = edits_.history();
+  StateId state = history.current();
   if (choice.kind == Kind::kExpert) {
     model = alone(open->model, choice.expert);
   } else {
-    const editing::EditHistory& history = edits_.history();
-    const StateId state =
-        choice.kind == Kind::kState ? choice.state : history.states()[history.current()].parent.value_or(0);
+    state = choice.kind == Kind::kState ? choice.state : history.states()[state].parent.value_or(0);
     model = edits_.modelOf(state);
   }
   if (!model) return tl::unexpected(model.error());
@@ -151,6 +168,8 @@ base::Result<std::shared_ptr<const OpenModel>> CompareController::make(const Com
   out.simulated = open->simulated || saysSimulated(*model);
   out.model = std::move(*model);
   out.compiled = std::move(*compiled);
+  out.version = history.versionOf(state);
+  if (choice.kind == Kind::kExpert) out.only_expert = choice.expert;
   return std::make_shared<const OpenModel>(std::move(out));
 }
 
@@ -159,7 +178,9 @@ void CompareController::compute() {
   const auto a = modelOf(CompareSide::kA);
   const auto b = modelOf(CompareSide::kB);
   if (!a || !b) {
-    emit refused(text((a ? b.error() : a.error()).message()));
+    const base::Error& error = a ? b.error() : a.error();
+    // An old state of a study that is still being read is asked for again when it is there.
+    if (error.code != base::ErrorCode::kIo) emit refused(text(error.message()));
     return;
   }
   worker_.run([this, a = *a, b = *b](const std::stop_token& stop) -> Background::Deliver {

@@ -52,7 +52,7 @@ void EditController::adopt(editing::EditHistory history, VersionReader read) {
 
 base::Result<fuzzy::ForceModel> EditController::modelOf(editing::StateId state) {
   TACTUS_CHECK(isOpen());
-  fetch(state);
+  if (auto there = fetch(state); !there) return tl::unexpected(there.error());
   return history_->modelOf(state);
 }
 
@@ -136,34 +136,33 @@ void EditController::undo() {
   if (!canUndo()) return;
   commit();
   const QString what = undoText();
-  fetch(history_->states()[history_->current()].parent);
-  settle(history_->undo(stamp()), tr("Undone: %1").arg(what));
+  auto there = fetch(history_->states()[history_->current()].parent);
+  settle(there ? history_->undo(stamp()) : there, tr("Undone: %1").arg(what));
 }
 
 void EditController::redo() {
   if (!canRedo()) return;
   commit();
   const QString what = redoText();
-  fetch(history_->states()[history_->current()].redo);
-  settle(history_->redo(stamp()), tr("Done again: %1").arg(what));
+  auto there = fetch(history_->states()[history_->current()].redo);
+  settle(there ? history_->redo(stamp()) : there, tr("Done again: %1").arg(what));
 }
 
 void EditController::returnTo(editing::StateId state) {
   TACTUS_CHECK(isOpen());
   commit();
   if (state == history_->current()) return;
-  fetch(state);
-  settle(history_->returnTo(state, stamp()), tr("Back to: %1").arg(text(history_->labelOf(state))));
+  auto there = fetch(state);
+  settle(there ? history_->returnTo(state, stamp()) : there, tr("Back to: %1").arg(text(history_->labelOf(state))));
 }
 
-// A state that cannot be read stays out of memory, and whoever needs it says so.
-void EditController::fetch(std::optional<editing::StateId> state) {
+// Has a state in memory, or says why not.
+base::Result<void> EditController::fetch(std::optional<editing::StateId> state) {
   const auto missing = state ? history_->missing(*state) : std::nullopt;
-  if (!missing || !read_version_) return;
+  if (!missing || !read_version_) return {};
   const auto version = read_version_(*missing);
-  const auto provided =
-      version ? editing::provideVersion(*history_, *state, *version) : tl::unexpected(version.error());
-  if (!provided) refuse(text(provided.error().message()));
+  if (!version) return tl::unexpected(version.error());
+  return editing::provideVersion(*history_, *state, *version);
 }
 
 void EditController::begin(editing::EditHistory history, VersionReader read) {
@@ -243,9 +242,8 @@ editing::Stamp EditController::stamp() const {
 }
 
 QString EditController::effectOf(editing::StateId state) {
-  // Both models have to be in memory.
-  fetch(state);
-  fetch(history_->states()[state].parent);
+  // Both models have to be in memory; a list of states asks again when one was read.
+  if (!history_->states()[state].impact && (!fetch(state) || !fetch(history_->states()[state].parent))) return {};
   const auto impact = history_->impact(state);
   if (!impact) return {};
   return impactText(*impact, model().output.unit);

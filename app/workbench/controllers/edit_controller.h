@@ -47,6 +47,8 @@ class EditController : public QObject {
   /// Who edits, from now on; empty where nobody said.
   void setAuthor(const QString& name);
   const QString& author() const { return author_; }
+  /// Who edits, `unnamed` where nobody said, and now.
+  editing::Stamp stamp() const;
 
   /// A gesture: begun, updated any number of times, committed or cancelled. Its models go to the ModelController at
   /// most once in 16 ms, the latest one wins; the last one always arrives.
@@ -77,7 +79,7 @@ class EditController : public QObject {
   /// From the model that was opened over the current state to the end of redo.
   std::vector<Entry> entries();
   /// What the edit that made `state` did to the force, computed when first asked for: `max ΔF 0.032 N (0.4 JND)`. Empty
-  /// for the model that was opened.
+  /// for the model that was opened, and until a state that is not in memory has been read.
   QString effectOf(editing::StateId state);
 
   /// Names the current state. Without a name nothing happens.
@@ -109,12 +111,11 @@ class EditController : public QObject {
  private:
   void adoptModel();
   void begin(editing::EditHistory history, VersionReader read);
-  void fetch(std::optional<editing::StateId> state);
+  base::Result<void> fetch(std::optional<editing::StateId> state);
   void schedule();
   void send();
   void settle(const base::Result<void>& moved, const QString& sentence);
   void report();
-  editing::Stamp stamp() const;
 
   ModelController& models_;
   std::optional<editing::EditHistory> history_;

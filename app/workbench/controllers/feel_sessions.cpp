@@ -5,6 +5,7 @@
 #include "app/version.h"
 #include "app/workbench/controllers/study_contents.h"
 #include "core/base/json_writer.h"
+#include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
@@ -48,6 +49,9 @@ Result<RecordId> FeelSessions::researcher(store::StudyFile& file, study::RecordI
 Result<RecordId> FeelSessions::sessionOf(const Visit& visit, store::StudyFile& file, study::RecordIds& ids) {
   const Key key(visit.run, visit.who);
   if (const auto found = sessions_.find(key); found != sessions_.end()) return found->second;
+  // Person, session and profile together or not at all: it is tried again where the disk refuses.
+  auto batch = store::Batch::begin(file);
+  if (!batch) return tl::unexpected(batch.error());
   const auto who = visit.who ? Result<RecordId>(*visit.who) : researcher(file, ids);
   if (!who) return who;
   study::SessionRecord session;
@@ -60,13 +64,14 @@ Result<RecordId> FeelSessions::sessionOf(const Visit& visit, store::StudyFile& f
   session.device_friction_n = visit.device_friction_n;
   session.settings = settingsOf(visit);
   if (auto ok = store::append(file, session); !ok) return tl::unexpected(ok.error());
-  sessions_[key] = session.id;
   if (!visit.who) {
     study::ProfileRecord profile;
     profile.entry = {ids.next(), session.id, visit.started, study::EnteredBy::kResearcher, std::nullopt, {}};
     profile.category = kResearcherCategory;
     if (auto ok = store::append(file, profile); !ok) return tl::unexpected(ok.error());
   }
+  if (auto ok = batch->commit(); !ok) return tl::unexpected(ok.error());
+  sessions_[key] = session.id;
   return session.id;
 }
 

@@ -34,12 +34,15 @@ FeelStore::FeelStore(FeelController& feel, SceneController& scene, StudyControll
   connect(&scene_, &SceneController::modelChanged, this, &FeelStore::onModel);
   connect(&study_, &StudyController::opened, this, &FeelStore::onStudy);
   connect(&study_, &StudyController::closed, this, &FeelStore::onStudy);
-  connect(&study_, &StudyController::leaving, this, [this] { setRecording(false); });
+  connect(&study_, &StudyController::leaving, this, [this] {
+    setRecording(false);
+    endPlacement();
+  });
 }
 
 FeelStore::~FeelStore() { endRecording(); }
 
-bool FeelStore::canRecord() const { return study_.isOpen(); }
+bool FeelStore::canRecord() const { return study_.isOpen() && !study_.isOpening(); }
 
 std::optional<study::RecordId> FeelStore::replayed() const {
   return replay_ ? std::optional(replay_->id) : std::nullopt;
@@ -49,6 +52,7 @@ void FeelStore::setWho(std::optional<study::RecordId> who) {
   if (who == who_) return;
   // What goes on belongs to the person before.
   if (recorder_) setRecording(false);
+  endPlacement();
   who_ = who;
   emit changed();
 }
@@ -73,6 +77,7 @@ void FeelStore::onState() {
     if (recorder_) endRecording();
     replay_.reset();
     emit changed();
+    playNext();
     return;
   }
   if (feel_.runs() != seen_run_) {
@@ -90,7 +95,8 @@ void FeelStore::beginRecording() {
   placement_ = 1;
   pieces_ = 0;
   ++recordings_;
-  store(study::FeelStart{entry(), setting(), 1}, recorded_visit_, recordings_, true);
+  store(study::FeelStart{entry(), setting(), 1}, tr("The recording"), recorded_visit_, recordings_,
+        [this] { study_.refresh(); });
 }
 
 void FeelStore::endRecording() {
@@ -98,11 +104,18 @@ void FeelStore::endRecording() {
   if (!recorder_) return;
   storePiece();
   recorder_.reset();
-  store(study::FeelEnd{entry(), 1, pieces_}, recorded_visit_, recordings_, true);
-  emit said(tr("Recorded into %1.").arg(study_.fileName()));
+  store(study::FeelEnd{entry(), 1, pieces_}, tr("The end of the recording"), recorded_visit_, recordings_,
+        [this, study = study_.fileName()] {
+          emit said(tr("Recorded into %1.").arg(study));
+          study_.refresh();
+        });
 }
 
 void FeelStore::onSampled(std::span<const haptics::Sample> samples) {
+  const auto in_hand = [this](const haptics::Sample& sample) {
+    return sample.orders >= feel_.placementOrders() && sample.phase != render::Phase::kReleased;
+  };
+  if (!felt_ && std::any_of(samples.begin(), samples.end(), in_hand)) felt_ = setting();
   if (!recorder_) return;
   std::vector<double> values;
   for (const auto& condition : conditions()) values.push_back(condition.value);
@@ -129,7 +142,8 @@ void FeelStore::storePiece() {
   auto piece = recorder_->takePiece();
   if (!piece) return;
   ++pieces_;
-  store(study::FeelPiece{entry(), 1, pieces_, std::move(*piece)}, recorded_visit_, recordings_, false);
+  store(study::FeelPiece{entry(), 1, pieces_, std::move(*piece)}, tr("A piece of the recording"), recorded_visit_,
+        recordings_, {});
 }
 
 void FeelStore::onAdvanced() {
@@ -162,18 +176,26 @@ void FeelStore::follow(std::size_t sample) {
 
 void FeelStore::onPlacementEnded() {
   const auto summary = feel_.lastPlacement();
+  const auto felt = std::exchange(felt_, std::nullopt);
   // A replay is nobody's placement.
-  if (!summary || !study_.isOpen() || feel_.isReplay()) return;
+  if (!summary || !study_.takesOrders() || feel_.isReplay()) return;
   study::PlacementRecord record;
   record.entry = entry();
-  record.setting = setting();
+  record.setting = felt ? *felt : setting();
   record.duration_s = summary->duration_s;
   record.strokes = static_cast<int>(summary->strokes);
   record.peak_force_n = summary->peak_force_n;
   record.mean_force_n = summary->mean_force_n;
   record.depth_mm = summary->depth_mm;
-  store(std::move(record), visit(), 0, true);
-  emit said(tr("The placement is stored in %1.").arg(study_.fileName()));
+  store(std::move(record), tr("The placement"), visit(), 0, [this, study = study_.fileName()] {
+    emit said(tr("The placement is stored in %1.").arg(study));
+    study_.refresh();
+  });
+}
+
+// What the hand did until now is stored as it was; what comes belongs to somebody or something else.
+void FeelStore::endPlacement() {
+  if (feel_.isRunning() && !feel_.isReplay()) feel_.newPlacement();
 }
 
 void FeelStore::onStudy() {
@@ -183,7 +205,7 @@ void FeelStore::onStudy() {
 }
 
 void FeelStore::replay(const study::RecordId& id) {
-  if (!study_.isOpen() || !scene_.model()) return;
+  if (!study_.takesOrders() || !scene_.model()) return;
   if (recording_) setRecording(false);
   const auto read = std::make_shared<Result<study::Recording>>();
   study_.order(
@@ -219,10 +241,18 @@ void FeelStore::play(const study::RecordId& id, const study::Recording& recordin
     if (input_id == kDepthId || input_id == kSpeedId) continue;
     if (const auto* values = channelOf(recording, input_id)) scene_.setValue(input, values->front());
   }
-  RecordedForce beside{next.time_s, *forces};
   feel_.stop();
-  replay_ = std::move(next);
-  feel_.startReplay(std::move(*device), std::move(beside));
+  next_ = Next{std::move(*device), {next.time_s, *forces}, std::move(next)};
+  playNext();
+}
+
+// A device behind a driver takes its time to stop, and is waited for.
+void FeelStore::playNext() {
+  if (!next_ || feel_.state() != FeelState::kStopped) return;
+  Next next = std::move(*next_);
+  next_.reset();
+  replay_ = std::move(next.replay);
+  feel_.startReplay(std::move(next.device), std::move(next.beside));
   if (!feel_.isRunning()) replay_.reset();
   emit changed();
 }
@@ -238,6 +268,7 @@ study::FeltSetting FeelStore::setting() const {
   out.device = deviceText(info);
   out.simulated = info.simulated;
   out.model = scene_.model()->model.name;
+  if (const std::string& expert = scene_.model()->only_expert; !expert.empty()) out.model += ": " + expert + " alone";
   out.model_version = study_.modelVersion();
   for (const auto& condition : conditions()) out.conditions[condition.id] = condition.value;
   return out;
@@ -263,7 +294,8 @@ study::Entry FeelStore::entry() {
 }
 
 template <class Record>
-void FeelStore::store(Record record, const FeelSessions::Visit& visit, std::uint64_t serial, bool refresh) {
+void FeelStore::store(Record record, const QString& what, const FeelSessions::Visit& visit, std::uint64_t serial,
+                      std::function<void()> done) {
   const auto shared = std::make_shared<Record>(std::move(record));
   study_.order(
       [shared, visit, serial, sessions = sessions_](store::StudyFile& file, study::RecordIds& ids) -> Result<void> {
@@ -277,7 +309,10 @@ void FeelStore::store(Record record, const FeelSessions::Visit& visit, std::uint
         }
         return store::append(file, *shared);
       },
-      refresh ? StudyController::Done([this] { study_.refresh(); }) : StudyController::Done());
+      std::move(done),
+      [this, what, study = study_.fileName()](const QString& sentence) {
+        emit failed(tr("%1 was not stored in %2: %3").arg(what, study, sentence));
+      });
 }
 
 }  // namespace tactus::workbench

@@ -5,13 +5,16 @@
 #include <QObject>
 #include <QString>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "app/workbench/controllers/feel_history.h"
 #include "app/workbench/controllers/feel_recorder.h"
 #include "app/workbench/controllers/feel_sessions.h"
+#include "core/haptics/device.h"
 #include "core/haptics/sample.h"
 #include "core/study/feel_records.h"
 
@@ -67,14 +70,17 @@ class FeelStore : public QObject {
   void endRecording();
   void storePiece();
   void play(const study::RecordId& id, const study::Recording& recording);
+  void playNext();
   void follow(std::size_t sample);
+  void endPlacement();
   FeelSessions::Visit visit() const;
   study::FeltSetting setting() const;
   std::vector<FeelRecorder::Condition> conditions() const;
   study::Entry entry();
-  /// Orders `record` to be appended once its session is there.
+  /// Orders `record`, `what` for the person, to be appended once its session is there; then `done`.
   template <class Record>
-  void store(Record record, const FeelSessions::Visit& visit, std::uint64_t serial, bool refresh);
+  void store(Record record, const QString& what, const FeelSessions::Visit& visit, std::uint64_t serial,
+             std::function<void()> done);
 
   FeelController& feel_;
   SceneController& scene_;
@@ -93,6 +99,7 @@ class FeelStore : public QObject {
   int placement_ = 0;
   int pieces_ = 0;
   int shown_s_ = -1;
+  std::optional<study::FeltSetting> felt_;  ///< when the hand took the tube for the first time in this placement
 
   struct Replay {
     study::RecordId id;
@@ -101,6 +108,12 @@ class FeelStore : public QObject {
     std::size_t sample = 0;      ///< that was followed last
   };
   std::optional<Replay> replay_;
+  struct Next {
+    std::unique_ptr<haptics::HapticDevice> device;
+    RecordedForce beside;
+    Replay replay;
+  };
+  std::optional<Next> next_;  ///< begins as soon as the device before has stopped
 };
 
 }  // namespace tactus::workbench

@@ -26,7 +26,7 @@ void ModelController::edit(fuzzy::ForceModel model, fuzzy::CompiledModel compile
   current_ = std::make_shared<const OpenModel>(std::move(next));
   instead_.reset();
   emit edited();
-  setModified(!current_->in_study && current_->model != on_disk_->model);
+  setModified(!current_->in_study && (!on_disk_ || current_->model != on_disk_->model));
 }
 
 void ModelController::open(const QString& path) {
@@ -45,6 +45,12 @@ void ModelController::openRead(OpenModel model) {
   instead_.reset();
   emit opened();
   setModified(false);
+}
+
+void ModelController::openUnsaved(OpenModel model) {
+  openRead(std::move(model));
+  on_disk_.reset();
+  setModified(true);
 }
 
 void ModelController::moveIntoStudy(const QString& path) {

@@ -37,6 +37,8 @@ class ModelController : public QObject {
   /// Opens a model that was read already, from a study for example; its path is where `save` writes it. Ends with
   /// `opened`.
   void openRead(OpenModel model);
+  /// Opens a model that is in no file any more: it counts as modified until it is saved.
+  void openUnsaved(OpenModel model);
   /// From now on the study `path` keeps the open model.
   void moveIntoStudy(const QString& path);
   /// The study does not keep it any more: its file would be `path`, where nothing is yet.
@@ -74,7 +76,7 @@ class ModelController : public QObject {
 
   std::shared_ptr<const OpenModel> current_;
   std::shared_ptr<const OpenModel> instead_;
-  std::shared_ptr<const OpenModel> on_disk_;  ///< as the file has it
+  std::shared_ptr<const OpenModel> on_disk_;  ///< as the file has it; null where there is no file
   bool modified_ = false;
 };
 

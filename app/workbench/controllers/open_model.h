@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
+#include "core/study/record_id.h"
 
 namespace tactus::workbench {
 
@@ -20,6 +21,10 @@ struct OpenModel {
   fuzzy::CompiledModel compiled;
   QStringList warnings;    ///< of reading the file, one sentence each
   bool simulated = false;  ///< the model says that some of its data are simulated
+  /// Of a model that is shown in the place of the open one: the version that it is or was made from, and the expert who
+  /// alone counts in it; empty: all do.
+  std::optional<study::RecordId> version = std::nullopt;
+  std::string only_expert = {};
 };
 
 /// Reads and compiles the model file `path`.

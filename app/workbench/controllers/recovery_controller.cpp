@@ -76,8 +76,7 @@ void RecoveryController::restore() {
   busy_ = true;
   taken_ = std::move(*taken);
   emit offerChanged();
-  const editing::Stamp stamp{edits_.author().toStdString(), QDateTime::currentMSecsSinceEpoch()};
-  worker_.post([this, taken = taken_, stamp, in_study] {
+  worker_.post([this, taken = taken_, stamp = edits_.stamp(), in_study] {
     const auto found = std::make_shared<base::Result<Found>>(read(*taken, stamp, in_study));
     answers_.post([this, found] { adopt(std::move(*found)); });
   });
@@ -121,19 +120,17 @@ void RecoveryController::adopt(base::Result<Found> found) {
 
 void RecoveryController::begin(const LostWork& work, editing::EditHistory history) {
   if (!models_.current() || models_.current()->path != work.document) {
-    auto open = readOpenModel(work.document);
-    if (!open) {
+    if (auto open = readOpenModel(work.document)) {
+      models_.openRead(std::move(*open));
+    } else {
       // The file is gone or damaged; the history has every state of it.
       OpenModel from_history;
       from_history.path = work.document;
-      from_history.model = history.modelOf(0).value_or(history.model());
-      auto compiled = fuzzy::compile(from_history.model);
-      TACTUS_CHECK(compiled.has_value());
-      from_history.compiled = std::move(*compiled);
+      from_history.model = history.model();
+      from_history.compiled = history.compiled();
       from_history.simulated = saysSimulated(from_history.model);
-      open = std::move(from_history);
+      models_.openUnsaved(std::move(from_history));
     }
-    models_.openRead(std::move(*open));
   }
   edits_.adopt(std::move(history));
 }

@@ -1,7 +1,6 @@
 #include "app/workbench/controllers/study_controller.h"
 
 #include <QFileInfo>
-#include <algorithm>
 #include <utility>
 
 #include "app/editing/history_versions.h"
@@ -14,11 +13,6 @@ namespace tactus::workbench {
 namespace {
 
 using base::Result;
-
-constexpr int kSlowMs = 200;    // design: a write that takes longer is shown
-constexpr int kRetryMs = 3000;  // a disk that refused is asked again
-constexpr std::size_t kTextsAtOnce = 20;
-constexpr std::size_t kMostTextBytes = std::size_t{64} << 20U;  // of old versions kept in memory
 
 // Appends one version. One that is there already was written by an attempt whose answer got lost.
 Result<void> storeVersion(store::StudyFile& file, const editing::Event& event, const fuzzy::ForceModel& model) {
@@ -50,15 +44,9 @@ Result<store::StudyFile> makeStudy(const std::string& path, study::RecordIds& id
 
 StudyController::StudyController(ModelController& models, EditController& edits, QObject* parent)
     : QObject(parent), models_(models), edits_(edits) {
-  slow_timer_.setSingleShot(true);
-  slow_timer_.setInterval(kSlowMs);
-  retry_.setSingleShot(true);
-  retry_.setInterval(kRetryMs);
-  connect(&slow_timer_, &QTimer::timeout, this, [this] {
-    slow_ = isBusy();
-    emit savedChanged();
-  });
-  connect(&retry_, &QTimer::timeout, this, &StudyController::storeNow);
+  connect(&orders_, &StudyOrders::changed, this, &StudyController::savedChanged);
+  connect(&orders_, &StudyOrders::failed, this, [this](const QString& sentence) { emit failed(path_, sentence); });
+  connect(&texts_, &VersionTexts::arrived, &edits_, &EditController::historyChanged);
   connect(&edits_, &EditController::historyChanged, this, &StudyController::storeEvents);
   connect(&models_, &ModelController::opened, this, &StudyController::savedChanged);
   connect(&models_, &ModelController::storeNow, this, &StudyController::storeNow);
@@ -81,29 +69,20 @@ bool StudyController::keepsModel() const { return isOpen() && models_.current() 
 QString StudyController::savedText() const {
   if (!keepsModel()) return {};
   if (!failure().isEmpty()) return tr("● Not stored in %1").arg(fileName());
-  return (slow_ ? tr("Saving in %1…") : tr("Stored in %1")).arg(fileName());
+  return (orders_.isSlow() ? tr("Saving in %1…") : tr("Stored in %1")).arg(fileName());
 }
 
 std::optional<study::RecordId> StudyController::modelVersion() const {
-  // While versions are compared, another one than the open one is looked at.
-  if (!keepsModel() || models_.shown() != models_.current()) return std::nullopt;
-  const editing::EditHistory& history = edits_.history();
-  return history.events()[history.states()[history.current()].event].id;
+  if (!keepsModel()) return std::nullopt;
+  // While versions are compared, another one than the open one may be looked at.
+  if (models_.shown() != models_.current() && models_.shown()->version) return models_.shown()->version;
+  return edits_.history().versionOf(edits_.history().current());
 }
 
-void StudyController::order(Work work, Done done) { orderAs(false, std::move(work), std::move(done)); }
-
-void StudyController::orderAs(bool is_version, Work work, Done done) {
-  TACTUS_CHECK(isOpen());
-  waiting_.push_back({std::move(done), is_version});
-  post([this, work = std::move(work)](StudyWorker::Desk& desk) {
-    desk.works.push_back({work, [this](const Result<void>& written) {
-                            const auto error = written ? std::nullopt : std::optional(written.error());
-                            answer([this, error] { onAnswer(error); });
-                          }});
-    desk.catchUp();
-  });
-  if (!slow_timer_.isActive()) slow_timer_.start();
+void StudyController::order(StudyOrders::Work work, StudyOrders::Done done, StudyOrders::Refused refused) {
+  TACTUS_CHECK(takesOrders());
+  if (!refused) refused = [this](const QString& sentence) { emit failed(path_, sentence); };
+  orders_.add(std::move(work), std::move(done), std::move(refused));
 }
 
 void StudyController::open(const QString& path) {
@@ -123,70 +102,73 @@ void StudyController::create(const QString& path) {
 void StudyController::close() {
   if (!isOpen() || !mayLeave(path_)) return;
   emit leaving();
-  if (edits_.isOpen()) edits_.commit();
-  storeEvents();
-  opening_ = true;
-  post([this](StudyWorker::Desk& desk) {
-    if (!desk.catchUp()) {
-      answer([this] { opening_ = false; });
-      return;
-    }
-    const Result<void> closed = desk.file->close();
-    desk.file.reset();
-    const QString sentence = closed ? QString() : text(closed.error().message());
-    answer([this, sentence] {
-      opening_ = false;
-      if (!sentence.isEmpty()) emit failed(path_, sentence);
-      letGo();
+  whenWritten([this](bool written) {
+    if (!written) return;
+    if (keepsModel()) moveOut();
+    opening_ = closing_ = true;
+    post([this](StudyWorker::Desk& desk) {
+      const Result<void> closed = desk.file->close();
+      desk.file.reset();
+      const QString sentence = closed ? QString() : text(closed.error().message());
+      answer([this, sentence] {
+        if (!sentence.isEmpty()) emit failed(path_, sentence);
+        letGo();
+      });
     });
   });
 }
 
 void StudyController::openModel() {
-  if (!isOpen() || opening_) return;
-  if (edits_.isOpen()) edits_.commit();
-  storeEvents();
-  opening_ = true;
-  post([this, stamp = stamp()](StudyWorker::Desk& desk) {
-    desk.catchUp();
-    auto read = readContents(*desk.file, stamp);
-    const QString sentence = read ? QString() : text(read.error().message());
-    const auto contents = read ? std::make_shared<StudyContents>(std::move(*read)) : nullptr;
-    answer([this, contents, sentence] {
-      opening_ = false;
-      if (contents) {
-        adopt(*contents);
-      } else {
-        emit failed(path_, sentence);
-      }
+  if (!isOpen() || !mayLeave(path_)) return;
+  whenWritten([this](bool written) {
+    if (!written) return;
+    opening_ = true;
+    const std::size_t known = edits_.isOpen() ? edits_.history().events().size() : 0;
+    post([this, known, stamp = edits_.stamp()](StudyWorker::Desk& desk) {
+      auto read = readContents(*desk.file, stamp);
+      const QString sentence = read ? QString() : text(read.error().message());
+      const auto contents = read ? std::make_shared<StudyContents>(std::move(*read)) : nullptr;
+      answer([this, known, contents, sentence] {
+        opening_ = false;
+        if (!contents) {
+          emit failed(path_, sentence);
+        } else if (keepsModel() && edits_.history().events().size() != known) {
+          openModel();  // what was edited meanwhile has to be read too
+        } else {
+          adopt(*contents);
+        }
+        emit savedChanged();
+      });
     });
   });
 }
 
 void StudyController::buildModel() {
-  if (!isOpen() || opening_) return;
-  if (edits_.isOpen()) edits_.commit();
-  storeEvents();
-  opening_ = true;
-  post([this, stamp = stamp()](StudyWorker::Desk& desk) {
-    QString note;
-    auto built = buildFromStudy(*desk.file, stamp, note);
-    const QString sentence = built ? note : text(built.error().message());
-    const auto history = built ? std::make_shared<editing::EditHistory>(std::move(*built)) : nullptr;
-    answer([this, history, sentence] {
-      opening_ = false;
-      if (!history) {
-        emit failed(path_, sentence);
-        return;
-      }
-      show(std::move(*history));
-      emit said(sentence);
+  if (!isOpen() || !mayLeave(path_)) return;
+  whenWritten([this](bool written) {
+    if (!written) return;
+    opening_ = true;
+    post([this, stamp = edits_.stamp()](StudyWorker::Desk& desk) {
+      QString note;
+      auto built = buildFromStudy(*desk.file, stamp, note);
+      const QString sentence = built ? note : text(built.error().message());
+      const auto history = built ? std::make_shared<editing::EditHistory>(std::move(*built)) : nullptr;
+      answer([this, history, sentence] {
+        opening_ = false;
+        if (history) {
+          show(std::move(*history));
+          emit said(sentence);
+        } else {
+          emit failed(path_, sentence);
+        }
+        emit savedChanged();
+      });
     });
   });
 }
 
 void StudyController::putModel() {
-  if (!isOpen() || !models_.current() || keepsModel()) return;
+  if (!takesOrders() || opening_ || !models_.current() || keepsModel()) return;
   edits_.commit();
   const QString from = QFileInfo(models_.current()->path).fileName();
   events_ordered_ = 0;
@@ -199,17 +181,13 @@ void StudyController::putModel() {
 
 void StudyController::storeNow() {
   if (!isOpen()) return;
-  retry_.stop();
   if (!refused_.isEmpty()) {
     refused_.clear();
     events_ordered_ = 0;
     storeEvents();
   }
-  if (!isBusy()) {
-    if (keepsModel()) emit said(tr("Everything is stored in %1.").arg(fileName()));
-    return;
-  }
-  post([](StudyWorker::Desk& desk) { desk.catchUp(); });
+  if (!isBusy() && keepsModel()) emit said(tr("Everything is stored in %1.").arg(fileName()));
+  orders_.tryAgain();
 }
 
 void StudyController::refresh() {
@@ -236,16 +214,37 @@ bool StudyController::mayLeave(const QString& path) {
   return false;
 }
 
+// Calls `then` at a moment when nothing is left to be written, edits that were made in between included; tells it
+// false, and everybody why, where the disk refuses.
+void StudyController::whenWritten(std::function<void(bool)> then) {
+  opening_ = true;
+  if (edits_.isOpen()) edits_.commit();
+  storeEvents();
+  orders_.whenWritten([this, then = std::move(then)](bool written) {
+    if (edits_.isOpen()) edits_.commit();
+    storeEvents();
+    if (written && isBusy()) {
+      whenWritten(then);
+      return;
+    }
+    opening_ = false;
+    if (!written) emit failed(path_, tr("%1 has to be written first: %2").arg(fileName(), failure()));
+    then(written);
+    emit savedChanged();
+  });
+}
+
 void StudyController::begin(const QString& path, bool make) {
   opening_ = true;
   emit savedChanged();
-  post([this, path = path.toStdString(), make, stamp = stamp()](StudyWorker::Desk& desk) {
+  post([this, path = path.toStdString(), make, stamp = edits_.stamp()](StudyWorker::Desk& desk) {
     auto file = make ? makeStudy(path, desk.ids) : store::StudyFile::open(path);
     auto contents = file ? readContents(*file, stamp) : tl::unexpected(file.error());
     if (!contents) {
       answer([this, path = text(path), sentence = text(contents.error().message())] {
         opening_ = false;
         emit failed(path, sentence);
+        emit savedChanged();
       });
       return;
     }
@@ -257,41 +256,27 @@ void StudyController::begin(const QString& path, bool make) {
 // What was done to the model of the study before is written before that study is let go of.
 void StudyController::changeOver(std::shared_ptr<StudyContents> contents) {
   emit leaving();
-  if (edits_.isOpen()) edits_.commit();
-  storeEvents();
-  post([this, contents](StudyWorker::Desk& desk) {
-    const bool done = desk.catchUp();
-    if (done) {
+  whenWritten([this, contents](bool written) {
+    post([written](StudyWorker::Desk& desk) {
       // The destructor closes a study that does not close with a word; nothing is lost with it.
-      desk.file = std::move(*desk.next);
-    }
-    desk.next.reset();
-    answer([this, contents, done] {
-      opening_ = false;
-      if (!done) {
-        emit failed(contents->path, tr("%1 has to be written first: %2").arg(fileName(), failure_));
-        return;
-      }
-      if (keepsModel() && !contents->history) models_.moveOutOfStudy(unusedModelPath(path_));
-      path_ = contents->path;
-      adopt(*contents);
-      emit opened();
-      emit savedChanged();
+      if (written) desk.file = std::move(*desk.next);
+      desk.next.reset();
     });
+    if (!written) return;
+    if (keepsModel() && !contents->history) moveOut();
+    path_ = contents->path;
+    adopt(*contents);
+    emit opened();
   });
 }
 
 void StudyController::adopt(StudyContents& contents) {
   people_ = std::move(contents.people);
   recordings_ = std::move(contents.recordings);
-  versions_ = std::move(contents.versions);
   refused_.clear();
   has_model_ = contents.history.has_value();
-  texts_ = std::make_shared<TextCache>();
-  if (contents.history) {
-    show(std::move(*contents.history));
-    readTexts(0);
-  }
+  texts_.begin(contents.versions);
+  if (contents.history) show(std::move(*contents.history));
   emit contentsChanged();
   if (!contents.note.isEmpty()) emit said(contents.note);
 }
@@ -305,13 +290,7 @@ void StudyController::show(editing::EditHistory history) {
   open.simulated = saysSimulated(open.model);
   adopting_ = true;
   models_.openRead(std::move(open));
-  if (!texts_) texts_ = std::make_shared<TextCache>();
-  edits_.adopt(std::move(history), [texts = texts_](const study::RecordId& id) -> Result<study::ModelVersion> {
-    const auto found = texts->find(id);
-    if (found != texts->end()) return found->second;
-    return base::fail(base::ErrorCode::kIo, "model version " + study::toText(id), "not read from the study yet",
-                      "another try in a moment");
-  });
+  edits_.adopt(std::move(history), texts_.reader());
   adopting_ = false;
   has_model_ = true;
   events_ordered_ = 0;
@@ -327,78 +306,35 @@ void StudyController::storeEvents() {
     if (event.stored) continue;
     auto model = history.modelOf(event.state);
     TACTUS_CHECK(model.has_value());  // a state leaves the memory only once it is stored
-    orderAs(
-        true,
-        [event, model = std::make_shared<const fuzzy::ForceModel>(std::move(*model))](
-            store::StudyFile& file, study::RecordIds&) { return storeVersion(file, event, *model); },
-        [this, id = event.id] { edits_.markStored(id); });
+    order([event, model = std::make_shared<const fuzzy::ForceModel>(std::move(*model))](
+              store::StudyFile& file, study::RecordIds&) { return storeVersion(file, event, *model); },
+          [this, id = event.id] { edits_.markStored(id); },
+          [this](const QString& sentence) {
+            refused_ = sentence;
+            emit failed(path_, sentence);
+          });
   }
 }
 
-void StudyController::onAnswer(const std::optional<base::Error>& error) {
-  if (error && error->code == base::ErrorCode::kIo) {
-    setFailure(text(error->message()));
-    retry_.start();
-    return;
-  }
-  const Waiting waited = std::move(waiting_.front());
-  waiting_.pop_front();
-  if (error) {
-    const QString sentence = text(error->message());
-    if (waited.is_version) refused_ = sentence;
-    emit failed(path_, sentence);
-  } else if (waited.done) {
-    waited.done();
-  }
-  if (!isBusy()) {
-    slow_timer_.stop();
-    retry_.stop();
-    slow_ = false;
-  }
-  setFailure({});
-}
-
-void StudyController::setFailure(const QString& sentence) {
-  const bool is_new = sentence != failure_ && !sentence.isEmpty();
-  failure_ = sentence;
-  if (is_new) emit failed(path_, tr("Not stored, and tried again every few seconds: %1").arg(sentence));
-  emit savedChanged();
+// The study keeps what was done to its model until now. Beside it the model goes on with a history of its own, so that
+// all of it can be kept elsewhere: as a file, after a crash, in another study.
+void StudyController::moveOut() {
+  models_.moveOutOfStudy(unusedModelPath(path_));
+  auto history = editing::EditHistory::open(edits_.model(), tr("Left in %1").arg(fileName()).toStdString(),
+                                            edits_.stamp(), study::RecordIds());
+  TACTUS_CHECK(history.has_value());  // the model that is open was compiled
+  edits_.adopt(std::move(*history));
 }
 
 void StudyController::letGo() {
-  if (keepsModel()) models_.moveOutOfStudy(unusedModelPath(path_));
   path_.clear();
   people_.clear();
   recordings_.clear();
-  versions_.clear();
   refused_.clear();
   has_model_ = false;
+  opening_ = closing_ = false;
   emit closed();
   emit savedChanged();
 }
-
-// Texts of old states, the newest first, so that undo finds them; few at a time, so that edits are stored in between.
-void StudyController::readTexts(std::size_t next) {
-  if (next >= versions_.size()) return;
-  std::vector<study::RecordId> wanted;
-  const std::size_t end = std::min(next + kTextsAtOnce, versions_.size());
-  for (std::size_t i = next; i < end; ++i) wanted.push_back(versions_[versions_.size() - 1 - i].id);
-  post([this, wanted, end, cache = texts_](StudyWorker::Desk& desk) {
-    if (!desk.file) return;
-    std::vector<study::ModelVersion> read;
-    for (const study::RecordId& id : wanted) {
-      if (auto version = store::modelVersion(*desk.file, id)) read.push_back(std::move(*version));
-    }
-    answer([this, end, cache, read = std::move(read)] {
-      if (cache != texts_) return;
-      for (const study::ModelVersion& version : read) cache->emplace(version.id, version);
-      std::size_t bytes = 0;
-      for (const auto& [id, version] : *cache) bytes += version.text.size();
-      if (bytes < kMostTextBytes) readTexts(end);
-    });
-  });
-}
-
-editing::Stamp StudyController::stamp() const { return {edits_.author().toStdString(), utcNowMs()}; }
 
 }  // namespace tactus::workbench

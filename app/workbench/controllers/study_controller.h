@@ -4,11 +4,8 @@
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <cstddef>
-#include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,7 +14,9 @@
 #include "app/workbench/controllers/mailbox.h"
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/study_contents.h"
+#include "app/workbench/controllers/study_orders.h"
 #include "app/workbench/controllers/study_worker.h"
+#include "app/workbench/controllers/version_texts.h"
 
 namespace tactus::workbench {
 
@@ -32,7 +31,10 @@ class StudyController : public QObject {
   ~StudyController() override;
 
   bool isOpen() const { return !path_.isEmpty(); }
+  /// The study is opened, read or left, and other orders of this kind are not taken.
   bool isOpening() const { return opening_; }
+  /// Something can be ordered for it: it is open, and not just being closed.
+  bool takesOrders() const { return isOpen() && !closing_; }
   const QString& path() const { return path_; }
   /// The name of the file, for the screen.
   QString fileName() const;
@@ -44,22 +46,20 @@ class StudyController : public QObject {
   const std::vector<store::FeelSummary>& recordings() const { return recordings_; }
 
   /// Something that was ordered is not written yet.
-  bool isBusy() const { return !waiting_.empty(); }
+  bool isBusy() const { return orders_.isBusy(); }
   /// Why something is not written; empty while all is well. What the disk refused is tried again every few seconds,
   /// anything else with `storeNow`.
-  const QString& failure() const { return failure_.isEmpty() ? refused_ : failure_; }
+  const QString& failure() const { return orders_.failure().isEmpty() ? refused_ : orders_.failure(); }
   /// `Stored in STUDY`, `Saving in STUDY…`, `Not stored in STUDY`; empty where the model is not the study's.
   QString savedText() const;
 
-  /// What to do with the study, in its thread; and what then, here. A work that the disk keeps from being done is done
-  /// again later, anything else that is wrong with it is announced with `failed`.
-  using Work = std::function<base::Result<void>(store::StudyFile&, study::RecordIds&)>;
-  using Done = std::function<void()>;
-  /// Works are done in the order in which they were ordered. A study must be open.
-  void order(Work work, Done done = {});
+  /// Works are done in the order in which they were ordered; one that the disk keeps from being done is done again
+  /// later. Of anything else that is wrong with it `refused` is told, or without one everybody with `failed`. The study
+  /// must take orders.
+  void order(StudyOrders::Work work, StudyOrders::Done done = {}, StudyOrders::Refused refused = {});
 
   /// The version that the model on the screen is, or will be once it is written; nothing where the study does not keep
-  /// the model, and while another version is shown in its place.
+  /// the model. Of a model that is shown in its place, the version that it is or was made from.
   std::optional<study::RecordId> modelVersion() const;
 
  public slots:
@@ -95,45 +95,33 @@ class StudyController : public QObject {
   void contentsChanged();
 
  private:
-  using TextCache = std::map<study::RecordId, study::ModelVersion>;
   void post(StudyWorker::Task task) { worker_.post(std::move(task)); }
   /// Hands `call` from the thread of the worker to this one.
   void answer(Mailbox::Call call) { answers_.post(std::move(call)); }
   bool mayLeave(const QString& path);
+  void whenWritten(std::function<void(bool)> then);
   void begin(const QString& path, bool make);
   void changeOver(std::shared_ptr<StudyContents> contents);
   void adopt(StudyContents& contents);
   void show(editing::EditHistory history);
   void storeEvents();
-  void orderAs(bool is_version, Work work, Done done);
-  void onAnswer(const std::optional<base::Error>& error);
-  void setFailure(const QString& sentence);
+  void moveOut();
   void letGo();
-  void readTexts(std::size_t next);
-  editing::Stamp stamp() const;
 
   ModelController& models_;
   EditController& edits_;
   QString path_;
   bool opening_ = false;
+  bool closing_ = false;   ///< everything is written, and the file is being closed
   bool adopting_ = false;  ///< a history is handed over: what it announces is not to be stored
   bool has_model_ = false;
   std::vector<StudyPerson> people_;
   std::vector<store::FeelSummary> recordings_;
-  std::vector<study::ModelVersion> versions_;  ///< of the study when it was opened, without their texts
-  std::shared_ptr<TextCache> texts_;           ///< those that were read, for going back to an old state
-  std::size_t events_ordered_ = 0;             ///< events of the history that are stored or ordered to be
-  struct Waiting {
-    Done done;
-    bool is_version = false;
-  };
-  std::deque<Waiting> waiting_;  ///< what follows each order that is not written yet
-  QString failure_;
-  QString refused_;    ///< why a version was refused for another reason than the disk
-  bool slow_ = false;  ///< an order has been waiting so long that the screen says so
-  QTimer slow_timer_;
-  QTimer retry_;
+  std::size_t events_ordered_ = 0;  ///< events of the history that are stored or ordered to be
+  QString refused_;                 ///< why a version was refused for another reason than the disk
   Mailbox answers_;
+  StudyOrders orders_{worker_, answers_};
+  VersionTexts texts_{worker_, answers_};
   StudyWorker worker_;  ///< last: its end waits for the thread, which answers to all above
 };
 

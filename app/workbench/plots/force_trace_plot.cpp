@@ -117,7 +117,7 @@ void ForceTracePlot::setHistory(const FeelHistory& history) {
 }
 
 std::vector<LegendEntry> ForceTracePlot::legend() const {
-  std::vector<LegendEntry> entries{{tr("felt"), force_->pen()}};
+  std::vector<LegendEntry> entries{{replays_ ? tr("present model, calculated") : tr("felt"), force_->pen()}};
   if (replays_) entries.push_back({tr("felt in the recording"), recorded_->pen()});
   if (split_) {
     entries.push_back({tr("fuzzy force"), model_->pen()});

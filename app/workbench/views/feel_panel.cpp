@@ -259,6 +259,7 @@ void FeelPanel::showFelt() {
   reading.tube_mm = sample.position_mm - sample.stretch_mm;
   reading.target_mm = feel_.targetMm();
   reading.running = feel_.isRunning();
+  reading.replay = feel_.isReplay();
   reading.live = feel_.isHandLive();
   reading.latch = feel_.grip().latch;
   reading.held = sample.phase != render::Phase::kReleased;

@@ -344,7 +344,8 @@ void MainWindow::showModel() {
 void MainWindow::showTitle() {
   const OpenModel& open = *models_.current();
   setWindowTitle(QStringLiteral("%1 – %2[*]").arg(text(open.model.name), QFileInfo(open.path).fileName()));
-  recent_.add(open.path);
+  // One that was left by its study has no file yet.
+  if (QFileInfo::exists(open.path)) recent_.add(open.path);
 }
 
 void MainWindow::showFailure(const QString& path, const QString& sentence) {

@@ -71,17 +71,23 @@ void PlacementCard::setProgress(unsigned strokes, double depth_mm, const QString
 
 void PlacementCard::setSummary(const std::optional<PlacementSummary>& summary) {
   if (!summary) {
+    has_summary_ = false;
     summary_->setFullText(tr("A summary follows when the placement ends."));
     return;
   }
-  const QString numbers = tr("%1 s, %2, %3 deep, peak %4, mean %5")
+  has_summary_ = true;
+  const QString numbers = tr("%1 s, %2, %3, peak %4, mean %5")
                               .arg(numberText(summary->duration_s, 1), strokesText(summary->strokes),
                                    quantityText(summary->depth_mm, "mm", 0), quantityText(summary->peak_force_n, "N"),
                                    quantityText(summary->mean_force_n, "N"));
   summary_->setFullText(
-      (summary->simulated ? tr("Last placement (simulated device): %1") : tr("Last placement: %1")).arg(numbers));
+      (summary->simulated ? tr("Last placement, SIMULATED: %1") : tr("Last placement: %1")).arg(numbers));
 }
 
-void PlacementCard::setRunning(bool running) { next_->setEnabled(running); }
+void PlacementCard::setRunning(bool running) {
+  next_->setEnabled(running);
+  // Where nothing goes on, the whole line is for the placement that has ended.
+  progress_->setVisible(running || !has_summary_);
+}
 
 }  // namespace tactus::workbench

@@ -37,6 +37,7 @@ class PlacementCard : public QWidget {
   QPushButton* next_;
   QGridLayout* layout_ = nullptr;
   bool below_ = false;
+  bool has_summary_ = false;  ///< of a placement that has ended
 };
 
 }  // namespace tactus::workbench

@@ -26,13 +26,18 @@ QString personText(const StudyPerson& person) {
 }
 
 // `19:30:12 · 12.4 s · velvet-otter · Virtual device (simulated)`, with the day where it is not today.
-QString recordingText(const store::FeelSummary& recording) {
+QString recordingText(const store::FeelSummary& recording, bool goes_on) {
   const study::FeltSetting& setting = recording.start.setting;
   const QDateTime when = QDateTime::fromMSecsSinceEpoch(recording.start.entry.when.utc_ms);
   const bool today = when.date() == QDate::currentDate();
-  QStringList parts{when.toString(today ? QStringLiteral("HH:mm:ss") : QStringLiteral("d MMM yyyy HH:mm")),
-                    quantityText(recording.length_s, "s", 1), text(recording.code)};
-  if (!recording.finished) parts.insert(2, RecordingsCard::tr("not finished"));
+  QStringList parts{when.toString(today ? QStringLiteral("HH:mm:ss") : QStringLiteral("d MMM yyyy HH:mm"))};
+  if (goes_on) {
+    parts << RecordingsCard::tr("recording…");
+  } else {
+    parts << quantityText(recording.length_s, "s", 1);
+    if (!recording.finished) parts << RecordingsCard::tr("not finished");
+  }
+  parts << text(recording.code);
   const QString device = text(setting.device);
   if (setting.simulated && !device.contains(QLatin1String("simulated"), Qt::CaseInsensitive)) {
     parts << RecordingsCard::tr("SIMULATED");
@@ -110,8 +115,15 @@ void RecordingsCard::listPeople() {
   for (const StudyPerson& person : people) {
     if (person.researcher) continue;
     who_->addItem(personText(person), QString::fromStdString(study::toText(person.id)));
-    if (store_.who() == person.id) who_->setCurrentIndex(who_->count() - 1);
   }
+  showWho();
+}
+
+void RecordingsCard::showWho() {
+  const QSignalBlocker no_signal(who_);
+  const auto who = store_.who();
+  const int index = who ? who_->findData(QString::fromStdString(study::toText(*who))) : 0;
+  who_->setCurrentIndex(index);
 }
 
 void RecordingsCard::listRecordings() {
@@ -122,7 +134,8 @@ void RecordingsCard::listRecordings() {
   list_->clear();
   // The newest first.
   for (auto one = recordings.rbegin(); one != recordings.rend(); ++one) {
-    const QString line = recordingText(*one);
+    const bool goes_on = store_.isRecording() && feel_.isRunning() && one == recordings.rbegin() && !one->finished;
+    const QString line = recordingText(*one, goes_on);
     list_->addItem(line, QString::fromStdString(study::toText(one->start.entry.id)));
     list_->setItemData(list_->count() - 1, tr("%1\nfelt on the model %2").arg(line, text(one->start.setting.model)),
                        Qt::ToolTipRole);
@@ -133,6 +146,7 @@ void RecordingsCard::listRecordings() {
 }
 
 void RecordingsCard::showState() {
+  showWho();
   const bool open = study_.isOpen();
   hint_->setVisible(!open);
   content_->setVisible(open);

@@ -27,6 +27,7 @@ class RecordingsCard : public Card {
  private:
   void build();
   void listPeople();
+  void showWho();
   void listRecordings();
   void showState();
   void choose(int person);

@@ -51,9 +51,13 @@ void StudyParts::buildMenu() {
 
 void StudyParts::connectAll() {
   connect(make_, &QAction::triggered, this, &StudyParts::chooseNew);
-  connect(show_, &QAction::triggered, &study_, &StudyController::openModel);
+  connect(show_, &QAction::triggered, this, [this] {
+    if (window_.mayLoseChanges()) study_.openModel();
+  });
   connect(put_, &QAction::triggered, &study_, &StudyController::putModel);
-  connect(build_, &QAction::triggered, &study_, &StudyController::buildModel);
+  connect(build_, &QAction::triggered, this, [this] {
+    if (window_.mayLoseChanges()) study_.buildModel();
+  });
   connect(close_, &QAction::triggered, &study_, &StudyController::close);
   connect(&window_, &MainWindow::studyChosen, &study_, &StudyController::open);
   connect(&study_, &StudyController::savedChanged, this, &StudyParts::showState);
@@ -84,7 +88,11 @@ void StudyParts::showState() {
   build_->setEnabled(open);
   close_->setEnabled(open);
   window_.strip().showStored(study_.savedText(), !study_.failure().isEmpty());
-  if (ending_ && (!study_.isBusy() || !study_.failure().isEmpty())) window_.close();
+  // The end is asked for anew: what comes up then may take it back.
+  if (ending_ && (!study_.isBusy() || !study_.failure().isEmpty())) {
+    ending_ = false;
+    window_.close();
+  }
 }
 
 void StudyParts::onOpened() {

@@ -59,6 +59,7 @@ double TubePad::positionAt(double x) const {
 
 QString TubePad::hint() const {
   if (!reading_.running) return tr("Start, hold the button, push right.");
+  if (reading_.replay) return tr("The recorded hand moves the tube.");
   if (!reading_.live && reading_.latch) return tr("Press once, push the device away.");
   if (!reading_.live) return tr("Hold the device, push it away.");
   if (reading_.latch && reading_.held) return tr("Push right; click or Space lets go.");

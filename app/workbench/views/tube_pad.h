@@ -20,6 +20,7 @@ class TubePad : public QWidget {
     bool held = false;     ///< the hand holds the tube
     bool latch = false;    ///< a press takes the tube, the next one lets go
     bool running = false;
+    bool replay = false;  ///< a recording moves the tube
 
     bool operator==(const Reading&) const = default;
   };

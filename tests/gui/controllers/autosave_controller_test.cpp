@@ -11,6 +11,7 @@
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/model_controller.h"
 
+#include "tests/gui/crashed.h"
 #include "tests/gui/sample_models.h"
 
 namespace tactus::workbench {
@@ -82,6 +83,19 @@ TEST_F(AutosaveControllerTest, WhatIsStoredInAStudyIsNotKept) {
   EXPECT_FALSE(QFileInfo::exists(path));
 }
 
+TEST_F(AutosaveControllerTest, WhatAStudyHasNotStoredIsNotSaved) {
+  OpenModel open = *models.current();
+  open.path = folder.path(QStringLiteral("ward.tactus"));
+  open.in_study = true;
+  models.openRead(open);
+  edit(3);
+  autosave->flush();
+  tests::crashedCopy(autosave->folder());
+  const auto lost = lostWork(root);
+  ASSERT_EQ(lost.size(), 1U);
+  EXPECT_FALSE(lost[0].saved);
+}
+
 TEST_F(AutosaveControllerTest, AnOrderlyEndAndAnotherDocumentLeaveNothing) {
   edit(3);
   autosave->flush();
@@ -115,6 +129,34 @@ TEST_F(AutosaveControllerTest, ALongHistoryIsWrittenInPartsThatAreNotWrittenAgai
   EXPECT_EQ(parts().size(), 3);
   EXPECT_EQ(QFileInfo(first).size(), size);
   EXPECT_EQ(content(parts()[2]).versions.size(), 1U);
+}
+
+TEST_F(AutosaveControllerTest, PartsOfALargeModelAreClosedSooner) {
+  fuzzy::ForceModel large = models.current()->model;
+  large.provenance.emplace().notes = std::string(std::size_t{3} << 20U, 'x');
+  models.open(folder.write(large));
+  edit(3);
+  edit(2);  // 9 MB with the model that was opened
+  autosave->flush();
+  ASSERT_EQ(parts().size(), 1);
+  edit(1);
+  autosave->flush();
+  ASSERT_EQ(parts().size(), 2);
+  EXPECT_EQ(content(parts()[0]).versions.size(), 3U);
+  EXPECT_EQ(content(parts()[1]).versions.size(), 1U);
+  // A drag does not begin parts of its own.
+  edits.begin();
+  for (const double to : {2.0, 3.0, 2.5}) {
+    edits.update(editing::moveVertex(edits.base(), kNearShoulder, to));
+    autosave->flush();
+  }
+  EXPECT_EQ(parts().size(), 2);
+  tests::crashedCopy(autosave->folder());
+  const auto taken = TakenWork::take(lostWork(root)[0]);
+  const auto all = (*taken)->read();
+  ASSERT_TRUE(all) << all.error().message();
+  EXPECT_EQ(all->versions.size(), 4U);
+  EXPECT_TRUE(all->unfinished);
 }
 
 TEST_F(AutosaveControllerTest, SaysOnceWhereNothingCanBeKept) {

@@ -1,10 +1,14 @@
 #include "app/workbench/controllers/feel_store.h"
 
+#include <QSignalSpy>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
 
+#include "app/editing/membership_edits.h"
+#include "app/workbench/controllers/compare_controller.h"
 #include "app/workbench/controllers/feel_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/study_controller.h"
@@ -46,6 +50,11 @@ class FeelStoreTest : public testing::Test {
       feel.setHeld(false);
       time.advance(feel, 100);
     }
+  }
+  std::vector<study::PlacementRecord> stored() {
+    EXPECT_TRUE(allWritten());
+    EXPECT_TRUE(closed());
+    return *store::placements(tests::lookInto(path));
   }
   bool allWritten() {
     return comesTrue([this] { return !study.isBusy(); });
@@ -123,6 +132,76 @@ TEST_F(FeelStoreTest, TheResearcherBecomesOnePersonOfTheStudy) {
   EXPECT_EQ(store::placements(file)->size(), 4U);
   EXPECT_EQ(store::sessions(file)->size(), 3U);  // one for each start of the device
   EXPECT_EQ(store::persons(file)->size(), 2U);
+}
+
+TEST_F(FeelStoreTest, WhatGoesOnBelongsToThePersonBefore) {
+  store.setWho(otter);
+  feel.start(QStringLiteral("virtual"));
+  place();
+  store.setWho(std::nullopt);
+  place();
+  feel.stop();
+  auto placements = stored();
+  ASSERT_EQ(placements.size(), 2U);
+  std::sort(placements.begin(), placements.end(), [](const auto& one, const auto& other) {
+    return one.entry.when.monotonic_ns < other.entry.when.monotonic_ns;
+  });
+  EXPECT_EQ(placements[0].entry.entered_by, study::EnteredBy::kParticipant);
+  EXPECT_EQ(placements[0].strokes, 2);
+  EXPECT_EQ(placements[1].entry.entered_by, study::EnteredBy::kResearcher);
+  EXPECT_NE(placements[0].entry.session, placements[1].entry.session);
+}
+
+TEST_F(FeelStoreTest, ThePlacementThatGoesOnStaysInItsStudy) {
+  store.setWho(otter);
+  feel.start(QStringLiteral("virtual"));
+  place();
+  const QString other = folder.path(QStringLiteral("other.tactus"));
+  study.create(other);
+  ASSERT_TRUE(comesTrue([&] { return study.path() == other; }));
+  feel.stop();
+  ASSERT_TRUE(allWritten());
+  ASSERT_TRUE(closed());
+  EXPECT_EQ(store::placements(tests::lookInto(path))->size(), 1U);
+  EXPECT_TRUE(store::placements(tests::lookInto(other))->empty());
+}
+
+TEST_F(FeelStoreTest, APlacementOnAnotherVersionSaysWhich) {
+  const study::RecordId before = *study.modelVersion();
+  ASSERT_TRUE(edits.apply(editing::moveVertex(edits.model(), {{"depth", ""}, "near", 2}, 3)));
+  const study::RecordId now = *study.modelVersion();
+  CompareController compare(models, edits);
+  compare.show(CompareSide::kB);  // the state before
+  feel.start(QStringLiteral("virtual"));
+  place();
+  feel.newPlacement();
+  compare.show(CompareSide::kA);
+  place();
+  feel.newPlacement();
+  compare.choose(CompareSide::kB, {CompareChoice::Kind::kExpert, 0, "A"});
+  compare.show(CompareSide::kB);
+  place();
+  feel.stop();
+  const auto placements = stored();
+  ASSERT_EQ(placements.size(), 3U);
+  EXPECT_EQ(placements[0].setting.model_version, before);
+  EXPECT_EQ(placements[1].setting.model_version, now);
+  EXPECT_EQ(placements[2].setting.model_version, now);
+  EXPECT_EQ(placements[1].setting.model, models.current()->model.name);
+  EXPECT_EQ(placements[2].setting.model, models.current()->model.name + ": A alone");
+}
+
+TEST_F(FeelStoreTest, ARefusedPlacementIsNotSaidToBeStored) {
+  store.setWho(study::RecordIds(99).next());  // nobody of this study
+  QSignalSpy said(&store, &FeelStore::said);
+  QSignalSpy failed(&store, &FeelStore::failed);
+  feel.start(QStringLiteral("virtual"));
+  place();
+  feel.stop();
+  ASSERT_TRUE(allWritten());
+  EXPECT_EQ(said.count(), 0);
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("placement"))) << failed[0][0].toString().toStdString();
 }
 
 TEST_F(FeelStoreTest, WithoutAStudyNothingIsKept) {
@@ -244,6 +323,28 @@ TEST_F(FeelStoreTest, AReplayOnAHarderModelGivesMoreForce) {
   }
   // Low to high: three times the fuzzy force; the hand that moves as before does not follow it all the way.
   EXPECT_GT(present_n, 1.3 * recorded_n);
+}
+
+TEST_F(FeelStoreTest, AReplayWaitsForADeviceThatTakesItsTimeToStop) {
+  store.setRecording(true);
+  feel.start(QStringLiteral("virtual"));
+  place();
+  feel.stop();
+  ASSERT_TRUE(comesTrue([this] { return study.recordings().size() == 1 && study.recordings()[0].finished; }));
+  std::atomic<bool> lets_go = true;
+  FeelController slow(scene, time.slowSettings(lets_go));
+  FeelStore other(slow, scene, study);
+  slow.start(QStringLiteral("virtual"));
+  ASSERT_TRUE(comesTrue([&] { return slow.state() == FeelState::kRunning; }));
+  lets_go = false;
+  other.replay(study.recordings()[0].start.entry.id);
+  ASSERT_TRUE(comesTrue([&] { return slow.state() == FeelState::kStopping; }));
+  EXPECT_FALSE(other.replayed());
+  lets_go = true;
+  lets_go.notify_all();
+  ASSERT_TRUE(comesTrue([&] { return slow.isReplay(); }));
+  EXPECT_EQ(other.replayed(), study.recordings()[0].start.entry.id);
+  slow.stop();
 }
 
 TEST_F(FeelStoreTest, ClosingTheStudyEndsTheRecordingInIt) {

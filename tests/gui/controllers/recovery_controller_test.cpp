@@ -139,7 +139,11 @@ TEST_F(RecoveryControllerTest, AModelWhoseFileIsGoneComesBackToo) {
   ASSERT_TRUE(restored.wait(kPatience));
   EXPECT_EQ(next.models.current()->model, at_the_end);
   EXPECT_TRUE(next.models.isModified());
+  // Not even the model that was opened is in a file.
+  while (next.edits.canUndo()) next.edits.undo();
+  EXPECT_TRUE(next.models.isModified());
   next.models.save();
+  EXPECT_FALSE(next.models.isModified());
   EXPECT_TRUE(QFileInfo::exists(path));
 }
 

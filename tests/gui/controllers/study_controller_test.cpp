@@ -49,12 +49,34 @@ class StudyControllerTest : public testing::Test {
     study->open(file);
     return comesTrue([this] { return !study->isOpening(); }) && failed.isEmpty();
   }
+  // Until `disk` is released, nothing more is written; from the moment on at which the study is left.
+  void hangOnLeaving(const std::shared_ptr<std::binary_semaphore>& disk) {
+    QObject::connect(study.get(), &StudyController::leaving, [this, disk] {
+      left = true;
+      study->order([disk](store::StudyFile&, study::RecordIds&) -> base::Result<void> {
+        disk->acquire();
+        return {};
+      });
+    });
+  }
+  // Nothing is written until the disk is told not to be full any more.
+  std::shared_ptr<std::atomic<bool>> fillDisk() {
+    auto full = std::make_shared<std::atomic<bool>>(true);
+    study->order([full](store::StudyFile&, study::RecordIds&) -> base::Result<void> {
+      if (*full) return base::fail(base::ErrorCode::kIo, "disk", "no space left", "free space");
+      return {};
+    });
+    return full;
+  }
   void move(double to) { ASSERT_TRUE(edits.apply(editing::moveVertex(edits.model(), kNearShoulder, to))); }
   double shoulder() const { return models.current()->model.inputs[1].terms[0].points[2]; }
   bool allWritten() {
     return comesTrue([this] { return !study->isBusy(); });
   }
-  std::vector<study::ModelVersion> versions() { return *store::modelVersions(tests::lookInto(path)); }
+  std::vector<study::ModelVersion> versions(const QString& file) {
+    return *store::modelVersions(tests::lookInto(file));
+  }
+  std::vector<study::ModelVersion> versions() { return versions(path); }
   double storedShoulder() {
     const auto version = *store::latestModelVersion(tests::lookInto(path));
     return model_io::parseModel(version->text, "stored")->model.inputs[1].terms[0].points[2];
@@ -67,6 +89,7 @@ class StudyControllerTest : public testing::Test {
   std::unique_ptr<StudyController> study = std::make_unique<StudyController>(models, edits);
   QString said;
   QString failed;
+  bool left = false;
 };
 
 TEST_F(StudyControllerTest, OpensTheLatestModelWithItsHistory) {
@@ -231,6 +254,90 @@ TEST_F(StudyControllerTest, AClosedStudyLeavesItsModelOnTheScreen) {
   EXPECT_EQ(models.current()->path, folder.path(QStringLiteral("sample.tactus.json")));
   move(2);
   EXPECT_TRUE(models.isModified());
+}
+
+TEST_F(StudyControllerTest, AnEditWhileTheStudyClosesIsStored) {
+  makeTuned();
+  ASSERT_TRUE(open(path));
+  const auto disk = std::make_shared<std::binary_semaphore>(0);
+  hangOnLeaving(disk);
+  study->close();
+  move(2.5);
+  disk->release();
+  ASSERT_TRUE(comesTrue([this] { return !study->isOpen(); }));
+  EXPECT_EQ(shoulder(), 2.5);
+  EXPECT_EQ(storedShoulder(), 2.5);
+  EXPECT_TRUE(store::checkStudy(tests::lookInto(path))->empty());
+}
+
+TEST_F(StudyControllerTest, AnEditWhileAnotherStudyOpensStaysInItsOwn) {
+  const QString other = folder.path(QStringLiteral("other.tactus"));
+  tests::makeStudyFile(other);
+  makeTuned();
+  ASSERT_TRUE(open(path));
+  const auto disk = std::make_shared<std::binary_semaphore>(0);
+  hangOnLeaving(disk);
+  study->open(other);
+  ASSERT_TRUE(comesTrue([this] { return left; }));
+  move(2.5);
+  disk->release();
+  ASSERT_TRUE(comesTrue([&] { return study->path() == other; })) << failed.toStdString();
+  ASSERT_TRUE(allWritten());
+  EXPECT_TRUE(failed.isEmpty()) << failed.toStdString();
+  study.reset();
+  EXPECT_EQ(storedShoulder(), 2.5);
+  EXPECT_TRUE(versions(other).empty());
+}
+
+TEST_F(StudyControllerTest, AModelOfOneStudyIsPutIntoAnother) {
+  const QString other = folder.path(QStringLiteral("other.tactus"));
+  makeTuned();
+  ASSERT_TRUE(open(path));
+  study->close();
+  ASSERT_TRUE(comesTrue([this] { return !study->isOpen(); }));
+  study->create(other);
+  ASSERT_TRUE(comesTrue([this] { return study->isOpen(); }));
+  study->putModel();
+  move(2.5);
+  ASSERT_TRUE(allWritten());
+  EXPECT_TRUE(failed.isEmpty()) << failed.toStdString();
+  study.reset();
+  const auto stored = versions(other);
+  ASSERT_EQ(stored.size(), 2U);
+  EXPECT_TRUE(stored[0].label.starts_with("opened: ")) << stored[0].label;
+  EXPECT_EQ(stored[1].parent, stored[0].id);
+  const auto last = *store::latestModelVersion(tests::lookInto(other));
+  EXPECT_EQ(model_io::parseModel(last->text, "stored")->model, models.current()->model);
+}
+
+TEST_F(StudyControllerTest, WhatTheDiskRefusesIsNotReplacedByWhatItHas) {
+  makeTuned();
+  ASSERT_TRUE(open(path));
+  const auto full = fillDisk();
+  move(2.5);
+  ASSERT_TRUE(comesTrue([this] { return !study->failure().isEmpty(); }));
+  study->openModel();
+  ASSERT_TRUE(comesTrue([this] { return !study->isOpening(); }));
+  EXPECT_EQ(shoulder(), 2.5);
+  study->buildModel();
+  ASSERT_TRUE(comesTrue([this] { return !study->isOpening(); }));
+  EXPECT_EQ(shoulder(), 2.5);
+  *full = false;
+  study->storeNow();
+  ASSERT_TRUE(allWritten());
+  study.reset();
+  EXPECT_EQ(storedShoulder(), 2.5);
+}
+
+TEST_F(StudyControllerTest, LookingAtTheHistoryComplainsOfNothing) {
+  makeTuned();
+  ASSERT_TRUE(open(path));
+  QSignalSpy refused(&edits, &EditController::refused);
+  // The texts of old states may not have been read yet; what an edit did is told as soon as they are.
+  edits.effectOf(1);
+  EXPECT_EQ(refused.count(), 0);
+  EXPECT_TRUE(comesTrue([this] { return !edits.effectOf(1).isEmpty(); }));
+  EXPECT_EQ(refused.count(), 0);
 }
 
 TEST_F(StudyControllerTest, AnswersWithoutAModelGiveTheAveragedOne) {

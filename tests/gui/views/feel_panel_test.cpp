@@ -80,7 +80,7 @@ TEST_F(FeelPanelTest, TheMousePushesTheTubeAndTheForceIsShown) {
   // In a line that ends where the panel does; the tool tip has all of it.
   const QList<QLabel*> labels = panel.findChildren<QLabel*>();
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-    const QString start = QStringLiteral("Last placement (simulated device)");
+    const QString start = QStringLiteral("Last placement, SIMULATED");
     return label->text().startsWith(start) || label->toolTip().startsWith(start);
   }));
 }

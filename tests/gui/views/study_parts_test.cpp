@@ -14,6 +14,7 @@
 #include <QSettings>
 #include <QTimer>
 #include <QUrl>
+#include <functional>
 #include <gtest/gtest.h>
 
 #include "app/editing/membership_edits.h"
@@ -56,6 +57,22 @@ class StudyPartsTest : public testing::Test {
       if (label->text() == text) return true;
     }
     return false;
+  }
+
+  // Does `work` and gives `answer` to every question that comes up; returns how many did.
+  static int answerQuestions(QMessageBox::StandardButton answer, const std::function<void()>& work) {
+    int asked = 0;
+    QTimer look;
+    look.setInterval(5);
+    QObject::connect(&look, &QTimer::timeout, [&] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return;
+      ++asked;
+      box->button(answer)->click();
+    });
+    look.start();
+    work();
+    return asked;
   }
 
   tests::ModelFolder folder;
@@ -136,6 +153,21 @@ TEST_F(StudyPartsTest, AWindowThatIsKeptOpenIsNotClosedByTheNextWrite) {
   ASSERT_TRUE(comesTrue([this] { return !bench.study.isBusy(); }));
   QCoreApplication::processEvents();
   EXPECT_EQ(asked, 1);
+}
+
+TEST_F(StudyPartsTest, ChangesThatAreNotSavedAreAskedFor) {
+  ASSERT_TRUE(open());
+  window.openFile(folder.write(tests::twoExperts()));
+  bench.study.putModel();
+  window.openFile(folder.write(tests::twoExperts(), QStringLiteral("beside.tactus.json")));
+  ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
+  ASSERT_TRUE(bench.models.isModified());
+  for (const char* start : {"Show the study", "Build the averaged"}) {
+    const int asked = answerQuestions(QMessageBox::Cancel, [&] { action(QLatin1String(start))->trigger(); });
+    EXPECT_EQ(asked, 1) << start;
+    EXPECT_FALSE(bench.study.isOpening()) << start;
+  }
+  EXPECT_TRUE(bench.models.isModified());
 }
 
 TEST_F(StudyPartsTest, TheRecordingsStandInTheFeelPanel) {
