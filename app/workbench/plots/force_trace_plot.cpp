@@ -31,7 +31,7 @@ ForceTracePlot::ForceTracePlot(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
-  setMinimumSize(200, 72);
+  setMinimumSize(200, 50);
   setAccessibleName(tr("Force of the last ten seconds"));
 
   // The limits first, so that the lines stand above the fill.
@@ -121,8 +121,8 @@ std::vector<LegendEntry> ForceTracePlot::legend() const {
   if (replays_) entries.push_back({tr("felt in the recording"), recorded_->pen()});
   if (split_) {
     entries.push_back({tr("fuzzy force"), model_->pen()});
-    entries.push_back({tr("with friction"), friction_->pen()});
-    entries.push_back({tr("taken by limits"), Qt::NoPen, limits_->brush()});
+    entries.push_back({tr("friction"), friction_->pen()});
+    entries.push_back({tr("limits"), Qt::NoPen, limits_->brush()});
   }
   return entries.size() > 1 ? entries : std::vector<LegendEntry>();
 }

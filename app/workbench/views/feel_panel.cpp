@@ -92,6 +92,8 @@ void FeelPanel::build() {
   force_->setMinimumWidth(QFontMetrics(theme::titleFont()).horizontalAdvance(QStringLiteral("-0.000 N")));
   limits_->setFont(theme::smallFont());
   legend_->setFont(theme::smallFont());
+  // It must not make the panel wider than its place.
+  legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   limits_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   QPalette warning = limits_->palette();
   warning.setColor(QPalette::WindowText, theme::warningInk());
@@ -171,7 +173,12 @@ void FeelPanel::showLegend() {
     const bool area = entry.fill.style() != Qt::NoBrush;
     lines << swatch(area ? theme::onCard(entry.fill.color()) : entry.pen.color(), entry.name);
   }
-  legend_->setText(lines.join(QStringLiteral("  ")));
+  // In two rows where one would be cut off.
+  constexpr qsizetype kInOneRow = 4;
+  const QString gap = QStringLiteral("  ");
+  QStringList rows{lines.mid(0, kInOneRow).join(gap)};
+  if (lines.size() > kInOneRow) rows << lines.mid(kInOneRow).join(gap);
+  legend_->setText(rows.join(QStringLiteral("<br>")));
   legend_->setVisible(!lines.isEmpty());
 }
 

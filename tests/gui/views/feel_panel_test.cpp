@@ -191,8 +191,12 @@ TEST_F(FeelPanelTest, NothingIsCutInTheSmallestPlace) {
   panel.resize(590, 296);
   QCoreApplication::processEvents();
   const auto* area = panel.findChild<QScrollArea*>();
-  EXPECT_LE(area->widget()->height(), area->viewport()->height());
-  EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
+  for (const bool split : {false, true}) {
+    panel.findChildren<QCheckBox*>().front()->setChecked(split);
+    QCoreApplication::processEvents();
+    EXPECT_LE(area->widget()->height(), area->viewport()->height()) << split;
+    EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width()) << split;
+  }
 }
 
 TEST_F(FeelPanelTest, TheForceCanBeSplit) {
