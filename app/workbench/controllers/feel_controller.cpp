@@ -373,6 +373,7 @@ void FeelController::endPlacement() {
   meter_.begin(0);
   if (!summary) return;
   summary->simulated = run_->info().simulated;
+  summary->replay = replay_;
   last_placement_ = summary;
   emit placementEnded();
 }

@@ -15,6 +15,7 @@ struct PlacementSummary {
   double mean_force_n = 0;  ///< mean resistance while the hand held the tube
   double depth_mm = 0;      ///< deepest place of the tip
   bool simulated = false;   ///< on a simulated device
+  bool replay = false;      ///< a recording moved the tube; nobody felt it
 };
 
 /// Adds up the samples of one placement.

@@ -80,8 +80,10 @@ void PlacementCard::setSummary(const std::optional<PlacementSummary>& summary) {
                               .arg(numberText(summary->duration_s, 1), strokesText(summary->strokes),
                                    quantityText(summary->depth_mm, "mm", 0), quantityText(summary->peak_force_n, "N"),
                                    quantityText(summary->mean_force_n, "N"));
-  summary_->setFullText(
-      (summary->simulated ? tr("Last placement, SIMULATED: %1") : tr("Last placement: %1")).arg(numbers));
+  summary_->setFullText((summary->replay      ? tr("Last replay, SIMULATED: %1")
+                         : summary->simulated ? tr("Last placement, SIMULATED: %1")
+                                              : tr("Last placement: %1"))
+                            .arg(numbers));
 }
 
 void PlacementCard::setRunning(bool running) {

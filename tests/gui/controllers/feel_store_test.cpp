@@ -302,6 +302,8 @@ TEST_F(FeelStoreTest, AReplayOnTheSameModelGivesTheRecordedForce) {
   // just noticeable difference.
   EXPECT_LT(worst_n, 0.003) << "of " << most_n << " N";
   // A replay is nobody's placement.
+  ASSERT_TRUE(feel.lastPlacement());
+  EXPECT_TRUE(feel.lastPlacement()->replay);
   ASSERT_TRUE(closed());
   EXPECT_EQ(store::placements(tests::lookInto(path))->size(), 1U);
 }
