@@ -129,7 +129,9 @@ QString CompareController::nameOf(const CompareChoice& choice) const {
 }
 
 void CompareController::choose(CompareSide side, CompareChoice choice) {
-  if (sides_[index(side)] == choice) return;
+  const bool known =
+      choice.kind != Kind::kState || (edits_.isOpen() && choice.state < edits_.history().states().size());
+  if (!known || sides_[index(side)] == choice) return;
   sides_[index(side)] = std::move(choice);
   forget();
   emit choicesChanged();

@@ -63,6 +63,7 @@ class CompareController : public QObject {
   QString nameOf(const CompareChoice& choice) const;
 
   const CompareChoice& choice(CompareSide side) const { return sides_[index(side)]; }
+  /// A state that the history does not have is not chosen.
   void choose(CompareSide side, CompareChoice choice);
 
   /// The side that is shown and felt; nothing where nobody compares and the open model is shown.

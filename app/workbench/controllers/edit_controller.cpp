@@ -151,7 +151,8 @@ void EditController::redo() {
 void EditController::returnTo(editing::StateId state) {
   TACTUS_CHECK(isOpen());
   commit();
-  if (state == history_->current()) return;
+  // What was chosen may have been a state of another history.
+  if (state == history_->current() || state >= history_->states().size()) return;
   auto there = fetch(state);
   settle(there ? history_->returnTo(state, stamp()) : there, tr("Back to: %1").arg(text(history_->labelOf(state))));
 }

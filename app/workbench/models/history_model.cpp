@@ -20,7 +20,14 @@ QString timeText(std::int64_t utc_ms) {
 
 }  // namespace
 
-HistoryModel::HistoryModel(EditController& edits, QObject* parent) : QAbstractListModel(parent), edits_(edits) {}
+HistoryModel::HistoryModel(EditController& edits, QObject* parent) : QAbstractListModel(parent), edits_(edits) {
+  // Rows of another history would name states that are not there, and may be painted before the next refresh.
+  connect(&edits_, &EditController::modelReset, this, [this] {
+    beginResetModel();
+    rows_.clear();
+    endResetModel();
+  });
+}
 
 void HistoryModel::refresh() {
   beginResetModel();

@@ -22,7 +22,7 @@ class HistoryModel : public QAbstractListModel {
     kSignOffsRole,               ///< QStringList: `S4 feels right`
   };
 
-  /// Empty until `refresh`.
+  /// Empty until `refresh`, and again once another history begins.
   explicit HistoryModel(EditController& edits, QObject* parent = nullptr);
 
   /// Reads the history again.

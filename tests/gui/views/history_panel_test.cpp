@@ -198,5 +198,20 @@ TEST_F(HistoryPanelTest, TheComparisonSetsTheOperatingPointToTheLargestDifferenc
   EXPECT_EQ(bench.scene.value(1), bench.compare.result()->at[1]);
 }
 
+TEST_F(HistoryPanelTest, StatesOfAnotherHistoryAreGoneAtOnce) {
+  reveal();
+  for (const double to : {4.5, 4.6, 4.7}) edit(to);
+  ASSERT_TRUE(waitForRows(4));
+  bench.models.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
+  panel->grab();  // a window that is uncovered now is painted before the panel refreshes
+  EXPECT_EQ(rows(), 0);
+  // What a menu or a list that is still open offers.
+  bench.edits.returnTo(3);
+  EXPECT_FALSE(bench.edits.canUndo());
+  bench.compare.choose(CompareSide::kB, {CompareChoice::Kind::kState, 3, {}});
+  EXPECT_NE(bench.compare.choice(CompareSide::kB).kind, CompareChoice::Kind::kState);
+  EXPECT_TRUE(waitForRows(1));
+}
+
 }  // namespace
 }  // namespace tactus::workbench
