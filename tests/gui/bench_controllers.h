@@ -21,4 +21,25 @@ struct BenchControllers {
   workbench::FindingsController findings{edits, scene};
 };
 
+/// What a hand can reach: of these, or of the whole program.
+struct BenchReach {
+  template <class Bench>
+  explicit BenchReach(Bench& bench)
+      : models(bench.models),
+        scene(bench.scene),
+        edits(bench.edits),
+        terms(bench.terms),
+        rules(bench.rules),
+        compare(bench.compare),
+        findings(bench.findings) {}
+
+  workbench::ModelController& models;
+  workbench::SceneController& scene;
+  workbench::EditController& edits;
+  workbench::TermController& terms;
+  workbench::RuleController& rules;
+  workbench::CompareController& compare;
+  workbench::FindingsController& findings;
+};
+
 }  // namespace tactus::tests

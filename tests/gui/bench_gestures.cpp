@@ -15,7 +15,7 @@ using Part = Grip::Part;
 
 }  // namespace
 
-BenchGestures::BenchGestures(std::uint64_t seed, BenchControllers& bench)
+BenchGestures::BenchGestures(std::uint64_t seed, const BenchReach& bench)
     : random_(seed),
       bench_(bench),
       models_(bench.models),

@@ -20,8 +20,8 @@ namespace tactus::tests {
 /// `check` finds whether everything still holds.
 class BenchGestures {
  public:
-  /// A model must be open in `bench`, which outlives this.
-  BenchGestures(std::uint64_t seed, BenchControllers& bench);
+  /// A model must be open in `reach`, whose controllers outlive this.
+  BenchGestures(std::uint64_t seed, const BenchReach& reach);
 
   /// One gesture. Returns what it was.
   std::string play();
@@ -80,7 +80,7 @@ class BenchGestures {
 
   QObject context_;
   base::Random random_;
-  BenchControllers& bench_;
+  BenchReach bench_;
   workbench::ModelController& models_;
   workbench::SceneController& scene_;
   workbench::EditController& edits_;

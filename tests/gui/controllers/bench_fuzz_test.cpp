@@ -27,7 +27,7 @@ void playOn(const fuzzy::ForceModel& start, std::uint64_t seed, std::size_t& sta
   tests::BenchControllers bench;
   bench.models.open(folder.write(start));
   ASSERT_NE(bench.models.current(), nullptr);
-  tests::BenchGestures gestures(seed, bench);
+  tests::BenchGestures gestures(seed, tests::BenchReach(bench));
   for (int k = 0; k < kOfOneModel; ++k) {
     const std::string what = gestures.play();
     if (k % 8 == 0) QCoreApplication::processEvents();

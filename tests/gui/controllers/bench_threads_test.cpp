@@ -35,7 +35,7 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
   FeelController feel(bench.scene);
   DeviceSearch search;
   bench.models.open(path);
-  tests::BenchGestures hand(7, bench);
+  tests::BenchGestures hand(7, tests::BenchReach(bench));
   findings.setWatched(true);
   search.search();
   feel.start(QStringLiteral("virtual"));

@@ -1,17 +1,24 @@
 #include "app/workbench/views/rule_panel.h"
 
 #include <QComboBox>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTest>
 #include <gtest/gtest.h>
 
 #include "app/editing/rule_edits.h"
 #include "app/workbench/controllers/compare_controller.h"
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/views/rule_flow.h"
 
 #include "tests/gui/sample_models.h"
+#include "tests/support/ngt_model.h"
 
 namespace tactus::workbench {
 namespace {
+
+constexpr int kPatience = 10'000;  // ms, for a busy machine
 
 class RulePanelTest : public testing::Test {
  protected:
@@ -48,6 +55,20 @@ TEST_F(RulePanelTest, WhoIsLookedAtStays) {
   model.experts[1].id = "C";
   models.open(folder.write(model, QStringLiteral("other.tactus.json")));
   EXPECT_EQ(who().currentText(), QStringLiteral("Mean"));
+}
+
+TEST_F(RulePanelTest, FourInputsFitAWindowOf1280Pixels) {
+  panel.resize(590, 300);  // what is left of it beside the editors
+  models.open(folder.write(support::s4AsPrinted(), QStringLiteral("s4.tactus.json")));
+  scene.setValue(2, 300);
+  const auto* bar = panel.findChild<QScrollArea*>()->horizontalScrollBar();
+  const auto* flow = panel.findChild<RuleFlow*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return flow->isVisible() && flow->minimumSizeHint().width() > 300; }, kPatience));
+  EXPECT_EQ(bar->maximum(), 0);
+  who().setCurrentIndex(0);
+  emit who().activated(0);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(bar->maximum(), 0);
 }
 
 }  // namespace
