@@ -33,6 +33,16 @@ std::unique_ptr<QLockFile> lockOf(const QString& folder) {
   return lock;
 }
 
+// Emptied while it is locked: whoever looks for lost work takes the lock as soon as it is free.
+void removeLocked(const QString& path, QLockFile& lock) {
+  QDir folder(path);
+  for (const QString& name : folder.entryList(QDir::Files | QDir::Hidden | QDir::System)) {
+    if (name != QLatin1String(kLockName)) folder.remove(name);
+  }
+  lock.unlock();
+  QDir().rmdir(path);
+}
+
 int editsOf(const editing::EditHistory& history) {
   const auto& events = history.events();
   const auto edits = std::count_if(events.begin(), events.end(), [](const editing::Event& event) {
@@ -115,8 +125,7 @@ base::Result<void> AutosaveFolder::write(const editing::EditHistory& history, co
 
 void AutosaveFolder::remove() {
   if (path_.isEmpty()) return;
-  lock_->unlock();
-  QDir(path_).removeRecursively();
+  removeLocked(path_, *lock_);
   lock_.reset();
   path_.clear();
   closed_parts_ = closed_events_ = 0;
@@ -169,9 +178,6 @@ base::Result<editing::Autosave> TakenWork::read() const {
   return out;
 }
 
-void TakenWork::discard() {
-  lock_->unlock();
-  QDir(folder_).removeRecursively();
-}
+void TakenWork::discard() { removeLocked(folder_, *lock_); }
 
 }  // namespace tactus::workbench
