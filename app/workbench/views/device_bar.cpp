@@ -126,7 +126,6 @@ void DeviceBar::resizeEvent(QResizeEvent* event) {
   const auto direction = width() < kOneLine ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
   if (line_->direction() != direction) line_->setDirection(direction);
   fitMessage();
-  showStateText();
 }
 
 void DeviceBar::setModelOpen(bool open) {
@@ -140,7 +139,7 @@ void DeviceBar::showFailure(const QString& sentence) {
 }
 
 void DeviceBar::showProgress() {
-  showStateText();
+  state_->setFullText(stateText(), stateWord());
   // Advice for the first stroke.
   if (advises_ && feel_.strokes() > 0) showMessage();
 }
@@ -226,14 +225,7 @@ void DeviceBar::setMessage(const QString& sentence, bool bad) {
   setInk(message_, bad ? theme::errorInk() : theme::warningInk());
 }
 
-// Where there is little room, in a word; the tool tip has the rest.
-void DeviceBar::showStateText() {
-  const QString whole = stateText();
-  const bool fits = state_->fontMetrics().horizontalAdvance(whole) < state_->width();
-  state_->setFullText(fits ? whole : stateWord());
-  state_->setToolTip(fits ? QString() : whole);
-}
-
+// Where there is little room.
 QString DeviceBar::stateWord() const {
   switch (feel_.state()) {
     case FeelState::kStopped:

@@ -43,7 +43,6 @@ class DeviceBar : public QWidget {
   void showState();
   void showMessage();
   void chooseGrip();
-  void showStateText();
   QString stateText() const;
   QString stateWord() const;
   void fitMessage();

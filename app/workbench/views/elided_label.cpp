@@ -9,9 +9,10 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
-void ElidedLabel::setFullText(const QString& text) {
-  if (text == full_) return;
+void ElidedLabel::setFullText(const QString& text, const QString& brief) {
+  if (text == full_ && brief == brief_) return;
   full_ = text;
+  brief_ = brief;
   elide();
   updateGeometry();
 }
@@ -28,7 +29,10 @@ void ElidedLabel::resizeEvent(QResizeEvent* event) {
 }
 
 void ElidedLabel::elide() {
-  const QString shown = fontMetrics().elidedText(full_, Qt::ElideRight, width() - std::max(0, indent()));
+  const int room = width() - std::max(0, indent());
+  const bool fits = fontMetrics().horizontalAdvance(full_) <= room;
+  const QString& text = fits || brief_.isEmpty() ? full_ : brief_;
+  const QString shown = fontMetrics().elidedText(text, Qt::ElideRight, room);
   setText(shown);
   setToolTip(shown == full_ ? QString() : full_);
 }

@@ -1,4 +1,5 @@
-// A line of text that ends in an ellipsis where it does not fit, and then shows the whole text as its tool tip.
+// A line of text that gets shorter or ends in an ellipsis where it does not fit, and then has the whole text as its
+// tool tip.
 #pragma once
 
 #include <QLabel>
@@ -11,7 +12,8 @@ class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(QWidget* parent = nullptr);
 
-  void setFullText(const QString& text);
+  /// `brief` stands in the place of `text` where that does not fit; without it the end of `text` is left out.
+  void setFullText(const QString& text, const QString& brief = {});
 
   QSize minimumSizeHint() const override;
   QSize sizeHint() const override;
@@ -23,6 +25,7 @@ class ElidedLabel : public QLabel {
   void elide();
 
   QString full_;
+  QString brief_;
 };
 
 }  // namespace tactus::workbench

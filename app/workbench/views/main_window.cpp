@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -98,6 +99,7 @@ MainWindow::MainWindow(ModelController& models, SceneController& scene, FeelCont
   rail_->hide();
   strip_->hide();
   setAcceptDrops(true);
+  qApp->installEventFilter(this);
   setWindowTitle(tr("Tactus Workbench"));
 
   buildMenus();
@@ -217,6 +219,16 @@ void MainWindow::restorePlace() {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (!draggedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  const bool on_field = event->type() == QEvent::DragEnter && qobject_cast<QLineEdit*>(watched);
+  if (!on_field || draggedFile(*static_cast<QDragEnterEvent*>(event)->mimeData()).isEmpty()) {
+    return QMainWindow::eventFilter(watched, event);
+  }
+  // The window is asked next.
+  event->ignore();
+  return true;
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {

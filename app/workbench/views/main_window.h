@@ -61,6 +61,8 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   bool focusNextPrevChild(bool next) override;
+  /// A file that is dropped on a field is not meant for the field.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void buildMenus();

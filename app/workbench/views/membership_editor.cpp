@@ -24,6 +24,7 @@
 #include "app/workbench/views/number_box.h"
 #include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/popup_form.h"
+#include "app/workbench/views/tab_look.h"
 #include "app/workbench/views/term_sliders.h"
 #include "app/workbench/views/term_table.h"
 
@@ -76,6 +77,7 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
   variables_->setElideMode(Qt::ElideRight);
   variables_->setFont(theme::smallFont());
   variables_->setAccessibleName(tr("Variable"));
+  new TabLook(*variables_);
   whose_->setAccessibleName(tr("Whose terms"));
   whose_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   whose_->setToolTip(tr("The terms that experts share, or those of one expert"));

@@ -12,6 +12,7 @@
 #include "app/workbench/theme.h"
 #include "app/workbench/views/panel_title.h"
 #include "app/workbench/views/reading_order.h"
+#include "app/workbench/views/tab_look.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
@@ -211,6 +212,7 @@ void PanelArea::showTitles() {
     tabs->setContextMenuPolicy(Qt::CustomContextMenu);
     tabs->setFont(theme::smallFont());
     tabs->setDrawBase(false);
+    new TabLook(*tabs);
     tabs->setAccessibleName(tr("Panels that share a place"));
     connect(tabs, &QWidget::customContextMenuRequested, this, [this, tabs](const QPoint& place) {
       if (QDockWidget* panel = dockOfTab(*tabs, tabs->tabAt(place))) showMenu(*panel, tabs->mapToGlobal(place));

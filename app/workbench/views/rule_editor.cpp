@@ -12,6 +12,7 @@
 #include "app/workbench/theme.h"
 #include "app/workbench/views/rule_grid_pane.h"
 #include "app/workbench/views/rule_list_pane.h"
+#include "app/workbench/views/tab_look.h"
 
 namespace tactus::workbench {
 namespace {
@@ -51,6 +52,7 @@ RuleEditor::RuleEditor(RuleController& rules, QWidget* parent)
   tabs_->addTab(tr("Grids"));
   tabs_->addTab(tr("All rules"));
   tabs_->setAccessibleName(tr("Grids or list"));
+  new TabLook(*tabs_);
   panes_->addWidget(new RuleGridPane(rules, this));
   panes_->addWidget(new RuleListPane(rules, this));
   panes_->setChildrenCollapsible(false);

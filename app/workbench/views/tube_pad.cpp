@@ -115,7 +115,7 @@ void TubePad::paintEvent(QPaintEvent* /*event*/) {
       const QString lag = tr("lag %1").arg(quantityText(lag_mm, "mm", 1));
       const double room = painter.fontMetrics().horizontalAdvance(lag) + 8;
       const double x = target_x + room + 8 < width() ? target_x + 6 : std::min(hand_x, target_x) - room - 8;
-      painter.setPen(lagColor().darker(130));
+      painter.setPen(theme::isDark() ? lagColor().lighter(140) : lagColor().darker(130));
       painter.drawText(QRectF(x, 2, room, line), Qt::AlignLeft | Qt::AlignTop, lag);
     }
   }

@@ -232,6 +232,27 @@ TEST_F(MainWindowTest, AModelFileCanBeDropped) {
   EXPECT_FALSE(drop(QUrl(QStringLiteral("https://example.org/model.json"))));
 }
 
+TEST_F(MainWindowTest, AFileThatIsDroppedOnAFieldIsOpened) {
+  openSample();
+  auto* field = ofVariable<QDoubleSpinBox>(QStringLiteral("Speed of the operating point"))->findChild<QLineEdit*>();
+  const QString shown = field->text();
+  fuzzy::ForceModel other = tests::twoExperts();
+  other.name = "Dropped";
+  const QUrl url = QUrl::fromLocalFile(folder.write(other, QStringLiteral("dropped.tactus.json")));
+  QMimeData data;
+  data.setUrls({url});
+  data.setText(url.toLocalFile());  // as file managers give it too
+  QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  enter.ignore();
+  QCoreApplication::sendEvent(field, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(field, &drop);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(bench.models.current()->model.name, "Dropped");
+  EXPECT_EQ(ofVariable<QDoubleSpinBox>(QStringLiteral("Speed of the operating point"))->text(), shown);
+}
+
 TEST_F(MainWindowTest, SavesPicturesByTheirEnding) {
   openSample();
   auto* view = window.findChild<BenchView*>();
