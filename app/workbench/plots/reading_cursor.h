@@ -25,6 +25,8 @@ class ReadingCursor : public QCPLayerable {
   void draw(QCPPainter* painter) override;
 
  private:
+  class Dots;
+
   double x_ = 0;
   QString tag_;
   std::vector<Dot> dots_;
