@@ -19,7 +19,7 @@ namespace tactus::workbench {
 namespace {
 
 // Counts up when stored layouts no longer fit the panels, which then start in their first places.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 
 // Docks overlap where the smallest sizes of their panels do not fit the window; a panel that can scroll has none.
 QWidget* scrollable(QWidget* panel) {
@@ -152,6 +152,12 @@ void PanelArea::layOut(const std::vector<PanelPlace>& places) {
     if (place.how == PanelPlace::How::kTab) dock(place.beside)->raise();
   }
   shareRoom(places);
+  // A panel that the layout does not know would be shown by restoring it.
+  for (QDockWidget* panel : order_) {
+    if (dockWidgetArea(panel) != Qt::NoDockWidgetArea) continue;
+    addDockWidget(Qt::TopDockWidgetArea, panel);
+    panel->hide();
+  }
 }
 
 void PanelArea::put(const PanelPlace& place) {

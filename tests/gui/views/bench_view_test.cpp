@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMenuBar>
+#include <map>
 
 #include "app/workbench/controllers/force_map.h"
 #include "app/workbench/plots/force_map_plot.h"
@@ -29,7 +30,10 @@ class BenchViewTest : public tests::ShownBench {
   QDockWidget* dock(const char* id) { return bench.window.findChild<QDockWidget*>(QLatin1String(id)); }
 
   /// Whether the panel can be seen: not closed, and not behind a tab.
-  bool isSeen(const char* id) { return dock(id)->isVisible() && dock(id)->widget()->childAt(20, 20) != nullptr; }
+  static bool isSeen(const QDockWidget& panel) {
+    return panel.isVisible() && panel.widget()->childAt(20, 20) != nullptr;
+  }
+  bool isSeen(const char* id) { return isSeen(*dock(id)); }
 
   void hideAll() {
     for (QDockWidget* panel : bench.window.findChildren<QDockWidget*>()) panel->hide();
@@ -214,6 +218,43 @@ TEST_F(BenchViewTest, EachStageKeepsItsLayout) {
   settle();
   EXPECT_TRUE(isSeen("map"));
   for (const char* id : {"curves", "map", "rules", "reading"}) EXPECT_GT(dock(id)->width(), 200) << id;
+}
+
+TEST_F(BenchViewTest, GoingToAndFroMovesNothing) {
+  const auto seen = [&] {
+    std::map<QString, QRect> places;
+    for (const auto* panel : bench.window.findChildren<QDockWidget*>()) {
+      if (isSeen(*panel)) places[panel->objectName()] = panel->geometry();
+    }
+    return places;
+  };
+  std::map<Stage, std::map<QString, QRect>> before;
+  for (const Stage stage : {Stage::kTune, Stage::kUnderstand}) {
+    bench.window.enter(stage);
+    settle();
+    before[stage] = seen();
+  }
+  EXPECT_EQ(before[Stage::kUnderstand].size(), 4U);  // and two behind tabs
+  EXPECT_EQ(before[Stage::kTune].size(), 3U);        // and seven behind tabs
+  for (int round = 0; round < 2; ++round) {
+    for (const Stage stage : {Stage::kTune, Stage::kUnderstand}) {
+      bench.window.enter(stage);
+      settle();
+      EXPECT_EQ(seen(), before[stage]) << stageId(stage).toStdString() << " in round " << round;
+    }
+  }
+}
+
+TEST_F(BenchViewTest, APanelFromTheOtherStageFindsRoomBesideTheOthers) {
+  dock("history")->toggleViewAction()->trigger();
+  settle();
+  ASSERT_TRUE(isSeen("history"));
+  EXPECT_FALSE(dock("history")->isFloating());
+  EXPECT_GT(dock("history")->width(), 100);
+  for (const char* id : {"curves", "map", "rules", "reading"}) {
+    EXPECT_TRUE(isSeen(id)) << id;
+    EXPECT_FALSE(dock(id)->geometry().intersects(dock("history")->geometry())) << id;
+  }
 }
 
 TEST_F(BenchViewTest, WhatIsBehindATabIsHiddenAndComputesNothing) {
