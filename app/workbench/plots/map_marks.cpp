@@ -112,7 +112,9 @@ void MapCross::draw(QCPPainter* painter) {
   const QFontMetricsF metrics(font_);
   const double width = metrics.horizontalAdvance(tag_) + 12;
   const double height = metrics.height() + 6;
-  const double left = place.x() + 8 + width <= area->right() ? place.x() + 8 : place.x() - 8 - width;
+  // In a narrow map neither side has room; the names of the axis stay readable.
+  const double left =
+      place.x() + 8 + width <= area->right() ? place.x() + 8 : std::max<double>(area->left(), place.x() - 8 - width);
   const double top = place.y() - 8 - height >= area->top() ? place.y() - 8 - height : place.y() + 8;
   painter->setPen(Qt::NoPen);
   painter->setBrush(theme::accent());

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "app/workbench/controllers/compare_controller.h"
+#include "app/workbench/controllers/impact_text.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/refresh.h"
@@ -113,10 +114,12 @@ void CompareCard::showResult() {
     return;
   }
   const std::string& unit = scene_.model()->model.output.unit;
-  QString sentence = result->at.empty() ? tr("No difference of the force was found.")
-                                        : tr("max ΔF %1 (%2 JND) · RMS %3")
-                                              .arg(forceText(result->largest_n, unit),
-                                                   numberText(result->noticeable, 1), forceText(result->rms_n, unit));
+  QString sentence = tr("No difference of the force was found.");
+  if (!result->at.empty()) {
+    sentence = tr("max ΔF %1").arg(forceChangeText(result->largest_n, unit));
+    if (unit == "N") sentence += tr(" (%1 JND from A)").arg(numberText(result->noticeable, 1));
+    sentence += tr(" · RMS %1").arg(forceText(result->rms_n, unit));
+  }
   if (result->only_one > 0) sentence += QLatin1Char(' ') + tr("In places only one of the two has a force.");
   result_->setText(sentence);
   if (result->at.empty()) return;
