@@ -72,7 +72,6 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
       sliders_(new TermSliders(terms, this)),
       table_(new TermTable(terms, this)) {
   variables_->setExpanding(false);
-  variables_->setDrawBase(false);
   variables_->setUsesScrollButtons(false);
   variables_->setElideMode(Qt::ElideRight);
   variables_->setFont(theme::smallFont());

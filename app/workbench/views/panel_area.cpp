@@ -217,7 +217,6 @@ void PanelArea::showTitles() {
     if (tabs->contextMenuPolicy() == Qt::CustomContextMenu) continue;
     tabs->setContextMenuPolicy(Qt::CustomContextMenu);
     tabs->setFont(theme::smallFont());
-    tabs->setDrawBase(false);
     new TabLook(*tabs);
     tabs->setAccessibleName(tr("Panels that share a place"));
     connect(tabs, &QWidget::customContextMenuRequested, this, [this, tabs](const QPoint& place) {

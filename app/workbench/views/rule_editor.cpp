@@ -46,7 +46,6 @@ RuleEditor::RuleEditor(RuleController& rules, QWidget* parent)
   columns_->setAccessibleName(tr("Input of the columns"));
   columns_->setToolTip(tr("The input that the grids cross with each other one"));
   for (QComboBox* box : {experts_, columns_}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  tabs_->setDrawBase(false);
   tabs_->setExpanding(false);
   tabs_->setUsesScrollButtons(false);
   tabs_->addTab(tr("Grids"));

@@ -16,6 +16,8 @@ bool TabLook::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void TabLook::show() {
+  // The window turns it on again for each bar it takes to another place.
+  if (bar_.drawBase()) bar_.setDrawBase(false);
   // The style makes the tab in front a little lighter than this and the others darker.
   const QColor ground = theme::isDark() ? theme::card().lighter(125) : theme::window();
   QPalette colors = bar_.palette();

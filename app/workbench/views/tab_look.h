@@ -8,7 +8,7 @@ class QTabBar;
 namespace tactus::workbench {
 
 /// Gives the tab in front the ink of the text and, in the dark look, a lighter ground; the others the ink of secondary
-/// text.
+/// text. No line runs under them.
 class TabLook : public QObject {
   Q_OBJECT
 

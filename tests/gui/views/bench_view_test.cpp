@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMenuBar>
+#include <QTabBar>
 #include <map>
 
 #include "app/workbench/controllers/force_map.h"
@@ -272,6 +273,21 @@ TEST_F(BenchViewTest, WhatIsBehindATabIsHiddenAndComputesNothing) {
   EXPECT_TRUE(isSeen("map"));
   EXPECT_FALSE(isSeen("feel"));
   EXPECT_GT(bench.scene.evaluations(), before);
+}
+
+TEST_F(BenchViewTest, NoLineRunsUnderTheTabsOfPanels) {
+  for (const Stage stage : {Stage::kUnderstand, Stage::kTune, Stage::kUnderstand}) {
+    bench.window.enter(stage);
+    settle();
+    int bars = 0;
+    for (const auto* tabs : bench.window.panels().findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+      if (!tabs->isVisible()) continue;
+      ++bars;
+      EXPECT_FALSE(tabs->drawBase()) << tabs->tabText(0).toStdString();
+      EXPECT_FALSE(tabs->accessibleName().isEmpty());
+    }
+    EXPECT_EQ(bars, 2);
+  }
 }
 
 TEST_F(BenchViewTest, ATitleIsShownOnce) {
