@@ -53,24 +53,18 @@ void ModelController::openUnsaved(OpenModel model) {
   setModified(true);
 }
 
-void ModelController::moveIntoStudy(const QString& path) {
+void ModelController::moveIntoStudy(const QString& path) { moveTo(path, true); }
+
+void ModelController::moveOutOfStudy(const QString& path) { moveTo(path, false); }
+
+void ModelController::moveTo(const QString& path, bool in_study) {
   TACTUS_CHECK(current_ != nullptr);
   OpenModel next = *current_;
   next.path = path;
-  next.in_study = true;
+  next.in_study = in_study;
   current_ = std::make_shared<const OpenModel>(std::move(next));
   on_disk_ = current_;
   setModified(false);
-  emit saved(path);
-}
-
-void ModelController::moveOutOfStudy(const QString& path) {
-  TACTUS_CHECK(current_ != nullptr);
-  OpenModel next = *current_;
-  next.path = path;
-  next.in_study = false;
-  current_ = std::make_shared<const OpenModel>(std::move(next));
-  on_disk_ = current_;
   emit saved(path);
 }
 

@@ -73,6 +73,7 @@ class ModelController : public QObject {
 
  private:
   void setModified(bool modified);
+  void moveTo(const QString& path, bool in_study);
 
   std::shared_ptr<const OpenModel> current_;
   std::shared_ptr<const OpenModel> instead_;

@@ -48,4 +48,9 @@ PlotTable captionedTerms(const SceneController& scene, const fuzzy::Variable& va
                         QLatin1Char('-') + text(variable.id));
 }
 
+QString termsText(const SceneController& scene) {
+  const auto expert = scene.termsOf();
+  return expert ? tr("terms of %1").arg(labelOf(scene.model()->model.experts[*expert])) : tr("shared terms");
+}
+
 }  // namespace tactus::workbench

@@ -18,6 +18,8 @@ PlotTable captionedTable(const SceneController& scene, const QString& what, std:
 
 /// The same for membership functions: no setting has a part in them. `whose` says whose terms they are.
 PlotTable captionedTerms(const SceneController& scene, const fuzzy::Variable& variable, const QString& whose);
+/// Whose terms the scene shows: `shared terms`, `terms of S4`.
+QString termsText(const SceneController& scene);
 
 /// `Lubrication 1 · Neck flexion 60 deg`: the values of all inputs but `axes`, the place under the mouse not counted.
 QString settingText(const SceneController& scene, std::span<const std::size_t> axes);

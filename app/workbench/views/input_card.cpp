@@ -105,10 +105,7 @@ void InputCard::onSlider(int position) { scene_.setValue(input_, variable_.min +
 void InputCard::onNumber(double value) { scene_.setValue(input_, value); }
 
 PlotTable InputCard::table() {
-  PlotTable out =
-      captionedTerms(scene_, variable_,
-                     scene_.termsOf() ? tr("terms of %1").arg(labelOf(scene_.model()->model.experts[*scene_.termsOf()]))
-                                      : tr("shared terms"));
+  PlotTable out = captionedTerms(scene_, variable_, termsText(scene_));
   plot_->fillTable(out);
   return out;
 }

@@ -3,15 +3,11 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDragEnterEvent>
-#include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -26,6 +22,7 @@
 #include "app/workbench/theme.h"
 #include "app/workbench/views/bench_view.h"
 #include "app/workbench/views/feel_status.h"
+#include "app/workbench/views/file_drop.h"
 #include "app/workbench/views/message_banner.h"
 #include "app/workbench/views/operating_strip.h"
 #include "app/workbench/views/panel_area.h"
@@ -48,16 +45,6 @@ Stage lastStage(const QSettings& settings) {
     if (stageId(stage) == id && isReady(stage)) return stage;
   }
   return Stage::kTune;
-}
-
-bool isStudy(const QString& path) { return path.endsWith(QLatin1String(".tactus"), Qt::CaseInsensitive); }
-
-// The one model or study file that is dragged, or an empty path.
-QString draggedFile(const QMimeData& data) {
-  const QList<QUrl> urls = data.urls();
-  if (urls.size() != 1 || !urls.first().isLocalFile()) return {};
-  const QString path = urls.first().toLocalFile();
-  return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || isStudy(path) ? path : QString();
 }
 
 }  // namespace
@@ -98,8 +85,7 @@ MainWindow::MainWindow(ModelController& models, SceneController& scene, FeelCont
   // There is nothing to do in a stage before a model is open.
   rail_->hide();
   strip_->hide();
-  setAcceptDrops(true);
-  qApp->installEventFilter(this);
+  connect(new FileDrop(*this), &FileDrop::dropped, this, &MainWindow::openFile);
   setWindowTitle(tr("Tactus Workbench"));
 
   buildMenus();
@@ -217,29 +203,6 @@ void MainWindow::restorePlace() {
   restoreGeometry(settings_.value(QLatin1String(kGeometryKey)).toByteArray());
 }
 
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!draggedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  const bool on_field = event->type() == QEvent::DragEnter && qobject_cast<QLineEdit*>(watched);
-  if (!on_field || draggedFile(*static_cast<QDragEnterEvent*>(event)->mimeData()).isEmpty()) {
-    return QMainWindow::eventFilter(watched, event);
-  }
-  // The window is asked next.
-  event->ignore();
-  return true;
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const QString path = draggedFile(*event->mimeData());
-  if (path.isEmpty()) return;
-  event->acceptProposedAction();
-  // Queued: whoever dropped the file must not wait for an answer about unsaved changes.
-  QMetaObject::invokeMethod(
-      this, [this, path] { openFile(path); }, Qt::QueuedConnection);
-}
-
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayLoseChanges()) {
     event->ignore();
@@ -297,7 +260,7 @@ void MainWindow::copyPicture() {
 
 void MainWindow::openFile(const QString& path) {
   if (!mayLoseChanges()) return;
-  if (isStudy(path)) {
+  if (isStudyFile(path)) {
     emit studyChosen(path);
   } else {
     models_.open(path);

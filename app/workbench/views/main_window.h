@@ -56,13 +56,9 @@ class MainWindow : public QMainWindow {
   void studyChosen(const QString& path);
 
  protected:
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   bool focusNextPrevChild(bool next) override;
-  /// A file that is dropped on a field is not meant for the field.
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void buildMenus();

@@ -76,10 +76,7 @@ void OutputCard::showReading() {
 }
 
 PlotTable OutputCard::table() {
-  PlotTable out =
-      captionedTerms(scene_, variable_,
-                     scene_.termsOf() ? tr("terms of %1").arg(labelOf(scene_.model()->model.experts[*scene_.termsOf()]))
-                                      : tr("shared terms"));
+  PlotTable out = captionedTerms(scene_, variable_, termsText(scene_));
   plot_->fillTable(out);
   return out;
 }
