@@ -90,9 +90,10 @@ void FrameClock::stop() {
 
 std::optional<FrameClock::Times> FrameClock::timesOf(const std::vector<double>& all_ms) {
   if (all_ms.empty()) return std::nullopt;
-  std::vector<double> sorted = all_ms;
-  std::sort(sorted.begin(), sorted.end());
-  return Times{all_ms.back(), sorted[sorted.size() / 2], sorted.back(), sorted.size()};
+  std::vector<double> times_ms = all_ms;
+  const auto middle = times_ms.begin() + static_cast<std::ptrdiff_t>(times_ms.size() / 2);
+  std::nth_element(times_ms.begin(), middle, times_ms.end());
+  return Times{all_ms.back(), *middle, *std::max_element(middle, times_ms.end()), times_ms.size()};
 }
 
 }  // namespace tactus::workbench
