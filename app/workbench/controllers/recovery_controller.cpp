@@ -9,17 +9,12 @@
 #include "app/workbench/controllers/autosave_controller.h"
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/model_controller.h"
+#include "app/workbench/controllers/study_path.h"
 #include "app/workbench/display_text.h"
 #include "core/base/check.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::workbench {
-namespace {
-
-// A study file keeps the history of its models itself; a model file ends in `.json`.
-bool isStudy(const QString& document) { return document.endsWith(QLatin1String(".tactus"), Qt::CaseInsensitive); }
-
-}  // namespace
 
 RecoveryController::RecoveryController(ModelController& models, EditController& edits, AutosaveController& autosave,
                                        QString root, QObject* parent)
@@ -60,7 +55,8 @@ void RecoveryController::onOpened() {
 void RecoveryController::restore() {
   if (busy_ || offered_.empty()) return;
   const LostWork& work = offered_.front();
-  const bool in_study = isStudy(work.document);
+  // A study file keeps the history of its models itself.
+  const bool in_study = isStudyPath(work.document);
   if (in_study && (!models_.current() || models_.current()->path != work.document)) {
     wanted_ = work.document;
     emit studyNeeded(work.document);

@@ -7,6 +7,8 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "app/workbench/controllers/study_path.h"
+
 namespace tactus::workbench {
 namespace {
 
@@ -15,12 +17,10 @@ QString draggedFile(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
   if (urls.size() != 1 || !urls.first().isLocalFile()) return {};
   const QString path = urls.first().toLocalFile();
-  return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || isStudyFile(path) ? path : QString();
+  return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || isStudyPath(path) ? path : QString();
 }
 
 }  // namespace
-
-bool isStudyFile(const QString& path) { return path.endsWith(QLatin1String(".tactus"), Qt::CaseInsensitive); }
 
 FileDrop::FileDrop(QWidget& window) : QObject(&window), window_(window) {
   window_.setAcceptDrops(true);

@@ -8,9 +8,6 @@ class QDropEvent;
 
 namespace tactus::workbench {
 
-/// Whether `path` is named like a study file.
-bool isStudyFile(const QString& path);
-
 /// Takes one file at a time, named like a model or a study. A field under the mouse does not get it as text.
 class FileDrop : public QObject {
   Q_OBJECT

@@ -18,6 +18,7 @@
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/recent_files.h"
 #include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/controllers/study_path.h"
 #include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/bench_view.h"
@@ -260,7 +261,7 @@ void MainWindow::copyPicture() {
 
 void MainWindow::openFile(const QString& path) {
   if (!mayLoseChanges()) return;
-  if (isStudyFile(path)) {
+  if (isStudyPath(path)) {
     emit studyChosen(path);
   } else {
     models_.open(path);

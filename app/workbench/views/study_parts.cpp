@@ -13,6 +13,7 @@
 #include "app/workbench/controllers/model_controller.h"
 #include "app/workbench/controllers/recent_files.h"
 #include "app/workbench/controllers/study_controller.h"
+#include "app/workbench/controllers/study_path.h"
 #include "app/workbench/views/feel_panel.h"
 #include "app/workbench/views/main_window.h"
 #include "app/workbench/views/message_banner.h"
@@ -76,7 +77,7 @@ void StudyParts::chooseNew() {
   QString path = QFileDialog::getSaveFileName(&window_, tr("Make a study"), folder, tr("Studies (*.tactus)"), nullptr,
                                               QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
-  if (!path.endsWith(QLatin1String(".tactus"), Qt::CaseInsensitive)) path += QStringLiteral(".tactus");
+  if (!isStudyPath(path)) path += QStringLiteral(".tactus");
   study_.create(path);
 }
 
