@@ -5,28 +5,21 @@
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
-#include <QSettings>
 #include <QTest>
 #include <gtest/gtest.h>
 
 #include "app/workbench/views/panel_area.h"
-#include "app/workbench/workbench.h"
 
-#include "tests/gui/sample_models.h"
+#include "tests/gui/shown_bench.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kPatience;
 
-class FindingsPanelTest : public testing::Test {
+class FindingsPanelTest : public tests::ShownBench {
  protected:
-  void SetUp() override {
-    bench.window.resize(1280, 720);
-    bench.window.show();
-    bench.models.open(folder.write(tests::twoExperts()));
-    bench.window.enter(Stage::kTune);
-  }
+  FindingsPanelTest() : ShownBench(Stage::kTune) {}
 
   void look() {
     auto* dock = bench.window.findChild<QDockWidget*>(QStringLiteral("findings"));
@@ -58,10 +51,6 @@ class FindingsPanelTest : public testing::Test {
     }
     return -1;
   }
-
-  tests::ModelFolder folder;
-  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
-  Workbench bench{settings};
 };
 
 TEST_F(FindingsPanelTest, BehindAnotherTabNothingIsLinted) {

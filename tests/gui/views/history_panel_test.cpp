@@ -8,7 +8,6 @@
 #include <QListView>
 #include <QMenu>
 #include <QPushButton>
-#include <QSettings>
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
@@ -17,22 +16,20 @@
 #include "app/editing/membership_edits.h"
 #include "app/workbench/models/history_model.h"
 #include "app/workbench/views/compare_strip.h"
-#include "app/workbench/workbench.h"
 
-#include "tests/gui/sample_models.h"
+#include "tests/gui/shown_bench.h"
 
 namespace tactus::workbench {
 namespace {
 
 const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
 
-class HistoryPanelTest : public testing::Test {
+class HistoryPanelTest : public tests::ShownBench {
  protected:
+  HistoryPanelTest() : ShownBench(Stage::kTune) {}
+
   void SetUp() override {
-    bench.window.resize(1280, 720);
-    bench.window.show();
-    bench.models.open(folder.write(tests::twoExperts()));
-    bench.window.enter(Stage::kTune);
+    ShownBench::SetUp();
     bench.window.activateWindow();
     panel = bench.window.findChild<HistoryPanel*>();
     view = panel->findChild<QListView*>();
@@ -74,9 +71,6 @@ class HistoryPanelTest : public testing::Test {
     return found == all.end() ? nullptr : *found;
   }
 
-  tests::ModelFolder folder;
-  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
-  Workbench bench{settings};
   HistoryPanel* panel = nullptr;
   QListView* view = nullptr;
 };

@@ -7,16 +7,13 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSettings>
 #include <QTest>
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
-#include "app/workbench/workbench.h"
-
-#include "tests/gui/sample_models.h"
+#include "tests/gui/shown_bench.h"
 
 namespace tactus::workbench {
 namespace {
@@ -115,14 +112,12 @@ TEST_F(ReadingOrder, WhatGetsTheKeyboardIsScrolledIntoView) {
   EXPECT_EQ(window.focusWidget()->objectName(), QStringLiteral("a"));
 }
 
-class KeyboardTest : public testing::TestWithParam<Stage> {
+class KeyboardTest : public tests::ShownBench, public testing::WithParamInterface<Stage> {
  protected:
+  KeyboardTest() : ShownBench(GetParam()) {}
+
   void SetUp() override {
-    bench.window.resize(1280, 720);
-    bench.window.show();
-    bench.models.open(folder.write(tests::twoExperts()));
-    bench.window.enter(GetParam());
-    QTest::qWait(100);  // panels that were shown have filled themselves
+    ShownBench::SetUp();
     for (QDockWidget* panel : bench.window.findChildren<QDockWidget*>()) {
       if (!panel->isHidden()) panels.push_back(panel);
     }
@@ -134,9 +129,6 @@ class KeyboardTest : public testing::TestWithParam<Stage> {
     return found == panels.end() ? nullptr : *found;
   }
 
-  tests::ModelFolder folder;
-  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
-  Workbench bench{settings};
   std::vector<QDockWidget*> panels;
 };
 
