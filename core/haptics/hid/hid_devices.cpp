@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <hidapi/hidapi.h>
 #include <optional>
+#include <string_view>
 #include <unistd.h>
 
 #include "core/base/file.h"
@@ -55,6 +56,34 @@ std::optional<std::uint16_t> readHex(const fs::path& file) {
   return value;
 }
 
+/// Where the kernel keeps what it knows of the node `/dev/hidrawN`.
+fs::path deviceFolder(const std::string& path, const std::string& system_folder) {
+  return fs::path(system_folder) / fs::path(path).filename() / "device";
+}
+
+/// The first line of `file`, as far as it is UTF-8 that can be shown; empty where there is none.
+std::string firstLine(const fs::path& file) {
+  const auto text = base::readFile(file.string(), 4096);
+  if (!text) return {};
+  const std::string_view line = base::trimmed(std::string_view(*text).substr(0, text->find('\n')));
+  return base::isUtf8(line) ? std::string(line) : std::string();
+}
+
+/// What the kernel notes under `key` (`HID_NAME=…`) of the node, or an empty text.
+std::string noted(const std::string& path, const std::string& system_folder, std::string_view key) {
+  const auto text = base::readFile((deviceFolder(path, system_folder) / "uevent").string(), 65536);
+  if (!text) return {};
+  for (std::string_view rest = *text; !rest.empty();) {
+    const auto end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (!line.starts_with(key) || line.substr(key.size(), 1) != "=") continue;
+    const std::string_view value = base::trimmed(line.substr(key.size() + 1));
+    return base::isUtf8(value) ? std::string(value) : std::string();
+  }
+  return {};
+}
+
 /// A joystick, game pad or simulation control, as the outermost collection says.
 bool isGameDevice(const ReportDescriptor& descriptor) {
   constexpr Usage kJoystick{0x01, 0x04};
@@ -74,6 +103,9 @@ HidDevice fromEntry(const hid_device_info& entry) {
   device.product = entry.product_id;
   device.identity.serial = utf8(entry.serial_number);
   device.identity.name = utf8(entry.product_string);
+  // hidapi reads names by the program's locale, and in the one of C a name with an umlaut is none.
+  if (device.identity.name.empty()) device.identity.name = nameOfNode(device.path);
+  if (device.identity.serial.empty()) device.identity.serial = serialOfNode(device.path);
   device.identity.id = hidDeviceId(device.vendor, device.product, device.identity.serial);
   return device;
 }
@@ -104,6 +136,21 @@ void judge(HidDevice& device, const base::Result<std::vector<std::uint8_t>>& des
   device.kind = HidDeviceKind::kKnown;
   device.problem = std::string(known->name) + ": no force feedback by HID PID";
   device.advice = known->advice;
+}
+
+std::string nameOfNode(const std::string& path, const std::string& system_folder) {
+  // A USB device says its product; the folder of the HID device is two below it.
+  std::error_code error;
+  const fs::path device = fs::canonical(deviceFolder(path, system_folder), error);
+  if (!error) {
+    std::string product = firstLine(device.parent_path().parent_path() / "product");
+    if (!product.empty()) return product;
+  }
+  return noted(path, system_folder, "HID_NAME");
+}
+
+std::string serialOfNode(const std::string& path, const std::string& system_folder) {
+  return noted(path, system_folder, "HID_UNIQ");
 }
 
 std::vector<HidDevice> listHidDevices(bool all) {

@@ -33,6 +33,12 @@ std::string hidDeviceId(std::uint16_t vendor, std::uint16_t product, const std::
 /// Fills `kind`, `problem` and `advice` in: PID by its descriptor, whatever the ids are; others by their ids.
 void judge(HidDevice& device, const base::Result<std::vector<std::uint8_t>>& descriptor, bool may_open);
 
+/// The product name, in UTF-8, that the kernel has for the node `path` (`/dev/hidraw3`), whatever the locale is: that
+/// of the USB device, or else that of the HID device. Empty where there is none.
+std::string nameOfNode(const std::string& path, const std::string& system_folder = "/sys/class/hidraw");
+/// The serial number, likewise.
+std::string serialOfNode(const std::string& path, const std::string& system_folder = "/sys/class/hidraw");
+
 /// Each node once, though hidapi lists one entry per collection. kOther is left out unless `all`. At the end come known
 /// haptic devices on USB that are no HID devices. Thread: one at a time (hidapi).
 std::vector<HidDevice> listHidDevices(bool all = false);

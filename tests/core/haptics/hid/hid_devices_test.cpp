@@ -113,5 +113,28 @@ TEST(HidapiTransport, ANodeThatIsNotThereIsRefused) {
   EXPECT_EQ(opened.error().file, "/dev/hidraw-none");
 }
 
+TEST(HidDevices, ANameWithAnUmlautIsReadFromTheKernel) {
+  namespace fs = std::filesystem;
+  const support::TempFolder folder;
+  // As in /sys: the node links to the HID device, which lies two folders below the USB device.
+  const fs::path usb = folder.file("devices/usb1/1-1");
+  const fs::path hid = usb / "1-1:1.0" / "0003:1209:FFB0.0001";
+  fs::create_directories(hid);
+  fs::create_directories(folder.file("class/hidraw3"));
+  fs::create_directory_symlink(hid, folder.file("class/hidraw3/device"));
+  const std::string system = folder.file("class");
+  EXPECT_EQ(nameOfNode("/dev/hidraw3", system), "");
+  std::ofstream(hid / "uevent")
+      << "DRIVER=hid-generic\nHID_ID=0003:00001209:0000FFB0\nHID_NAME=M\xC3\xBCller Kraftger\xC3\xA4t\n"
+      << "HID_PHYS=\nHID_UNIQ=N\xC3\xB6-7\n";
+  EXPECT_EQ(nameOfNode("/dev/hidraw3", system), "M\xC3\xBCller Kraftger\xC3\xA4t");
+  EXPECT_EQ(serialOfNode("/dev/hidraw3", system), "N\xC3\xB6-7");
+  std::ofstream(usb / "product") << "Kraftger\xC3\xA4t\n";
+  EXPECT_EQ(nameOfNode("/dev/hidraw3", system), "Kraftger\xC3\xA4t");
+  std::ofstream(usb / "product") << "Kraftger\xE4t\n";  // Latin-1 is no text of ours
+  EXPECT_EQ(nameOfNode("/dev/hidraw3", system), "M\xC3\xBCller Kraftger\xC3\xA4t");
+  EXPECT_EQ(nameOfNode("/dev/hidraw4", system), "");
+}
+
 }  // namespace
 }  // namespace tactus::haptics
