@@ -12,6 +12,7 @@
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"
+#include "core/model_io/removed_model.h"
 #include "core/model_io/verify_checks.h"
 
 namespace tactus::model_io {
@@ -59,6 +60,11 @@ class ModelReader {
     only(root, "format", std::array{kFormat});
     if (error_) return;
     checkVersion(number(root, "version"), "/version");
+    // Without an expert there is nothing to evaluate; what withdrew is not guessed at.
+    if (root.find(kRemovedKey) && !root.find("experts")) {
+      refuse(ErrorCode::kData, {}, "a model whose experts withdrew, so that nothing of it is left",
+             "a model with one expert or more");
+    }
   }
 
   void checkVersion(double version, std::string place) {
