@@ -9,4 +9,15 @@ namespace tactus::base {
 /// CRC-32 as in Ethernet, zip and PNG (polynomial 0xEDB88320 reflected, start and final inversion 0xFFFFFFFF).
 std::uint32_t crc32(std::string_view bytes) noexcept;
 
+/// The same of bytes that come in pieces.
+class Crc32 {
+ public:
+  Crc32& add(std::string_view bytes) noexcept;
+  /// Of everything added until now.
+  std::uint32_t value() const noexcept { return ~rest_; }
+
+ private:
+  std::uint32_t rest_ = 0xFFFFFFFFU;
+};
+
 }  // namespace tactus::base

@@ -27,7 +27,7 @@ void checkOrder(Connection& connection, Findings& findings) {
 }
 
 void checkPersons(Connection& connection, Findings& findings) {
-  Query query(connection, "SELECT code, count(*) FROM person GROUP BY code HAVING count(*) > 1 ORDER BY code");
+  Query query(connection, "SELECT code, count(*) FROM person_current GROUP BY code HAVING count(*) > 1 ORDER BY code");
   while (query.next()) {
     const std::string code = query.text();
     findings.push_back("person: " + std::to_string(query.integer()) + " persons have the code " + base::quoted(code));

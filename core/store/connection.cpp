@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/text.h"
+#include "core/store/record_checksum.h"
 
 namespace tactus::store {
 namespace {
@@ -49,6 +50,7 @@ Connection::Connection(const std::string& path, Mode mode, const std::string& vf
       database_(sqliteName(path, mode).c_str(), openFlags(mode), kBusyTimeoutMs, vfs.empty() ? nullptr : vfs.c_str()) {
   sqlite3_extended_result_codes(database_.getHandle(), 1);
   leaveJournalOnClose(true);
+  addRecordChecksum(database_.getHandle());
   // Exclusive before the first access: the whole file is ours, and the index of the journal stays in memory.
   database_.exec("PRAGMA locking_mode = EXCLUSIVE");
   database_.exec("PRAGMA trusted_schema = OFF");

@@ -4,10 +4,12 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
 #include <SQLiteCpp/Transaction.h>
+#include <map>
 #include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/store/sqlite_errors.h"
@@ -37,6 +39,9 @@ class Connection {
   SQLite::Database& database() { return database_; }
   bool isWritable() const { return mode_ == Mode::kReadWrite; }
 
+  /// Names of the columns of tables, kept by columnsOf (record_checksum.h).
+  std::map<std::string, std::vector<std::string>>& columns() { return columns_; }
+
   /// The first column of the last row that `sql` gives.
   std::string answerOf(const std::string& sql);
   long long pragma(const std::string& name);
@@ -61,6 +66,7 @@ class Connection {
   std::string vfs_;
   Mode mode_;
   SQLite::Database database_;
+  std::map<std::string, std::vector<std::string>> columns_;
 };
 
 /// Runs `work`; what it throws becomes an error about the connection's file.

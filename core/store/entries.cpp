@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "core/store/entry_tables.h"
+#include "core/store/record_checksum.h"
 #include "core/store/recording_codec.h"
 #include "core/store/words.h"
 
@@ -44,10 +45,7 @@ void insertEntry(Connection& connection, const Record& record) {
   constexpr EntryTable kTable = kEntryTable<Record>;
   const Entry& entry = record.entry;
   if (entry.supersedes) requireUncorrected(connection, kTable.name, *entry.supersedes);
-  std::string marks = "?, ?, ?, ?, ?, ?, ?, ?, ?";
-  for (const char c : kTable.columns) marks += c == ',' ? ", ?" : "";
-  Query insert(connection, "INSERT INTO " + std::string(kTable.name) + " (" + std::string(kEntryColumns) + ", " +
-                               std::string(kTable.columns) + ") VALUES (" + marks + ")");
+  Query insert(connection, insertion(connection, kTable.name));
   insert.put(entry.id).put(entry.session).put(nextSequence(connection, entry.session));
   insert.put(entry.when.utc_ms).put(entry.when.monotonic_ns).put(wordFor(entry.entered_by));
   insert.put(entry.supersedes).put(entry.reason);
@@ -63,7 +61,7 @@ void insertRecording(Connection& connection, const study::StrokeRecord& record) 
     channels += (channels.empty() ? "" : ", ") + channel.name + " " + channel.unit;
   }
   Query insert(connection,
-               "INSERT INTO recording VALUES ((SELECT coalesce(max(place), 0) + 1 FROM recording), ?, ?, ?, ?, ?, ?)");
+               insertion(connection, "recording", {{"place", "(SELECT coalesce(max(place), 0) + 1 FROM recording)"}}));
   insert.put(record.entry.id).put(record.entry.session).put(record.recording.sample_rate_hz);
   insert.put(static_cast<std::int64_t>(record.recording.size())).put(channels).putBlob(*bytes).run();
 }
@@ -77,9 +75,10 @@ Result<void> appendEntry(StudyFile& file, const Record& record) {
   });
 }
 
-study::Recording takeRecording(Query& query) {
+study::Recording takeRecording(Query& query, const RecordId& stroke) {
   auto recording = decodeRecording(query.text());
   if (!recording) throw Refusal{recording.error()};
+  query.requireIntact("recording of stroke", stroke);
   return *std::move(recording);
 }
 
@@ -100,9 +99,10 @@ Result<std::vector<Record>> readEntries(const StudyFile& file, const Selection& 
       }
       columns += (columns.empty() ? "" : ", ") + qualified;
     }
-    std::string sql = "SELECT " + columns + (with_recording ? ", recording.data" : "") + " FROM " +
-                      std::string(kTable.name) + (selection.history ? "" : "_current") +
-                      " AS r JOIN session AS s ON s.id = r.session_id";
+    columns += ", " + fitsChecksum(connection, kTable.name, "r");
+    if (with_recording) columns += ", recording.data, " + fitsChecksum(connection, "recording", "recording");
+    std::string sql = "SELECT " + columns + " FROM " + std::string(kTable.name) +
+                      (selection.history ? "" : "_current") + " AS r JOIN session AS s ON s.id = r.session_id";
     if (with_recording) sql += " JOIN recording ON recording.stroke_id = r.id";
     sql += " WHERE (?1 IS NULL OR s.person_id = ?1) AND (?2 IS NULL OR s.id = ?2)";
     sql += " ORDER BY s.started_utc_ms, s.id, r.sequence, r.id";
@@ -120,8 +120,9 @@ Result<std::vector<Record>> readEntries(const StudyFile& file, const Selection& 
       record.entry.supersedes = query.idOrNothing();
       record.entry.reason = query.text();
       takeColumns(query, record);
+      query.requireIntact(kTable.name, record.entry.id);
       if constexpr (kIsStroke) {
-        if (with_recording) record.recording = takeRecording(query);
+        if (with_recording) record.recording = takeRecording(query, record.entry.id);
       }
       found.push_back(std::move(record));
     }
@@ -165,11 +166,12 @@ Result<std::vector<study::RuleRecord>> rules(const StudyFile& file, const Select
 Result<study::Recording> recordingOf(const StudyFile& file, const RecordId& stroke) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    Query query(connection, "SELECT data FROM recording WHERE stroke_id = ?");
+    Query query(connection, "SELECT data, " + fitsChecksum(connection, "recording", "recording") +
+                                " FROM recording WHERE stroke_id = ?");
     if (!query.put(stroke).next()) {
       refuse(ErrorCode::kReference, {}, "no stroke " + study::toText(stroke), "the id of a stroke of the study");
     }
-    return takeRecording(query);
+    return takeRecording(query, stroke);
   });
 }
 

@@ -93,7 +93,7 @@ Result<std::map<RecordingKey, std::vector<PieceRow>>> pieceRows(const StudyFile&
 Result<std::map<RecordId, std::string>> codesOfSessions(const StudyFile& file) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    Query query(connection, "SELECT s.id, p.code FROM session AS s JOIN person AS p ON p.id = s.person_id");
+    Query query(connection, "SELECT s.id, p.code FROM session AS s JOIN person_current AS p ON p.id = s.person_id");
     std::map<RecordId, std::string> out;
     while (query.next()) {
       const RecordId session = query.id();

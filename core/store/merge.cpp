@@ -9,6 +9,7 @@
 #include "core/store/conflicts.h"
 #include "core/store/entry_tables.h"
 #include "core/store/query.h"
+#include "core/store/record_checksum.h"
 #include "core/store/removal.h"
 #include "core/store/withdrawal.h"
 
@@ -29,7 +30,7 @@ struct MergedTable {
 
 /// Rows that others refer to come first.
 std::vector<MergedTable> mergedTables() {
-  std::vector<MergedTable> tables = {{"person", "id", "id"}, {"session", "id", "id"}};
+  std::vector<MergedTable> tables = {{"person", "id", "id"}, {"person_code", "id", "id"}, {"session", "id", "id"}};
   for (const std::string_view entry : kEntryTables) {
     const std::string name(entry);
     // A correction comes after what it corrects, however long the chain is.
@@ -41,14 +42,17 @@ std::vector<MergedTable> mergedTables() {
   tables.push_back({"recording", "stroke_id", "stroke_id", true});
   tables.push_back({"model_version", "id", "sequence, utc_ms, id", true});
   tables.push_back({"import_log", "id", "id"});
+  tables.push_back({"incident", "id", "id"});
   return tables;
 }
 
-std::vector<std::string> columnsOf(Connection& connection, const MergedTable& table) {
-  Query query(connection, "SELECT name FROM pragma_table_info('" + table.name + "') ORDER BY cid");
-  std::vector<std::string> columns;
-  while (query.next()) columns.push_back(query.text());
+/// The columns that travel: a place belongs to its file, and the checksum covers the place.
+std::vector<std::string> mergedColumns(Connection& connection, const MergedTable& table) {
+  std::vector<std::string> columns = columnsOf(connection, table.name);
   if (table.has_place) columns.erase(columns.begin());
+  // The key first, wherever it stands in the table.
+  std::rotate(columns.begin(), std::find(columns.begin(), columns.end(), table.key),
+              std::find(columns.begin(), columns.end(), table.key) + 1);
   return columns;
 }
 
@@ -57,12 +61,13 @@ class TableMerge {
  public:
   TableMerge(Connection& ours, Connection& theirs, const MergedTable& table)
       : table_(table),
-        columns_(columnsOf(ours, table)),
-        rows_(theirs.database(), "SELECT " + list("t.") + " FROM " + table.name + " AS t ORDER BY " + table.order),
+        columns_(mergedColumns(ours, table)),
+        rows_(theirs.database(), "SELECT " + list() + ", " + fitsChecksum(theirs, table.name, "t") + " FROM " +
+                                     table.name + " AS t ORDER BY " + table.order),
         same_(ours.database(), "SELECT 1 FROM " + table.name + " WHERE " + equalities()),
         there_(ours.database(), "SELECT 1 FROM " + table.name + " WHERE " + table.key + " = ?1"),
         belongs_(ours.database(), owner()),
-        insert_(ours.database(), insertion()) {}
+        insert_(ours.database(), addition(ours)) {}
 
   /// The number of rows that were new.
   long long run(std::vector<std::string>& differences) {
@@ -73,6 +78,10 @@ class TableMerge {
         differences.push_back(table_.name + " " + keyText() + ": differs in the other file, this file's was kept");
         continue;
       }
+      if (rows_.getColumn(static_cast<int>(columns_.size())).getInt() == 0) {
+        refuse(ErrorCode::kMismatch, table_.name + " " + keyText() + " of the other file",
+               "a record that does not fit its CRC-32", "the record as it was written; take it from a backup");
+      }
       bindAll(insert_);
       insert_.exec();
       insert_.reset();
@@ -82,18 +91,16 @@ class TableMerge {
   }
 
  private:
-  std::string list(const std::string& prefix) const {
-    std::string text = prefix + table_.key;  // the key first, wherever it stands in the table
-    for (const auto& column : columns_) {
-      if (column != table_.key) text.append(", ").append(prefix).append(column);
-    }
+  std::string list() const {
+    std::string text;
+    for (const auto& column : columns_) text.append(text.empty() ? "t." : ", t.").append(column);
     return text;
   }
   std::string equalities() const {
-    std::string text = table_.key + " = ?1";
-    int number = 1;
+    std::string text;
     for (const auto& column : columns_) {
-      if (column != table_.key) text += " AND " + column + " IS ?" + std::to_string(++number);
+      text.append(text.empty() ? "" : " AND ").append(column).append(" IS ?");
+      text.append(std::to_string(position(column)));
     }
     return text;
   }
@@ -101,7 +108,7 @@ class TableMerge {
   std::string owner() const {
     const std::string parameter = "?" + std::to_string(position("session_id"));
     if (table_.name == "person") return "SELECT 1 WHERE ?1 NOT IN (SELECT person_id FROM tombstone)";
-    if (table_.name == "session") {
+    if (position("person_id") > 0) {
       return "SELECT 1 FROM person WHERE id = ?" + std::to_string(position("person_id"));
     }
     if (position("session_id") > 0) return "SELECT 1 FROM session WHERE id = " + parameter;
@@ -109,20 +116,14 @@ class TableMerge {
   }
   /// The number of the column among the parameters, from 1, or 0.
   int position(const std::string& wanted) const {
-    int number = 1;
-    for (const auto& column : columns_) {
-      if (column == table_.key) continue;
-      ++number;
-      if (column == wanted) return number;
-    }
-    return 0;
+    const auto found = std::find(columns_.begin(), columns_.end(), wanted);
+    return found == columns_.end() ? 0 : static_cast<int>(found - columns_.begin()) + 1;
   }
-  std::string insertion() const {
-    std::string marks = "?1";
-    for (std::size_t i = 2; i <= columns_.size(); ++i) marks.append(", ?").append(std::to_string(i));
-    const std::string place = "(SELECT coalesce(max(place), 0) + 1 FROM " + table_.name + "), ";
-    return "INSERT INTO " + table_.name + " (" + (table_.has_place ? "place, " : "") + list("") + ") VALUES (" +
-           (table_.has_place ? place : "") + marks + ")";
+  std::string addition(Connection& ours) const {
+    std::map<std::string, std::string> given;
+    for (const auto& column : columns_) given[column] = '?' + std::to_string(position(column));
+    if (table_.has_place) given["place"] = "(SELECT coalesce(max(place), 0) + 1 FROM " + table_.name + ")";
+    return insertion(ours, table_.name, given);
   }
   std::string keyText() const {
     RecordId id;
@@ -177,7 +178,7 @@ void mergeTombstones(Connection& connection, const std::vector<Tombstone>& other
   for (const Tombstone& tombstone : others) {
     Query there(connection, "SELECT 1 FROM tombstone WHERE person_id = ?");
     if (there.put(tombstone.person).next()) continue;
-    Query insert(connection, "INSERT INTO tombstone (person_id, utc_ms) VALUES (?, ?)");
+    Query insert(connection, insertion(connection, "tombstone", {{"code_salt", "NULL"}, {"code_hash", "NULL"}}));
     insert.put(tombstone.person).put(tombstone.utc_ms).run();
     ++added;
     if (removePerson(connection, tombstone.person) > 0) ++merge.withdrawn;
@@ -223,7 +224,7 @@ Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const Record
     }
     for (auto& conflict : conflicts(ours)) merge.conflicts.push_back(std::move(conflict));
     if (merge.added.empty()) return;
-    Query log(ours, "INSERT INTO import_log (id, utc_ms, kind, source, detail) VALUES (?, ?, 'merge', ?, ?)");
+    Query log(ours, insertion(ours, "import_log", {{"kind", "'merge'"}, {"sha256", "''"}}));
     log.put(log_id).put(utc_ms).put(std::filesystem::path(other).filename().string()).put(logDetail(merge)).run();
   });
   if (!merged) return tl::unexpected(merged.error());

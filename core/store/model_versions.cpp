@@ -2,6 +2,7 @@
 
 #include "core/base/sha256.h"
 #include "core/store/query.h"
+#include "core/store/record_checksum.h"
 
 namespace tactus::store {
 namespace {
@@ -11,9 +12,16 @@ using base::Result;
 using study::ModelVersion;
 using study::RecordId;
 
-constexpr const char* kColumns = "m.id, m.parent, m.utc_ms, m.author, m.label, m.sha256";
+/// What readVersion takes, of a version called `m`.
+std::string versionColumns(Connection& connection) {
+  return "m.id, m.parent, m.utc_ms, m.author, m.label, m.sha256, " + fitsChecksum(connection, "model_version", "m");
+}
+std::string versionColumnsWithText(Connection& connection) {
+  return "m.id, m.parent, m.utc_ms, m.author, m.label, m.sha256, m.text, " +
+         fitsChecksum(connection, "model_version", "m");
+}
 
-ModelVersion readVersion(Query& query) {
+ModelVersion readColumns(Query& query) {
   ModelVersion version;
   version.id = query.id();
   version.parent = query.idOrNothing();
@@ -24,13 +32,20 @@ ModelVersion readVersion(Query& query) {
   return version;
 }
 
+ModelVersion readVersion(Query& query) {
+  ModelVersion version = readColumns(query);
+  query.requireIntact("model version", version.id);
+  return version;
+}
+
 ModelVersion readVersionWithText(Query& query) {
-  ModelVersion version = readVersion(query);
+  ModelVersion version = readColumns(query);
   version.text = query.text();
   if (base::sha256(version.text) != version.sha256) {
     refuse(ErrorCode::kMismatch, "model version " + study::toText(version.id), "a text with another SHA-256",
            "the text that was stored");
   }
+  query.requireIntact("model version", version.id);
   return version;
 }
 
@@ -49,10 +64,10 @@ Result<void> append(StudyFile& file, const ModelVersion& version) {
     if (!version.sha256.empty() && version.sha256 != hash) {
       refuse(ErrorCode::kMismatch, "model version", "the SHA-256 " + base::quoted(version.sha256), hash);
     }
-    Query insert(connection,
-                 "INSERT INTO model_version (place, sequence, id, parent, utc_ms, author, label, sha256, text) VALUES "
-                 "((SELECT coalesce(max(place), 0) + 1 FROM model_version),"
-                 " (SELECT coalesce(max(sequence), 0) + 1 FROM model_version), ?, ?, ?, ?, ?, ?, ?)");
+    Query insert(connection, insertion(connection, "model_version",
+                                       {{"place", "(SELECT coalesce(max(place), 0) + 1 FROM model_version)"},
+                                        {"sequence", "(SELECT coalesce(max(sequence), 0) + 1 FROM model_version)"},
+                                        {"cleaned_utc_ms", "NULL"}}));
     insert.put(version.id).put(version.parent).put(version.utc_ms).put(version.author).put(version.label);
     insert.put(hash).put(version.text).run();
   });
@@ -61,8 +76,8 @@ Result<void> append(StudyFile& file, const ModelVersion& version) {
 Result<std::vector<ModelVersion>> modelVersions(const StudyFile& file) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    Query query(connection,
-                std::string("SELECT ") + kColumns + " FROM model_version AS m ORDER BY m.sequence, m.utc_ms, m.id");
+    Query query(connection, "SELECT " + versionColumns(connection) +
+                                " FROM model_version AS m ORDER BY m.sequence, m.utc_ms, m.id");
     return readVersions(query);
   });
 }
@@ -70,7 +85,7 @@ Result<std::vector<ModelVersion>> modelVersions(const StudyFile& file) {
 Result<ModelVersion> modelVersion(const StudyFile& file, const RecordId& id) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    Query query(connection, std::string("SELECT ") + kColumns + ", m.text FROM model_version AS m WHERE m.id = ?");
+    Query query(connection, "SELECT " + versionColumnsWithText(connection) + " FROM model_version AS m WHERE m.id = ?");
     if (!query.put(id).next()) {
       refuse(ErrorCode::kReference, {}, "no model version " + study::toText(id), "the id of one in the study");
     }
@@ -81,8 +96,8 @@ Result<ModelVersion> modelVersion(const StudyFile& file, const RecordId& id) {
 Result<std::optional<ModelVersion>> latestModelVersion(const StudyFile& file) {
   Connection& connection = file.connection();
   return guarded(connection, [&]() -> std::optional<ModelVersion> {
-    Query query(connection, std::string("SELECT ") + kColumns +
-                                ", m.text FROM model_version AS m"
+    Query query(connection, "SELECT " + versionColumnsWithText(connection) +
+                                " FROM model_version AS m"
                                 " ORDER BY m.sequence DESC, m.utc_ms DESC, m.id DESC LIMIT 1");
     if (!query.next()) return std::nullopt;
     return readVersionWithText(query);
@@ -98,7 +113,8 @@ Result<std::vector<ModelVersion>> modelAncestors(const StudyFile& file, const Re
                                         " UNION SELECT m.parent, depth + 1 FROM line JOIN model_version AS m USING (id)"
                                         "  WHERE depth <= (SELECT count(*) FROM model_version))"
                                         " SELECT ") +
-                                kColumns + " FROM line JOIN model_version AS m ON m.id = line.id ORDER BY line.depth");
+                                versionColumns(connection) +
+                                " FROM line JOIN model_version AS m ON m.id = line.id ORDER BY line.depth");
     return readVersions(query.put(id));
   });
 }

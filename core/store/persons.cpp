@@ -1,6 +1,7 @@
 #include "core/store/persons.h"
 
 #include "core/store/query.h"
+#include "core/store/record_checksum.h"
 
 namespace tactus::store {
 namespace {
@@ -9,6 +10,12 @@ using base::ErrorCode;
 using base::Result;
 using study::Person;
 
+/// What readPersons takes, with the code that counts.
+std::string selection(Connection& connection) {
+  return "SELECT p.id, c.code, p.simulated, " + fitsChecksum(connection, "person", "p") +
+         " FROM person AS p JOIN person_current AS c ON c.id = p.id";
+}
+
 std::vector<Person> readPersons(Query& query) {
   std::vector<Person> found;
   while (query.next()) {
@@ -16,13 +23,14 @@ std::vector<Person> readPersons(Query& query) {
     person.id = query.id();
     person.code = query.text();
     person.simulated = query.flag();
+    query.requireIntact("person", person.id);
     found.push_back(std::move(person));
   }
   return found;
 }
 
 bool isTaken(Connection& connection, const std::string& code) {
-  Query query(connection, "SELECT 1 FROM person WHERE code = ?");
+  Query query(connection, "SELECT 1 FROM person_current WHERE code = ?");
   return query.put(code).next();
 }
 
@@ -35,7 +43,7 @@ Result<void> append(StudyFile& file, const Person& person) {
       refuse(ErrorCode::kValue, {}, "the code " + base::quoted(person.code) + ", which a person of the study has",
              "a code of its own for each person");
     }
-    Query insert(connection, "INSERT INTO person (id, code, simulated) VALUES (?, ?, ?)");
+    Query insert(connection, insertion(connection, "person"));
     insert.put(person.id).put(person.code).put(person.simulated).run();
   });
 }
@@ -55,7 +63,7 @@ Result<std::string> unusedCode(const StudyFile& file, PersonCodes& codes) {
 Result<std::vector<Person>> persons(const StudyFile& file) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    Query query(connection, "SELECT id, code, simulated FROM person ORDER BY code, id");
+    Query query(connection, selection(connection) + " ORDER BY c.code, p.id");
     return readPersons(query);
   });
 }
@@ -63,7 +71,7 @@ Result<std::vector<Person>> persons(const StudyFile& file) {
 Result<std::optional<Person>> findPerson(const StudyFile& file, const std::string& code) {
   Connection& connection = file.connection();
   return guarded(connection, [&]() -> std::optional<Person> {
-    Query query(connection, "SELECT id, code, simulated FROM person WHERE code = ? ORDER BY id");
+    Query query(connection, selection(connection) + " WHERE c.code = ? ORDER BY p.id");
     const auto found = readPersons(query.put(code));
     if (found.size() > 1) {
       refuse(ErrorCode::kReference, {}, std::to_string(found.size()) + " persons with the code " + base::quoted(code),

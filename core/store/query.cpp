@@ -29,6 +29,12 @@ Query& Query::put(const std::optional<double>& value) {
   return *this;
 }
 
+Query& Query::put(const std::optional<std::int64_t>& value) {
+  if (value) return put(*value);
+  statement_.bind(in_++);
+  return *this;
+}
+
 Query& Query::put(std::string_view text) {
   if (!base::isUtf8(text) || text.find('\0') != std::string_view::npos) {
     refuse(ErrorCode::kSyntax, {}, base::quoted(text), "text in UTF-8");
@@ -77,6 +83,11 @@ std::optional<double> Query::numberOrNothing() {
   return column.isNull() ? std::nullopt : std::optional(column.getDouble());
 }
 
+std::optional<std::int64_t> Query::integerOrNothing() {
+  const auto column = statement_.getColumn(out_++);
+  return column.isNull() ? std::nullopt : std::optional<std::int64_t>(column.getInt64());
+}
+
 RecordId Query::id() {
   const auto column = statement_.getColumn(out_++);
   RecordId id;
@@ -86,6 +97,12 @@ RecordId Query::id() {
   const auto* bytes = static_cast<const std::uint8_t*>(column.getBlob());
   std::copy_n(bytes, id.bytes.size(), id.bytes.begin());
   return id;
+}
+
+void Query::requireIntact(std::string_view table, const RecordId& id) {
+  if (flag()) return;
+  refuse(ErrorCode::kMismatch, std::string(table) + " " + study::toText(id), "a record that does not fit its CRC-32",
+         "the record as it was written; take it from a backup");
 }
 
 std::optional<RecordId> Query::idOrNothing() {

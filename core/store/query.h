@@ -24,6 +24,7 @@ class Query {
   Query& put(bool value) { return put(static_cast<std::int64_t>(value)); }
   Query& put(double value);
   Query& put(const std::optional<double>& value);
+  Query& put(const std::optional<std::int64_t>& value);
   Query& put(std::string_view text);
   Query& put(const std::string& text) { return put(std::string_view(text)); }
   Query& put(const char* text) { return put(std::string_view(text)); }
@@ -44,8 +45,11 @@ class Query {
   bool flag() { return integer() != 0; }
   double number() { return statement_.getColumn(out_++).getDouble(); }
   std::optional<double> numberOrNothing();
+  std::optional<std::int64_t> integerOrNothing();
   std::string text() { return statement_.getColumn(out_++).getString(); }
   study::RecordId id();
+  /// Takes a column of fitsChecksum (record_checksum.h); refuses the record `id` of `table` where it is false.
+  void requireIntact(std::string_view table, const study::RecordId& id);
   std::optional<study::RecordId> idOrNothing();
 
  private:

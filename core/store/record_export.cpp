@@ -10,8 +10,10 @@
 #include "core/base/sha256.h"
 #include "core/base/text.h"
 #include "core/store/query.h"
+#include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"
+#include "core/store/schema.h"
 
 namespace tactus::store {
 namespace {
@@ -74,22 +76,25 @@ class Writer {
     while (query.next()) {
       key_.reset();
       for (const auto& column : table.columns) csv.cell(std::string_view(cell(column, query)));
+      query.requireIntact(table.name, *key_);
       csv.endRow();
     }
     writeTable(fs::path(table.file), csv.text());
   }
 
  private:
-  static std::string selection(const RecordTable& table) {
+  std::string selection(const RecordTable& table) const {
     std::string sql;
     for (const auto& column : table.columns) {
       std::string what(column.name);
       if (column.kind == ColumnKind::kChannels) what = "data";
       if (column.kind == ColumnKind::kRecording) what = "NULL";  // the channels brought it along
       if (column.kind == ColumnKind::kModel) what = "sha256, text";
-      if (column.name == "schema_version") what = "(SELECT user_version FROM pragma_user_version)";
+      if (column.name == "schema_version") what = std::to_string(schemaSteps().back().version);
+      if (column.kind == ColumnKind::kBytes) what = "lower(hex(" + what + "))";
       sql += (sql.empty() ? "SELECT " : ", ") + what;
     }
+    sql += ", " + fitsChecksum(connection_, table.name, table.name);
     return sql + " FROM " + std::string(table.name) + " ORDER BY " + std::string(table.order);
   }
 
@@ -100,12 +105,15 @@ class Writer {
         if (!key_) key_ = id;
         return id ? study::toText(*id) : std::string();
       }
+      case ColumnKind::kBytes:
       case ColumnKind::kText:
       case ColumnKind::kJson:
         return query.text();
       case ColumnKind::kInteger:
-      case ColumnKind::kFlag:
-        return std::to_string(query.integer());
+      case ColumnKind::kFlag: {
+        const auto integer = query.integerOrNothing();
+        return integer ? std::to_string(*integer) : std::string();
+      }
       case ColumnKind::kNumber: {
         const auto number = query.numberOrNothing();
         return number ? base::formatNumber(*number) : std::string();

@@ -52,39 +52,48 @@ std::string nameOf(const std::string& folder) {
   return path.filename().empty() ? "tables" : path.filename().string();
 }
 
-/// The first record of the new study.
-NewStudy studyIn(const std::string& folder) {
+/// The first record of the new study, and the version of the schema that its tables are of.
+struct FirstRecord {
+  NewStudy study;
+  int version = 0;
+};
+
+FirstRecord firstRecordIn(const std::string& folder) {
   const RecordTable& table = recordTables().front();
-  const RecordRows rows(table, folder);
+  const RecordRows rows(table, folder, 1);
   const base::CsvTable& csv = rows.csv();
   if (csv.rowCount() != 1) {
     throw Refusal{{ErrorCode::kData, csv.file(), {}, std::to_string(csv.rowCount()) + " rows", "one row"}};
   }
   const auto text = [&](const char* column) { return std::string(csv.cell(0, *csv.find(column))); };
   const auto version = orRefuse(csv.integer(0, *csv.find("schema_version")));
-  if (version != schemaSteps().back().version) {
+  const int newest = schemaSteps().back().version;
+  if (version < 1 || version > newest) {
     throw Refusal{csv.refuse(0, *csv.find("schema_version"), ErrorCode::kVersion,
-                             "version " + std::to_string(schemaSteps().back().version) + ", which this program knows")
+                             "a version up to " + std::to_string(newest) + ", which this program knows")
                       .value()};
   }
   const auto id = study::parseRecordId(text("id"));
   if (!id || id->isNil()) rows.refuseCell(0, table.columns.front(), "an id of 32 hexadecimal digits");
-  return {*id, text("name"), orRefuse(csv.integer(0, *csv.find("created_utc_ms"))), text("program")};
+  const auto created_utc_ms = orRefuse(csv.integer(0, *csv.find("created_utc_ms")));
+  return {{*id, text("name"), created_utc_ms, text("program")}, static_cast<int>(version)};
 }
 
 /// The tables as a study file of their own at `path`.
 Result<StudyFile> studyFromTables(const std::string& folder, const std::string& path) {
-  std::optional<NewStudy> first;
+  FirstRecord first;
   try {
-    first = studyIn(folder);
+    first = firstRecordIn(folder);
   } catch (const Refusal& refusal) {
     return tl::unexpected(refusal.error);
   }
-  auto file = StudyFile::create(path, *first);
+  auto file = StudyFile::create(path, first.study);
   if (!file) return file;
   Connection& connection = file->connection();
   auto filled = inTransaction(connection, [&] {
-    for (const auto& table : recordTables().subspan(1)) RecordRows(table, folder).insert(connection);
+    for (const auto& table : recordTables().subspan(1)) {
+      if (table.since <= first.version) RecordRows(table, folder, first.version).insert(connection);
+    }
   });
   if (!filled) return tl::unexpected(filled.error());
   return file;

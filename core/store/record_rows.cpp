@@ -14,6 +14,7 @@
 #include "core/base/file.h"
 #include "core/base/sha256.h"
 #include "core/base/text.h"
+#include "core/store/record_checksum.h"
 #include "core/store/recording_codec.h"
 
 namespace tactus::store {
@@ -25,16 +26,16 @@ using study::RecordId;
 
 constexpr std::size_t kMostModelBytes = std::size_t{256} << 20U;
 
-/// Columns that stand in the study file, in the order of the description.
-std::string insertion(const RecordTable& table) {
-  std::string columns;
-  std::string marks;
-  for (const auto& column : table.columns) {
-    if (column.kind == ColumnKind::kChannels) continue;
-    columns.append(columns.empty() ? "" : ", ").append(column.name);
-    marks += marks.empty() ? "?" : ", ?";
+/// The bytes that an even number of hexadecimal digits stands for, or nothing.
+std::optional<std::string> bytesOf(const std::string& digits) {
+  const auto value = [](char c) { return c <= '9' ? c - '0' : std::tolower(static_cast<unsigned char>(c)) - 'a' + 10; };
+  const auto is_digit = [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; };
+  if (digits.size() % 2 != 0 || !std::all_of(digits.begin(), digits.end(), is_digit)) return std::nullopt;
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2) {
+    bytes += static_cast<char>(value(digits[i]) * 16 + value(digits[i + 1]));
   }
-  return "INSERT INTO " + std::string(table.name) + " (" + columns + ") VALUES (" + marks + ")";
+  return bytes;
 }
 
 const RecordColumn& columnOf(const RecordTable& table, std::string_view name) {
@@ -76,12 +77,18 @@ std::vector<study::Channel> channelsIn(const std::string& text) {
 
 }  // namespace
 
-RecordRows::RecordRows(const RecordTable& table, const std::string& folder)
-    : table_(table), folder_(folder), csv_(orRefuse(base::CsvTable::read((fs::path(folder) / table.file).string()))) {
-  for (const auto& column : table.columns) orRefuse(csv_.require(column.name));
+RecordRows::RecordRows(const RecordTable& table, const std::string& folder, int version)
+    : table_(table),
+      folder_(folder),
+      version_(version),
+      csv_(orRefuse(base::CsvTable::read((fs::path(folder) / table.file).string()))) {
+  for (const auto& column : table.columns) {
+    if (column.since <= version_) orRefuse(csv_.require(column.name));
+  }
   for (const auto& found : csv_.columns()) {
-    const bool known = std::any_of(table.columns.begin(), table.columns.end(),
-                                   [&](const RecordColumn& column) { return column.name == found; });
+    const bool known = std::any_of(table.columns.begin(), table.columns.end(), [&](const RecordColumn& column) {
+      return column.name == found && column.since <= version_;
+    });
     if (!known) {
       throw Refusal{{ErrorCode::kSchema, csv_.file(), "header", "a column " + base::quoted(found),
                      "the columns of a full export only"}};
@@ -92,7 +99,7 @@ RecordRows::RecordRows(const RecordTable& table, const std::string& folder)
 void RecordRows::insert(Connection& connection) {
   const auto own = std::find_if(table_.columns.begin(), table_.columns.end(),
                                 [&](const RecordColumn& column) { return column.refers_to == table_.name; });
-  Query query(connection, insertion(table_));
+  Query query(connection, insertion(connection, table_.name));
   std::set<RecordId> done;
   std::vector<std::size_t> waiting;
   for (std::size_t row = 0; row < csv_.rowCount(); ++row) waiting.push_back(row);
@@ -116,7 +123,13 @@ void RecordRows::insert(Connection& connection) {
 void RecordRows::insertRow(Connection& connection, Query& query, std::size_t row) {
   requireReferences(connection, row);
   try {
-    for (const auto& column : table_.columns) putCell(query, row, column);
+    for (const auto& column : table_.columns) {
+      if (column.since <= version_) {
+        putCell(query, row, column);
+      } else {
+        putNothing(query, column);
+      }
+    }
     query.run();
   } catch (const SQLite::Exception& exception) {
     if ((exception.getErrorCode() & 0xFF) != SQLITE_CONSTRAINT) throw;  // the low byte of an extended code
@@ -146,6 +159,14 @@ void RecordRows::requireReferences(Connection& connection, std::size_t row) cons
   }
 }
 
+void RecordRows::putNothing(Query& query, const RecordColumn& column) {
+  if (column.kind == ColumnKind::kText) {
+    query.put("");
+  } else {
+    query.put(std::optional<double>());
+  }
+}
+
 void RecordRows::putCell(Query& query, std::size_t row, const RecordColumn& column) {
   const std::string text = cell(row, column);
   const std::size_t at = *csv_.find(column.name);
@@ -160,9 +181,19 @@ void RecordRows::putCell(Query& query, std::size_t row, const RecordColumn& colu
         refuseCell(row, column, "JSON text, or none");
       query.put(text);
       return;
+    case ColumnKind::kBytes: {
+      const auto bytes = bytesOf(text);
+      if (!bytes) refuseCell(row, column, "hexadecimal digits");
+      if (bytes->empty()) {
+        putNothing(query, column);
+      } else {
+        query.putBlob(*bytes);
+      }
+      return;
+    }
     case ColumnKind::kInteger:
     case ColumnKind::kFlag:
-      query.put(integerIn(row, column));
+      query.put(column.optional && text.empty() ? std::nullopt : std::optional(integerIn(row, column)));
       return;
     case ColumnKind::kNumber:
       query.put(column.optional && text.empty() ? std::nullopt : std::optional(orRefuse(csv_.number(row, at))));

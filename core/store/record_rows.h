@@ -16,8 +16,8 @@ namespace tactus::store {
 /// Throws SQLite::Exception where the file fails, and Refusal, with table, line and column, for what the study refuses.
 class RecordRows {
  public:
-  /// Reads the table in `folder`.
-  RecordRows(const RecordTable& table, const std::string& folder);
+  /// Reads the table in `folder`, which was written from a study of the version `version` of the schema.
+  RecordRows(const RecordTable& table, const std::string& folder, int version);
 
   const base::CsvTable& csv() const { return csv_; }
 
@@ -31,6 +31,8 @@ class RecordRows {
   void insertRow(Connection& connection, Query& query, std::size_t row);
   void putCell(Query& query, std::size_t row, const RecordColumn& column);
   void putRecording(Query& query, std::size_t row, const RecordColumn& column);
+  /// Binds a column that tables of this version did not have yet.
+  static void putNothing(Query& query, const RecordColumn& column);
   void requireReferences(Connection& connection, std::size_t row) const;
   std::string cell(std::size_t row, const RecordColumn& column) const;
   std::optional<study::RecordId> idIn(std::size_t row, const RecordColumn& column) const;
@@ -41,6 +43,7 @@ class RecordRows {
 
   const RecordTable& table_;
   std::string folder_;
+  int version_;
   base::CsvTable csv_;
 };
 

@@ -47,12 +47,16 @@ std::vector<RecordTable> makeTables() {
                      {"created_utc_ms", Kind::kInteger, "ms", "When the study file was made, since 1970-01-01 UTC"},
                      {"program", Kind::kText, "", "Program and version that made the study file"},
                      {"schema_version", Kind::kInteger, "", "Version of the study file's tables"}}});
-  tables.push_back({"tombstone",
-                    "tombstones.csv",
-                    "A participant who withdrew; nothing else of them is left",
-                    "utc_ms, person_id",
-                    {{"person_id", Kind::kId, "", "The participant"},
-                     {"utc_ms", Kind::kInteger, "ms", "When they withdrew, since 1970-01-01 UTC"}}});
+  tables.push_back(
+      {"tombstone",
+       "tombstones.csv",
+       "A participant who withdrew; nothing else of them is left",
+       "utc_ms, person_id",
+       {{"person_id", Kind::kId, "", "The participant"},
+        {"utc_ms", Kind::kInteger, "ms", "When they withdrew, since 1970-01-01 UTC"},
+        {"code_salt", Kind::kBytes, "", "16 random bytes", "", true, 2},
+        {"code_hash", Kind::kBytes, "",
+         "SHA-256 of these bytes and the participant's code, which tells the code should it come back", "", true, 2}}});
   tables.push_back({"person",
                     "persons.csv",
                     "A participant",
@@ -60,6 +64,15 @@ std::vector<RecordTable> makeTables() {
                     {{"id", Kind::kId, "", "The participant"},
                      {"code", Kind::kText, "", "Random code, never a name"},
                      {"simulated", Kind::kFlag, "", "1 where a program made all data of this participant"}}});
+  tables.push_back({"person_code",
+                    "person_codes.csv",
+                    "A later code of a participant, where two had the same; the latest counts",
+                    "utc_ms, id",
+                    {{"id", Kind::kId, "", "The change of code"},
+                     {"person_id", Kind::kId, "", "The participant", "person"},
+                     {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
+                     {"code", Kind::kText, "", "Code, never a name"}},
+                    2});
   tables.push_back(
       {"session",
        "sessions.csv",
@@ -162,7 +175,10 @@ std::vector<RecordTable> makeTables() {
                      {"author", Kind::kText, "", "By whom", "", true},
                      {"label", Kind::kText, "", "What for", "", true},
                      {"sha256", Kind::kText, "", "SHA-256 of the model's file, hexadecimal"},
-                     {"text", Kind::kModel, "", "The model's file"}}});
+                     {"text", Kind::kModel, "", "The model's file"},
+                     {"cleaned_utc_ms", Kind::kInteger, "ms",
+                      "When a withdrawal took a participant out of it, since 1970-01-01 UTC; empty: as it was stored",
+                      "", true, 2}}});
   tables.push_back({"import_log",
                     "import_log.csv",
                     "What was read into the study file",
@@ -171,7 +187,17 @@ std::vector<RecordTable> makeTables() {
                      {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
                      {"kind", Kind::kText, "", "merge (another study file or a full export) or tables"},
                      {"source", Kind::kText, "", "Name of what was read, without its folder"},
-                     {"detail", Kind::kJson, "", "Rows that were new, by table", "", true}}});
+                     {"detail", Kind::kJson, "", "Rows that were new, by table", "", true},
+                     {"sha256", Kind::kText, "", "SHA-256 of what was read, hexadecimal", "", true, 2}}});
+  tables.push_back({"incident",
+                    "incidents.csv",
+                    "Records that were lost or may have been",
+                    "utc_ms, id",
+                    {{"id", Kind::kId, "", "The incident"},
+                     {"utc_ms", Kind::kInteger, "ms", "When it was noticed, since 1970-01-01 UTC"},
+                     {"kind", Kind::kText, "", "For example journal_missing, journal_cut, journal_damaged"},
+                     {"detail", Kind::kText, "", "What is known about it", "", true}},
+                    2});
   return tables;
 }
 
@@ -181,6 +207,8 @@ std::string_view name(ColumnKind kind) {
   switch (kind) {
     case ColumnKind::kId:
       return "id";
+    case ColumnKind::kBytes:
+      return "hexadecimal bytes";
     case ColumnKind::kText:
       return "text";
     case ColumnKind::kJson:

@@ -10,7 +10,8 @@
 namespace tactus::store {
 
 enum class ColumnKind {
-  kId,  ///< 32 hexadecimal digits
+  kId,     ///< 32 hexadecimal digits
+  kBytes,  ///< hexadecimal digits
   kText,
   kJson,  ///< JSON text, or none
   kInteger,
@@ -30,7 +31,9 @@ struct RecordColumn {
   std::string_view unit;  ///< empty: none
   std::string_view meaning;
   std::string_view refers_to = {};  ///< table that the ids are of
-  bool optional = false;            ///< the cell may be empty; an empty number or id is one that was not given
+  /// The cell may be empty; an empty number, integer, id or block of bytes is one that was not given.
+  bool optional = false;
+  int since = 1;  ///< version of the schema that brought it; tables of an older one come without it
 };
 
 struct RecordTable {
@@ -39,6 +42,7 @@ struct RecordTable {
   std::string_view meaning;  ///< what a row is
   std::string_view order;    ///< of the rows, in SQL
   std::vector<RecordColumn> columns;
+  int since = 1;  ///< version of the schema that brought it
 };
 
 /// All tables, those first that others refer to.

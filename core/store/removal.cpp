@@ -29,6 +29,7 @@ long long removePerson(Connection& connection, const RecordId& person) {
   for (const std::string_view table : kEntryTables) {
     records += removeRows(connection, std::string(table), in_sessions, person);
   }
+  removeRows(connection, "person_code", "person_id = ?1", person);  // part of the person, not counted
   records += removeRows(connection, "session", "person_id = ?1", person);
   return records + removeRows(connection, "person", "id = ?1", person);
 }

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "core/store/query.h"
+#include "core/store/record_checksum.h"
 #include "core/store/words.h"
 
 namespace tactus::store {
@@ -11,9 +12,12 @@ namespace {
 using base::Result;
 using study::SessionRecord;
 
-constexpr const char* kColumns =
-    "s.id, s.person_id, s.kind, s.started_utc_ms, s.started_monotonic_ns, s.consent_version, s.seed, s.language, "
-    "s.station, s.program, s.device, s.device_friction_n, s.settings";
+/// What readSession takes, of a session called `s`.
+std::string sessionColumns(Connection& connection) {
+  return "s.id, s.person_id, s.kind, s.started_utc_ms, s.started_monotonic_ns, s.consent_version, s.seed, s.language, "
+         "s.station, s.program, s.device, s.device_friction_n, s.settings, " +
+         fitsChecksum(connection, "session", "s");
+}
 
 std::uint64_t parseSeed(const std::string& text) {
   std::uint64_t seed = 0;
@@ -40,6 +44,7 @@ SessionRecord readSession(Query& query) {
   session.device = query.text();
   session.device_friction_n = query.numberOrNothing();
   session.settings = query.text();
+  query.requireIntact("session", session.id);
   return session;
 }
 
@@ -48,7 +53,7 @@ SessionRecord readSession(Query& query) {
 Result<void> append(StudyFile& file, const SessionRecord& session) {
   Connection& connection = file.connection();
   return inTransaction(connection, [&] {
-    Query insert(connection, "INSERT INTO session VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    Query insert(connection, insertion(connection, "session"));
     insert.put(session.id).put(session.person).put(wordFor(session.kind));
     insert.put(session.started.utc_ms).put(session.started.monotonic_ns).put(session.consent_version);
     insert.put(std::to_string(session.seed)).put(session.language).put(session.station).put(session.program);
@@ -59,7 +64,7 @@ Result<void> append(StudyFile& file, const SessionRecord& session) {
 Result<std::vector<SessionRecord>> sessions(const StudyFile& file, const std::optional<study::RecordId>& person) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    Query query(connection, std::string("SELECT ") + kColumns + " FROM session AS s" +
+    Query query(connection, "SELECT " + sessionColumns(connection) + " FROM session AS s" +
                                 (person ? " WHERE s.person_id = ?" : "") + " ORDER BY s.started_utc_ms, s.id");
     if (person) query.put(*person);
     std::vector<SessionRecord> found;
@@ -71,12 +76,12 @@ Result<std::vector<SessionRecord>> sessions(const StudyFile& file, const std::op
 Result<std::vector<SessionSummary>> sessionList(const StudyFile& file) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    Query query(connection, std::string("SELECT ") + kColumns +
+    Query query(connection, "SELECT " + sessionColumns(connection) +
                                 ", p.code, p.simulated,"
                                 " (SELECT count(*) FROM stroke WHERE session_id = s.id),"
                                 " (SELECT count(*) FROM judgement WHERE session_id = s.id),"
                                 " (SELECT count(*) FROM answer WHERE session_id = s.id)"
-                                " FROM session AS s JOIN person AS p ON p.id = s.person_id"
+                                " FROM session AS s JOIN person_current AS p ON p.id = s.person_id"
                                 " ORDER BY s.started_utc_ms, s.id");
     std::vector<SessionSummary> found;
     while (query.next()) {

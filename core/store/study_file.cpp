@@ -9,6 +9,7 @@
 #include "core/store/connection.h"
 #include "core/store/fresh_file.h"
 #include "core/store/query.h"
+#include "core/store/record_checksum.h"
 #include "core/store/schema.h"
 
 namespace tactus::store {
@@ -61,6 +62,17 @@ Result<Mode> readingMode(const std::string& path) {
                               "both files together in a folder that can be written to"});
 }
 
+/// Lets everything read a file of another version as if it were of the newest. Temporary views come before what the
+/// file itself has under the same name.
+void readAsNewest(Connection& connection, int version) {
+  if (version == schemaSteps().back().version) return;
+  connection.database().exec("PRAGMA query_only = OFF");
+  connection.database().exec("PRAGMA temp_store = MEMORY");
+  if (version == 1) connection.database().exec(std::string(readingVersion1()));
+  connection.database().exec(viewsForReading());
+  connection.database().exec("PRAGMA query_only = ON");
+}
+
 /// Looks whether the file is a study of a version that this program may open so; returns the version.
 int inspect(Connection& connection, Access access) {
   if (connection.applicationId() != kApplicationId) {
@@ -108,7 +120,7 @@ Result<StudyFile> StudyFile::create(const std::string& path, const NewStudy& stu
     if (made) made = migrate(db, schemaSteps());
     if (made) {
       made = inTransaction(db, [&] {
-        Query insert(db, "INSERT INTO study (one, id, name, created_utc_ms, program) VALUES (1, ?, ?, ?, ?)");
+        Query insert(db, insertion(db, "study", {{"one", "1"}}));
         insert.put(study.id).put(study.name).put(study.created_utc_ms).put(study.program).run();
       });
     }
@@ -134,6 +146,7 @@ Result<StudyFile> StudyFile::open(const std::string& path, const OpenOptions& op
   auto version = guarded(connection, [&] {
     const int found = inspect(connection, options.access);
     if (mode == Mode::kReadWrite) connection.startJournal();
+    if (mode != Mode::kReadWrite) readAsNewest(connection, found);
     if (mode == Mode::kQueryOnly) connection.leaveJournalOnClose(false);
     return found;
   });

@@ -6,6 +6,8 @@
 #include "core/store/conflicts.h"
 #include "core/store/entry_tables.h"
 #include "core/store/feel_records.h"
+#include "core/store/record_checksum.h"
+#include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"
 
 namespace tactus::store {
@@ -25,6 +27,20 @@ void checkFile(Connection& connection, Findings& findings) {
     const std::string finding = connection.firstFinding(check);
     if (!finding.empty()) findings.push_back(std::string(check) + ": " + finding);
   }
+}
+
+void checkChecksums(Connection& connection, Findings& findings) {
+  for (const RecordTable& table : recordTables()) {
+    const std::string name(table.name);
+    Query query(connection, "SELECT " + std::string(keyOf(table).name) + " FROM " + name + " WHERE NOT " +
+                                fitsChecksum(connection, name, name) + " ORDER BY 1");
+    while (query.next()) findings.push_back(name + " " + study::toText(query.id()) + ": does not fit its CRC-32");
+  }
+}
+
+void checkIncidents(Connection& connection, Findings& findings) {
+  Query query(connection, "SELECT detail FROM incident ORDER BY utc_ms, id");
+  while (query.next()) findings.push_back("incident: " + query.text());
 }
 
 void checkRecordings(Connection& connection, Findings& findings) {
@@ -89,6 +105,8 @@ Result<std::vector<std::string>> checkStudy(const StudyFile& file) {
     Findings findings;
     checkFile(connection, findings);
     for (auto& conflict : conflicts(connection)) findings.push_back(std::move(conflict));
+    checkChecksums(connection, findings);
+    checkIncidents(connection, findings);
     checkRecordings(connection, findings);
     checkModels(connection, findings);
     auto felt = checkFeelRecords(file);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/store/query.h"
+#include "core/store/record_checksum.h"
 #include "core/store/removal.h"
 
 namespace tactus::store {
@@ -38,7 +39,7 @@ Result<Withdrawal> withdraw(StudyFile& file, const RecordId& person, std::int64_
     if (!find.put(person).next()) {
       refuse(ErrorCode::kReference, {}, "no person " + study::toText(person), "a person of the study");
     }
-    Query leave(connection, "INSERT INTO tombstone (person_id, utc_ms) VALUES (?, ?)");
+    Query leave(connection, insertion(connection, "tombstone", {{"code_salt", "NULL"}, {"code_hash", "NULL"}}));
     leave.put(person).put(utc_ms).run();
     withdrawal.records = removePerson(connection, person);
   });
@@ -68,12 +69,14 @@ Result<void> eraseTraces(StudyFile& file) {
 Result<std::vector<Tombstone>> tombstones(const StudyFile& file) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    Query query(connection, "SELECT person_id, utc_ms FROM tombstone ORDER BY utc_ms, person_id");
+    Query query(connection, "SELECT person_id, utc_ms, " + fitsChecksum(connection, "tombstone", "tombstone") +
+                                " FROM tombstone ORDER BY utc_ms, person_id");
     std::vector<Tombstone> found;
     while (query.next()) {
       Tombstone tombstone;
       tombstone.person = query.id();
       tombstone.utc_ms = query.integer();
+      query.requireIntact("tombstone", tombstone.person);
       found.push_back(tombstone);
     }
     return found;

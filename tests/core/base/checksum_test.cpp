@@ -13,6 +13,17 @@ TEST(Crc32, CheckValueOfTheCatalogue) {
   EXPECT_EQ(crc32(""), 0U);
 }
 
+TEST(Crc32, ManyBytesAtOnceOrInPiecesGiveTheSame) {
+  // From python3: zlib.crc32(bytes((i * i * 7 + 3 * i + 1) & 255 for i in range(1003)))
+  std::string bytes;
+  for (unsigned i = 0; i < 1003; ++i) bytes += static_cast<char>((i * i * 7 + 3 * i + 1) & 255U);
+  EXPECT_EQ(crc32(bytes), 0xCBC6A012U);
+  for (std::size_t cut = 0; cut < 40; ++cut) {
+    const std::string_view all = bytes;
+    EXPECT_EQ(Crc32().add(all.substr(0, cut)).add(all.substr(cut)).value(), 0xCBC6A012U);
+  }
+}
+
 TEST(Crc32, OneChangedBitChangesIt) {
   std::string bytes(1000, 'x');
   const auto before = crc32(bytes);

@@ -20,8 +20,10 @@ class Guards : public testing::Test {
   Guards() {
     fill();
     sql_ = std::make_unique<PlainSql>(path_);
-    sql_->complaint("INSERT INTO import_log VALUES (randomblob(16), 1, 'merge', 'b.tactus', '')");
-    sql_->complaint("INSERT INTO tombstone VALUES (randomblob(16), 1)");
+    sql_->complaint("INSERT INTO import_log VALUES (randomblob(16), 1, 'merge', 'b.tactus', '', '', 0)");
+    sql_->complaint("INSERT INTO tombstone VALUES (randomblob(16), 1, NULL, NULL, 0)");
+    sql_->complaint("INSERT INTO person_code SELECT randomblob(16), id, 1, 'calm-fox', 0 FROM person");
+    sql_->complaint("INSERT INTO incident VALUES (randomblob(16), 1, 'journal_missing', '', 0)");
   }
 
   void fill() {
@@ -40,14 +42,16 @@ class Guards : public testing::Test {
   std::string path_ = folder_.file("study.tactus");
   std::unique_ptr<PlainSql> sql_;
 
-  const std::vector<std::string> tables_ = {"study",         "person",    "session",   "profile",   "event",
-                                            "stroke",        "recording", "answer",    "rating",    "rule",
-                                            "model_version", "judgement", "tombstone", "import_log"};
+  const std::vector<std::string> tables_ = {
+      "study",  "person", "session",       "profile",   "event",     "stroke",     "recording",   "answer",
+      "rating", "rule",   "model_version", "judgement", "tombstone", "import_log", "person_code", "incident"};
+  const std::vector<std::string> no_records_ = {"opening", "erasure"};
 };
 
 TEST_F(Guards, EveryTableIsNamedHere) {
   std::string expected;
   auto names = tables_;
+  names.insert(names.end(), no_records_.begin(), no_records_.end());
   std::sort(names.begin(), names.end());
   for (const auto& name : names) expected += name + "\n";
   EXPECT_EQ(sql_->lines("SELECT name FROM pragma_table_list WHERE schema = 'main' AND type = 'table'"
@@ -95,10 +99,10 @@ TEST_F(Guards, NothingIsReplaced) {
     // By another key than the id.
     EXPECT_EQ(
         sql_->complaint("INSERT OR REPLACE INTO recording SELECT place, randomblob(16), session_id, sample_rate_hz,"
-                        " samples, channels, data FROM recording"),
+                        " samples, channels, data, crc32 FROM recording"),
         "recording: this record is there already");
     EXPECT_EQ(sql_->complaint("INSERT OR REPLACE INTO model_version SELECT place, randomblob(16), sequence, parent,"
-                              " utc_ms, author, label, sha256, text FROM model_version"),
+                              " utc_ms, author, label, sha256, text, cleaned_utc_ms, crc32 FROM model_version"),
               "model_version: this record is there already");
   }
 }
@@ -106,7 +110,7 @@ TEST_F(Guards, NothingIsReplaced) {
 TEST_F(Guards, WhatIsNoNumberDoesNotSlipIn) {
   const std::string begin =
       "INSERT INTO judgement SELECT randomblob(16), session_id, 99, 1, 1, 'program', NULL, '', 'ascending', 1, 1, ";
-  const std::string end = ", NULL, 'not_felt', '', 1, 0, 0, 1, 1, 1 FROM judgement LIMIT 1";
+  const std::string end = ", NULL, 'not_felt', '', 1, 0, 0, 1, 1, 1, 0 FROM judgement LIMIT 1";
   EXPECT_EQ(sql_->complaint(begin + "0.5" + end), "");
   for (const std::string value : {"NULL", "9e999", "-9e999", "9e999 - 9e999", "-0.1", "'many'"}) {
     EXPECT_NE(sql_->complaint(begin + value + end), "") << value;
@@ -114,8 +118,19 @@ TEST_F(Guards, WhatIsNoNumberDoesNotSlipIn) {
 }
 
 TEST_F(Guards, APersonWhoWithdrewNeverComesBack) {
-  EXPECT_EQ(sql_->complaint("INSERT INTO person SELECT person_id, 'calm-fox', 0 FROM tombstone"),
+  EXPECT_EQ(sql_->complaint("INSERT INTO person SELECT person_id, 'calm-fox', 0, 0 FROM tombstone"),
             "person: this participant withdrew");
+}
+
+TEST_F(Guards, OnlyAnErasureThatIsNotFinishedLetsModelVersionsBeCleaned) {
+  EXPECT_EQ(sql_->complaint("INSERT INTO erasure SELECT id, 1 FROM person"),
+            "erasure: only of a participant who withdrew");
+  ASSERT_EQ(sql_->complaint("INSERT INTO erasure SELECT person_id, 1 FROM tombstone"), "");
+  EXPECT_EQ(sql_->complaint("UPDATE model_version SET label = ''"), "");
+  EXPECT_EQ(sql_->complaint("UPDATE erasure SET utc_ms = 2"), "erasure: what was recorded is never changed");
+  ASSERT_EQ(sql_->complaint("DELETE FROM erasure"), "");
+  EXPECT_EQ(sql_->complaint("UPDATE model_version SET label = 'x'"),
+            "model_version: what was recorded is never changed");
 }
 
 }  // namespace

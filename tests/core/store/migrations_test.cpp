@@ -8,6 +8,8 @@
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
 #include "core/store/persons.h"
+#include "core/store/record_export.h"
+#include "core/store/record_import.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
 #include "core/store/withdrawal.h"
@@ -31,9 +33,9 @@ class Migrations : public testing::Test {
     ASSERT_TRUE(append(study.file, records_.answer(study.session.id)));
     ASSERT_TRUE(study.file.close());
   }
-  /// The error of migrating through `later` steps after the first, which every study here has taken.
+  /// The error of migrating through `later` steps after those of the program, which every study here has taken.
   std::string migrateTo(const std::vector<std::string>& later) const {
-    std::vector<Migration> steps = {{1, "this must not run again"}};
+    std::vector<Migration> steps = {{1, "this must not run again"}, {2, "this must not run again"}};
     for (const auto& sql : later) steps.push_back({static_cast<int>(steps.size()) + 1, sql});
     const auto done = migrateFile(path_, steps);
     return done ? "" : done.error().message();
@@ -42,35 +44,35 @@ class Migrations : public testing::Test {
   support::TempFolder folder_;
   SampleRecords records_;
   std::string path_ = folder_.file("study.tactus");
-  const std::string second_ = "ALTER TABLE answer ADD COLUMN certainty REAL";
+  const std::string third_ = "ALTER TABLE answer ADD COLUMN certainty REAL";
   // The rebuild of a table, as SQLite's manual describes it for what ALTER cannot do.
-  const std::string third_ =
+  const std::string fourth_ =
       "CREATE TABLE person_new (id BLOB NOT NULL PRIMARY KEY, code TEXT NOT NULL, simulated INTEGER NOT NULL,"
       " note TEXT NOT NULL) STRICT, WITHOUT ROWID;"
       "INSERT INTO person_new SELECT id, code, simulated, '' FROM person;"
-      "DROP TABLE person; ALTER TABLE person_new RENAME TO person;";
+      "DROP VIEW person_current; DROP TABLE person; ALTER TABLE person_new RENAME TO person;";
 };
 
 TEST_F(Migrations, EachStepRunsOnceInOrder) {
-  ASSERT_EQ(migrateTo({second_, third_}), "");
+  ASSERT_EQ(migrateTo({third_, fourth_}), "");
   {
     PlainSql sql(path_);
-    EXPECT_EQ(sql.number("PRAGMA user_version"), 3);
+    EXPECT_EQ(sql.number("PRAGMA user_version"), 4);
     EXPECT_EQ(sql.number("SELECT count(*) FROM answer WHERE certainty IS NULL"), 1);
     EXPECT_EQ(sql.text("SELECT code || note FROM person"), "velvet-otter");
     EXPECT_EQ(sql.lines("PRAGMA foreign_key_check"), "");
     EXPECT_NE(sql.complaint("UPDATE answer SET certainty = 1"), "");  // new columns are guarded too
   }
-  EXPECT_EQ(migrateTo({second_, third_}), "");
+  EXPECT_EQ(migrateTo({third_, fourth_}), "");
 }
 
 TEST_F(Migrations, ACopyIsMadeBeforeAndOnlyWhenNeeded) {
   ASSERT_EQ(migrateTo({}), "");
-  EXPECT_FALSE(fs::exists(path_ + ".before-v2"));
-  ASSERT_EQ(migrateTo({second_}), "");
-  const auto copy = StudyFile::open(path_ + ".before-v2");
+  EXPECT_FALSE(fs::exists(path_ + ".before-v3"));
+  ASSERT_EQ(migrateTo({third_}), "");
+  const auto copy = StudyFile::open(path_ + ".before-v3");
   ASSERT_TRUE(copy) << copy.error().message();
-  EXPECT_EQ(copy->version(), 1);
+  EXPECT_EQ(copy->version(), 2);
   EXPECT_EQ(answers(*copy)->size(), 1U);
 }
 
@@ -78,8 +80,8 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
   std::string schema;
   schema = PlainSql(path_).lines(kSchema);
   const std::vector<std::pair<std::string, std::string>> failing = {
-      {second_ + "; SELECT nonsense FROM nowhere", "no such table"},
-      {"INSERT INTO recording VALUES (1, randomblob(16), randomblob(16), 1000, 0, '', zeroblob(24))",
+      {third_ + "; SELECT nonsense FROM nowhere", "no such table"},
+      {"INSERT INTO recording VALUES (1, randomblob(16), randomblob(16), 1000, 0, '', zeroblob(24), 0)",
        "found a row of recording without the row it belongs to"},
       {"UPDATE answer SET value = 'small'", "never changed"},
   };
@@ -87,20 +89,20 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
   for (const auto& [sql, complaint] : failing) {
     EXPECT_NE(migrateTo({sql}).find(complaint), std::string::npos) << migrateTo({sql});
     PlainSql plain(path_);
-    EXPECT_EQ(plain.number("PRAGMA user_version"), 1);
+    EXPECT_EQ(plain.number("PRAGMA user_version"), 2);
     EXPECT_EQ(plain.lines(kSchema), schema);
     EXPECT_EQ(plain.number("SELECT count(*) FROM answer WHERE value = 'very_large'"), 1);
-    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v2" : ".before-v2-" + std::to_string(copies))));
+    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v3" : ".before-v3-" + std::to_string(copies))));
   }
   const auto file = StudyFile::open(path_);
   ASSERT_TRUE(file) << file.error().message();
 }
 
 TEST_F(Migrations, TheStepsBeforeAFailingOneStay) {
-  EXPECT_NE(migrateTo({second_, "nonsense"}), "");
-  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 2);
-  ASSERT_EQ(migrateTo({second_, third_}), "");
+  EXPECT_NE(migrateTo({third_, "nonsense"}), "");
   EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 3);
+  ASSERT_EQ(migrateTo({third_, fourth_}), "");
+  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 4);
 }
 
 TEST_F(Migrations, OnlyOfStudies) {
@@ -119,16 +121,9 @@ std::string makeFixture(const support::TempFolder& folder, const std::string& na
   return path;
 }
 
-TEST(StoredVersions, Version1IsReadInFull) {
-  const support::TempFolder folder;
-  const auto file = StudyFile::open(makeFixture(folder, "v1"));
+/// What every fixture holds, read from `file`.
+void expectRecords(const base::Result<StudyFile>& file) {
   ASSERT_TRUE(file) << file.error().message();
-  const auto info = *studyInfo(*file);
-  EXPECT_EQ(info.name, "Fixture of version 1");
-  for (const auto& count : info.counts) EXPECT_EQ(count.rows, count.table == "answer" ? 2 : 1) << count.table;
-  EXPECT_TRUE(checkStudy(*file)->empty());
-
-  EXPECT_EQ(persons(*file)->front().code, "calm-fox");
   const auto session = sessions(*file)->front();
   EXPECT_EQ(session.seed, 18446744073709551615U);
   EXPECT_EQ(session.device_friction_n, 0.26);
@@ -147,14 +142,52 @@ TEST(StoredVersions, Version1IsReadInFull) {
   EXPECT_EQ(tombstones(*file)->front().utc_ms, 1770000000900);
 }
 
+/// Brought up to date, and as it is where it may only be read.
+class Version1 : public testing::TestWithParam<Access> {};
+
+TEST_P(Version1, IsReadInFull) {
+  const support::TempFolder folder;
+  const auto file = StudyFile::open(makeFixture(folder, "v1"), {GetParam(), {}});
+  expectRecords(file);
+  const auto info = studyInfo(*file);
+  ASSERT_TRUE(info) << info.error().message();
+  EXPECT_EQ(info->name, "Fixture of version 1");
+  for (const auto& count : info->counts) EXPECT_EQ(count.rows, count.table == "answer" ? 2 : 1) << count.table;
+  EXPECT_EQ(persons(*file)->front().code, "calm-fox");
+  const auto findings = checkStudy(*file);
+  ASSERT_TRUE(findings) << findings.error().message();
+  EXPECT_TRUE(findings->empty());
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 2 : 1);
+  EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
+}
+INSTANTIATE_TEST_SUITE_P(Both, Version1, testing::Values(Access::kReadWrite, Access::kReadOnly));
+
+TEST(StoredVersions, Version2IsReadInFull) {
+  const support::TempFolder folder;
+  const auto file = StudyFile::open(makeFixture(folder, "v2"));
+  expectRecords(file);
+  EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 2");
+  EXPECT_EQ(persons(*file)->front().code, "calm-fox-2");
+  EXPECT_EQ(*checkStudy(*file),
+            std::vector<std::string>{"incident: the journal was missing when the study was opened"});
+}
+
+TEST(StoredVersions, TablesOfVersion1ComeBack) {
+  const support::TempFolder folder;
+  ASSERT_TRUE(restoreRecords(std::string(TACTUS_GOLDEN_DIR) + "/store/v1-tables", folder.file("restored.tactus")));
+  expectRecords(StudyFile::open(folder.file("restored.tactus")));
+}
+
 TEST(StoredVersions, TheStepsOfTheProgramStillMakeTheSameTables) {
   const support::TempFolder folder;
-  const auto fixture = makeFixture(folder, "v1");
-  ASSERT_TRUE(StudyFile::open(fixture));  // brings it to the newest version
   SampleRecords records;
   auto made = StudyFile::create(folder.file("new.tactus"), records.study());
   ASSERT_TRUE(made && made->close());
-  EXPECT_EQ(PlainSql(fixture).lines(kSchema), PlainSql(folder.file("new.tactus")).lines(kSchema));
+  for (const char* version : {"v1", "v2"}) {
+    const auto fixture = makeFixture(folder, version);
+    ASSERT_TRUE(StudyFile::open(fixture));  // brings it to the newest version
+    EXPECT_EQ(PlainSql(fixture).lines(kSchema), PlainSql(folder.file("new.tactus")).lines(kSchema)) << version;
+  }
 }
 
 }  // namespace
