@@ -2,9 +2,11 @@
 #include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/data_text.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/speeds_text.h"
 #include "app/cli/wrapped_text.h"
+#include "app/session/data_checks.h"
 #include "app/session/known_forms.h"
 #include "app/session/study_source.h"
 #include "app/version.h"
@@ -61,6 +63,7 @@ tl::unexpected<base::Error> explained(base::Error error, const BuildOptions& opt
 /// What a build gives besides the model file.
 struct Results {
   const elicitation::BuiltModel& built;
+  const std::vector<study::DataFinding>& data;
   elicitation::RuleLint lint;
   std::vector<elicitation::WeightedModel> weights;
   std::optional<elicitation::StudySpeedIntervals> speed_intervals;
@@ -68,8 +71,8 @@ struct Results {
 
 std::string summary(const BuildOptions& options, const Results& results) {
   const auto& built = results.built;
-  std::string text =
-      options.out + ": " + built.model.name + "; experts " + std::to_string(built.model.experts.size()) + '\n';
+  std::string text = dataAsText(results.data);
+  text += options.out + ": " + built.model.name + "; experts " + std::to_string(built.model.experts.size()) + '\n';
   for (const auto& expert : built.model.experts) {
     text += "  " + expert.id + ": rules " + std::to_string(expert.rules.size()) + ", weight " +
             base::formatNumber(expert.weight) + '\n';
@@ -106,6 +109,7 @@ std::string asJson(const BuildOptions& options, const Results& results) {
   const auto& built = results.built;
   base::JsonWriter json;
   json.beginObject().key("model").value(options.out).key("name").value(built.model.name);
+  writeData(results.data, json);
   json.key("experts").beginArray();
   for (const auto& expert : built.model.experts) {
     json.beginObject(base::JsonWriter::Layout::kInline).key("id").value(expert.id);
@@ -126,6 +130,8 @@ Result<Output> build(const BuildOptions& options) {
   if (!weights) return tl::unexpected(weights.error());
   const auto tables = session::readStudy(options.study, elicitation::ngtInputIds());
   if (!tables) return tl::unexpected(tables.error());
+  const auto data = session::dataFindings(tables->study);
+  if (auto ok = study::refuseData(data); !ok) return study::inStudyFolder(ok.error(), options.study);
 
   elicitation::BuildSettings settings;
   settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
@@ -144,7 +150,7 @@ Result<Output> build(const BuildOptions& options) {
   std::string no_intervals;
   const auto intervals = speedIntervals(tables->study, *built, settings, options.replicates, no_intervals);
   if (!no_intervals.empty()) built->notes.push_back(no_intervals);
-  Results results{*built, elicitation::ruleLint(built->model, *compiled, built->experts), {}, intervals};
+  Results results{*built, data, elicitation::ruleLint(built->model, *compiled, built->experts), {}, intervals};
   if (options.json) {
     auto weighted = elicitation::compareWeights(*built, tables->study, settings);
     if (!weighted) return inFile(weighted.error(), options.study);

@@ -22,11 +22,12 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
     addFile(command, o.file);
     addJson(command, o.json);
   });
-  addCommand(study, chosen, "check", "Look for damaged, lost and contradicting records", studyCheck,
-             [](CLI::App& command, StudyCheckOptions& o) {
-               addFile(command, o.file);
-               addJson(command, o.json);
-             });
+  addCommand(
+      study, chosen, "check", "Look for damaged, lost and contradicting records, and at the data", studyCheck,
+      [](CLI::App& command, StudyCheckOptions& o) {
+        command.add_option("FILE", o.file, "Study file, or folder with the CSV tables")->required()->check(notEmpty());
+        addJson(command, o.json);
+      });
   addCommand(study, chosen, "merge", "Add the records of other study files", studyMerge,
              [](CLI::App& command, StudyMergeOptions& o) {
                addFile(command, o.file);

@@ -30,9 +30,11 @@ std::string participantAsText(const ParticipantSpeeds& one, const SpeedIntervals
                      std::to_string(one.samples) + " samples\n";
   for (std::size_t k = 0; k < found.levels.size(); ++k) {
     const auto& level = found.levels[k];
-    text += "  " + level.level + " " + fixed1(level.mean_mm_s) + " ± " + fixed1(level.sd_mm_s) + " mm/s, strokes " +
-            std::to_string(level.stroke_means_mm_s.size()) + "; centre " +
-            withInterval(one.centres[k], intervals == nullptr ? nullptr : &intervals->centres[k]);
+    text += "  " + level.level;
+    text += level.samples == 0 ? " no strokes"
+                               : " " + fixed1(level.mean_mm_s) + " ± " + fixed1(level.sd_mm_s) + " mm/s, strokes " +
+                                     std::to_string(level.stroke_means_mm_s.size());
+    text += "; centre " + withInterval(one.centres[k], intervals == nullptr ? nullptr : &intervals->centres[k]);
     if (k < found.separations.size() && found.separations[k]) {
       text += "; d' to the next level " + formatFixed(*found.separations[k], 2);
     }

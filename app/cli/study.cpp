@@ -1,7 +1,10 @@
 #include <filesystem>
 
+#include "app/cli/data_text.h"
 #include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
+#include "app/session/data_checks.h"
+#include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/json_writer.h"
@@ -9,6 +12,7 @@
 #include "core/store/persons.h"
 #include "core/store/study_info.h"
 #include "core/store/withdrawal.h"
+#include "elicitation/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
@@ -88,18 +92,32 @@ Result<Output> studyInfo(const StudyInfoOptions& options) {
 }
 
 Result<Output> studyCheck(const StudyCheckOptions& options) {
-  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
-  if (!file) return tl::unexpected(file.error());
-  const auto findings = store::checkStudy(*file);
-  if (!findings) return tl::unexpected(findings.error());
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(options.file, ignored);
+  std::vector<std::string> findings;
+  if (!is_folder) {
+    const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
+    if (!file) return tl::unexpected(file.error());
+    auto found = store::checkStudy(*file);
+    if (!found) return tl::unexpected(found.error());
+    findings = std::move(*found);
+  }
+  const auto tables = session::readStudy(options.file, elicitation::ngtInputIds());
+  if (is_folder && !tables) return tl::unexpected(tables.error());
+  // What keeps elicitation from reading the file is a finding too.
+  if (!tables) findings.push_back("Elicitation cannot read it: " + tables.error().message());
+  const auto data = tables ? session::dataFindings(tables->study) : std::vector<study::DataFinding>{};
+  const auto notes = tables ? tables->notes : std::vector<std::string>{};
   if (options.json) {
     base::JsonWriter json;
-    json.beginObject().key("file").value(options.file).key("findings").values(*findings).endObject();
+    json.beginObject().key("file").value(options.file).key("findings").values(findings);
+    writeData(data, json);
+    json.key("notes").values(notes).endObject();
     return Output{json.text(), {}};
   }
-  std::string text = options.file + ": findings " + std::to_string(findings->size()) + '\n';
-  for (const auto& finding : *findings) text += "  " + finding + '\n';
-  return Output{std::move(text), {}};
+  std::string text = options.file + ": findings " + std::to_string(findings.size()) + '\n';
+  for (const auto& finding : findings) text += "  " + finding + '\n';
+  return Output{text + dataAsText(data), notes};
 }
 
 Result<Output> studyMerge(const StudyMergeOptions& options) {

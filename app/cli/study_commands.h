@@ -23,10 +23,11 @@ struct StudyInfoOptions {
 base::Result<Output> studyInfo(const StudyInfoOptions& options);
 
 struct StudyCheckOptions {
-  std::string file;
+  std::string file;  ///< a study file, or a folder with the CSV tables
   bool json = false;
 };
-/// Looks for lost and contradicting records. Findings are results; a file that cannot be read is an error.
+/// Looks for lost and contradicting records, and at the data (session::dataFindings). Findings are results; what cannot
+/// be read is an error.
 base::Result<Output> studyCheck(const StudyCheckOptions& options);
 
 struct StudyMergeOptions {

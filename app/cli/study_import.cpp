@@ -2,8 +2,10 @@
 
 #include <filesystem>
 
+#include "app/cli/data_text.h"
 #include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
+#include "app/session/data_checks.h"
 #include "core/store/record_import.h"
 #include "core/store/study_info.h"
 #include "core/study/csv_tables.h"
@@ -25,6 +27,8 @@ Result<Output> importFolder(const StudyImportOptions& options) {
   // Everything that can be wrong with the tables is found before a file is made.
   const auto tables = study::readStudyFolder(options.folder, elicitation::ngtInputIds());
   if (!tables) return tl::unexpected(tables.error());
+  const auto data = session::dataFindings(tables->study);
+  if (auto ok = study::refuseData(data); !ok) return study::inStudyFolder(ok.error(), options.folder);
   auto file = openOrMake(options.file, tables->study.name);
   if (!file) return tl::unexpected(file.error());
   auto imported = session::importTables(tables->study, *file);
@@ -37,10 +41,12 @@ Result<Output> importFolder(const StudyImportOptions& options) {
     base::JsonWriter json;
     json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
     json.key("persons").value(imported->persons).key("sessions").value(imported->sessions);
-    json.key("records").value(imported->records).key("notes").values(notes).endObject();
+    json.key("records").value(imported->records).key("notes").values(notes);
+    writeData(data, json);
+    json.endObject();
     return Output{json.text(), {}};
   }
-  return Output{"Added persons " + std::to_string(imported->persons) + ", sessions " +
+  return Output{dataAsText(data) + "Added persons " + std::to_string(imported->persons) + ", sessions " +
                     std::to_string(imported->sessions) + ", records " + std::to_string(imported->records) + " to " +
                     options.file + '\n',
                 std::move(notes)};

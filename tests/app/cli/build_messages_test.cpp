@@ -82,7 +82,7 @@ TEST_F(BuildMessages, MistakesOfATableNameFileLineAndColumn) {
   write("judgements", kJudgements + "A,ascending,1,0.1,smal\n");
   EXPECT_EQ(refusal(),
             "st/judgements.csv: line 2, column 'term': found 'smal', wanted one of very_small, small, medium, large, "
-            "very_large\n");
+            "very_large (small?)\n");
   write("judgements", kJudgements + "A,ascending,0,0.1,small\n");
   EXPECT_EQ(refusal(), "st/judgements.csv: line 2, column 'step': found '0', wanted an integer from 1\n");
   write("judgements", kJudgements + "A,ascending,1,-0.1,small\n");

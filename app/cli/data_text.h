@@ -1,0 +1,19 @@
+// What to look at in the data of a study, as text and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/json_writer.h"
+#include "core/study/data_finding.h"
+
+namespace tactus::cli {
+
+/// `look at the data first: 2` and one sentence for each finding with table and line; empty where there is none.
+std::string dataAsText(const std::vector<study::DataFinding>& findings);
+
+/// The findings as the member `data` of the object that `json` is in: `kind`, `severity`, `participant`, `table`,
+/// `line`, `column` (null where there is none) and `sentence`.
+void writeData(const std::vector<study::DataFinding>& findings, base::JsonWriter& json);
+
+}  // namespace tactus::cli

@@ -1,0 +1,134 @@
+#include "app/session/participant_checks.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/study/code_key.h"
+
+namespace tactus::session {
+namespace {
+
+using study::DataFinding;
+using study::Participant;
+using Kind = DataFinding::Kind;
+using Severity = DataFinding::Severity;
+using Codes = std::unordered_set<std::string_view>;
+
+constexpr double kManyYears = 60;
+constexpr double kMostYears = 80;
+constexpr double kFirstCalendarYear = 1900;
+constexpr double kLastCalendarYear = 2100;
+
+study::TableCell cellOf(const Participant& participant, std::string_view column) {
+  return {study::kParticipantsTable, participant.line, column};
+}
+
+DataFinding finding(Kind kind, Severity severity, const Participant& participant, std::string_view column,
+                    std::string sentence) {
+  return {kind, severity, participant.code, cellOf(participant, column), std::move(sentence), {}, {}};
+}
+
+void addAlike(const study::Study& study, std::vector<DataFinding>& out) {
+  std::map<std::string, const Participant*> first_with;
+  for (const auto& participant : study.participants) {
+    const auto [first, is_new] = first_with.try_emplace(study::codeKey(participant.code), &participant);
+    if (is_new) continue;
+    out.push_back(finding(Kind::kCodesAlike, Severity::kWarning, participant, "participant",
+                          "The codes " + base::quoted(first->second->code) + " and " + base::quoted(participant.code) +
+                              " differ only in capitals, spaces, dashes or zeros: one person under two codes?"));
+  }
+}
+
+void addYears(const study::Study& study, std::vector<DataFinding>& out) {
+  for (const auto& participant : study.participants) {
+    if (!participant.years_experience || *participant.years_experience <= kManyYears) continue;
+    const double years = *participant.years_experience;
+    const std::string said = base::formatNumber(years) + " years of experience";
+    if (years <= kMostYears) {
+      out.push_back(finding(Kind::kYearsUnlikely, Severity::kWarning, participant, "years_experience",
+                            participant.code + " has " + said + ": an age?"));
+      continue;
+    }
+    const bool calendar = years >= kFirstCalendarYear && years <= kLastCalendarYear;
+    out.push_back(study::refusal(Kind::kYearsUnlikely, participant.code, cellOf(participant, "years_experience"),
+                                 "the participant " + participant.code + " has " + said,
+                                 calendar ? "give the years since then instead of a year of the calendar"
+                                          : "give years (months? divide by 12), or leave the cell empty"));
+  }
+}
+
+template <class Records>
+Codes codesOf(const Records& records) {
+  Codes codes;
+  for (const auto& record : records) codes.insert(record.participant);
+  return codes;
+}
+
+Codes codesWithRules(const study::Study& study) {
+  Codes codes = codesOf(study.rules);
+  for (const auto& answer : study.answers) {
+    if (answer.status == study::Answer::Status::kAnswered) codes.insert(answer.participant);
+  }
+  return codes;
+}
+
+Codes codesWithTerms(const study::Study& study) {
+  Codes codes;
+  for (const auto& judgement : study.judgements) {
+    if (judgement.kind == study::ForceJudgement::Kind::kTerm) codes.insert(judgement.participant);
+  }
+  return codes;
+}
+
+struct Block {
+  Kind kind;
+  Codes codes;
+  std::string what, consequence;
+};
+
+void addAbsent(const study::Study& study, std::vector<DataFinding>& out) {
+  const std::vector<Block> blocks = {
+      {Kind::kWithoutStrokes, codesOf(study.speeds), "strokes", "the speeds of the others are used"},
+      {Kind::kWithoutJudgements, codesWithTerms(study), "force judgements", "the words for forces are the others'"},
+      {Kind::kWithoutAnswers, codesWithRules(study), "answers and no rules", "no expert of the model"}};
+  for (const auto& block : blocks) {
+    if (block.codes.empty()) continue;  // an absent table is said once, not of everybody
+    for (const auto& participant : study.participants) {
+      if (block.codes.contains(participant.code)) continue;
+      out.push_back(finding(block.kind, Severity::kWarning, participant, "participant",
+                            participant.code + " has no " + block.what + ": " + block.consequence + '.'));
+    }
+  }
+}
+
+void addMixed(const study::Study& study, std::vector<DataFinding>& out) {
+  std::vector<std::string> simulated;
+  const Participant* first = nullptr;
+  for (const auto& participant : study.participants) {
+    if (!participant.simulated) continue;
+    if (first == nullptr) first = &participant;
+    simulated.push_back(participant.code);
+  }
+  if (first == nullptr || simulated.size() == study.participants.size()) return;
+  auto mixed = finding(Kind::kSimulatedAndReal, Severity::kWarning, *first, "simulated",
+                       "Simulated participants stand beside real ones: " + base::joined(simulated, ", ") + '.');
+  mixed.participant.clear();
+  out.push_back(std::move(mixed));
+}
+
+}  // namespace
+
+std::vector<DataFinding> participantFindings(const study::Study& study) {
+  std::vector<DataFinding> out;
+  addAlike(study, out);
+  addYears(study, out);
+  addAbsent(study, out);
+  addMixed(study, out);
+  return out;
+}
+
+}  // namespace tactus::session

@@ -1,0 +1,16 @@
+// Whether the participants of a study are told apart, described and asked as one would expect.
+#pragma once
+
+#include <vector>
+
+#include "core/study/data_finding.h"
+#include "core/study/records.h"
+
+namespace tactus::session {
+
+/// Findings about the participants: codes that differ only in capitals, spaces, dashes or leading zeros; years of
+/// experience that nobody has (above 80 refused, above 60 named); participants without strokes, judgements or answers
+/// where others have them; simulated participants beside real ones.
+std::vector<study::DataFinding> participantFindings(const study::Study& study);
+
+}  // namespace tactus::session

@@ -1,0 +1,35 @@
+// The rows of a table of speeds, stroke by stroke.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/study/records.h"
+
+namespace tactus::experiments {
+
+/// One stroke of a table. It views the samples that it was made of.
+struct TableStroke {
+  std::string_view participant;
+  std::string_view level;
+  int number = 0;
+  std::vector<const study::SpeedSample*> rows;     ///< in the order of the table
+  std::vector<const study::SpeedSample*> in_time;  ///< the same by time, exact repetitions of a row left out
+
+  study::TableLine line() const { return rows.front()->line; }
+  /// `stroke 2 at slow`, for sentences.
+  std::string name() const { return "stroke " + std::to_string(number) + " at " + std::string(level); }
+};
+
+/// All strokes, in the order of their first rows. Each has a row or more. `samples` must outlive the result.
+std::vector<TableStroke> tableStrokes(std::span<const study::SpeedSample> samples);
+
+/// The strokes of each participant, in the order of their first rows.
+std::vector<std::vector<const TableStroke*>> byParticipant(std::span<const TableStroke> strokes);
+
+/// Names of strokes for a sentence: `stroke 1 at slow`, `3 strokes at slow`, `all 12 strokes` of `of`.
+std::string strokesText(std::span<const TableStroke* const> strokes, std::size_t of);
+
+}  // namespace tactus::experiments

@@ -1,0 +1,216 @@
+#include "questionnaires/answer_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/close_match.h"
+#include "core/base/text.h"
+
+namespace tactus::questionnaires {
+namespace {
+
+using study::Answer;
+using study::DataFinding;
+using Kind = DataFinding::Kind;
+using Severity = DataFinding::Severity;
+
+constexpr std::size_t kFewest = 20;
+constexpr double kOneAnswerShare = 0.9;
+constexpr double kOpposite = -0.5;
+constexpr double kCopiedShare = 0.95;
+constexpr std::size_t kFewestOthers = 2;
+// A pattern of three can be meant: the form asks about three levels of one input after another.
+constexpr std::array<std::size_t, 3> kPatterns = {2, 4, 5};
+
+/// The answers of one participant to one form, as places of terms by item.
+struct Sheet {
+  std::vector<const Answer*> rows;
+  std::map<int, int> terms;
+
+  const std::string& who() const { return rows.front()->participant; }
+};
+
+DataFinding finding(Kind kind, Severity severity, const Answer& row, std::string_view column, std::string sentence) {
+  return {kind, severity, row.participant, {study::kAnswersTable, row.line, column}, std::move(sentence), {}, {}};
+}
+
+DataFinding unknown(Kind kind, const Answer& row, std::string_view column, const std::string& found,
+                    const std::string& wanted) {
+  auto out = finding(kind, Severity::kRefused, row, column,
+                     row.participant + " has " + found + " to form " + row.form + "; wanted " + wanted + '.');
+  out.found = found;
+  out.wanted = wanted;
+  return out;
+}
+
+class FormChecks {
+ public:
+  explicit FormChecks(const study::Form& form) : form_(form) {
+    for (const auto& word : form.answers) terms_.push_back(word.term);
+  }
+
+  std::vector<DataFinding> check(std::span<const Answer> answers) {
+    for (const auto& answer : answers) {
+      if (answer.form == form_.id) add(answer);
+    }
+    for (auto& sheet : sheets_) readTerms(sheet);
+    for (std::size_t i = 0; i < sheets_.size(); ++i) {
+      if (checkOneAnswer(sheets_[i]) || checkPattern(sheets_[i])) continue;
+      checkOpposite(i);
+      checkCopied(i);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void add(const Answer& answer) {
+    auto sheet = std::find_if(sheets_.rbegin(), sheets_.rend(),
+                              [&answer](const Sheet& other) { return other.who() == answer.participant; });
+    if (sheet == sheets_.rend()) {
+      sheets_.emplace_back();
+      sheet = sheets_.rbegin();
+    }
+    sheet->rows.push_back(&answer);
+  }
+
+  void readTerms(Sheet& sheet) {
+    bool unknown_item = false;
+    bool unknown_term = false;
+    for (const auto* row : sheet.rows) {
+      const bool known = std::any_of(form_.items.begin(), form_.items.end(),
+                                     [row](const study::FormItem& item) { return item.number == row->item; });
+      if (!known && !unknown_item) {
+        unknown_item = true;
+        out_.push_back(unknown(Kind::kUnknownItem, *row, "item",
+                               "item " + std::to_string(row->item) + ", which form " + form_.id + " does not have",
+                               "one of its " + std::to_string(form_.items.size()) + " items"));
+      }
+      if (row->status != Answer::Status::kAnswered) continue;
+      const auto term = std::find(terms_.begin(), terms_.end(), row->term);
+      if (term != terms_.end()) {
+        sheet.terms[row->item] = static_cast<int>(term - terms_.begin());
+      } else if (!unknown_term) {
+        unknown_term = true;
+        out_.push_back(unknown(Kind::kUnknownAnswerTerm, *row, "term", base::quoted(row->term),
+                               "one of " + base::joined(terms_, ", ") + base::suggestion(row->term, terms_)));
+      }
+    }
+  }
+
+  bool checkOneAnswer(const Sheet& sheet) {
+    if (sheet.terms.size() < kFewest) return false;
+    std::vector<std::size_t> counts(terms_.size());
+    for (const auto& [item, term] : sheet.terms) ++counts[static_cast<std::size_t>(term)];
+    const auto most = std::max_element(counts.begin(), counts.end());
+    if (static_cast<double>(*most) < kOneAnswerShare * static_cast<double>(sheet.terms.size())) return false;
+    out_.push_back(finding(Kind::kOneAnswer, Severity::kWarning, *sheet.rows.front(), "term",
+                           sheet.who() + " answers " + std::to_string(*most) + " of " +
+                               std::to_string(sheet.terms.size()) + " items with " +
+                               base::quoted(terms_[static_cast<std::size_t>(most - counts.begin())]) +
+                               ": the force would hardly depend on anything."));
+    return true;
+  }
+
+  bool checkPattern(const Sheet& sheet) {
+    if (sheet.terms.size() < kFewest) return false;
+    std::vector<int> terms;
+    for (const auto& [item, term] : sheet.terms) terms.push_back(term);
+    for (const std::size_t length : kPatterns) {
+      const auto begin = static_cast<std::ptrdiff_t>(length);
+      if (!std::equal(terms.begin() + begin, terms.end(), terms.begin())) continue;
+      out_.push_back(finding(Kind::kAnswerPattern, Severity::kWarning, *sheet.rows.front(), "term",
+                             sheet.who() + " repeats the same " + std::to_string(length) +
+                                 " answers through the whole form: filled in without reading?"));
+      return true;
+    }
+    return false;
+  }
+
+  /// Correlation of the answers of one participant with the mean of the others', over items that two others answered.
+  void checkOpposite(std::size_t i) {
+    std::vector<std::pair<double, double>> pairs;
+    for (const auto& [item, term] : sheets_[i].terms) {
+      double sum = 0;
+      std::size_t count = 0;
+      for (std::size_t k = 0; k < sheets_.size(); ++k) {
+        const auto other = sheets_[k].terms.find(item);
+        if (k == i || other == sheets_[k].terms.end()) continue;
+        sum += other->second;
+        ++count;
+      }
+      if (count >= kFewestOthers) pairs.emplace_back(term, sum / static_cast<double>(count));
+    }
+    if (pairs.size() < kFewest) return;
+    const auto r = correlation(pairs);
+    if (!r || *r > kOpposite) return;
+    out_.push_back(finding(Kind::kAnswersReversed, Severity::kWarning, *sheets_[i].rows.front(), "term",
+                           sheets_[i].who() + " answers the opposite of the others (correlation " +
+                               base::formatFixed(*r, 2) + "): the scale the other way round?"));
+  }
+
+  static std::optional<double> correlation(const std::vector<std::pair<double, double>>& pairs) {
+    double mean_a = 0;
+    double mean_b = 0;
+    for (const auto& [a, b] : pairs) {
+      mean_a += a / static_cast<double>(pairs.size());
+      mean_b += b / static_cast<double>(pairs.size());
+    }
+    double aa = 0;
+    double bb = 0;
+    double ab = 0;
+    for (const auto& [a, b] : pairs) {
+      aa += (a - mean_a) * (a - mean_a);
+      bb += (b - mean_b) * (b - mean_b);
+      ab += (a - mean_a) * (b - mean_b);
+    }
+    if (aa <= 0 || bb <= 0) return std::nullopt;
+    return ab / std::sqrt(aa * bb);
+  }
+
+  void checkCopied(std::size_t i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      std::size_t both = 0;
+      std::map<int, std::size_t> differences;
+      for (const auto& [item, term] : sheets_[i].terms) {
+        const auto other = sheets_[k].terms.find(item);
+        if (other == sheets_[k].terms.end()) continue;
+        ++both;
+        ++differences[term - other->second];
+      }
+      if (both < kFewest) continue;
+      for (const int shift : {0, 1, -1}) {
+        const std::size_t alike = differences[shift];
+        if (static_cast<double>(alike) < kCopiedShare * static_cast<double>(both)) continue;
+        out_.push_back(finding(Kind::kAnswersCopied, Severity::kWarning, *sheets_[i].rows.front(), "term",
+                               "The answers of " + sheets_[i].who() + " are those of " + sheets_[k].who() +
+                                   (shift == 0 ? "" : ", one term away,") + " in " + std::to_string(alike) + " of " +
+                                   std::to_string(both) + " items: copied?"));
+        return;
+      }
+    }
+  }
+
+  const study::Form& form_;
+  std::vector<std::string> terms_;
+  std::vector<Sheet> sheets_;
+  std::vector<DataFinding> out_;
+};
+
+}  // namespace
+
+std::vector<DataFinding> answerFindings(std::span<const Answer> answers, std::span<const study::Form> forms) {
+  std::vector<DataFinding> out;
+  for (const auto& form : forms) {
+    if (form.items.empty()) continue;
+    auto own = FormChecks(form).check(answers);
+    out.insert(out.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+  }
+  return out;
+}
+
+}  // namespace tactus::questionnaires

@@ -1,0 +1,124 @@
+// "Look at the data first": build, study check and study import say what is odd about the data before any number.
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/study/csv_tables.h"
+#include "elicitation/ngt_variables.h"
+
+#include "tests/app/cli/run_program.h"
+#include "tests/support/table_study.h"
+#include "tests/support/temp_folder.h"
+
+namespace tactus::cli {
+namespace {
+
+using nlohmann::json;
+
+class DataFirst : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directory(study_); }
+  /// Writes the study of seed 1, spoiled by `spoil`.
+  template <class Spoil>
+  void write(Spoil spoil) const {
+    study::Study study = support::tableStudy(1);
+    spoil(study);
+    ASSERT_TRUE(study::writeStudyFolder(study, elicitation::ngtInputIds(), study_).has_value());
+  }
+  void writeGood() const {
+    write([](study::Study&) {});
+  }
+  ProgramRun build(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"build", study_, "--out", out_, "--replicates", "0"});
+    return ProgramRun(more);
+  }
+
+  support::TempFolder folder_;
+  std::string study_ = folder_.file("study");
+  std::string out_ = folder_.file("m.tactus.json");
+  std::string file_ = folder_.file("s.tactus");
+};
+
+TEST_F(DataFirst, NothingIsSaidOfWellMadeTables) {
+  writeGood();
+  const ProgramRun built = build();
+  EXPECT_EQ(built.status, 0) << built.err;
+  EXPECT_TRUE(built.out.starts_with(out_ + ": study; experts 6\n")) << built.out;
+  const ProgramRun checked({"study", "check", study_});
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_EQ(checked.out, study_ + ": findings 0\n");
+  EXPECT_EQ(json::parse(build({"--json"}).out).at("data"), json::array());
+}
+
+TEST_F(DataFirst, WhatIsDoubtfulStandsBeforeTheNumbers) {
+  write([](study::Study& study) {
+    std::erase_if(study.speeds, [](const auto& row) { return row.participant == "N2" && row.level == "fast"; });
+    for (auto& row : study.answers) row.term = row.participant == "N5" ? "small" : row.term;
+  });
+  const ProgramRun built = build();
+  EXPECT_EQ(built.status, 0) << built.err;
+  EXPECT_TRUE(built.out.starts_with("look at the data first: 2\n  speeds.csv, line ")) << built.out;
+  EXPECT_NE(
+      unwrapped(built.out).find(": N2 has no strokes at fast: the terms of the speed are made of the other levels"),
+      std::string::npos)
+      << built.out;
+  EXPECT_NE(built.out.find("  answers.csv, line 182: N5 answers 45 of 45 items with 'small'"), std::string::npos)
+      << built.out;
+  EXPECT_EQ(built.out.find("0.0 ± 0.0"), std::string::npos) << "a level without strokes has no mean";
+  EXPECT_NE(built.out.find("  fast no strokes; centre "), std::string::npos) << built.out;
+  const json data = json::parse(build({"--json"}).out).at("data");
+  ASSERT_EQ(data.size(), 2U);
+  EXPECT_EQ(data.at(1).at("kind"), "one_answer");
+  EXPECT_EQ(data.at(1).at("severity"), "warning");
+  EXPECT_EQ(data.at(1).at("participant"), "N5");
+  EXPECT_EQ(data.at(1).at("table"), "answers.csv");
+  EXPECT_EQ(data.at(1).at("line"), 182);
+  EXPECT_EQ(data.at(1).at("column"), "term");
+}
+
+TEST_F(DataFirst, UnitsThatCannotBeMeantAreRefusedWithTheRemedy) {
+  write([](study::Study& study) {
+    for (auto& row : study.speeds) row.speed_mm_s /= row.participant == "N1" ? 10 : 1;
+    for (auto& row : study.judgements) row.force_n *= row.participant == "N4" ? 1000 : 1;
+  });
+  const std::string sentence =
+      "/speeds.csv: line 2, column 'speed_mm_s': found that in all 12 strokes of N1 the speeds look like cm/s, wanted "
+      "multiply speed_mm_s by 10 there, so that s, mm and mm/s fit each other (1 more: tactus study check lists "
+      "them)\n";
+  const ProgramRun built = build();
+  EXPECT_EQ(built.status, 1);
+  EXPECT_EQ(built.err, "tactus: " + study_ + sentence);
+  EXPECT_FALSE(std::filesystem::exists(out_));
+  const ProgramRun imported({"study", "import", file_, study_});
+  EXPECT_EQ(imported.status, 1);
+  EXPECT_EQ(imported.err, "tactus: " + study_ + sentence);
+  EXPECT_FALSE(std::filesystem::exists(file_));
+  const ProgramRun checked({"study", "check", study_});
+  EXPECT_EQ(checked.status, 0) << "findings are results";
+  EXPECT_NE(checked.out.find("look at the data first: 2\n  refused: speeds.csv, line 2: In all 12 strokes of N1"),
+            std::string::npos)
+      << checked.out;
+  EXPECT_NE(unwrapped(checked.out).find("The forces of N4 reach 1"), std::string::npos) << checked.out;
+  EXPECT_NE(unwrapped(checked.out).find("look like mN: divide force_n by 1000"), std::string::npos) << checked.out;
+}
+
+TEST_F(DataFirst, AStudyFileIsLookedAtToo) {
+  write([](study::Study& study) {
+    for (auto& row : study.judgements) {
+      if (row.participant == "N6" && row.kind == study::ForceJudgement::Kind::kTerm) row.term = "large";
+    }
+  });
+  const ProgramRun imported({"study", "import", file_, study_});
+  ASSERT_EQ(imported.status, 0) << imported.err;
+  EXPECT_TRUE(imported.out.starts_with("look at the data first: 1\n  judgements.csv, line ")) << imported.out;
+  const ProgramRun checked({"study", "check", file_});
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_NE(checked.out.find("look at the data first: 1\n  N6 calls all "), std::string::npos) << checked.out;
+  const json data = json::parse(ProgramRun({"study", "check", file_, "--json"}).out).at("data");
+  ASSERT_EQ(data.size(), 1U);
+  EXPECT_EQ(data.at(0).at("line"), nullptr);
+  EXPECT_EQ(data.at(0).at("table"), nullptr);
+}
+
+}  // namespace
+}  // namespace tactus::cli
