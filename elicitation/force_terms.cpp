@@ -1,10 +1,12 @@
 #include "elicitation/force_terms.h"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/base/check.h"
-#include "core/base/error.h"
-#include "elicitation/rounded_number.h"
+#include "elicitation/force_end.h"
+#include "elicitation/force_term_parts.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -40,7 +42,8 @@ void fillGap(Cores& cores, std::size_t first, std::size_t last, double low, doub
   }
 }
 
-void fillGaps(Cores& cores, double min, double max) {
+/// Peaks for missing terms below the highest that was won.
+void fillGaps(Cores& cores, double min) {
   double low = min;
   for (std::size_t k = 0; k < cores.size();) {
     if (cores[k]) {
@@ -50,52 +53,63 @@ void fillGaps(Cores& cores, double min, double max) {
     }
     std::size_t next = k;
     while (next < cores.size() && !cores[next]) ++next;
-    fillGap(cores, k, next, low, next < cores.size() ? cores[next]->begin : max);
+    if (next < cores.size()) fillGap(cores, k, next, low, cores[next]->begin);
     k = next;
+  }
+}
+
+/// Each term above the highest that was won lies one step above the one before it.
+void addAbove(Cores& cores, const ForceEnd& end, ForceTerms& out) {
+  std::size_t highest = cores.size();
+  while (!cores[highest - 1]) --highest;
+  for (std::size_t k = highest; k < cores.size(); ++k) {
+    const double at_n = end.stepsAbove(k - highest + 1);
+    cores[k] = Core{at_n, at_n, true};
+    endAbove(out, end, k - highest + 1, at_n);
   }
 }
 
 }  // namespace
 
-base::Result<ForceTerms> forceTerms(const fuzzy::Variable& output, std::span<const VoteStep> steps) {
-  std::optional<double> last;
-  for (const auto& step : steps) {
-    if (step.term) last = step.force_n;
+std::string_view name(ForceTermsFrom from) noexcept {
+  switch (from) {
+    case ForceTermsFrom::kVote:
+      return "vote";
+    case ForceTermsFrom::kFrequency:
+      return "frequency";
+    case ForceTermsFrom::kThresholds:
+      return "thresholds";
   }
-  if (!last || !(*last > 0)) {
-    return base::fail(base::ErrorCode::kData, "vote", last ? "decided forces of 0 N alone" : "no decided force",
-                      "at least one force above 0 N that somebody judged");
-  }
+  return "";
+}
 
-  ForceTerms out;
-  out.output = output;
-  out.output.min = 0;
-  out.output.max = *last;
-  out.output.terms.clear();
-  Cores cores = wonCores(steps, output.terms.size());
-  fillGaps(cores, out.output.min, out.output.max);
+base::Result<ForceTerms> forceTerms(const fuzzy::Variable& output, std::span<const VoteStep> steps,
+                                    std::optional<double> end_n) {
+  const auto end = forceEnd(steps, end_n);
+  if (!end) return tl::unexpected(end.error());
+  ForceTerms out = emptyForceTerms(output, *end);
+  Cores cores = wonCores(steps.first(end->steps), output.terms.size());
+  fillGaps(cores, out.output.min);
+  addAbove(cores, *end, out);
 
   const Core* below = nullptr;
   for (std::size_t k = 0; k < cores.size(); ++k) {
     fuzzy::Term term = output.terms[k];
-    if (!cores[k]) {
-      out.absent.push_back(term.id);
-      out.notes.push_back("No force was voted " + base::quoted(term.id) +
-                          " and there is no room for it: the term does not exist.");
+    if (!cores[k] || (below != nullptr && !(below->end < out.output.max))) {
+      addAbsent(out, term);
       continue;
     }
     const Core& core = *cores[k];
     const Core* above = nullptr;
-    for (std::size_t next = k + 1; next < cores.size() && above == nullptr; ++next) {
+    for (std::size_t next = k + 1; next < cores.size() && above == nullptr && core.end < out.output.max; ++next) {
       if (cores[next]) above = &*cores[next];
     }
+    const double max = std::max(out.output.max, core.end);
     term.shape = fuzzy::Shape::kTrapezoid;
     term.points = {below == nullptr ? out.output.min : below->end, below == nullptr ? out.output.min : core.begin,
-                   above == nullptr ? out.output.max : core.end, above == nullptr ? out.output.max : above->begin};
+                   above == nullptr ? max : core.end, above == nullptr ? max : above->begin};
     if (core.peak) {
-      out.interpolated.push_back(term.id);
-      out.notes.push_back("No force was voted " + base::quoted(term.id) +
-                          ": its term is placed between its neighbours, around " + roundedNumber(core.begin) + " N.");
+      addInterpolated(out, term, *end, core.begin);
       if (below != nullptr && above != nullptr) {
         term.shape = fuzzy::Shape::kTriangle;
         term.points = {below->end, core.begin, above->begin};

@@ -18,7 +18,7 @@ namespace tactus::elicitation {
 enum class VoteReason {
   kMajority,     ///< one term has half of the votes or more
   kTieHigher,    ///< two terms have half each: the higher
-  kNextLevel,    ///< no term has half: one level above the last decided step, because the series rises
+  kNextLevel,    ///< no term has half: one above the last decided step's own term, because the series rises
   kClamped,      ///< the same, moved into the range of the levels that were voted for
   kFirstMedian,  ///< no term has half and no step was decided before: the lower median
   kNoVotes,      ///< nobody voted; no term

@@ -6,8 +6,11 @@
 #include <set>
 #include <utility>
 
+#include "core/base/check.h"
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
+#include "elicitation/force_frequency.h"
+#include "elicitation/force_thresholds.h"
 #include "elicitation/model_checks.h"
 #include "elicitation/model_provenance.h"
 #include "elicitation/ngt_variables.h"
@@ -123,8 +126,44 @@ Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings
   return {};
 }
 
+Result<ForceTerms> forceTermsOf(const study::Study& study, const BuildSettings& settings, const fuzzy::Variable& output,
+                                std::span<const VoteStep> votes) {
+  switch (settings.force_terms) {
+    case ForceTermsFrom::kVote:
+      return forceTerms(output, votes, settings.force_end_n);
+    case ForceTermsFrom::kFrequency:
+      return frequencyTerms(output, votes, settings.force_end_n);
+    case ForceTermsFrom::kThresholds:
+      return thresholdTerms(output, study.judgements, settings.series, votes, settings.force_end_n);
+  }
+  TACTUS_CHECK(false);
+}
+
+/// Which steps a reader should look at again.
+std::vector<std::string> voteNotes(std::span<const VoteStep> votes, ForceTermsFrom force_terms) {
+  std::vector<std::string> raised;
+  std::vector<std::string> below_quorum;
+  for (const auto& step : votes) {
+    if (step.monotone_raised) raised.push_back(roundedNumber(step.force_n));
+    if (step.below_quorum) below_quorum.push_back(roundedNumber(step.force_n));
+  }
+  std::vector<std::string> notes;
+  if (!raised.empty() && force_terms == ForceTermsFrom::kVote) {
+    notes.push_back("Vote at " + base::joined(raised, ", ") +
+                    " N: raised to the level of an earlier step, because the levels must not fall.");
+  }
+  if (!below_quorum.empty()) {
+    notes.push_back("Vote at " + base::joined(below_quorum, ", ") + " N: less than half of the participants voted.");
+  }
+  return notes;
+}
+
 Result<void> buildForce(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
   if (study.judgements.empty()) {
+    if (settings.force_end_n) {
+      return fail(ErrorCode::kData, "force-end", "no force judgements",
+                  "judgements, because without them the force has its default terms and their end");
+    }
     out.notes.push_back("There are no force judgements: the force has its default terms.");
     return {};
   }
@@ -133,7 +172,7 @@ Result<void> buildForce(const study::Study& study, const BuildSettings& settings
   const auto counts = countVotes(study.judgements, settings.series, ids);
   if (!counts) return tl::unexpected(counts.error());
   out.votes = vote(*counts, static_cast<int>(study.participants.size()));
-  auto terms = forceTerms(out.model.output, out.votes);
+  auto terms = forceTermsOf(study, settings, out.model.output, out.votes);
   if (!terms) return study::inTable(terms.error(), study::kJudgementsTable, study.judgements.front().line);
   const double default_max_n = out.model.output.max;
   out.force_terms = std::move(*terms);
@@ -142,22 +181,9 @@ Result<void> buildForce(const study::Study& study, const BuildSettings& settings
   append(out.notes, stepForceNotes(study.judgements, settings.series));
   if (std::abs(out.model.output.max - default_max_n) > kSameForceN) {
     out.notes.push_back("The universe of the force ends at " + roundedNumber(out.model.output.max) + " N instead of " +
-                        roundedNumber(default_max_n) + " N: the largest force that got a term.");
+                        roundedNumber(default_max_n) + " N: " + out.force_terms->end_reason + ".");
   }
-  std::vector<std::string> raised;
-  std::vector<std::string> below_quorum;
-  for (const auto& step : out.votes) {
-    if (step.monotone_raised) raised.push_back(roundedNumber(step.force_n));
-    if (step.below_quorum) below_quorum.push_back(roundedNumber(step.force_n));
-  }
-  if (!raised.empty()) {
-    out.notes.push_back("Vote at " + base::joined(raised, ", ") +
-                        " N: raised to the level of an earlier step, because the levels must not fall.");
-  }
-  if (!below_quorum.empty()) {
-    out.notes.push_back("Vote at " + base::joined(below_quorum, ", ") +
-                        " N: less than half of the participants voted.");
-  }
+  append(out.notes, voteNotes(out.votes, settings.force_terms));
   return {};
 }
 

@@ -36,7 +36,9 @@ struct BuildSettings {
   Averaging averaging = Averaging::kMean;  ///< of the ramps over the participants; kWeightedMean uses `weights`
   SpeedTermsOf terms = SpeedTermsOf::kAveraged;
   WeightSettings weights;
-  std::string series = "ascending";     ///< of the judgements that vote
+  std::string series = "ascending";  ///< of the judgements that vote
+  ForceTermsFrom force_terms = ForceTermsFrom::kVote;
+  std::optional<double> force_end_n;    ///< end of the universe of the force, > 0; else as the judgements say
   std::vector<fuzzy::NamedJson> extra;  ///< further members of the provenance's settings
 };
 

@@ -110,8 +110,10 @@ fuzzy::Provenance modelProvenance(const study::Study& study, std::span<const Exp
       {"terms", base::jsonString(name(settings.terms))},
       {"weights", base::jsonString(name(settings.weights.policy))},
       {"series", base::jsonString(settings.series)},
+      {"force_terms", base::jsonString(study.judgements.empty() ? "default" : name(settings.force_terms))},
       {"forms", jsonByExpert(experts, formsOf)},
       {"depth_terms", jsonByExpert(experts, [](const ExpertRules& e) { return base::jsonString(e.depth_terms); })}};
+  if (settings.force_end_n) out.settings.push_back({"force_end_n", base::jsonNumber(*settings.force_end_n)});
   std::vector<std::string> inferred;
   for (const auto& expert : experts) {
     if (expert.depth_terms_inferred) inferred.push_back(expert.participant.code);

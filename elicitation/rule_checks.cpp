@@ -8,6 +8,7 @@
 
 #include "core/base/check.h"
 #include "core/base/text.h"
+#include "elicitation/rounded_number.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -86,8 +87,8 @@ Result<void> checkRules(const fuzzy::Expert& expert, const ExpertRules& origin, 
                        std::move(wanted));
     };
     if (std::find(absent_output_terms.begin(), absent_output_terms.end(), rule.then) != absent_output_terms.end()) {
-      return refuse_then("a term that the judged forces give: no force was voted " + quoted(rule.then) +
-                         " and there is no room for it");
+      return refuse_then("a term that the judged forces give: there is no room for " + quoted(rule.then) +
+                         " between 0 N and the end of the universe at " + roundedNumber(output.max) + " N");
     }
     if (fuzzy::findTerm(output.terms, rule.then) == nullptr) return refuse_then("one of " + termIds(output.terms));
     if (!(rule.weight >= 0 && rule.weight <= 1)) {

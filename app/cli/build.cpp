@@ -20,6 +20,7 @@
 #include "elicitation/expert_weights_compared.h"
 #include "elicitation/model_builder.h"
 #include "elicitation/ngt_variables.h"
+#include "elicitation/rounded_number.h"
 #include "elicitation/rule_lint.h"
 
 namespace tactus::cli {
@@ -52,7 +53,7 @@ Result<elicitation::WeightSettings> weightSettings(const std::string& word) {
 
 /// An error of `buildModel`, told to whom it concerns: the file it names, an option, or the study.
 tl::unexpected<base::Error> explained(base::Error error, const BuildOptions& options, const std::string& weights_file) {
-  if (error.file.empty() && (error.place == "alpha" || error.place == "trim")) {
+  if (error.file.empty() && (error.place == "alpha" || error.place == "trim" || error.place == "force-end")) {
     error.place = "--" + error.place;
     return tl::unexpected(std::move(error));
   }
@@ -67,7 +68,31 @@ struct Results {
   elicitation::RuleLint lint;
   std::vector<elicitation::WeightedModel> weights;
   std::optional<elicitation::StudySpeedIntervals> speed_intervals;
+  elicitation::ForceTermsFrom force_terms;
 };
+
+/// `force terms from the vote: very_small 0 0 0.2 0.3; ...; the universe ends at 1.1 N`.
+std::string forceAsText(const elicitation::BuiltModel& built, elicitation::ForceTermsFrom from) {
+  if (!built.force_terms) return {};
+  std::vector<std::string> terms;
+  for (const auto& term : built.model.output.terms) {
+    std::string text = term.id;
+    for (const double point : term.points) text += ' ' + elicitation::roundedNumber(point);
+    terms.push_back(std::move(text));
+  }
+  return "force terms from the " + std::string(name(from)) + ": " + base::joined(terms, "; ") +
+         " N; the universe ends at " + elicitation::roundedNumber(built.model.output.max) + " N\n";
+}
+
+void writeForce(const elicitation::BuiltModel& built, elicitation::ForceTermsFrom from, base::JsonWriter& json) {
+  json.key("force").beginObject().key("terms_from").value(built.force_terms ? name(from) : "default");
+  json.key("end_n").value(built.model.output.max).key("terms").beginArray();
+  for (const auto& term : built.model.output.terms) {
+    json.beginObject(base::JsonWriter::Layout::kInline).key("id").value(term.id);
+    json.key("points").values(term.points).endObject();
+  }
+  json.endArray().endObject();
+}
 
 std::string summary(const BuildOptions& options, const Results& results) {
   const auto& built = results.built;
@@ -78,6 +103,7 @@ std::string summary(const BuildOptions& options, const Results& results) {
             base::formatNumber(expert.weight) + '\n';
   }
   text += speedsAsText(built, results.speed_intervals);
+  text += forceAsText(built, results.force_terms);
   for (const auto& note : built.notes) text += wrapped(note, "note: ", 6);
   text += "findings " + std::to_string(results.lint.findings.size()) + '\n';
   return text + findingsAsText(results.lint.findings, built.model.output.unit);
@@ -117,6 +143,7 @@ std::string asJson(const BuildOptions& options, const Results& results) {
   }
   json.endArray().key("notes").values(built.notes);
   writeSpeeds(built, results.speed_intervals, json);
+  writeForce(built, results.force_terms, json);
   writeFindings(results.lint.findings, json);
   writeWeights(results.weights, json);
   json.endObject();
@@ -140,6 +167,8 @@ Result<Output> build(const BuildOptions& options) {
   settings.speed.trim = options.trim;
   settings.speed.centres = options.centres;
   settings.averaging = options.averaging;
+  settings.force_terms = options.force_terms;
+  settings.force_end_n = options.force_end_n;
   const std::string weights_file = weights->table_file;
   settings.weights = std::move(*weights);
   settings.terms = options.own_terms ? elicitation::SpeedTermsOf::kOwn : elicitation::SpeedTermsOf::kAveraged;
@@ -150,7 +179,8 @@ Result<Output> build(const BuildOptions& options) {
   std::string no_intervals;
   const auto intervals = speedIntervals(tables->study, *built, settings, options.replicates, no_intervals);
   if (!no_intervals.empty()) built->notes.push_back(no_intervals);
-  Results results{*built, data, elicitation::ruleLint(built->model, *compiled, built->experts), {}, intervals};
+  Results results{*built, data,      elicitation::ruleLint(built->model, *compiled, built->experts),
+                  {},     intervals, options.force_terms};
   if (options.json) {
     auto weighted = elicitation::compareWeights(*built, tables->study, settings);
     if (!weighted) return inFile(weighted.error(), options.study);

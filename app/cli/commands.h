@@ -8,6 +8,7 @@
 
 #include "core/analysis/sampled_centroid.h"
 #include "core/base/error.h"
+#include "elicitation/force_terms.h"
 #include "elicitation/speed_terms.h"
 
 namespace tactus::cli {
@@ -70,6 +71,8 @@ struct BuildOptions {
   double trim = 0;
   elicitation::SpeedCentres centres = elicitation::SpeedCentres::kClusters;
   elicitation::Averaging averaging = elicitation::Averaging::kMean;
+  elicitation::ForceTermsFrom force_terms = elicitation::ForceTermsFrom::kVote;
+  std::optional<double> force_end_n;
   std::size_t replicates = 2000;  ///< of the strokes, for intervals; 0: none
   bool own_terms = false;
   bool json = false;

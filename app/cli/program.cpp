@@ -54,7 +54,11 @@ void addCommands(CLI::App& app, Chosen& chosen) {
             ->required()
             ->check(notEmpty());
         command.add_option("--out", o.out, "Model file to write")->required()->check(notEmpty());
-        command.add_option("--weights", o.weights, "equal, years, category, column, or a CSV file participant,weight")
+        command
+            .add_option(
+                "--weights", o.weights,
+                "equal (default), years, category (beginner 1, intermediate 2, expert 3), column, or a CSV file "
+                "participant,weight")
             ->check(notEmpty());
         command.add_option("--alpha", o.alpha, "Membership at which a cluster's core ends, in (0.5, 1]");
         command.add_option("--trim", o.trim, "Drop samples below this share of their stroke's peak speed, in [0, 1)");
@@ -76,6 +80,22 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                 },
                 "Of the speed terms over the participants: mean (default), weighted_mean (--weights) or median")
             ->check(CLI::IsMember({"mean", "weighted_mean", "median"}));
+        command
+            .add_option_function<std::string>(
+                "--force-terms",
+                [&o](const std::string& word) {
+                  using enum elicitation::ForceTermsFrom;
+                  o.force_terms = word == name(kFrequency)    ? kFrequency
+                                  : word == name(kThresholds) ? kThresholds
+                                                              : kVote;
+                },
+                "Terms of the force from the judgements: vote (default), frequency or thresholds")
+            ->check(CLI::IsMember({"vote", "frequency", "thresholds"}));
+        command
+            .add_option("--force-end", o.force_end_n,
+                        "End of the universe of the force in N (default: the last force that half of the participants "
+                        "judged)")
+            ->check(CLI::Range(0.001, 100.0));
         command
             .add_option("--replicates", o.replicates,
                         "Draws of whole strokes for the intervals of the speeds, 0 for none")

@@ -57,16 +57,16 @@ std::string why(const VoteStep& step) {
       text = "half of the votes or more";
       break;
     case elicitation::VoteReason::kTieHigher:
-      text = "two have half each, the higher wins";
+      text = "two have half of the votes each: the higher";
       break;
     case elicitation::VoteReason::kNextLevel:
-      text = "no half: one above the last winner";
+      text = "no half: one above the last force's own term";
       break;
     case elicitation::VoteReason::kClamped:
-      text = "no half: kept within the terms voted for";
+      text = "no half: one above, kept within the terms voted for";
       break;
     case elicitation::VoteReason::kFirstMedian:
-      text = "no half, no winner before: the median";
+      text = "no half, no force decided before: the lower median";
       break;
     case elicitation::VoteReason::kNoVotes:
       return "nobody chose a term";
@@ -171,7 +171,7 @@ Result<Output> vote(const VoteOptions& options) {
   const auto steps = elicitation::vote(count->steps, count->enrolled);
   const auto terms = elicitation::forceTerms(output, steps);
   if (!terms) return inFile(terms.error(), options.judgements);
-  const auto frequency = elicitation::frequencyTerms(output, count->steps);
+  const auto frequency = elicitation::frequencyTerms(output, steps);
   if (!frequency) return inFile(frequency.error(), options.judgements);
   auto& warnings = count->warnings;
   warnings.insert(warnings.end(), terms->notes.begin(), terms->notes.end());

@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 #include "elicitation/force_frequency.h"
+#include "elicitation/ngt_variables.h"
 
 namespace tactus::report {
 
@@ -27,12 +28,13 @@ constexpr double kDotStepN = 0.016;
 /// The shares as dots and `terms` as lines, a colour for each term of the model's output.
 std::string curvePlot(const ReportContext& context, const elicitation::FrequencyTerms& frequency,
                       const std::vector<fuzzy::Term>& terms, const std::string& title) {
-  const fuzzy::Variable& force = context.in.built.model.output;
+  const fuzzy::Variable force = elicitation::ngtOutput();  // the shares are of all its terms
+  const double end_n = context.in.built.model.output.max;
   SvgPlot plot({.title = title,
                 .description = "Dots: share of the answers for each term. Lines: the term's membership function.",
                 .width = 460,
                 .height = 280,
-                .x = {.label = "Insertion force (N)", .min = 0, .max = force.max + 0.05},
+                .x = {.label = "Insertion force (N)", .min = 0, .max = end_n + 0.05},
                 .y = {.label = "Share, membership", .min = 0, .max = 1.05, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
   for (std::size_t k = 0; k < force.terms.size(); ++k) {
     const std::string color = rampColor(k, force.terms.size());
@@ -54,9 +56,7 @@ std::string curvePlot(const ReportContext& context, const elicitation::Frequency
 
 void addFrequency(HtmlPage& page, const ReportContext& context) {
   if (!context.in.built.force_terms) return;
-  std::vector<elicitation::VoteCounts> counts;
-  for (const auto& step : context.in.built.votes) counts.push_back({step.force_n, step.votes});
-  const auto frequency = elicitation::frequencyTerms(context.in.built.force_terms->output, counts);
+  const auto frequency = elicitation::frequencyTerms(elicitation::ngtOutput(), context.in.built.votes);
   if (!frequency) return;
   page.subsection("Every answer counts: the frequency curve");
   page.paragraph(

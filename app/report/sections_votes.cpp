@@ -34,13 +34,13 @@ std::string_view explain(elicitation::VoteReason reason) {
     case elicitation::VoteReason::kMajority:
       return "one term has half of the votes or more";
     case elicitation::VoteReason::kTieHigher:
-      return "two terms have half each, the higher wins";
+      return "two terms have half of the votes each, the higher wins";
     case elicitation::VoteReason::kNextLevel:
-      return "no term has half, so the level above the last winner";
+      return "no term has half, so one above the own term of the force before";
     case elicitation::VoteReason::kClamped:
-      return "the same, kept within the levels that were voted for";
+      return "the same, kept within the terms that were voted for";
     case elicitation::VoteReason::kFirstMedian:
-      return "no term has half and there is no winner before, so the median";
+      return "no term has half and no force was decided before, so the lower median";
     case elicitation::VoteReason::kNoVotes:
       return "nobody voted";
   }

@@ -22,7 +22,7 @@ fuzzy::Variable termsOf(std::size_t count) {
 }
 
 FrequencyTerms fitted(const std::vector<VoteCounts>& counts) {
-  auto terms = frequencyTerms(termsOf(counts.front().votes.size()), counts);
+  auto terms = frequencyTerms(termsOf(counts.front().votes.size()), vote(counts));
   EXPECT_TRUE(terms);
   return std::move(*terms);
 }
@@ -101,10 +101,12 @@ TEST(ForceFrequency, AllTheSameAnswerLeavesOneCore) {
   std::vector<VoteCounts> counts;
   for (int i = 1; i <= 11; ++i) counts.push_back({0.1 * i, {0, 0, 4, 0, 0}});
   const auto terms = fitted(counts);
-  // The lower terms share the gap below the first force, the upper ones have none.
-  expectTerms(terms, {{0, 0, 0, 0.05}, {0, 0.05, 0.05, 0.1}, {0.05, 0.1, 1.1, 1.1}}, 1e-6);
-  EXPECT_EQ(terms.interpolated, (std::vector<std::string>{"t0", "t1"}));
-  EXPECT_EQ(terms.absent, (std::vector<std::string>{"t3", "t4"}));
+  // The lower terms share the gap below the first force, the upper ones lie a step apart above the last.
+  expectTerms(
+      terms, {{0, 0, 0, 0.05}, {0, 0.05, 0.05, 0.1}, {0.05, 0.1, 1.1, 1.2}, {1.1, 1.2, 1.2, 1.3}, {1.2, 1.3, 1.3, 1.3}},
+      1e-6);
+  EXPECT_EQ(terms.interpolated, (std::vector<std::string>{"t0", "t1", "t3", "t4"}));
+  EXPECT_TRUE(terms.absent.empty());
 }
 
 TEST(ForceFrequency, ATermThatNobodyChoseLiesBetweenItsNeighbours) {
@@ -122,9 +124,9 @@ TEST(ForceFrequency, StepsWithoutVotesSayNothing) {
 }
 
 TEST(ForceFrequency, RefusesVotesThatSayNothing) {
-  EXPECT_FALSE(frequencyTerms(termsOf(2), std::vector<VoteCounts>{{0.1, {0, 0}}}));
-  EXPECT_FALSE(frequencyTerms(termsOf(2), std::vector<VoteCounts>{{0, {1, 0}}}));
-  EXPECT_FALSE(frequencyTerms(termsOf(2), std::vector<VoteCounts>{}));
+  EXPECT_FALSE(frequencyTerms(termsOf(2), vote(std::vector<VoteCounts>{{0.1, {0, 0}}})));
+  EXPECT_FALSE(frequencyTerms(termsOf(2), vote(std::vector<VoteCounts>{{0, {1, 0}}})));
+  EXPECT_FALSE(frequencyTerms(termsOf(2), {}));
 }
 
 TEST(ForceFrequency, OneTermNeedsNoRamp) {

@@ -74,13 +74,96 @@ TEST(ForceTerms, MissingLevelsAtTheLowEndHaveAShoulder) {
 }
 
 TEST(ForceTerms, NoRoomMeansNoTerm) {
-  // The universe ends at the last rated step, so nothing fits above it; a first step at 0 N leaves nothing below.
-  const auto terms = forceTerms(ngtOutput(), won({{0.0, 1}, {0.4, 2}, {0.5, 3}, {0.6, std::nullopt}}));
+  // A first step at 0 N leaves nothing below.
+  const auto terms = forceTerms(ngtOutput(), won({{0.0, 1}, {0.4, 2}, {0.5, 3}, {0.6, 4}}));
   ASSERT_TRUE(terms);
-  EXPECT_EQ(terms->absent, (std::vector<std::string>{"very_small", "very_large"}));
-  EXPECT_EQ(terms->output.max, 0.5);
+  EXPECT_EQ(terms->absent, (std::vector<std::string>{"very_small"}));
   EXPECT_EQ(points(*terms, "small"), (std::vector<double>{0, 0, 0, 0.4}));
-  EXPECT_EQ(points(*terms, "large"), (std::vector<double>{0.4, 0.5, 0.5, 0.5}));
+}
+
+TEST(ForceTerms, AMissingTopTermLiesOneStepAbove) {
+  // Everybody says "beyond" at 0.8 N and above: large ends at 0.7 N, very large begins there.
+  const auto terms = forceTerms(ngtOutput(), won({{0.1, 0},
+                                                  {0.2, 0},
+                                                  {0.3, 1},
+                                                  {0.4, 1},
+                                                  {0.5, 2},
+                                                  {0.6, 3},
+                                                  {0.7, 3},
+                                                  {0.8, std::nullopt},
+                                                  {0.9, std::nullopt}}));
+  ASSERT_TRUE(terms);
+  EXPECT_TRUE(terms->absent.empty());
+  EXPECT_EQ(terms->interpolated, (std::vector<std::string>{"very_large"}));
+  EXPECT_EQ(points(*terms, "large"), (std::vector<double>{0.5, 0.6, 0.7, 0.8}));
+  EXPECT_EQ(points(*terms, "very_large"), (std::vector<double>{0.7, 0.8, 0.8, 0.8}));
+  EXPECT_EQ(terms->output.max, 0.8);
+  EXPECT_EQ(terms->notes,
+            (std::vector<std::string>{"No force up to 0.7 N was given 'very_large': its term is placed one "
+                                      "step above, at 0.8 N."}));
+  EXPECT_EQ(terms->end_reason, "one step above the last force with a term");
+}
+
+TEST(ForceTerms, SeveralMissingTopTermsLieAStepApart) {
+  // Nobody judged anything above medium, so the steps go on as they were: 0.1 N apart.
+  const auto terms = forceTerms(ngtOutput(), won({{0.1, 0}, {0.2, 1}, {0.3, 2}}));
+  ASSERT_TRUE(terms);
+  EXPECT_EQ(points(*terms, "medium"), (std::vector<double>{0.2, 0.3, 0.3, 0.4}));
+  EXPECT_EQ(points(*terms, "large"), (std::vector<double>{0.3, 0.4, 0.5}));  // a triangle
+  EXPECT_EQ(points(*terms, "very_large"), (std::vector<double>{0.4, 0.5, 0.5, 0.5}));
+  EXPECT_EQ(terms->output.max, 0.5);
+}
+
+/// Four participants who vote up to 0.8 N, one of them alone up to 1.2 N.
+std::vector<VoteStep> oneTalksOn() {
+  std::vector<VoteCounts> counts = {{0.1, {4, 0, 0, 0, 0}}, {0.3, {0, 4, 0, 0, 0}}, {0.5, {0, 0, 4, 0, 0}},
+                                    {0.7, {0, 0, 0, 4, 0}}, {0.8, {0, 0, 0, 0, 2}}, {0.9, {0, 0, 0, 0, 1}},
+                                    {1.0, {0, 0, 0, 0, 1}}, {1.1, {0, 0, 0, 0, 1}}, {1.2, {0, 0, 0, 0, 1}}};
+  return vote(counts, 4);
+}
+
+TEST(ForceTerms, TheUniverseEndsWithTheQuorumNotWithOneWhoGoesOn) {
+  const auto terms = forceTerms(ngtOutput(), oneTalksOn());
+  ASSERT_TRUE(terms);
+  EXPECT_EQ(terms->output.max, 0.8);
+  EXPECT_EQ(points(*terms, "very_large"), (std::vector<double>{0.7, 0.8, 0.8, 0.8}));
+  EXPECT_EQ(terms->notes,
+            (std::vector<std::string>{"Vote at 0.9, 1, 1.1, 1.2 N: above 0.8 N, the last force that enough "
+                                      "participants judged; these votes shape no term."}));
+  // Without them the result is the same.
+  auto stopped = oneTalksOn();
+  stopped.resize(5);
+  EXPECT_EQ(forceTerms(ngtOutput(), stopped)->output, terms->output);
+}
+
+TEST(ForceTerms, AnEndThatWasAskedForIsTaken) {
+  auto terms = forceTerms(ngtOutput(), oneTalksOn(), 1.2);
+  ASSERT_TRUE(terms);
+  EXPECT_EQ(points(*terms, "very_large"), (std::vector<double>{0.7, 0.8, 1.2, 1.2}));
+  EXPECT_EQ(terms->output.max, 1.2);
+  EXPECT_TRUE(terms->notes.empty());
+  EXPECT_EQ(terms->end_reason, "as asked for");
+  // Above all judgements: the shoulder goes on.
+  terms = forceTerms(ngtOutput(), oneTalksOn(), 2);
+  EXPECT_EQ(points(*terms, "very_large"), (std::vector<double>{0.7, 0.8, 2, 2}));
+  // Below them: what begins there does not exist, what lies across is cut.
+  terms = forceTerms(ngtOutput(), oneTalksOn(), 0.5);
+  ASSERT_TRUE(terms);
+  EXPECT_EQ(terms->absent, (std::vector<std::string>{"large", "very_large"}));
+  EXPECT_EQ(points(*terms, "medium"), (std::vector<double>{0.3, 0.5, 0.5, 0.5}));
+  terms = forceTerms(ngtOutput(), oneTalksOn(), 0.6);
+  EXPECT_EQ(terms->absent, (std::vector<std::string>{"very_large"}));
+  EXPECT_EQ(points(*terms, "large"), (std::vector<double>{0.5, 0.7, 0.7, 0.7}));
+  EXPECT_EQ(terms->output.max, 0.6);
+}
+
+TEST(ForceTerms, WithoutAQuorumAnywhereHalfOfTheMostVotesDecides) {
+  // Ten are enrolled, three judge, one of them alone at 0.6 N.
+  const std::vector<VoteCounts> counts = {{0.2, {3, 0, 0, 0, 0}}, {0.4, {0, 0, 0, 0, 2}}, {0.6, {0, 0, 0, 0, 1}}};
+  const auto terms = forceTerms(ngtOutput(), vote(counts, 10));
+  ASSERT_TRUE(terms);
+  EXPECT_EQ(terms->output.max, 0.4);
+  EXPECT_NE(terms->notes.front().find("Less than half of the participants judged any force"), std::string::npos);
 }
 
 TEST(ForceTerms, NothingDecidedIsRefused) {

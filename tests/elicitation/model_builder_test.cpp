@@ -178,15 +178,80 @@ TEST(ModelBuilder, ForceTermsComeFromTheVote) {
   built = buildModel(study, forms(), {});
   ASSERT_TRUE(built);
   EXPECT_EQ(built->force_terms->interpolated, std::vector<std::string>{"medium"});
-  // Nothing above small is judged: medium does not exist, and A's third rule wants it.
+  // Nothing above small is judged: the terms above lie a step apart from there, and A's third rule has its medium.
   study.judgements.resize(4);
-  EXPECT_EQ(
-      errorOf(study),
-      "rule 3 of participant A: found force 'medium', wanted a term that the judged forces give: no force was voted "
-      "'medium' and there is no room for it");
+  built = buildModel(study, forms(), {});
+  ASSERT_TRUE(built) << built.error().message();
+  EXPECT_EQ(built->model.output.terms[2].points, (std::vector<double>{0.5, 0.75, 1}));
+  EXPECT_EQ(built->model.output.max, 1.25);
+  EXPECT_TRUE(mentions(built->notes, "its term is placed one step above, at 0.75 N"));
   BuildSettings settings;
   settings.series = "random";
   EXPECT_NE(errorOf(study, settings).find("no row of series 'random'"), std::string::npos);
+}
+
+/// What participant `who` says of 0.1, 0.2 ... N: s for small, l for large, V for very large.
+void judge(study::Study& study, const char* who, const std::string& answers) {
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const char* term = answers[i] == 's' ? "small" : answers[i] == 'l' ? "large" : "very_large";
+    study.judgements.push_back({who, "ascending", static_cast<int>(i) + 1, 0.1 * static_cast<double>(i + 1),
+                                study::ForceJudgement::Kind::kTerm, term});
+  }
+}
+
+TEST(ModelBuilder, OneWhoGoesOnMovesNobodysForce) {
+  auto study = smallStudy();
+  for (const char* code : {"C", "D"}) study.participants.push_back(participant(code));
+  study.rules = {{"C", "reading", {{"depth", "stomach"}}, "very_large", 1}};
+  for (const char* who : {"A", "B", "C"}) judge(study, who, "ssllVV");
+  auto stopped = study;
+  judge(stopped, "D", "ssllVV");
+  judge(study, "D", "ssllVVVVVVVVVV");
+  const auto built = buildModel(study, forms(), {});
+  const auto without = buildModel(stopped, forms(), {});
+  ASSERT_TRUE(built && without);
+  EXPECT_EQ(built->model.output, without->model.output);
+  EXPECT_EQ(evaluate(built->model, {1, 0, 300, 0}).force_n, evaluate(without->model, {1, 0, 300, 0}).force_n);
+  EXPECT_TRUE(mentions(built->notes, "Vote at 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.3, 1.4 N: above 0.6 N"));
+
+  BuildSettings settings;
+  settings.force_end_n = 1.4;
+  const auto asked = buildModel(study, forms(), settings);
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->model.output.max, 1.4);
+  EXPECT_EQ(settingOf(asked->model, "force_end_n"), "1.4");
+  EXPECT_TRUE(mentions(asked->notes, "The universe of the force ends at 1.4 N instead of 1.1 N: as asked for."));
+}
+
+TEST(ModelBuilder, ForceTermsInThreeWays) {
+  auto study = smallStudy();
+  judge(study, "A", "sslllV");
+  judge(study, "B", "slVVVV");
+  const auto points = [&study](ForceTermsFrom from, std::size_t term) {
+    BuildSettings settings;
+    settings.force_terms = from;
+    const auto built = buildModel(study, forms(), settings);
+    EXPECT_TRUE(built) << built.error().message();
+    EXPECT_EQ(settingOf(built->model, "force_terms"), '"' + std::string(name(from)) + '"');
+    return built->model.output.terms[term].points;
+  };
+  // Votes: .1 small, .2 large (the higher of two halves), .3 very large, so all above.
+  EXPECT_EQ(points(ForceTermsFrom::kVote, 4), (std::vector<double>{0.2, 0.1 * 3, 0.1 * 6, 0.1 * 6}));
+  // Thresholds of very large: 0.55 and 0.25 N.
+  const auto thresholds = points(ForceTermsFrom::kThresholds, 4);
+  EXPECT_NEAR(thresholds[0], 0.35, 1e-9);  // sums of tenths
+  EXPECT_NEAR(thresholds[1], 0.45, 1e-9);
+  const auto frequency = points(ForceTermsFrom::kFrequency, 4);
+  EXPECT_LE(frequency[0], 0.2);  // half of the answers from 0.3 N on, all at 0.6 N
+  EXPECT_EQ(frequency[1], 0.6);
+
+  study.judgements.clear();
+  BuildSettings settings;
+  EXPECT_EQ(settingOf(buildModel(study, forms(), settings)->model, "force_terms"), "\"default\"");
+  settings.force_end_n = 1;
+  EXPECT_EQ(errorOf(study, settings),
+            "force-end: found no force judgements, wanted judgements, because without them the force has its default "
+            "terms and their end");
 }
 
 TEST(ModelBuilder, GivenRulesTakeThePlaceOfAnswersAndBringTheirDepthTerms) {

@@ -93,12 +93,14 @@ TEST(TablePlaces, Answers) {
 TEST(TablePlaces, AnAnswerWithATermThatNoForceGot) {
   auto changed = study();
   changed.rules.clear();
-  changed.answers = {{"A", "short", 2, "large", Status::kAnswered, {6}}};
-  changed.judgements = {{"A", "ascending", 1, 0.2, Kind::kTerm, "very_small", {2}}};
+  // The first force of all is small already: nothing lies below 0 N.
+  changed.answers = {{"A", "short", 2, "very_small", Status::kAnswered, {6}}};
+  changed.judgements = {{"A", "ascending", 1, 0, Kind::kTerm, "small", {2}},
+                        {"A", "ascending", 2, 0.2, Kind::kTerm, "medium", {3}}};
   EXPECT_EQ(
       errorOf(changed),
-      "answers.csv: line 6, column 'term': found 'large', wanted a term that the judged forces give: no force was "
-      "voted 'large' and there is no room for it");
+      "answers.csv: line 6, column 'term': found 'very_small', wanted a term that the judged forces give: there is no "
+      "room for 'very_small' between 0 N and the end of the universe at 0.6 N");
 }
 
 TEST(TablePlaces, Judgements) {
