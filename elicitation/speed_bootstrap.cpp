@@ -4,7 +4,20 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/statistics.h"
+
 namespace tactus::elicitation {
+namespace {
+
+/// One end of one ramp in every replicate.
+std::vector<double> valuesOf(std::span<const std::vector<Ramp>> replicates, std::size_t gap, double Ramp::*end) {
+  std::vector<double> values;
+  values.reserve(replicates.size());
+  for (const auto& ramps : replicates) values.push_back(ramps[gap].*end);
+  return values;
+}
+
+}  // namespace
 
 base::Result<SpeedBootstrap> SpeedBootstrap::of(const study::Study& study, const BuiltModel& built,
                                                 const BuildSettings& settings, std::uint64_t seed) {
@@ -25,12 +38,15 @@ base::Result<SpeedBootstrap> SpeedBootstrap::of(const study::Study& study, const
     if (!bootstrap) return tl::unexpected(bootstrap.error());
     participants.push_back(std::move(*bootstrap));
   }
-  return SpeedBootstrap(std::move(participants), built.speed_weights, settings.averaging);
+  return SpeedBootstrap(std::move(participants), built.averaged_ramps, built.speed_weights, settings.averaging);
 }
 
-SpeedBootstrap::SpeedBootstrap(std::vector<StrokeBootstrap> participants, std::vector<double> weights,
-                               Averaging averaging)
-    : participants_(std::move(participants)), weights_(std::move(weights)), averaging_(averaging) {}
+SpeedBootstrap::SpeedBootstrap(std::vector<StrokeBootstrap> participants, std::vector<Ramp> averaged,
+                               std::vector<double> weights, Averaging averaging)
+    : participants_(std::move(participants)),
+      averaged_(std::move(averaged)),
+      weights_(std::move(weights)),
+      averaging_(averaging) {}
 
 void SpeedBootstrap::add(std::size_t replicates) {
   for (auto& participant : participants_) participant.add(replicates);
@@ -40,21 +56,32 @@ StudySpeedIntervals SpeedBootstrap::intervals(double coverage) const {
   StudySpeedIntervals out;
   out.replicates = replicates();
   if (out.replicates == 0) return out;
-  for (const auto& participant : participants_) out.participants.push_back(participant.intervals(coverage));
+  double lowest = participants_.front().lowest();
+  for (const auto& participant : participants_) {
+    out.participants.push_back(participant.intervals(coverage));
+    lowest = std::min(lowest, participant.lowest());
+  }
 
-  const std::size_t gaps = participants_.front().ramps().front().size();
-  std::vector<std::vector<double>> p(gaps), q(gaps);
+  std::vector<std::vector<Ramp>> draws;  // of the average
   std::vector<std::vector<Ramp>> together(participants_.size());
   for (std::size_t i = 0; i < out.replicates; ++i) {
     for (std::size_t who = 0; who < together.size(); ++who) together[who] = participants_[who].ramps()[i];
-    const auto averaged = averageRamps(together, weights_, averaging_);
-    for (std::size_t k = 0; k < gaps; ++k) {
-      p[k].push_back(averaged[k].p);
-      q[k].push_back(averaged[k].q);
-    }
+    draws.push_back(averageRamps(together, weights_, averaging_));
   }
-  for (std::size_t k = 0; k < gaps; ++k) {
-    out.averaged.push_back({percentileInterval(p[k], coverage), percentileInterval(q[k], coverage)});
+  const auto interval = [&](std::size_t gap, double Ramp::*end, DrawSpread RampSpread::*spread) {
+    std::vector<double> variances;
+    std::vector<DrawSpread> persons;
+    for (std::size_t who = 0; who < participants_.size(); ++who) {
+      const double weight = averaging_ == Averaging::kWeightedMean ? weights_[who] : 1;
+      const double sd = base::standardDeviation(valuesOf(participants_[who].ramps(), gap, end));
+      variances.push_back(weight * weight * sd * sd);
+      persons.push_back(participants_[who].rampSpreads()[gap].*spread);
+    }
+    return drawInterval(averaged_[gap].*end, valuesOf(draws, gap, end), pooledSpread(variances, persons), lowest,
+                        coverage);
+  };
+  for (std::size_t gap = 0; gap < averaged_.size(); ++gap) {
+    out.averaged.push_back({interval(gap, &Ramp::p, &RampSpread::p), interval(gap, &Ramp::q, &RampSpread::q)});
   }
   return out;
 }

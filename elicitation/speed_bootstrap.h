@@ -22,7 +22,8 @@ struct StudySpeedIntervals {
 };
 
 /// One StrokeBootstrap per participant, side by side: replicate i of the average is the average of everybody's
-/// replicate i. The averaged intervals say how the strokes vary, not how other participants would.
+/// replicate i. The averaged intervals say how the strokes vary, not how other participants would. Their degrees of
+/// freedom are those of all participants together (pooledSpread); the median counts each of them alike there.
 /// Thread: any, one at a time.
 class SpeedBootstrap {
  public:
@@ -38,9 +39,11 @@ class SpeedBootstrap {
   StudySpeedIntervals intervals(double coverage = kCoverage) const;
 
  private:
-  SpeedBootstrap(std::vector<StrokeBootstrap> participants, std::vector<double> weights, Averaging averaging);
+  SpeedBootstrap(std::vector<StrokeBootstrap> participants, std::vector<Ramp> averaged, std::vector<double> weights,
+                 Averaging averaging);
 
   std::vector<StrokeBootstrap> participants_;
+  std::vector<Ramp> averaged_;
   std::vector<double> weights_;
   Averaging averaging_;
 };

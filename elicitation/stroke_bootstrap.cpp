@@ -1,6 +1,7 @@
 #include "elicitation/stroke_bootstrap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -20,10 +21,6 @@ bool ascending(const std::vector<double>& centres) {
 }
 
 }  // namespace
-
-Interval percentileInterval(const std::vector<double>& values, double coverage) {
-  return {base::quantile(values, (1 - coverage) / 2), base::quantile(values, (1 + coverage) / 2)};
-}
 
 base::Result<StrokeBootstrap> StrokeBootstrap::of(std::span<const study::SpeedSample> samples,
                                                   std::span<const std::string> levels, std::span<const double> centres,
@@ -48,10 +45,15 @@ StrokeBootstrap::StrokeBootstrap(StrokeResampler strokes, std::vector<double> ce
       random_(seed) {
   for (double& centre : start_) centre = strokes_.toScaled(centre);
   settings_.fcm.tolerance = kTolerance;
+  setSpreads();
 }
 
 std::vector<double> StrokeBootstrap::drawnCentres() {
   strokes_.draw(random_);
+  return centresNow();
+}
+
+std::vector<double> StrokeBootstrap::centresNow() {
   std::vector<double> centres;
   if (settings_.centres == SpeedCentres::kLevelMeans) {
     centres = strokes_.levelMeans();
@@ -63,6 +65,47 @@ std::vector<double> StrokeBootstrap::drawnCentres() {
   centres = descend(data, start_, FcmBeginning::kNearMinimum, settings_.fcm, {}).centres;
   for (double& centre : centres) centre = strokes_.toOriginal(centre);
   return centres;
+}
+
+std::vector<double> StrokeBootstrap::valuesOf(const std::vector<double>& centres) const {
+  std::vector<double> values = centres;
+  const auto ramps = alphaCutRamps(centres, settings_.fcm.m, settings_.alpha);
+  TACTUS_CHECK(ramps.has_value());
+  for (const Ramp& ramp : *ramps) values.insert(values.end(), {ramp.p, ramp.q});
+  return values;
+}
+
+/// With as many strokes in each level the level does not matter. Otherwise leaving out one stroke after another tells
+/// how much of the variance of each value comes from which level (jackknife, Tukey 1958).
+void StrokeBootstrap::setSpreads() {
+  const auto counts = strokes_.strokeCounts();
+  std::vector<DrawSpread> levels;
+  for (const std::size_t count : counts) levels.push_back(spreadOf(count));
+  const std::size_t values = valuesOf(own_mm_s_).size();
+  std::vector<std::vector<double>> variances(values, std::vector<double>(counts.size()));
+  const bool equal = std::adjacent_find(counts.begin(), counts.end(), std::not_equal_to<>()) == counts.end();
+  for (std::size_t level = 0; level < counts.size() && !equal; ++level) {
+    std::vector<std::vector<double>> without(values);
+    for (std::size_t stroke = 0; stroke < counts[level]; ++stroke) {
+      strokes_.leaveOut(level, stroke);
+      const auto centres = centresNow();
+      if (centres.empty() || !ascending(centres)) continue;
+      const auto found = valuesOf(centres);
+      for (std::size_t k = 0; k < values; ++k) without[k].push_back(found[k]);
+    }
+    for (std::size_t k = 0; k < values; ++k) {
+      const double sd = base::standardDeviation(without[k]);
+      const auto n = static_cast<double>(counts[level]);
+      variances[k][level] = sd * sd * std::pow(n - 1, 3) / (n * n);  // (n - 1) / n of the jackknife's, as draws have
+    }
+  }
+  std::vector<DrawSpread> spreads;
+  for (const auto& one : variances) spreads.push_back(equal ? levels.front() : mixedSpread(one, levels));
+  const std::size_t centres = own_mm_s_.size();
+  centre_spreads_.assign(spreads.begin(), spreads.begin() + static_cast<std::ptrdiff_t>(centres));
+  for (std::size_t k = 0; k + 1 < centres; ++k) {
+    ramp_spreads_.push_back({spreads[centres + 2 * k], spreads[centres + 2 * k + 1]});
+  }
 }
 
 void StrokeBootstrap::add(std::size_t replicates) {
@@ -83,17 +126,22 @@ SpeedIntervals StrokeBootstrap::intervals(double coverage) const {
   SpeedIntervals out;
   out.replicates = replicates();
   if (out.replicates == 0) return out;
-  std::vector<double> values(out.replicates);
-  const auto interval = [&](const auto& list, auto value) {
-    std::transform(list.begin(), list.end(), values.begin(), value);
-    return percentileInterval(values, coverage);
+  std::vector<double> draws(out.replicates);
+  const auto interval = [&](const auto& list, double own, const DrawSpread& spread, auto value) {
+    std::transform(list.begin(), list.end(), draws.begin(), value);
+    return drawInterval(own, draws, spread, lowest(), coverage);
   };
-  for (std::size_t k = 0; k < start_.size(); ++k) {
-    out.centres.push_back(interval(centres_, [k](const std::vector<double>& one) { return one[k]; }));
+  const auto own = valuesOf(own_mm_s_);
+  const std::size_t centres = own_mm_s_.size();
+  for (std::size_t k = 0; k < centres; ++k) {
+    out.centres.push_back(
+        interval(centres_, own[k], centre_spreads_[k], [k](const std::vector<double>& one) { return one[k]; }));
   }
-  for (std::size_t k = 0; k + 1 < start_.size(); ++k) {
-    out.ramps.push_back({interval(ramps_, [k](const std::vector<Ramp>& one) { return one[k].p; }),
-                         interval(ramps_, [k](const std::vector<Ramp>& one) { return one[k].q; })});
+  for (std::size_t k = 0; k + 1 < centres; ++k) {
+    const double* const ramp = &own[centres + 2 * k];
+    out.ramps.push_back(
+        {interval(ramps_, ramp[0], ramp_spreads_[k].p, [k](const std::vector<Ramp>& one) { return one[k].p; }),
+         interval(ramps_, ramp[1], ramp_spreads_[k].q, [k](const std::vector<Ramp>& one) { return one[k].q; })});
   }
   return out;
 }

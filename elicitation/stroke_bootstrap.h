@@ -1,6 +1,7 @@
 // Confidence intervals of one participant's speed centres and ramps, from drawing whole strokes anew.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/study/records.h"
+#include "elicitation/draw_interval.h"
 #include "elicitation/participant_speeds.h"
 #include "elicitation/speed_terms.h"
 #include "elicitation/stroke_resampling.h"
@@ -18,22 +20,17 @@ namespace tactus::elicitation {
 
 /// Replicates for intervals that are to be printed; fewer serve while a person moves a slider.
 inline constexpr std::size_t kBootstrapReplicates = 2000;
-/// Share of the replicates that an interval holds, unless somebody asks for another.
-inline constexpr double kCoverage = 0.95;
-
-struct Interval {
-  double low = 0;
-  double high = 0;
-};
-
 /// The intervals of the two ends of a ramp.
 struct RampInterval {
   Interval p;
   Interval q;
 };
 
-/// Percentile interval (Efron 1979) that holds `coverage` (0 to 1) of `values` (at least one).
-Interval percentileInterval(const std::vector<double>& values, double coverage);
+/// What a participant's strokes say of the draws of each end of a ramp.
+struct RampSpread {
+  DrawSpread p;
+  DrawSpread q;
+};
 
 struct SpeedIntervals {
   std::size_t replicates = 0;
@@ -60,23 +57,34 @@ class StrokeBootstrap {
 
   void add(std::size_t replicates);
   std::size_t replicates() const { return ramps_.size(); }
-  /// The ramps of every replicate so far.
+  /// The centres and the ramps of every replicate so far.
+  std::span<const std::vector<double>> centres() const { return centres_; }
   std::span<const std::vector<Ramp>> ramps() const { return ramps_; }
-  /// Without replicates all lists are empty.
+  /// Around the participant's own centres and ramps (drawInterval). Without replicates all lists are empty.
   SpeedIntervals intervals(double coverage = kCoverage) const;
+  /// One for each gap.
+  const std::vector<RampSpread>& rampSpreads() const { return ramp_spreads_; }
+  /// What no centre or ramp of the person is below: 0 mm/s, or the lowest sample where the data go below it.
+  double lowest() const { return std::min(0.0, strokes_.lowest()); }
 
  private:
   StrokeBootstrap(StrokeResampler strokes, std::vector<double> centres, const SpeedSettings& settings,
                   std::uint64_t seed);
 
-  /// Of a new draw; empty where it has fewer different speeds than clusters.
+  /// Of the strokes drawn; empty where they have fewer different speeds than clusters.
+  std::vector<double> centresNow();
   std::vector<double> drawnCentres();
+  /// The centres and then the ends of the ramps.
+  std::vector<double> valuesOf(const std::vector<double>& centres) const;
+  void setSpreads();
 
   StrokeResampler strokes_;
   std::vector<double> own_mm_s_;  // centres of all strokes
   std::vector<double> start_;     // the same, scaled
   SpeedSettings settings_;
   base::Random random_;
+  std::vector<DrawSpread> centre_spreads_;
+  std::vector<RampSpread> ramp_spreads_;
   std::vector<std::vector<double>> centres_;  // one list per replicate
   std::vector<std::vector<Ramp>> ramps_;
 };

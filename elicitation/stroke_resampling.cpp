@@ -76,6 +76,18 @@ void StrokeResampler::takeAll() {
   collect();
 }
 
+void StrokeResampler::leaveOut(std::size_t level, std::size_t stroke) {
+  for (auto& times : times_) std::fill(times.begin(), times.end(), 1.0);
+  times_[level][stroke] = 0;
+  collect();
+}
+
+std::vector<std::size_t> StrokeResampler::strokeCounts() const {
+  std::vector<std::size_t> counts;
+  for (const auto& level : levels_) counts.push_back(level.size());
+  return counts;
+}
+
 void StrokeResampler::collect() {
   std::fill(bin_count_.begin(), bin_count_.end(), 0.0);
   std::fill(bin_sum_.begin(), bin_sum_.end(), 0.0);

@@ -30,12 +30,18 @@ class StrokeResampler {
   void draw(base::Random& random);
   /// Every stroke once.
   void takeAll();
+  /// Every stroke once but the one with these numbers, from 0.
+  void leaveOut(std::size_t level, std::size_t stroke);
+  /// Strokes of each level.
+  std::vector<std::size_t> strokeCounts() const;
 
   /// The samples of the strokes drawn, ascending, scaled to [-1, 1], and how many each stands for.
   std::span<const double> values() const { return values_; }
   std::span<const double> weights() const { return weights_; }
   double toScaled(double speed_mm_s) const { return (speed_mm_s - middle_mm_s_) / half_range_mm_s_; }
   double toOriginal(double scaled) const { return middle_mm_s_ + half_range_mm_s_ * scaled; }
+  /// Of all samples, in mm/s.
+  double lowest() const { return toOriginal(-1); }
 
   /// The mean of each level's samples of the strokes drawn, in mm/s, exact. Every level has strokes.
   std::vector<double> levelMeans() const;

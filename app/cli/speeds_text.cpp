@@ -146,7 +146,8 @@ std::string speedsAsText(const elicitation::BuiltModel& built, const std::option
   }
   text += " mm/s\n";
   if (intervals) {
-    text += "in brackets: 95 % of " + std::to_string(intervals->replicates) + " draws of whole strokes\n";
+    text += "in brackets: 95 % intervals (Student's t, standard deviation of " + std::to_string(intervals->replicates) +
+            " draws of whole strokes)\n";
   }
   return text;
 }
@@ -154,6 +155,7 @@ std::string speedsAsText(const elicitation::BuiltModel& built, const std::option
 void writeSpeeds(const elicitation::BuiltModel& built, const std::optional<StudySpeedIntervals>& intervals,
                  JsonWriter& json) {
   json.key("speeds").beginObject().key("replicates").value(intervals ? intervals->replicates : std::size_t{0});
+  json.key("interval_method").value(elicitation::kIntervalMethod).key("coverage").value(elicitation::kCoverage);
   json.key("participants").beginArray();
   for (std::size_t who = 0; who < built.speeds.size(); ++who) {
     writeParticipant(built.speeds[who], intervalsOf(intervals, who), json);

@@ -80,7 +80,8 @@ Table intervalTable(const ReportContext& context) {
   const auto& intervals = *context.speed_intervals;
   Table table{.caption = strong("95 % intervals.") + " " + badges({Badge::kComputed, Badge::kSimulated}) + " " +
                          std::to_string(intervals.replicates) +
-                         " draws of whole strokes within each level, with replacement, in mm/s.",
+                         " draws of whole strokes within each level, with replacement; Student’s t times the standard "
+                         "deviation of the draws, widened for few strokes; in mm/s.",
               .head = valueHead(),
               .body = {}};
   for (std::size_t who = 0; who < context.in.built.speeds.size(); ++who) {

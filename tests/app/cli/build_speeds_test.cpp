@@ -62,7 +62,8 @@ TEST_F(BuildSpeeds, ShowsLevelsOrderAndIntervals) {
   ASSERT_EQ(run.status, 0) << run.err;
   for (const char* text : {"speeds of S4: 600 of 600 samples", "  slow 31.1 ± 8.9 mm/s, strokes 4; centre 9.5 [",
                            "d' to the next level 0.59", "Jonckheere-Terpstra J 46 of 48, p 0.000231 (exact)",
-                           "adjusted Rand index 0.23, accuracy 0.41", "in brackets: 95 % of 50 draws of whole strokes",
+                           "adjusted Rand index 0.23, accuracy 0.41",
+                           "in brackets: 95 % intervals (Student's t, standard deviation of 50 draws of whole strokes)",
                            "hardly apart (d' 0.39, below 1)"}) {
     EXPECT_NE(run.out.find(text), std::string::npos) << text << '\n' << run.out;
   }
