@@ -53,6 +53,9 @@ struct DeviceInfo {
   double delay_s = 0.001;                    ///< between a position and the force that answers it
   std::optional<double> friction_in_n;       ///< own dry friction against insertion, where it was measured
   std::optional<double> friction_out_n;
+  /// > 0: for how long the device holds a command. Where the next one is later than this, it has let go by itself: the
+  /// force is 0, and the safety layer begins anew. Where it is not known, too short is the safe side.
+  double hold_s = 0.05;
   std::optional<double> quiet_after_s;  ///< a dead host means no force after this time
 };
 

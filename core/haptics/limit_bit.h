@@ -17,6 +17,7 @@ enum LimitBit : std::uint32_t {
   kLimitedByRelease = 1u << 7,  ///< not enabled
   kLimitedByTrip = 1u << 8,
   kLimitedByStiffness = 1u << 9,  ///< the rendered stiffness is below the model's
+  kLimitedByGap = 1u << 10,       ///< fading in after a gap between commands that the device does not hold a force for
 };
 
 }  // namespace tactus::haptics

@@ -96,6 +96,7 @@ LoopStatistics LoopMeter::snapshot() const noexcept {
   out.orders_taken = orders_taken_.load(std::memory_order_relaxed);
   out.last_wait_ticks = last_wait_ticks_.load(std::memory_order_relaxed);
   out.longest_wait_ticks = longest_wait_ticks_.load(std::memory_order_relaxed);
+  out.restarts = restarts_.load(std::memory_order_relaxed);
   return out;
 }
 

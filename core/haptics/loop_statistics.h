@@ -41,6 +41,7 @@ struct LoopStatistics {
   std::uint64_t orders_taken = 0;     ///< sets of orders that came into force; others were overtaken by newer ones
   std::uint64_t last_wait_ticks = 0;  ///< from the last tick begun before `post` to the first with the new orders
   std::uint64_t longest_wait_ticks = 0;
+  std::uint64_t restarts = 0;  ///< of the force, after a gap between commands that the device does not hold one for
 };
 
 /// Collects the statistics. One thread writes, any thread looks; all atomics are relaxed, because each number means
@@ -56,6 +57,8 @@ class LoopMeter {
   void writeAge(std::int64_t age_ns) noexcept { write_age_.add(age_ns); }
   /// New orders came into force `wait_ticks` ticks after they were posted.
   void ordersTaken(std::uint64_t wait_ticks) noexcept;
+  /// How often the force began anew so far.
+  void restarts(std::uint64_t count) noexcept { restarts_.store(count, std::memory_order_relaxed); }
   /// A tick has ended that began `late_ns` after its time (below 0: early) and took `duration_ns`.
   void end(std::int64_t late_ns, std::int64_t duration_ns, std::int64_t period_ns) noexcept;
 
@@ -84,6 +87,7 @@ class LoopMeter {
   Number<std::uint64_t> orders_taken_{0};
   Number<std::uint64_t> last_wait_ticks_{0};
   Number<std::uint64_t> longest_wait_ticks_{0};
+  Number<std::uint64_t> restarts_{0};
   AtomicHistogram lateness_;
   AtomicHistogram tick_duration_;
   AtomicHistogram read_age_;

@@ -11,6 +11,10 @@ namespace {
 
 /// After a stall the force moves on as after a tick of this length, so that it does not jump to where it should be.
 constexpr double kLongestStepS = 0.002;
+/// A servo that is later than this has stood still.
+constexpr double kStandstillS = 0.005;
+/// Whatever a device does without commands, its motors are not warmed for longer than this.
+constexpr double kLongestHeldS = 2;
 /// No device is as large; further out is as little of a position as a NaN.
 constexpr double kFarthestMm = 1e6;
 /// Smaller forces become 0, so that nothing works on denormal numbers.
@@ -73,7 +77,10 @@ void Safety::passTime(const SafetyInput& input, const LimitSettings& limits) noe
   running_ = true;
   const double elapsed_s = secondsBetween(before_ns_, now_ns_);
   step_s_ = std::min(elapsed_s, kLongestStepS);
-  thermal_.advance(now_ns_, force_n_, limits.continuous_force_n, limits.thermal_window_s);
+  heat(elapsed_s, limits);
+  const bool let_go = deviceLetGo(input, limits);
+  if (let_go) beginAnew();
+  in_gap_ = let_go;
 
   const bool sampled = input.device != nullptr && input.device->number > 0;
   sample_age_s_ = sampled ? std::optional(secondsBetween(input.device->time_ns, now_ns_)) : std::nullopt;
@@ -81,7 +88,52 @@ void Safety::passTime(const SafetyInput& input, const LimitSettings& limits) noe
   if (input.another_axis) velocity_.forget();
   if (!sampled || !isPosition(input.position_mm)) return;
   velocity_.add(input.device->number, input.device->time_ns, input.position_mm);
-  passivity_.observe(now_ns_, input.position_mm, force_n_, limits.loop_delay_s);
+  if (let_go) {
+    passivity_.reset(now_ns_, input.position_mm);
+  } else {
+    passivity_.observe(now_ns_, input.position_mm, force_n_, limits.loop_delay_s);
+  }
+}
+
+/// What the motors gave since the last tick. A force that nobody renews counts in full, for as long as it could last.
+void Safety::heat(double elapsed_s, const LimitSettings& limits) noexcept {
+  const bool to_the_end = !told_nothing_ && elapsed_s <= kLongestHeldS;
+  if (!told_nothing_ && !to_the_end) {
+    const auto held_ns = static_cast<std::int64_t>(1e9 * kLongestHeldS);
+    thermal_.advance(before_ns_ + held_ns, force_n_, limits.continuous_force_n, limits.thermal_window_s);
+  }
+  thermal_.advance(now_ns_, to_the_end ? force_n_ : 0, limits.continuous_force_n, limits.thermal_window_s);
+}
+
+ThermalBudget Safety::thermal() const noexcept {
+  ThermalBudget after = thermal_;
+  const double held_s = told_nothing_ ? 0 : std::min(hold_s_, kLongestHeldS);
+  after.spend(now_ns_ + static_cast<std::int64_t>(1e9 * held_s), force_n_);
+  return after;
+}
+
+/// Whether the device has had no command for longer than it holds one.
+bool Safety::deviceLetGo(const SafetyInput& input, const LimitSettings& limits) noexcept {
+  const bool told_nothing = told_nothing_;
+  told_nothing_ = false;
+  const double gap_s = secondsBetween(before_ns_, now_ns_);
+  if (gap_s > kStandstillS) resumed_ns_ = now_ns_;
+  on_the_way_ = secondsBetween(resumed_ns_, now_ns_) <= limits.loop_delay_s + kLongestStepS;
+  if (told_nothing || gap_s > hold_s_) return true;
+  const std::int64_t written_ns = input.device != nullptr ? input.device->written_ns : 0;
+  if (written_ns == 0 || on_the_way_) return false;
+  // Once nothing arrives any more, what is asked for now arrives a delay later at the earliest.
+  const double written_age_s = secondsBetween(written_ns, now_ns_);
+  const double delay_s = written_age_s > kStandstillS ? limits.loop_delay_s : 0;
+  return written_age_s + delay_s > hold_s_;
+}
+
+void Safety::beginAnew() noexcept {
+  if (!enabled_ && force_n_ == 0) return;
+  restarts_ += in_gap_ ? 0 : 1;
+  force_n_ = 0;
+  faded_in_s_ = 0;
+  fading_from_gap_ = true;
 }
 
 void Safety::arm(bool armed) noexcept {
@@ -90,6 +142,7 @@ void Safety::arm(bool armed) noexcept {
   armed_ns_ = now_ns_;
   before_ns_ = now_ns_;  // what was late before is nobody's concern
   faded_in_s_ = 0;
+  fading_from_gap_ = false;
   if (!switch_.letGo()) return;
   trip_ = {};
 }
@@ -112,7 +165,8 @@ Trip Safety::wrong(const SafetyInput& input, const LimitSettings& limits) const 
   Ages ages;
   ages.gap_s = secondsBetween(before_ns_, now_ns_);
   ages.sample_s = sample_age_s_.value_or(secondsBetween(armed_ns_, now_ns_));
-  ages.write_s = secondsBetween(std::max(armed_ns_, written_ns), now_ns_);
+  // A servo that stood still asked for nothing that could have been written.
+  ages.write_s = on_the_way_ ? 0 : secondsBetween(std::max(armed_ns_, written_ns), now_ns_);
   return overdue(ages, limits);
 }
 
@@ -166,6 +220,9 @@ double Safety::asked(double resistance_n, const LimitSettings& limits, std::uint
   if (faded_in_s_ < limits.fade_in_s) {
     wanted_n *= faded_in_s_ / limits.fade_in_s;
     limited |= kLimitedByFadeIn;
+    if (fading_from_gap_) limited |= kLimitedByGap;
+  } else {
+    fading_from_gap_ = false;
   }
   const double force_n = slewed(force_n_, wanted_n, step_s_, limits);
   if (force_n != wanted_n) limited |= kLimitedBySlew;

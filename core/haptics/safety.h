@@ -47,10 +47,17 @@ struct LimitedForce {
 /// device are sound it fades within `release_s` like a release, because a cut is felt as a kick of its own (velocity
 /// guard, renderer, warm motors, a force that the device limited). The first cause stays, but whatever calls for a cut
 /// later ends any force that still fades, armed or not.
+/// A device holds a command for its `hold_s`. After a longer gap, because the servo stood still or because commands did
+/// not arrive, the force in the hand is 0 whatever was asked for last: the layer goes on from 0, with a new fade-in and
+/// a new energy count (kLimitedByGap).
 /// Plain state, copyable; time comes in with the input.
 /// Thread: servo. Real-time safe: yes.
 class Safety {
  public:
+  /// `hold_s` as DeviceInfo has it; `thermal`: what the motors have given so far.
+  explicit Safety(double hold_s = DeviceInfo{}.hold_s, const ThermalBudget& thermal = {}) noexcept
+      : hold_s_(hold_s), thermal_(thermal) {}
+
   void begin(const SafetyInput& input, const EnableSettings& enable, const LimitSettings& limits) noexcept;
 
   /// The hand holds the device and no trip, no stale device and no silent program forbids forces.
@@ -59,12 +66,19 @@ class Safety {
   /// One that calls for a cut cuts in any case.
   void trip(const Trip& trip) noexcept;
 
+  /// The device was told to give no force, by another way than `limit`: the next tick follows a gap.
+  void toldNothing() noexcept { told_nothing_ = true; }
+
   /// `resistance_n` as the source asks for it. Not finite trips.
   LimitedForce limit(double resistance_n, const LimitSettings& limits) noexcept;
 
   const Trip& tripped() const noexcept { return trip_; }
   /// Share of the thermal budget in use, [0, 1]; 1: the device rests.
   double thermalShare() const noexcept { return thermal_.share(); }
+  /// What the motors have given once the last force is over, should no tick follow.
+  ThermalBudget thermal() const noexcept;
+  /// How often a force, or a hand that held the device, began anew after a gap.
+  std::uint64_t restarts() const noexcept { return restarts_; }
   /// Speed of the hand as the guard sees it, mm/s, inwards positive.
   double speedMmS() const noexcept { return velocity_.speedMmS(); }
   /// Energy that the passivity guard sees, mJ; positive: taken from the hand.
@@ -72,6 +86,9 @@ class Safety {
 
  private:
   void passTime(const SafetyInput& input, const LimitSettings& limits) noexcept;
+  void heat(double elapsed_s, const LimitSettings& limits) noexcept;
+  bool deviceLetGo(const SafetyInput& input, const LimitSettings& limits) noexcept;
+  void beginAnew() noexcept;
   void arm(bool armed) noexcept;
   std::optional<bool> contact(const SafetyInput& input, const EnableSettings& enable) const noexcept;
   /// The trip that this tick calls for, the most fundamental one first.
@@ -80,12 +97,19 @@ class Safety {
   double asked(double resistance_n, const LimitSettings& limits, std::uint32_t& limited) noexcept;
   double released(const LimitSettings& limits) const noexcept;
 
+  double hold_s_;
   bool running_ = false;  ///< there was a tick
   bool armed_ = false;
   std::int64_t now_ns_ = 0;
-  std::int64_t before_ns_ = 0;  ///< the tick before
-  std::int64_t armed_ns_ = 0;   ///< since when
-  double step_s_ = 0;           ///< length of this tick for whatever must not jump after a stall
+  std::int64_t before_ns_ = 0;   ///< the tick before
+  std::int64_t armed_ns_ = 0;    ///< since when
+  double step_s_ = 0;            ///< length of this tick for whatever must not jump after a stall
+  std::int64_t resumed_ns_ = 0;  ///< the first tick after the servo last stood still
+  bool on_the_way_ = false;      ///< commands since then cannot have arrived yet
+  bool told_nothing_ = false;
+  bool in_gap_ = false;           ///< no command has reached the device since it let go
+  bool fading_from_gap_ = false;  ///< the present fade-in is that after a gap
+  std::uint64_t restarts_ = 0;
   std::optional<double> sample_age_s_;
   bool fresh_ = false;  ///< there is a sample, and it is young enough for a force
 

@@ -6,7 +6,14 @@
 
 namespace tactus::haptics {
 
-Servo::Servo(HapticDevice& device) : device_(device), core_(device.info()) {}
+Servo::Servo(HapticDevice& device, ThermalLedger* ledger)
+    : device_(device),
+      ledger_(ledger),
+      core_(device.info(), ledger != nullptr ? ledger->of(device.info().id) : ThermalBudget{}) {}
+
+Servo::~Servo() {
+  if (ledger_ != nullptr) ledger_->keep(device_.info().id, core_.thermal());
+}
 
 void Servo::tick(std::int64_t now_ns) noexcept {
   meter_.begin(now_ns);
@@ -34,6 +41,7 @@ void Servo::tick(std::int64_t now_ns) noexcept {
   device_.write(core_.axis().forceOnHand(sample.force_n), now_ns);
   ring_.push(sample);
   recorder_.record(sample, core_.tripped());
+  meter_.restarts(core_.restarts());
   publish();
 }
 

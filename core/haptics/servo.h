@@ -14,6 +14,7 @@
 #include "core/haptics/sample_ring.h"
 #include "core/haptics/servo_core.h"
 #include "core/haptics/servo_orders.h"
+#include "core/haptics/thermal_ledger.h"
 
 namespace tactus::haptics {
 
@@ -21,9 +22,10 @@ namespace tactus::haptics {
 /// and single atomics. docs/servo.md has the picture.
 class Servo final : public Ticked {
  public:
-  /// `device` must outlive the servo and be started by its owner.
-  explicit Servo(HapticDevice& device);
-  ~Servo() override = default;
+  /// `device` must outlive the servo and be started by its owner. `ledger`, where there is one, outlives it too: the
+  /// budget of the device's motors goes on where the servo before left it, and is written down when this one ends.
+  explicit Servo(HapticDevice& device, ThermalLedger* ledger = nullptr);
+  ~Servo() override;
   Servo(const Servo&) = delete;
   Servo& operator=(const Servo&) = delete;
 
@@ -39,8 +41,12 @@ class Servo final : public Ticked {
     device_.write({}, now_ns);
     pause();
   }
-  /// The loop ends for now; the statistics see no gap in it. Thread: servo, or its owner while there is none.
-  void pause() noexcept { meter_.pause(); }
+  /// The loop ends for now, and the device gives no force: the statistics see no gap in it, and the force begins anew
+  /// at the next tick. Thread: servo, or its owner while there is none.
+  void pause() noexcept {
+    meter_.pause();
+    core_.toldNothing();
+  }
 
   /// Hands over new orders; the next tick uses them. Returns their number (from 1), which samples carry. Orders that
   /// the servo does not read any more are freed here. Limits and switch are wellFormed; what a person may set is for
@@ -79,6 +85,7 @@ class Servo final : public Ticked {
   void publish() noexcept;
 
   HapticDevice& device_;
+  ThermalLedger* ledger_;
   ServoCore core_;            ///< Touched by the servo thread alone.
   const Posted no_orders_;    ///< In force until the first are posted.
   std::uint64_t orders_ = 0;  ///< Touched by the servo thread alone. Number of the orders in force.

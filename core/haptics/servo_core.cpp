@@ -18,8 +18,8 @@ bool sameAxis(const AxisMapping& a, const AxisMapping& b) noexcept {
 
 }  // namespace
 
-ServoCore::ServoCore(const DeviceInfo& device)
-    : period_s_(1 / device.rate_hz), insertion_(largestStiffnessNMm(device)) {}
+ServoCore::ServoCore(const DeviceInfo& device, const ThermalBudget& thermal)
+    : period_s_(1 / device.rate_hz), safety_(device.hold_s, thermal), insertion_(largestStiffnessNMm(device)) {}
 
 Sample ServoCore::tick(const ServoTick& tick) noexcept {
   const ServoOrders& orders = *tick.orders;

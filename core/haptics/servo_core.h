@@ -28,10 +28,14 @@ struct ServoTick {
 class ServoCore {
  public:
   /// `device` tells how stiff a spring it can render; its rate is > 0, its delay and damping are >= 0.
-  explicit ServoCore(const DeviceInfo& device);
+  /// `thermal`: what its motors have given so far.
+  explicit ServoCore(const DeviceInfo& device, const ThermalBudget& thermal = {});
 
   /// Thread: servo. Real-time safe: yes. The force for the device is `axis().forceOnHand(sample.force_n)`.
   Sample tick(const ServoTick& tick) noexcept;
+
+  /// The device was told to give no force, by another way than a tick. Between two ticks.
+  void toldNothing() noexcept { safety_.toldNothing(); }
 
   /// The axis in force: that of the orders, but for the at most 30 ms in which a force along another one fades.
   const AxisMapping& axis() const noexcept { return axis_; }
@@ -39,6 +43,10 @@ class ServoCore {
   const SceneCounters& counters() const noexcept { return insertion_.counters(); }
   /// Share of the thermal budget in use, [0, 1].
   double thermalShare() const noexcept { return safety_.thermalShare(); }
+  /// What the motors have given once the last force is over, should no tick follow.
+  ThermalBudget thermal() const noexcept { return safety_.thermal(); }
+  /// How often the force began anew after a gap between commands.
+  std::uint64_t restarts() const noexcept { return safety_.restarts(); }
 
  private:
   double sources(const ServoTick& tick, double position_mm, double dt_s) noexcept;

@@ -41,15 +41,20 @@ void ThermalBudget::advance(std::int64_t now_ns, double held_n, double rating_n,
     start_ns_ = now_ns_;
   }
   const double elapsed_s = secondsBetween(now_ns_, now_ns);
+  spend(now_ns, held_n);
+  budget_n2s_ = rating_n * rating_n * window_s;
+  const double allowed_n = std::sqrt(std::max(0.0, budget_n2s_ - sum_n2s_) / kReserveS);
+  ceiling_n_ = std::min(allowed_n, ceiling_n_ + kRecoveryNS * elapsed_s);
+}
+
+void ThermalBudget::spend(std::int64_t now_ns, double held_n) noexcept {
+  if (part_ns_ == 0) return;  // nothing was held before the first `advance`
+  const double elapsed_s = secondsBetween(now_ns_, now_ns);
   now_ns_ = std::max(now_ns_, now_ns);
   forgetUntil((now_ns_ - start_ns_) / part_ns_);
   const double more_n2s = held_n * held_n * elapsed_s;
   spent_n2s_[static_cast<std::size_t>(part_ % (kParts + 1))] += more_n2s;
   sum_n2s_ += more_n2s;
-
-  budget_n2s_ = rating_n * rating_n * window_s;
-  const double allowed_n = std::sqrt(std::max(0.0, budget_n2s_ - sum_n2s_) / kReserveS);
-  ceiling_n_ = std::min(allowed_n, ceiling_n_ + kRecoveryNS * elapsed_s);
 }
 
 double ThermalBudget::share() const noexcept {

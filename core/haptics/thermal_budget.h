@@ -17,6 +17,9 @@ class ThermalBudget {
   /// `held_n` was the force since the last call. `rating_n` >= 0: rms allowed; `window_s` > 0.
   void advance(std::int64_t now_ns, double held_n, double rating_n, double window_s) noexcept;
 
+  /// As `advance`, with the rating and the window of the last call and without a new ceiling.
+  void spend(std::int64_t now_ns, double held_n) noexcept;
+
   /// The largest force for now; infinite before the first `advance`.
   double ceilingN() const noexcept { return ceiling_n_; }
   /// Share of the budget in use, [0, 1].

@@ -95,6 +95,7 @@ void HidPidDevice::describe(const HidIdentity& identity, const std::optional<Dev
   info_.buttons = static_cast<int>(std::count_if(layout_.buttons.begin(), layout_.buttons.end(), has));
   info_.max_force_n = driven_share_ * calibration_.full_scale_n;
   info_.delay_s = kUsbDelayS;
+  info_.hold_s = PidSession::kHoldS;
   info_.quiet_after_s = PidSession::kQuietAfterS;
   if (!calibration) return;
   info_.count_mm = calibration->mm_per_count;
@@ -191,7 +192,7 @@ void HidPidDevice::writerLoop() {
   while (!writer_ends_.load(std::memory_order_acquire)) {
     if (lost_.load(std::memory_order_acquire)) return;  // nothing is left to be made quiet
     const std::int64_t now = timing_.now_ns();
-    if (!writer_->commands().fresh() && now - last_ns < PidSession::kRefreshNs) {
+    if (!writer_->commands().fresh() && !writer_->letsGo(now) && now - last_ns < PidSession::kRefreshNs) {
       timing_.pause(kNapNs);
       continue;
     }

@@ -19,6 +19,9 @@ class PidSession {
  public:
   static constexpr double kQuietAfterS = 0.1;  ///< a dead host means no force after this time …
   static constexpr double kDurationS = 0.09;   ///< … with 10 ms for the last start on its way to the device
+  /// A command lasts for so long, whatever the host does: the duration less the time since the last start, which may be
+  /// kRestartNs and a round of the writer ago.
+  static constexpr double kHoldS = 0.04;
   static constexpr std::int64_t kRestartNs = 40'000'000;    ///< longer than half of the duration would forgive no miss
   static constexpr std::int64_t kRefreshNs = 10'000'000;    ///< a value that did not change is sent again after this
   static constexpr int kLoadPolls = 60;                     ///< 1 ms apart, as the Linux kernel does

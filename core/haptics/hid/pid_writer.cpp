@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/haptics/seconds.h"
+
 namespace tactus::haptics {
 
 std::array<double, 2> PidWriter::sharesOf(const Vector3& force_n) const {
@@ -13,8 +15,18 @@ std::array<double, 2> PidWriter::sharesOf(const Vector3& force_n) const {
 
 base::Result<void> PidWriter::step(std::int64_t now_ns) {
   const PidCommand& command = commands_.take();
-  const bool alive = command.valid && now_ns - command.time_ns < kCommandLifeNs;
-  return session_.send(alive ? sharesOf(command.force_n) : std::array<double, 2>{}, now_ns);
+  const double over_s = secondsBetween(command.time_ns, now_ns) - PidSession::kHoldS;
+  const double left = command.valid ? std::clamp(1 - over_s / kLetGoS, 0.0, 1.0) : 0;
+  command_ns_ = command.time_ns;
+  auto shares = sharesOf(command.force_n);
+  for (double& share : shares) share *= left;
+  auto sent = session_.send(shares, now_ns);
+  let_go_ = left == 0 && sent.has_value();
+  return sent;
+}
+
+bool PidWriter::letsGo(std::int64_t now_ns) const noexcept {
+  return !let_go_ && secondsBetween(command_ns_, now_ns) > PidSession::kHoldS;
 }
 
 }  // namespace tactus::haptics

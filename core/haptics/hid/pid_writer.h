@@ -23,11 +23,12 @@ struct PidCommand {
 constexpr std::array<double, 3> hidAxesOf(const Vector3& v) noexcept { return {v.x, v.z, -v.y}; }
 constexpr Vector3 fromHidAxes(const std::array<double, 3>& axes) noexcept { return {axes[0], -axes[2], axes[1]}; }
 
-/// Sends only the newest command; a command older than kCommandLifeNs means that the servo is gone: no force.
+/// Sends only the newest command. One older than PidSession::kHoldS means that the servo is gone: its force goes to
+/// nothing within kLetGoS, evenly, because a cut is felt as a kick.
 /// Thread: writer, but for the command box.
 class PidWriter {
  public:
-  static constexpr std::int64_t kCommandLifeNs = 50'000'000;  ///< as the write watchdog of the limits
+  static constexpr double kLetGoS = 0.005;
 
   /// `driven_share`, (0, 1]: cosine between the insertion axis and the motors. A force along the axis loses that factor
   /// on the way to the motors and once more on the way back, so it is divided by its square.
@@ -42,6 +43,9 @@ class PidWriter {
   /// One round. An error: a report did not get through; the next round sends anew.
   base::Result<void> step(std::int64_t now_ns);
 
+  /// The newest command has to be sent again, because it loses its force. Real-time safe: yes.
+  bool letsGo(std::int64_t now_ns) const noexcept;
+
   /// The force of the command as shares of full scale, clamped; not finite means none.
   std::array<double, 2> sharesOf(const Vector3& force_n) const;
 
@@ -50,6 +54,8 @@ class PidWriter {
   PidSession& session_;
   double full_scale_n_;  ///< the asked force whose driven part is the device's largest value
   Vector3 sign_;
+  std::int64_t command_ns_ = 0;  ///< time of the newest command taken
+  bool let_go_ = true;           ///< it has no force any more
 };
 
 }  // namespace tactus::haptics

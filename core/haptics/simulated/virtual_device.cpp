@@ -18,6 +18,7 @@ DeviceInfo describe(const VirtualDeviceSettings& settings) {
   info.delay_s = settings.delay_s;
   info.friction_in_n = settings.mechanics.dry_friction_n;
   info.friction_out_n = settings.mechanics.dry_friction_n;
+  info.hold_s = settings.quiet_after_s;
   info.quiet_after_s = settings.quiet_after_s;
   return info;
 }

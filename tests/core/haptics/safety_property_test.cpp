@@ -132,7 +132,11 @@ class Watch {
     const double shrunk_n = across ? std::abs(before_n) : std::abs(before_n) - size_n;
     const double write_age_s = 1e-9 * static_cast<double>(loop.now_ns - loop.device.written_ns);
     const bool cut = loop.safety.tripped() || adversary.cuts || write_age_s > limits.write_trip_s;
-    const bool sound = !cut && adversary.step_ms <= 2;
+    // A device that has had no command for longer than it holds one has let go by itself.
+    const double hold_s = DeviceInfo{}.hold_s;
+    const bool gap = step_s > hold_s;
+    const bool let_go = gap || write_age_s + limits.loop_delay_s > hold_s;
+    const bool sound = !cut && !let_go && adversary.step_ms <= 2;
     if (sound) {
       ASSERT_LE(shrunk_n, kLargestShrinkNS * step_s + kRounding);
     }
@@ -160,8 +164,11 @@ class Watch {
     if (loop.safety.enabled()) enabled_s_ = now_s;
     ASSERT_FALSE(loop.safety.enabled() && (loop.safety.tripped() || !loop.input.armed || !alive));
 
-    // Fade-in: no more than the share of the second that the hand has held it since arming or since a silence.
-    if (!loop.input.armed || !alive) held_s_ = 0;
+    // Fade-in: no more than the share of the second that the hand has held it since arming, a silence or a gap.
+    const bool anew = gap && (was_enabled_ || before_n != 0);
+    if (!loop.input.armed || !alive || anew) held_s_ = 0;
+    if (anew) faded_before_n_ = 0;
+    was_enabled_ = loop.safety.enabled();
     if (loop.safety.enabled()) {
       held_s_ += std::min(step_s, 0.002);
       ASSERT_LE(size_n,
@@ -204,6 +211,7 @@ class Watch {
   double held_s_ = 0;
   double faded_before_n_ = 0;
   bool was_armed_ = false;
+  bool was_enabled_ = false;
   Trip first_;
 };
 

@@ -370,6 +370,7 @@ TEST(Safety, ADeviceWithoutAnySampleTripsAfterArming) {
 
 TEST(Safety, AWriteThatIsStuckTripsAndCuts) {
   SafetyLoop loop;
+  loop.safety = Safety(1);  // the device holds a force for longer
   loop.toFullForce();
   loop.writing = false;
   EXPECT_EQ(loop.ticks(50), 1);
@@ -380,6 +381,7 @@ TEST(Safety, AWriteThatIsStuckTripsAndCuts) {
 
 TEST(Safety, ALateServoTripsAndCuts) {
   SafetyLoop loop;
+  loop.safety = Safety(1);  // the device holds a force for longer
   loop.toFullForce();
   EXPECT_EQ(loop.tick(100), 1);
   EXPECT_EQ(loop.tick(101), 0);

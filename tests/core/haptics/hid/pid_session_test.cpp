@@ -6,7 +6,7 @@
 
 #include "core/haptics/hid/pid_writer.h"
 
-#include "tests/core/haptics/hid/fake_transport.h"
+#include "tests/core/haptics/hid/pid_run.h"
 
 namespace tactus::haptics {
 namespace {
@@ -14,38 +14,6 @@ namespace {
 using support::PidModel;
 
 constexpr std::int64_t kMs = 1'000'000;
-
-/// A session on a fake line, under virtual time.
-class PidRun {
- public:
-  explicit PidRun(PidModel model)
-      : line(std::make_shared<FakeLine>(model)),
-        transport(line),
-        session(
-            transport, *PidLayout::find(*ReportDescriptor::parse(*transport.descriptor())),
-            [this](int ms) {
-              line->now_ns += ms * kMs;
-              ++pauses;
-            },
-            [this] { return now(); }) {}
-
-  std::int64_t now() const { return line->now_ns; }
-  void send(double x, double y) {
-    const auto done = session.send({x, y}, now());
-    EXPECT_TRUE(done) << done.error().message();
-  }
-  std::array<double, 2> force() const { return line->device().force(now()); }
-  std::vector<Bytes> reports() const {
-    std::vector<Bytes> out;
-    for (const Sent& sent : line->sent()) out.push_back(sent.report);
-    return out;
-  }
-
-  int pauses = 0;
-  std::shared_ptr<FakeLine> line;
-  FakeTransport transport;
-  PidSession session;
-};
 
 TEST(PidSession, BeginsOnTheBoardWithTheseBytes) {
   PidRun run(PidModel::kBoard);
@@ -335,13 +303,20 @@ TEST(PidWriter, WithoutAServoThereIsNoForce) {
   ASSERT_TRUE(writer.step(run.now()));
   EXPECT_EQ(run.force()[0], 0) << "no command yet";
   writer.commands().put({{4, 0, 0}, run.now(), true});
-  for (int tick = 0; tick < 50; ++tick) {
+  for (int tick = 0; tick <= 40; ++tick, run.line->now_ns += kMs) {
     ASSERT_TRUE(writer.step(run.now()));
     EXPECT_NEAR(run.force()[0], 0.4, 1e-4) << tick;
-    run.line->now_ns += kMs;
+    EXPECT_FALSE(writer.letsGo(run.now()));
+  }
+  // Then it lets go within 5 ms, evenly, in rounds that nobody has to ask for.
+  for (int tick = 41; tick < 45; ++tick, run.line->now_ns += kMs) {
+    EXPECT_TRUE(writer.letsGo(run.now()));
+    ASSERT_TRUE(writer.step(run.now()));
+    EXPECT_NEAR(run.force()[0], 0.4 * (45 - tick) / 5, 1e-4) << tick;
   }
   ASSERT_TRUE(writer.step(run.now()));
-  EXPECT_EQ(run.force()[0], 0) << "the command is 50 ms old";
+  EXPECT_EQ(run.force()[0], 0) << "the command is 45 ms old";
+  EXPECT_FALSE(writer.letsGo(run.now()));
 }
 
 }  // namespace
