@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "core/haptics/loop_watch.h"
 #include "core/haptics/servo.h"
 #include "core/haptics/servo_clock.h"
 #include "core/haptics/servo_thread.h"
@@ -14,8 +15,7 @@ namespace tactus::devices {
 namespace {
 
 constexpr std::int64_t kTickNs = 1'000'000;
-constexpr std::int64_t kSilentNs = 1'000'000'000;  ///< without a tick for so long, the loop is gone
-constexpr std::chrono::milliseconds kLook{5};      ///< between two looks at the samples
+constexpr std::chrono::milliseconds kLook{5};  ///< between two looks at the samples
 
 /// What the guide has been told already.
 class Conversation {
@@ -37,12 +37,10 @@ class Conversation {
   std::string last_;
 };
 
-/// Samples to the test, orders to the servo, and what the guide should hear. Returns how many samples there were.
-std::size_t advance(SelfTest& test, haptics::Servo& servo, Conversation& conversation) {
+/// Samples to the test, orders to the servo, and what the guide should hear.
+void advance(SelfTest& test, haptics::Servo& servo, Conversation& conversation) {
   std::array<haptics::Sample, 256> room;
-  std::size_t seen = 0;
   for (auto samples = servo.drain(room); !samples.empty(); samples = servo.drain(room)) {
-    seen += samples.size();
     for (const auto& sample : samples) {
       if (auto orders = test.takeOrders()) test.posted(servo.post(std::move(*orders)));
       test.feed(sample);
@@ -51,7 +49,6 @@ std::size_t advance(SelfTest& test, haptics::Servo& servo, Conversation& convers
   if (const auto record = servo.takeFlightRecord()) test.tripped(record->trip);
   if (auto orders = test.takeOrders()) test.posted(servo.post(std::move(*orders)));
   conversation.follow(test);
-  return seen;
 }
 
 /// What a person does at the device, played on a virtual one.
@@ -97,19 +94,16 @@ SelfTest inRealTime(haptics::Servo& servo, const SelfTestSettings& settings, Sel
   SelfTest test(settings);
   Conversation conversation(guide);
   test.posted(servo.post(*test.takeOrders()));
-  std::int64_t alive_ns = haptics::monotonicNs();
+  haptics::LoopWatch watch;
   while (!test.finished() && !guide.interrupted()) {
     const std::int64_t now_ns = haptics::monotonicNs();
     servo.heartbeat(now_ns);
-    if (advance(test, servo, conversation) > 0) alive_ns = now_ns;
-    if (now_ns - alive_ns > kSilentNs)
-      test.tripped({haptics::TripCause::kServoLate, static_cast<double>(now_ns - alive_ns) * 1e-9,
-                    settings.limits.servo_trip_s, now_ns});
+    advance(test, servo, conversation);
+    if (const haptics::Trip silent = watch.look(servo.ticks(), now_ns)) test.tripped(silent);
     if (test.stage() == SelfTest::Stage::kAsk) {
       const Felt felt = guide.ask(test.instruction());
       if (guide.interrupted()) break;
       test.answer(felt);
-      alive_ns = haptics::monotonicNs();
     }
     std::this_thread::sleep_for(kLook);
   }

@@ -12,31 +12,18 @@ using haptics::TripCause;
 
 std::string mm(double value_mm) { return formatFixed(value_mm, 2) + " mm"; }
 
-std::string faultWords(double value) {
-  switch (static_cast<DeviceFault>(static_cast<int>(value))) {
-    case DeviceFault::kNotCalibrated:
-      return "the device is not calibrated";
+std::string_view faultAdvice(DeviceFault fault) {
+  switch (fault) {
     case DeviceFault::kSwitchedOff:
-      return "a switch or the device itself holds the forces back";
-    case DeviceFault::kWarmMotors:
-      return "the motors are too warm";
-    case DeviceFault::kForceLimited:
-      return "the device refused a force";
-    default:
-      return "the device reports a fault";
-  }
-}
-
-std::string faultAdvice(double value) {
-  switch (static_cast<DeviceFault>(static_cast<int>(value))) {
-    case DeviceFault::kSwitchedOff:
-      return "switch the forces on at the device";
+      return "switch the forces on at the device, and close other programs that use it";
     case DeviceFault::kWarmMotors:
       return "let it cool down for some minutes";
     default:
       return "unplug it, plug it in again, and repeat the test";
   }
 }
+
+DeviceFault faultOf(const haptics::Trip& trip) { return static_cast<DeviceFault>(static_cast<int>(trip.value)); }
 
 }  // namespace
 
@@ -67,9 +54,9 @@ std::string SelfTest::instruction() const {
 void SelfTest::tripped(const haptics::Trip& trip) {
   if (finished()) return;
   const bool fault = trip.cause == TripCause::kDeviceFault;
-  if (fault && trip.value == static_cast<double>(DeviceFault::kNotCalibrated))
-    return fail(Check::kCalibration, faultWords(trip.value), settings_.calibration_advice);
-  if (fault) return fail(current(), faultWords(trip.value), faultAdvice(trip.value));
+  if (fault && faultOf(trip) == DeviceFault::kNotCalibrated)
+    return fail(Check::kCalibration, haptics::sentence(trip), settings_.calibration_advice);
+  if (fault) return fail(current(), haptics::sentence(trip), std::string(faultAdvice(faultOf(trip))));
   fail(current(), haptics::sentence(trip), "look at cable and supply of the device, then repeat the test");
 }
 

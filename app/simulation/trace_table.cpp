@@ -33,13 +33,11 @@ std::string_view tripName(haptics::TripCause cause) {
 
 /// The limits that acted, e.g. `fade_in+slew`.
 std::string limitNames(std::uint32_t limited) {
-  constexpr std::string_view kNames[] = {"cap",          "slew",           "fade_in", "thermal", "passivity",
-                                         "stale_device", "program_silent", "release", "trip",    "stiffness"};
   std::string text;
-  for (std::size_t bit = 0; bit < std::size(kNames); ++bit) {
+  for (std::size_t bit = 0; bit < haptics::kLimitNames.size(); ++bit) {
     if ((limited >> bit & 1U) == 0) continue;
     if (!text.empty()) text += '+';
-    text += kNames[bit];
+    text += haptics::kLimitNames[bit];
   }
   return text;
 }

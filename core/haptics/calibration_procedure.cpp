@@ -8,6 +8,7 @@
 
 #include "core/base/check.h"
 #include "core/base/text.h"
+#include "core/haptics/seconds.h"
 
 namespace tactus::haptics {
 namespace {
@@ -24,6 +25,7 @@ constexpr double kSlipMm = 15;
 constexpr double kRampS = 0.5;
 constexpr double kAligned = 0.9998;  // cosine of 1 degree: nobody holds a scale better
 constexpr double kLongestHoldS = 60;
+constexpr double kOldestS = 0.2;  // a position or a force that is older says nothing of this moment
 constexpr std::array kAxisNames = {"x", "y", "z"};
 constexpr std::array kAxisWords = {"x (left and right)", "y (up and down)", "z (toward you and away)"};
 
@@ -144,8 +146,10 @@ Vector3 CalibrationProcedure::tick(const DeviceState& raw, std::int64_t now_ns) 
   at_ = {raw.position_mm.x, raw.position_mm.y, raw.position_mm.z};
   const bool running = step_ != Step::kDone && step_ != Step::kFailed;
   if (running && raw.fault != DeviceFault::kNone && raw.fault != DeviceFault::kNotCalibrated)
-    failWith("The device reports a fault or is gone. Check cable, power and its switches, then begin anew.");
+    failWith("It cannot be measured: " + std::string(describe(raw.fault)) +
+             ". Check cable, power and its switches, then begin anew.");
   if (!std::isfinite(length(at_))) failWith("The device reports a position that is no number.");
+  lookAtAges(raw);
   if (just_entered_) {
     just_entered_ = false;
     step_ns_ = now_ns;
@@ -173,6 +177,18 @@ Vector3 CalibrationProcedure::tick(const DeviceState& raw, std::int64_t now_ns) 
     default:
       return {};
   }
+}
+
+/// A push that does not arrive, or a position from before it, would be measured all the same.
+void CalibrationProcedure::lookAtAges(const DeviceState& raw) {
+  const bool measures = step_ != Step::kLetGo && step_ != Step::kRest && step_ != Step::kDone && step_ != Step::kFailed;
+  if (!measures) return;
+  const char* const advice = " for 0.2 s. Check its cable, close other programs that use it, then begin anew.";
+  // A device that is silent when still says nothing by its silence.
+  if (!silent_ && raw.number > 0 && secondsBetween(raw.time_ns, now_ns_) > kOldestS)
+    failWith(std::string("The device has sent no position") + advice);
+  else if (raw.written_ns != 0 && secondsBetween(raw.written_ns, now_ns_) > kOldestS)
+    failWith(std::string("No force has reached the device") + advice);
 }
 
 Vector3 CalibrationProcedure::rest() {

@@ -55,8 +55,8 @@ enum class CalibrationInput : std::uint8_t { kNothing, kContinue, kNumber };
 /// A state machine without clock, thread or device. The device is used without a calibration: positions come as counts
 /// and 1 N means full scale. No push is larger than kLargestShare, and each ends as soon as the handle moves. Pushes go
 /// along the motors; where the insertion axis leaves them by some degrees, the full scale is that along the motors, and
-/// the friction that along the axis.
-/// Thread: one. Real-time safe: no.
+/// the friction that along the axis. Positions, and forces that reached the device, may be 0.2 s old at most; of a
+/// device that is silent when still only the forces. Thread: one. Real-time safe: no.
 class CalibrationProcedure {
  public:
   static constexpr double kLargestShare = 0.25;
@@ -95,6 +95,7 @@ class CalibrationProcedure {
   double movedFromStart() const;
   Vector3 push(double share) const;
 
+  void lookAtAges(const DeviceState& raw);
   Vector3 rest();
   Vector3 sign();
   Vector3 rising(double direction);

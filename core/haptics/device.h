@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/haptics/vector3.h"
@@ -16,11 +17,13 @@ enum class DeviceFault : std::uint8_t {
   kNone,
   kLost,           ///< unplugged, or it does not answer any more
   kNotCalibrated,  ///< positions mean nothing yet
-  kSwitchedOff,    ///< a switch on the device or its own protection holds the forces back
+  kSwitchedOff,    ///< a switch, the device's own protection or another program holds the forces back
   kWarmMotors,     ///< the device's own thermal protection
   kForceLimited,   ///< the device refused or limited a force
   kFailed,         ///< anything else it reports
 };
+/// What is wrong, for a person, e.g. `the motors are too warm`.
+std::string_view describe(DeviceFault fault) noexcept;
 
 /// One sample of a device.
 struct DeviceState {

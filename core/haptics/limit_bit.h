@@ -1,7 +1,9 @@
 // Which limits acted in a tick.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace tactus::haptics {
 
@@ -19,5 +21,10 @@ enum LimitBit : std::uint32_t {
   kLimitedByStiffness = 1u << 9,  ///< the rendered stiffness is below the model's
   kLimitedByGap = 1u << 10,       ///< fading in after a gap between commands that the device does not hold a force for
 };
+
+/// As traces and reports write them, bit 0 first.
+inline constexpr std::array<std::string_view, 11> kLimitNames = {
+    "cap",     "slew", "fade_in",   "thermal",    "passivity", "stale_device", "program_silent",
+    "release", "trip", "stiffness", "command_gap"};
 
 }  // namespace tactus::haptics

@@ -117,7 +117,10 @@ bool Safety::deviceLetGo(const SafetyInput& input, const LimitSettings& limits) 
   const bool told_nothing = told_nothing_;
   told_nothing_ = false;
   const double gap_s = secondsBetween(before_ns_, now_ns_);
-  if (gap_s > kStandstillS) resumed_ns_ = now_ns_;
+  // A servo that is late at every tick gets no respite from the write watchdog.
+  const bool late = gap_s > kStandstillS;
+  if (late && !late_) resumed_ns_ = now_ns_;
+  late_ = late;
   on_the_way_ = secondsBetween(resumed_ns_, now_ns_) <= limits.loop_delay_s + kLongestStepS;
   if (told_nothing || gap_s > hold_s_) return true;
   const std::int64_t written_ns = input.device != nullptr ? input.device->written_ns : 0;

@@ -105,6 +105,7 @@ class Safety {
   std::int64_t armed_ns_ = 0;    ///< since when
   double step_s_ = 0;            ///< length of this tick for whatever must not jump after a stall
   std::int64_t resumed_ns_ = 0;  ///< the first tick after the servo last stood still
+  bool late_ = false;            ///< the last tick came after a standstill
   bool on_the_way_ = false;      ///< commands since then cannot have arrived yet
   bool told_nothing_ = false;
   bool in_gap_ = false;           ///< no command has reached the device since it let go

@@ -1,8 +1,26 @@
 #include "core/haptics/trip.h"
 
 #include "core/base/text.h"
+#include "core/haptics/device.h"
+#include "core/render/renderer_state.h"
 
 namespace tactus::haptics {
+namespace {
+
+std::string_view describe(render::Fault fault) noexcept {
+  switch (fault) {
+    case render::Fault::kPosition:
+      return "a position was not a number, or beyond 1 km";
+    case render::Fault::kForce:
+      return "the model's force was not a number";
+    case render::Fault::kTime:
+      return "a tick was shorter than a microsecond or longer than a second";
+    default:
+      return "for a reason that it does not tell";
+  }
+}
+
+}  // namespace
 
 std::string_view describe(TripCause cause) noexcept {
   switch (cause) {
@@ -50,8 +68,12 @@ std::string_view unitOf(TripCause cause) noexcept {
 
 std::string sentence(const Trip& trip) {
   std::string text(describe(trip.cause));
+  if (trip.cause == TripCause::kDeviceFault)
+    return std::string(describe(static_cast<DeviceFault>(static_cast<int>(trip.value))));
+  if (trip.cause == TripCause::kRenderer)
+    return text + ": " + std::string(describe(static_cast<render::Fault>(static_cast<int>(trip.value))));
   const std::string_view unit = unitOf(trip.cause);
-  if (unit.empty()) return trip.value == 0 ? text : text + " (" + base::formatNumber(trip.value) + ")";
+  if (unit.empty()) return text;
   const int decimals = unit == "s" ? 3 : 0;
   text += ": " + base::formatFixed(trip.value, decimals) + ' ' + std::string(unit);
   return text + ", allowed " + base::formatFixed(trip.limit, decimals) + ' ' + std::string(unit);

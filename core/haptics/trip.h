@@ -36,7 +36,8 @@ struct Trip {
 std::string_view describe(TripCause cause) noexcept;
 /// Unit of value and limit, e.g. `mm/s`; empty where there is none.
 std::string_view unitOf(TripCause cause) noexcept;
-/// Cause, value and limit on one line, e.g. `the hand moved outwards too fast: 431 mm/s, allowed 400 mm/s`.
+/// Cause, value and limit on one line, e.g. `the hand moved outwards too fast: 431 mm/s, allowed 400 mm/s`. A fault of
+/// device or renderer in words, e.g. `the motors are too warm`; no number stands without its unit.
 /// Real-time safe: no.
 std::string sentence(const Trip& trip);
 

@@ -42,6 +42,7 @@ struct FeelCase {
   double duration_s = 0;
   double servo_dropped_share = 0;
   double servo_stalls_per_s = 0;
+  int longest_servo_stall_ms = 50;
   double swaps_per_s = 0;
   bool wild_rules = false;  ///< rules at random: F_d may fall steeply with speed, which no hand can damp
   fuzzy::RendererParameters friction;
@@ -124,6 +125,14 @@ std::shared_ptr<const haptics::ServoScene> sceneOf(const FeelCase& one, Random& 
   return *scene;
 }
 
+/// How long the device holds a command, and stalls that are longer. Drawn apart, so that a number means the same hand,
+/// motion and device as before these were there.
+void drawGaps(FeelCase& one, std::uint64_t number) {
+  Random random(0x6A9500000U + number);
+  if (random.below(2) == 0) one.device.quiet_after_s = random.uniform(0.008, 0.1);
+  if (random.below(3) == 0) one.longest_servo_stall_ms = 200;
+}
+
 /// Looks at one tick after the other for what must not happen.
 class Watch {
  public:
@@ -149,6 +158,19 @@ class Watch {
     last_ = now;
   }
 
+  /// The force at the hand, each millisecond, whether the servo ticked or not: whatever stalls, it never rises faster
+  /// than the slew of the longest step.
+  void feel(double at_hand_n, std::int64_t now_ns, const haptics::LimitSettings& limits) {
+    constexpr double kLongestStepS = 0.002;
+    const double away_n = std::abs(at_hand_n) - (at_hand_n * at_hand_n_ < 0 ? 0 : std::abs(at_hand_n_));
+    if (away_n > limits.slew_n_s * kLongestStepS + 1e-9) {
+      Sample now;
+      now.time_ns = now_ns;
+      fail(now, "a jump at the hand of " + base::formatNumber(at_hand_n - at_hand_n_) + " N");
+    }
+    at_hand_n_ = at_hand_n;
+  }
+
  private:
   void fail(const Sample& now, const std::string& what) {
     if (run_.violation) return;
@@ -163,7 +185,9 @@ class Watch {
         across ? std::abs(last_.force_n) : std::max(0.0, std::abs(last_.force_n) - std::abs(now.force_n));
     const double away_n =
         across ? std::abs(now.force_n) : std::max(0.0, std::abs(now.force_n) - std::abs(last_.force_n));
-    const bool cut = (now.limited & (haptics::kLimitedByTrip | haptics::kLimitedByStaleDevice)) != 0 || gap_s > 0.0015;
+    const bool cut =
+        (now.limited & (haptics::kLimitedByTrip | haptics::kLimitedByStaleDevice | haptics::kLimitedByGap)) != 0 ||
+        gap_s > 0.0015;
     const double needed_s = (cut && !across ? 0 : toward_n / limits.release_slew_n_s) + away_n / limits.slew_n_s;
     constexpr double kRoundingS = 1e-12;
     if (needed_s > std::min(gap_s, 0.002) + kRoundingS)
@@ -211,6 +235,7 @@ class Watch {
   bool any_ = false;
   Sample last_;
   Sample stroke_;
+  double at_hand_n_ = 0;
   std::int64_t button_up_ns_ = 0;
   double stored_mj_ = 0;
 };
@@ -241,7 +266,8 @@ std::string describe(const FeelCase& one) {
          ", delay " + formatNumber(device.delay_s) + ", count " + formatNumber(device.count_mm) + ", device drops " +
          formatNumber(device.dropped_share) + " stalls " + formatNumber(device.stalls_per_s) + ", servo drops " +
          formatNumber(one.servo_dropped_share) + " stalls " + formatNumber(one.servo_stalls_per_s) + ", swaps " +
-         formatNumber(one.swaps_per_s) + (one.wild_rules ? ", wild rules" : "");
+         formatNumber(one.swaps_per_s) + ", holds " + formatNumber(device.quiet_after_s) +
+         (one.wild_rules ? ", wild rules" : "");
 }
 
 }  // namespace
@@ -249,6 +275,7 @@ std::string describe(const FeelCase& one) {
 FeelRun feelRun(std::uint64_t number) {
   Random random(0x5EED0000U + number);
   FeelCase one = drawn(random);
+  drawGaps(one, number);
   FeelRun run;
   run.what = describe(one);
   expect(one, run);
@@ -271,9 +298,11 @@ FeelRun feelRun(std::uint64_t number) {
   std::int64_t stalled_until = 0;
   for (std::int64_t i = 1; i <= ticks; ++i) {
     const std::int64_t now_ns = i * kTickNs;
-    if (random.uniform() < one.servo_stalls_per_s * kTickS) stalled_until = i + 2 + random.below(49);
+    if (random.uniform() < one.servo_stalls_per_s * kTickS)
+      stalled_until = i + 2 + random.below(one.longest_servo_stall_ms - 1);
     const bool dropped = random.uniform() < one.servo_dropped_share;
     const auto state = (*device)->read(now_ns);
+    watch.feel((*device)->trueForceN(), now_ns, orders.limits);
     if (i < stalled_until || dropped) continue;
     std::shared_ptr<const haptics::ServoScene> freed_after_the_tick;
     if (random.uniform() < one.swaps_per_s * kTickS) {

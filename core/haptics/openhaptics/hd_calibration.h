@@ -27,6 +27,8 @@ class HdCalibration {
 
   /// A person says that the device is in its reference posture: the next `look` calibrates. Thread: any.
   void request() noexcept { requested_.store(true, std::memory_order_relaxed); }
+  /// What was said before the device was started holds no more.
+  void forgetRequest() noexcept { requested_.store(false, std::memory_order_relaxed); }
   /// Thread: any. Real-time safe: yes.
   bool calibrated() const noexcept { return calibrated_.load(std::memory_order_relaxed); }
   bool requested() const noexcept { return requested_.load(std::memory_order_relaxed); }

@@ -67,6 +67,7 @@ base::Result<void> OpenHapticsDevice::start() {
   if (started_) return {};
   api_.make_current_device(handle_);
   drainErrors(api_);
+  calibration_.forgetRequest();
   calibration_.look();
   state_ = {};
   command_ = {};

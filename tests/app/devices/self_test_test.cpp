@@ -76,10 +76,11 @@ TEST(SelfTest, FaultsOfTheDeviceEndTheTestInTheirOwnWords) {
     DeviceFault fault;
     const char* found;
   };
-  for (const Case& one : {Case{DeviceFault::kWarmMotors, "the motors are too warm"},
-                          Case{DeviceFault::kSwitchedOff, "a switch or the device itself holds the forces back"},
-                          Case{DeviceFault::kForceLimited, "the device refused a force"},
-                          Case{DeviceFault::kFailed, "the device reports a fault"}}) {
+  for (const Case& one :
+       {Case{DeviceFault::kWarmMotors, "the motors are too warm"},
+        Case{DeviceFault::kSwitchedOff, "a switch, the device itself or another program holds the forces back"},
+        Case{DeviceFault::kForceLimited, "the device refused a force"},
+        Case{DeviceFault::kFailed, "the device reports a fault"}}) {
     Played played;
     played.on_read = [&](DeviceState& state) { state.fault = one.fault; };
     const auto failed = failure(played.run());

@@ -25,6 +25,8 @@ struct SimulatedDevice {
   bool silent = false;
   int noise_counts = 0;
   bool no_power = false;
+  std::int64_t mute_from_ns = INT64_MAX;   ///< no sample from then on
+  std::int64_t stuck_from_ns = INT64_MAX;  ///< no force arrives from then on
 
   Vector3 position_mm{3, 0, 10};
   Vector3 speed_mm_s;
@@ -40,7 +42,8 @@ struct SimulatedDevice {
   DeviceState state() const {
     DeviceState out;
     out.number = number;
-    out.time_ns = now_ns;
+    out.time_ns = std::min(now_ns, mute_from_ns);
+    out.written_ns = std::min(now_ns, stuck_from_ns);
     out.position_mm = {counts(position_mm.x), 0, counts(position_mm.z)};
     out.fault = DeviceFault::kNotCalibrated;
     return out;
@@ -69,6 +72,7 @@ struct SimulatedDevice {
     }
     if (position_mm.z < -60) position_mm.z = -60;  // the end of the travel
     now_ns += 1'000'000;
+    if (now_ns > mute_from_ns) return;
     if (!silent || state().position_mm.z + state().position_mm.x != before) ++number;
   }
   /// What a spring scale that holds it against moving outwards reads.
@@ -397,6 +401,44 @@ TEST(CalibrationPlanFor, DrivesTheAxesThatHaveMotors) {
   EXPECT_EQ(planFor(info).driven, (DrivenAxes{true, false, true}));
   EXPECT_EQ(planFor(info).device, "hid:1209:ffb0:7");
   EXPECT_EQ(planFor(info).serial, "7");
+}
+
+/// Of each push: positions stop, or forces do not arrive, in the middle of it.
+TEST(CalibrationProcedure, OldPositionsAndForcesThatDoNotArriveAreNoMeasurement) {
+  for (const bool mute : {true, false}) {
+    for (const int after_ms : {0, 100, 5000}) {
+      SCOPED_TRACE(mute ? "mute" : "stuck");
+      SimulatedDevice device;
+      device.friction_in_n = 1.9;  // the push rises for long
+      Person person(plan(), device);
+      person.proceed();
+      person.untilNotIn(Step::kRest);
+      person.untilNotIn(Step::kSign);
+      ASSERT_EQ(person.procedure.step(), Step::kOuterEnd);
+      const std::int64_t from_ns = person.device.now_ns + after_ms * std::int64_t{1'000'000};
+      (mute ? person.device.mute_from_ns : person.device.stuck_from_ns) = from_ns;
+      person.untilNotIn(Step::kOuterEnd);
+      EXPECT_EQ(person.procedure.step(), Step::kFailed);
+      EXPECT_EQ(person.procedure.instruction(),
+                std::string(mute ? "The device has sent no position" : "No force has reached the device") +
+                    " for 0.2 s. Check its cable, close other programs that use it, then begin anew.");
+      EXPECT_NEAR(static_cast<double>(person.device.now_ns - from_ns) * 1e-6, 201, 3);
+      EXPECT_EQ(person.device.last_share, Vector3{});
+    }
+  }
+}
+
+TEST(CalibrationProcedure, SilenceOfADeviceThatIsSilentWhenStillIsNoFault) {
+  SimulatedDevice device;
+  device.silent = true;
+  Person person(plan(), device);
+  person.proceed();
+  person.untilNotIn(Step::kRest);
+  person.untilNotIn(Step::kSign);
+  ASSERT_EQ(person.procedure.step(), Step::kOuterEnd);
+  person.device.mute_from_ns = person.device.now_ns;
+  person.ticks(3000);
+  EXPECT_EQ(person.procedure.step(), Step::kOuterEnd);
 }
 
 }  // namespace

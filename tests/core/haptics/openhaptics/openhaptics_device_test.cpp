@@ -212,5 +212,16 @@ TEST_F(OpenHaptics, AnEncoderResetIsDoneInTheFrameAfterItWasAskedFor) {
   EXPECT_TRUE(device->calibrated());
 }
 
+TEST_F(OpenHaptics, ARequestFromBeforeTheStartCalibratesNothing) {
+  standIn().calibration = hd::kNeedsUpdate;
+  standIn().calibration_styles = hd::kEncoderReset;
+  const auto device = open();
+  device->requestCalibration();  // whoever held it in its reference posture may have let go
+  ASSERT_TRUE(device->start());
+  steps(3);
+  EXPECT_FALSE(device->calibrated());
+  EXPECT_TRUE(standIn().calibration_updates.empty());
+}
+
 }  // namespace
 }  // namespace tactus::haptics
