@@ -37,6 +37,8 @@ std::string asJson(const DeviceList& list) {
     json.key("backend").value(device.backend).key("simulated").value(device.simulated);
     json.key("usable").value(device.usable).key("calibrated");
     device.calibrated ? json.value(*device.calibrated) : json.null();
+    json.key("used_by");
+    device.used_by.empty() ? json.null() : json.value(device.used_by);
     json.key("reason").value(device.reason).key("advice").value(device.advice).endObject();
   }
   json.endArray().key("notes").values(list.notes);

@@ -36,6 +36,7 @@ ListedDevice listed(const HidDevice& found, const std::vector<haptics::DeviceCal
   device.backend = found.kind == HidDeviceKind::kPid ? "hid-pid" : "none";
   device.usable = found.problem.empty();
   device.reason = found.problem;
+  device.used_by = found.used_by;
   device.advice = found.advice;
   if (found.kind != HidDeviceKind::kPid) return device;
   device.calibrated = findCalibration(calibrations, device.id, device.serial) != nullptr;

@@ -33,6 +33,7 @@ struct ListedDevice {
   std::string reason;              ///< why it cannot be used
   std::string advice;              ///< what to do: so that it can be used, or to calibrate it
   std::optional<bool> calibrated;  ///< nothing: not known
+  std::string used_by;             ///< another program that has it open; empty: none that is known
 };
 
 struct DeviceList {

@@ -183,6 +183,7 @@ void FakePidDevice::operate(std::span<const std::uint8_t> report, std::int64_t n
   if (!hasLength(report, 4)) return;
   Effect* effect = effectOf(report[1]);
   if (effect == nullptr) return;
+  operated_ = report[1];
   if (report[2] == 1) {
     if (report[3] != 1) complain("loop count " + std::to_string(report[3]));
     effect->playing = true;
@@ -214,6 +215,7 @@ void FakePidDevice::control(std::span<const std::uint8_t> report) {
   }
   if (command == kReset) {
     std::fill(effects_.begin(), effects_.end(), Effect{});
+    operated_ = 0;
     actuators_on_ = false;
   }
   if (command < kEnable || command > kReset) complain("device control " + std::to_string(report[1]));
@@ -285,8 +287,14 @@ std::vector<std::uint8_t> FakePidDevice::stateReport() const {
   const bool on = actuators_on_ && !safety_switch_;
   // The bit of the safety switch: 1 is "the switch allows forces".
   const int bits = (on ? 2 : 0) | (safety_switch_ ? 0 : 4);
-  if (model_ == PidModel::kBoard) return {0x02, static_cast<std::uint8_t>(bits | 8)};
-  if (model_ == PidModel::kSketch) return {2, static_cast<std::uint8_t>(bits | 16), 0};
+  if (model_ == PidModel::kBoard) {
+    const bool any = std::any_of(effects_.begin(), effects_.end(), [](const Effect& effect) { return effect.playing; });
+    return {0x02, static_cast<std::uint8_t>(bits | 8 | (any ? 16 : 0))};
+  }
+  if (model_ == PidModel::kSketch) {
+    const bool plays = operated_ > 0 && effects_[operated_ - 1].playing;
+    return {2, static_cast<std::uint8_t>(bits | 16), static_cast<std::uint8_t>((plays ? 1 : 0) | operated_ << 1)};
+  }
   return {};
 }
 

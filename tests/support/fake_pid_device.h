@@ -52,6 +52,8 @@ class FakePidDevice {
   std::vector<std::uint8_t> inputReport(std::array<int, 2> counts, std::uint32_t buttons) const;
   /// The PID State report; empty: the model has none.
   std::vector<std::uint8_t> stateReport() const;
+  /// Forgets the complaints so far.
+  void forgive() { complaints_.clear(); }
   /// The emergency switch of the device: held down means no forces.
   void pressSafetySwitch(bool down, std::int64_t now_ns);
 
@@ -96,6 +98,7 @@ class FakePidDevice {
   double device_gain_ = 0;
   int created_ = -1;  ///< result of the last Create New Effect: block, 0: full, -1: there was none
   int load_polls_ = 0;
+  std::size_t operated_ = 0;  ///< block of the effect that the sketch's state report is about; 0: none
   std::vector<ForceChange> forces_;
   std::vector<std::string> complaints_;
 };

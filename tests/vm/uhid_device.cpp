@@ -152,6 +152,8 @@ class Device {
       std::printf("%d\n", fake_.actuatorsOn() ? 1 : 0);
     } else if (command == "effects") {
       std::printf("%d\n", fake_.effectsInUse());
+    } else if (command == "forgive") {  // what was found wrong so far
+      fake_.forgive();
     } else if (command == "complaints") {
       for (const std::string& complaint : fake_.complaints()) std::printf("%s\n", complaint.c_str());
     }

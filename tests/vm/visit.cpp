@@ -30,6 +30,8 @@ void Visit::everything() {
   silentAtStart();
   pullAndStall();
   if (truth_.has_switch) openSwitch();
+  twoPrograms();
+  if (truth_.has_switch) somebodyElseResets();
   unplug();
   die();
   expectNoComplaints();

@@ -35,6 +35,8 @@ class Visit {
   void silentAtStart();
   void pullAndStall();
   void openSwitch();
+  void twoPrograms();
+  void somebodyElseResets();
   void unplug();
   void die();
 

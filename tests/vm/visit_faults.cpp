@@ -1,6 +1,8 @@
 // What goes wrong: too much at once, silence, an open switch, a pulled plug, a dead program.
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -94,6 +96,50 @@ void Visit::pullAndStall() {
   const FeltForce felt = last(hand_.felt());
   checks_.expect(none(felt), "the device feels a force after a stall");
   checks_.atMost(msBetween(resumed_ns, std::max(felt.time_ns, resumed_ns)), 15, "ms until no force after a stall");
+  release();
+}
+
+// A second program of ours is refused by name, as long as the first one lives.
+void Visit::twoPrograms() {
+  const pid_t program = fork();
+  if (program == 0) {
+    const auto device = openDevice(listed_, calibration_);
+    if (!device || !(*device)->start()) _exit(1);
+    for (;;) pause();
+  }
+  passTime(300);
+  const std::string who = "vm_host (process " + std::to_string(program) + ")";
+  const auto refused = openDevice(listed_, calibration_);
+  if (checks_.expect(!refused.has_value(), "a second program opens the device"))
+    checks_.expect(refused.error().found == "a device in use by " + who, refused.error().message());
+  const auto devices = haptics::listHidDevices();
+  if (checks_.expect(devices.size() == 1, "a device in use is not listed"))
+    checks_.expect(devices.front().used_by == who, "in use by: " + devices.front().used_by);
+  checks_.near(hand_.number("effects"), truth_.force_axes, 0, "effects of the first program alone");
+  kill(program, SIGKILL);
+  waitpid(program, nullptr, 0);
+  auto device = openDevice(listed_, calibration_);
+  started(device);
+}
+
+// A program that looks at no lock resets the device while the servo pulls: our effects are gone.
+void Visit::somebodyElseResets() {
+  auto run = pulling();
+  if (!run) return;
+  expectNoComplaints();
+  const int node = open(listed_.path.c_str(), O_RDWR | O_CLOEXEC);
+  const bool board = std::string(truth_.model) == "board";
+  const std::array<std::uint8_t, 2> reset = {12, static_cast<std::uint8_t>(board ? 8 : 4)};
+  const std::array<std::uint8_t, 2> enable = {12, 1};
+  const std::int64_t reset_ns = haptics::monotonicNs();
+  const bool written = write(node, reset.data(), reset.size()) == 2 && write(node, enable.data(), enable.size()) == 2;
+  close(node);
+  checks_.expect(written, "the other program cannot write");
+  // A start may have been on its way for 20 ms; the device tells at its next report, the reader looks every 5 ms.
+  expectTrip(run->pass(0.1), TripCause::kDeviceFault, reset_ns, 30);
+  checks_.expect(none(hand_.force()), "a force comes back after the reset of another program");
+  run.reset();
+  hand_.tell("forgive");
   release();
 }
 

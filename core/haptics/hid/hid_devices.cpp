@@ -153,6 +153,14 @@ std::string serialOfNode(const std::string& path, const std::string& system_fold
   return noted(path, system_folder, "HID_UNIQ");
 }
 
+void noteHolder(HidDevice& device, const std::optional<NodeHolder>& holder) {
+  if (!holder || holder->isThisProgram()) return;
+  device.used_by = holder->text();
+  if (!device.problem.empty()) return;
+  device.problem = "in use by " + device.used_by;
+  device.advice = "Close that program, or stop its device there.";
+}
+
 std::vector<HidDevice> listHidDevices(bool all) {
   std::vector<HidDevice> devices;
   hid_device_info* const entries = hid_enumerate(0, 0);
@@ -163,6 +171,7 @@ std::vector<HidDevice> listHidDevices(bool all) {
     devices.push_back(fromEntry(*entry));
     HidDevice& device = devices.back();
     judge(device, descriptorOfNode(device.path), ::access(device.path.c_str(), R_OK | W_OK) == 0);
+    if (device.kind == HidDeviceKind::kPid) noteHolder(device, holderOf(device.path));
   }
   hid_free_enumeration(entries);
   if (!all) std::erase_if(devices, [](const HidDevice& device) { return device.kind == HidDeviceKind::kOther; });

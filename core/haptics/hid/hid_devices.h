@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/haptics/hid/hid_pid_device.h"
+#include "core/haptics/hid/node_lock.h"
 
 namespace tactus::haptics {
 
@@ -25,6 +27,7 @@ struct HidDevice {
   HidDeviceKind kind = HidDeviceKind::kOther;
   std::string problem;  ///< why it cannot be used now; empty: it can
   std::string advice;   ///< what to do about it
+  std::string used_by;  ///< another program that has it open, e.g. `tactus (process 4711)`; empty: none that is known
 };
 
 /// The id of a device: `hid:1209:ffb0`, with `:serial` where there is one.
@@ -38,6 +41,9 @@ void judge(HidDevice& device, const base::Result<std::vector<std::uint8_t>>& des
 std::string nameOfNode(const std::string& path, const std::string& system_folder = "/sys/class/hidraw");
 /// The serial number, likewise.
 std::string serialOfNode(const std::string& path, const std::string& system_folder = "/sys/class/hidraw");
+
+/// A device that could be used is in use by `holder`. This program's own hold is no problem.
+void noteHolder(HidDevice& device, const std::optional<NodeHolder>& holder);
 
 /// Each node once, though hidapi lists one entry per collection. kOther is left out unless `all`. At the end come known
 /// haptic devices on USB that are no HID devices. Thread: one at a time (hidapi).

@@ -108,6 +108,7 @@ base::Result<void> HidPidDevice::start() {
   samples_.put({});
   lost_.store(false, std::memory_order_relaxed);
   written_ns_.store(0, std::memory_order_relaxed);
+  dropWaitingReports();
   session_.emplace(
       *transport_, layout_, [this](int ms) { timing_.pause(std::int64_t{ms} * 1'000'000); }, timing_.now_ns);
   if (auto begun = session_->begin(timing_.now_ns()); !begun) {
@@ -115,9 +116,10 @@ base::Result<void> HidPidDevice::start() {
     return base::inFile(begun.error(), info_.id);
   }
   writer_.emplace(*session_, calibration_, driven_share_);
+  started_ns_.store(session_->startedNs(), std::memory_order_relaxed);
   reader_ends_.store(false, std::memory_order_relaxed);
   writer_ends_.store(false, std::memory_order_relaxed);
-  reader_ = startThread([this] { readerLoop(); });
+  reader_ = startThread([this, blocks = session_->blocks()] { readerLoop(blocks); });
   writer_thread_ = startThread([this] { writerLoop(); });
   return {};
 }
@@ -157,8 +159,17 @@ HidPidCounters HidPidDevice::counters() const noexcept {
           failed_rounds_.load(std::memory_order_relaxed), longest_round_ns_.load(std::memory_order_relaxed)};
 }
 
-void HidPidDevice::readerLoop() {
-  PidInput input(layout_);
+/// The kernel has kept the oldest reports since the device was open last: where the handle was then, and its buttons.
+void HidPidDevice::dropWaitingReports() {
+  std::array<std::uint8_t, 8193> room{};
+  for (int i = 0; i < kMostWaiting; ++i) {
+    const auto length = transport_->readTimeout(room, 0);
+    if (!length || *length == 0) return;  // a device that is gone fails at the next question
+  }
+}
+
+void HidPidDevice::readerLoop(const std::vector<std::int64_t>& blocks) {
+  PidInput input(layout_, blocks);
   std::array<std::uint8_t, 8193> room{};
   while (!reader_ends_.load(std::memory_order_acquire)) {
     if (!drain(input, room)) {
@@ -178,6 +189,8 @@ bool HidPidDevice::drain(PidInput& input, std::span<std::uint8_t> room) {
     reports_.fetch_add(1, std::memory_order_relaxed);
     changed = input.take(room.first(std::min(*length, room.size())), timing_.now_ns()) || changed;
   }
+  constexpr auto kDurationNs = static_cast<std::int64_t>(1e9 * PidSession::kDurationS);
+  changed = input.watchEffects(timing_.now_ns(), started_ns_.load(std::memory_order_relaxed), kDurationNs) || changed;
   if (!changed && calibration_.silent_when_still && input.sample().number > 0) {
     const std::int64_t now = timing_.now_ns();
     changed = now - written_ns_.load(std::memory_order_acquire) < kProofOfLifeNs;
@@ -206,6 +219,7 @@ bool HidPidDevice::writerRound() {
   const std::int64_t begin = timing_.now_ns();
   const bool through = writer_->step(begin).has_value();
   const std::int64_t end = timing_.now_ns();
+  if (through) started_ns_.store(session_->startedNs(), std::memory_order_relaxed);
   if (through) written_ns_.store(end, std::memory_order_release);
   (through ? rounds_ : failed_rounds_).fetch_add(1, std::memory_order_relaxed);
   longest_round_ns_.store(std::max(longest_round_ns_.load(std::memory_order_relaxed), end - begin),

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "core/haptics/device.h"
 #include "core/haptics/device_calibration.h"
@@ -71,7 +72,8 @@ class HidPidDevice final : public HapticDevice {
  private:
   HidPidDevice(std::unique_ptr<HidTransport> transport, PidLayout layout, HidPidTiming timing);
   void describe(const HidIdentity& identity, const std::optional<DeviceCalibration>& calibration);
-  void readerLoop();
+  void dropWaitingReports();
+  void readerLoop(const std::vector<std::int64_t>& blocks);
   void writerLoop();
   bool drain(PidInput& input, std::span<std::uint8_t> room);
   bool writerRound();
@@ -91,6 +93,7 @@ class HidPidDevice final : public HapticDevice {
   std::atomic<bool> reader_ends_{false};
   std::atomic<bool> writer_ends_{false};
   std::atomic<std::int64_t> written_ns_{0};
+  std::atomic<std::int64_t> started_ns_{0};  ///< of the effects, as the writer last got it through
   std::atomic<std::uint64_t> reports_{0};
   std::atomic<std::uint64_t> rounds_{0};
   std::atomic<std::uint64_t> failed_rounds_{0};

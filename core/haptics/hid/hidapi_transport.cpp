@@ -45,6 +45,8 @@ base::Result<std::vector<std::uint8_t>> askKernel(const std::string& path) {
 }  // namespace
 
 base::Result<std::unique_ptr<HidTransport>> HidapiTransport::open(const std::string& path) {
+  auto lock = NodeLock::take(path);
+  if (!lock) return tl::unexpected(lock.error());
   hid_device* const reads = hid_open_path(path.c_str());
   hid_device* const writes = reads != nullptr ? hid_open_path(path.c_str()) : nullptr;
   if (writes == nullptr) {
@@ -53,7 +55,7 @@ base::Result<std::unique_ptr<HidTransport>> HidapiTransport::open(const std::str
     if (reads != nullptr) hid_close(reads);
     return base::inFile(error.value(), path);
   }
-  return std::unique_ptr<HidTransport>(new HidapiTransport(path, reads, writes));
+  return std::unique_ptr<HidTransport>(new HidapiTransport(path, *std::move(lock), reads, writes));
 }
 
 HidapiTransport::~HidapiTransport() {

@@ -6,16 +6,18 @@
 #include <vector>
 
 #include "core/haptics/hid/hid_transport.h"
+#include "core/haptics/hid/node_lock.h"
 
 struct hid_device_;
 
 namespace tactus::haptics {
 
 /// Opens the same path twice: hidapi promises no more than one reading and one writing thread, and before 0.15 both
-/// write the error text of their handle.
+/// write the error text of their handle. The node stays locked for other programs of ours as long as it is open.
 class HidapiTransport final : public HidTransport {
  public:
-  /// `path` as the system names it, e.g. /dev/hidraw3. Refused: a device that is gone, or may not be opened.
+  /// `path` as the system names it, e.g. /dev/hidraw3. Refused: a device that is gone, may not be opened, or is in use
+  /// by another program that takes a NodeLock.
   static base::Result<std::unique_ptr<HidTransport>> open(const std::string& path);
   ~HidapiTransport() override;
 
@@ -26,11 +28,12 @@ class HidapiTransport final : public HidTransport {
   base::Result<std::size_t> readTimeout(std::span<std::uint8_t> room, int timeout_ms) override;
 
  private:
-  HidapiTransport(std::string path, hid_device_* reads, hid_device_* writes)
-      : path_(std::move(path)), reads_(reads), writes_(writes) {}
+  HidapiTransport(std::string path, NodeLock lock, hid_device_* reads, hid_device_* writes)
+      : path_(std::move(path)), lock_(std::move(lock)), reads_(reads), writes_(writes) {}
   tl::unexpected<base::Error> failed(hid_device_* handle, const char* what) const;
 
   std::string path_;
+  NodeLock lock_;
   hid_device_* reads_;
   hid_device_* writes_;
 };

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/text.h"
+#include "core/haptics/hid/pid_layout_check.h"
 
 namespace tactus::haptics {
 namespace {
@@ -45,6 +46,7 @@ enum Pid : std::uint16_t {
   kLoadError = 0x8E,
   kBlockFreeReport = 0x90,
   kStateReport = 0x92,
+  kPlaying = 0x94,
   kControlReport = 0x95,
   kControl = 0x96,
   kEnableActuators = 0x97,
@@ -66,7 +68,9 @@ ValueSlot slotOf(const HidField& field, std::uint32_t index) {
           field.logical_min,
           field.logical_max,
           field.unit_exponent,
-          field.unit};
+          field.unit,
+          field.physical_min,
+          field.physical_max};
 }
 
 bool isUsable(const HidField& field) { return !field.constant && field.bit_size <= kWidest; }
@@ -144,6 +148,7 @@ class Finder {
     if (!missing_.empty())
       return base::fail(base::ErrorCode::kData, "report descriptor", "no " + base::joined(missing_, ", no "),
                         "a force-feedback device (HID PID) that plays constant forces");
+    if (auto checked = checkLayout(layout_); !checked) return tl::unexpected(checked.error());
     return std::move(layout_);
   }
 
@@ -225,8 +230,9 @@ class Finder {
   void findState() {
     const ReportFields fields(descriptor_, ReportType::kInput, kStateReport);
     if (!fields) return;
-    layout_.state = {fields.report().id, fields.value(kPaused), fields.value(kActuatorsEnabled),
-                     fields.value(kSafetySwitch), fields.value(kActuatorPower)};
+    layout_.state = {fields.report().id,          fields.value(kPaused),        fields.value(kActuatorsEnabled),
+                     fields.value(kSafetySwitch), fields.value(kActuatorPower), fields.value(kPlaying),
+                     fields.value(kBlockIndex)};
   }
 
   void findInputs() {

@@ -85,6 +85,8 @@ struct PidLayout {
   struct State {
     std::uint8_t report_id = 0;
     std::optional<ValueSlot> paused, actuators_on, safety_switch, power;
+    std::optional<ValueSlot> playing;  ///< an effect plays …
+    std::optional<ValueSlot> block;    ///< … that of this block; without it any
   };
 
   SetEffect set_effect;
@@ -104,7 +106,8 @@ struct PidLayout {
   /// No negative magnitudes: the direction carries the sign.
   bool signByDirection() const { return constant_force.magnitude.logical_min >= 0; }
 
-  /// Refused, in one sentence: what of the force-feedback reports is missing.
+  /// Refused, in one sentence: what of the force-feedback reports is missing, or the first thing that cannot be as the
+  /// descriptor has it (checkLayout).
   static base::Result<PidLayout> find(const ReportDescriptor& descriptor);
 };
 

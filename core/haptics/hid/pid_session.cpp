@@ -1,5 +1,6 @@
 #include "core/haptics/hid/pid_session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -20,6 +21,18 @@ bool says(std::span<const std::uint8_t> report, const std::optional<PidChoice>& 
 PidSession::PidSession(HidTransport& transport, PidLayout layout, std::function<void(int)> pause,
                        std::function<std::int64_t()> now_ns)
     : transport_(transport), layout_(std::move(layout)), pause_(std::move(pause)), now_ns_(std::move(now_ns)) {}
+
+std::vector<std::int64_t> PidSession::blocks() const {
+  std::vector<std::int64_t> blocks;
+  for (const Effect& effect : effects_) blocks.push_back(effect.block);
+  return blocks;
+}
+
+std::int64_t PidSession::startedNs() const {
+  std::int64_t started_ns = effects_.empty() ? 0 : effects_.front().started_ns;
+  for (const Effect& effect : effects_) started_ns = std::min(started_ns, effect.started_ns);
+  return started_ns;
+}
 
 PidSession::Done PidSession::askPool() {
   if (!layout_.pool) return {};
@@ -61,6 +74,11 @@ PidSession::Done PidSession::createEffect(std::size_t axis, std::int64_t now_ns)
   if (auto done = transport_.sendFeature(report); !done) return done;
   const auto block = loadedBlock();
   if (!block) return tl::unexpected(block.error());
+  for (const ValueSlot& slot : {layout_.set_effect.block, layout_.constant_force.block, layout_.operation.block}) {
+    if (*block <= allOnes(slot)) continue;
+    return base::fail(base::ErrorCode::kData, "force effect", "block " + std::to_string(*block) + " of the device",
+                      "at most " + std::to_string(allOnes(slot)) + ", as its other reports have room for");
+  }
   effects_.push_back({});
   Effect& effect = effects_.back();
   effect.block = *block;

@@ -44,6 +44,10 @@ class PidSession {
   bool leave() noexcept;
 
   const PidLayout& layout() const { return layout_; }
+  /// Blocks of our effects in the device, one per axis of force.
+  std::vector<std::int64_t> blocks() const;
+  /// When the effect that was started longest ago was started; 0 without effects.
+  std::int64_t startedNs() const;
 
  private:
   using Done = base::Result<void>;

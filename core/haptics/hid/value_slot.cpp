@@ -6,7 +6,13 @@
 namespace tactus::haptics {
 namespace {
 
-constexpr std::uint32_t kSeconds = 0x1003;
+/// The exponents of a unit (USB HID 1.11, 6.2.2.7): time to the power of 1, and nothing else.
+constexpr std::uint32_t kTime = 0x1000;
+
+/// Seconds in any of the four systems of units.
+bool isSeconds(std::uint32_t unit) noexcept {
+  return (unit & ~0xFU) == kTime && (unit & 0xFU) >= 1 && (unit & 0xFU) <= 4;
+}
 
 std::int64_t rounded(double value, const ValueSlot& slot) noexcept {
   const auto low = static_cast<double>(slot.logical_min);
@@ -50,9 +56,23 @@ std::int64_t rawOfShare(const ValueSlot& slot, double share) noexcept {
   return rounded(share >= 0 ? share * high : -share * low, slot);
 }
 
+bool rangeFits(const ValueSlot& slot) noexcept {
+  const bool with_sign = slot.logical_min < 0;
+  const std::int64_t values = std::int64_t{1} << (with_sign ? slot.bit_size - 1 : slot.bit_size);
+  return slot.logical_max < values && slot.logical_min >= -values;
+}
+
 std::int64_t rawOfTime(const ValueSlot& slot, double time_s) noexcept {
-  const double tick_s = slot.unit == kSeconds ? std::pow(10.0, slot.unit_exponent) : 1e-3;
+  const double tick_s = isSeconds(slot.unit) ? std::pow(10.0, slot.unit_exponent) : 1e-3;
   return rounded(time_s / tick_s, slot);
+}
+
+std::optional<double> stepOfTime(const ValueSlot& slot) noexcept {
+  if (slot.unit != 0 && !isSeconds(slot.unit)) return std::nullopt;
+  const double unit_s = slot.unit != 0 ? std::pow(10.0, slot.unit_exponent) : 1e-3;
+  const auto logical = static_cast<double>(slot.logical_max - slot.logical_min);
+  const auto physical = static_cast<double>(slot.physical_max - slot.physical_min);
+  return physical == 0 || logical == 0 ? unit_s : unit_s * physical / logical;
 }
 
 std::int64_t rawOfAngle(const ValueSlot& slot, double angle_deg) noexcept {

@@ -87,6 +87,7 @@ TEST_F(HidPidDeviceTest, TellsWhatItIs) {
   EXPECT_EQ(info.friction_in_n, 0.1);
   EXPECT_EQ(info.friction_out_n, std::nullopt);
   EXPECT_EQ(info.quiet_after_s, 0.1);
+  EXPECT_EQ(info.hold_s, 0.04);
   open(PidModel::kWheel);
   EXPECT_EQ(device_->info().force_axes, 1);
   EXPECT_EQ(device_->info().position_axes, 1);
@@ -108,9 +109,8 @@ TEST_F(HidPidDeviceTest, PositionsComeInMillimetresInTheFrameOfThePerson) {
 }
 
 TEST_F(HidPidDeviceTest, OfManyWaitingReportsTheNewestCounts) {
-  open(PidModel::kBoard);
+  start(PidModel::kBoard);
   for (int i = 1; i <= 60; ++i) line_->queue(line_->device().inputReport({i, 0}, 0));
-  ASSERT_TRUE(device_->start());
   ASSERT_TRUE(eventually([&] { return device_->read(now()).number == 60; }));
   EXPECT_DOUBLE_EQ(device_->read(now()).position_mm.x, 0.6);
   EXPECT_EQ(line_->unread(), 0U);
@@ -236,6 +236,51 @@ TEST_F(HidPidDeviceTest, TheSwitchOfTheDeviceIsAFault) {
   line_->with([&](support::FakePidDevice& device) { device.pressSafetySwitch(true, now()); });
   line_->queue(line_->device().stateReport());
   EXPECT_TRUE(eventually([&] { return device_->read(now()).fault == DeviceFault::kSwitchedOff; }));
+}
+
+/// Another program resets the device: our effects are gone, and the device says that nothing plays.
+TEST_F(HidPidDeviceTest, AnEffectThatSomebodyElseStopsCountsAsSwitchedOff) {
+  start(PidModel::kBoard);
+  line_->queue(line_->device().inputReport({1, 0}, 0));
+  line_->queue(line_->device().stateReport());
+  ASSERT_TRUE(eventually([&] { return line_->unread() == 0 && device_->read(now()).number == 1; }));
+  for (int i = 0; i < 100; ++i) {
+    tick({1, 0, 0});
+    line_->queue(line_->device().stateReport());
+    ASSERT_TRUE(eventually([&] { return line_->unread() == 0; }));
+    ASSERT_EQ(device_->read(now()).fault, DeviceFault::kNone) << i;
+  }
+  line_->with([&](support::FakePidDevice& device) {
+    device.output(Bytes{0x0C, 8}, now());
+    device.output(Bytes{0x0C, 1}, now());
+  });
+  line_->queue(line_->device().stateReport());
+  int ticks = 0;
+  // A start that the device does not know may be on its way for 20 ms; the clock moves a millisecond per tick.
+  EXPECT_TRUE(eventually([&] {
+    ++ticks;
+    return tick({1, 0, 0}).fault == DeviceFault::kSwitchedOff;
+  }));
+  device_->stop();
+  // Started again it has effects of its own, and forgets what it was told before.
+  ASSERT_TRUE(device_->start());
+  line_->queue(line_->device().inputReport({1, 0}, 0));
+  line_->queue(line_->device().stateReport());
+  ASSERT_TRUE(eventually([&] { return device_->read(now()).number == 1; }));
+  EXPECT_EQ(device_->read(now()).fault, DeviceFault::kNone);
+}
+
+TEST_F(HidPidDeviceTest, ReportsFromBeforeTheStartAreDropped) {
+  start(PidModel::kSketch);
+  device_->stop();
+  for (int x = 0; x < 100; ++x) line_->queue(line_->device().inputReport({x, 0}, 1));
+  ASSERT_TRUE(device_->start());
+  EXPECT_EQ(line_->unread(), 0U);
+  line_->queue(line_->device().inputReport({500, 0}, 0));
+  ASSERT_TRUE(eventually([&] { return device_->read(now()).number > 0; }));
+  EXPECT_EQ(device_->read(now()).number, 1U);
+  EXPECT_DOUBLE_EQ(device_->read(now()).position_mm.x, 5);
+  EXPECT_EQ(device_->read(now()).buttons, 0U);
 }
 
 TEST_F(HidPidDeviceTest, WithoutACalibrationPositionsAreCountsAndTheStateSaysSo) {

@@ -78,5 +78,38 @@ TEST(PidInput, SwitchesThatTheFirmwareNeverSetsDoNotCount) {
   EXPECT_TRUE(input.sample().forces_held_back);
 }
 
+constexpr std::int64_t kMs = 1'000'000;
+
+/// The sketch says of which block it speaks; 0x10: powered, 2: actuators on.
+std::vector<std::uint8_t> sketchState(int block, bool plays) {
+  return {2, 0x12, static_cast<std::uint8_t>(block << 1 | (plays ? 1 : 0))};
+}
+
+TEST(PidInput, AnEffectThatStopsBetweenStartAndEndHoldsForcesBack) {
+  const PidLayout layout = layoutOf(PidModel::kSketch);
+  const std::vector<std::int64_t> blocks = {1, 2};
+  PidInput input(layout, blocks);
+  const auto watch = [&](std::int64_t ms) {
+    input.watchEffects(ms * kMs, 0, 90 * kMs);  // started at 0
+    return input.sample().forces_held_back;
+  };
+  input.take(sketchState(2, false), 0);
+  EXPECT_FALSE(watch(50)) << "it has not said yet that it tells";
+  input.take(sketchState(2, true), 0);
+  EXPECT_FALSE(watch(50));
+  input.take(sketchState(3, false), 0);
+  EXPECT_FALSE(watch(50)) << "the effect of somebody else";
+  input.take(sketchState(2, false), 0);
+  EXPECT_FALSE(watch(19)) << "the start may be on its way";
+  EXPECT_FALSE(watch(95)) << "the effect has run out, as it should";
+  EXPECT_TRUE(watch(20));
+  EXPECT_TRUE(watch(5)) << "it was stopped, and nothing has said otherwise";
+  input.take(sketchState(2, true), 0);
+  EXPECT_FALSE(watch(6));
+  input.take(sketchState(1, true), 0);
+  input.take(sketchState(0, false), 0);
+  EXPECT_TRUE(watch(60)) << "without a block it is about all";
+}
+
 }  // namespace
 }  // namespace tactus::haptics
