@@ -50,15 +50,23 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                command.add_flag("--bom", o.mark, "Begin each table with a byte order mark, for spreadsheet programs");
                addJson(command, o.json);
              });
+  addCommand(study, chosen, "recode", "Give a participant another code", studyRecode,
+             [](CLI::App& command, StudyRecodeOptions& o) {
+               addFile(command, o.file);
+               command.add_option("PERSON", o.person, "Code or id of the participant")->required()->check(notEmpty());
+               command.add_option("CODE", o.code, "The new code")->required()->check(notEmpty());
+             });
   addCommand(study, chosen, "withdraw", "Remove everything of a participant for good", studyWithdraw,
              [](CLI::App& command, StudyWithdrawOptions& o) {
                addFile(command, o.file);
-               command.add_option("CODE", o.code, "Code of the participant")->required()->check(notEmpty());
+               command.add_option("PERSON", o.person, "Code or id of the participant")->required()->check(notEmpty());
                command
                    .add_flag_callback(
                        "--yes", [] {}, "Needed, because it cannot be undone")
                    ->required();
              });
+  addCommand(study, chosen, "erase", "Finish an erasure that was interrupted", studyErase,
+             [](CLI::App& command, StudyEraseOptions& o) { addFile(command, o.file); });
 }
 
 }  // namespace tactus::cli

@@ -9,9 +9,7 @@
 #include "core/base/clock.h"
 #include "core/base/json_writer.h"
 #include "core/store/merge.h"
-#include "core/store/persons.h"
 #include "core/store/study_info.h"
-#include "core/store/withdrawal.h"
 #include "elicitation/ngt_variables.h"
 
 namespace tactus::cli {
@@ -136,30 +134,6 @@ Result<Output> studyMerge(const StudyMergeOptions& options) {
   }
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   return Output{options.json ? mergesAsJson(options.file, merges) : mergesAsText(merges), {}};
-}
-
-Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
-  auto file = store::StudyFile::open(options.file);
-  if (!file) return tl::unexpected(file.error());
-  const auto person = store::findPerson(*file, options.code);
-  if (!person) return tl::unexpected(person.error());
-  if (!*person) {
-    return tl::unexpected(base::Error{ErrorCode::kReference,
-                                      options.file,
-                                      {},
-                                      "no participant " + base::quoted(options.code),
-                                      "a participant's code"});
-  }
-  const auto withdrawal = store::withdraw(*file, (*person)->id, utcNowMs());
-  if (!withdrawal) return tl::unexpected(withdrawal.error());
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
-  Output output;
-  output.text = "Removed " + std::to_string(withdrawal->records) + " records of " + options.code + " from " +
-                options.file + ". Backups and exports made before still hold them.\n";
-  for (const auto& copy : withdrawal->copies) {
-    output.warnings.push_back(copy + ": a copy made before, which may hold the data; withdraw there too, or delete it");
-  }
-  return output;
 }
 
 }  // namespace tactus::cli

@@ -56,11 +56,25 @@ struct StudyExportOptions {
 /// Writes CSV tables with a codebook.
 base::Result<Output> studyExport(const StudyExportOptions& options);
 
+struct StudyRecodeOptions {
+  std::string file;
+  std::string person;  ///< code or id
+  std::string code;    ///< the new one
+};
+/// Gives a participant another code.
+base::Result<Output> studyRecode(const StudyRecodeOptions& options);
+
 struct StudyWithdrawOptions {
   std::string file;
-  std::string code;
+  std::string person;  ///< code or id
 };
-/// Removes everything of a participant for good.
+/// Removes everything of a participant for good. Of one who withdrew already, only what an interrupted erasure left.
 base::Result<Output> studyWithdraw(const StudyWithdrawOptions& options);
+
+struct StudyEraseOptions {
+  std::string file;
+};
+/// Finishes an erasure that was interrupted.
+base::Result<Output> studyErase(const StudyEraseOptions& options);
 
 }  // namespace tactus::cli

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <utility>
 
 #include "app/session/codebook.h"
@@ -53,18 +52,6 @@ Result<void> addMark(const std::string& path) {
   return base::writeFileAtomically(path, std::string(store::kByteOrderMark) + *text);
 }
 
-/// The tables tell participants apart by their codes.
-Result<StudyView> requireDistinctCodes(StudyView view) {
-  std::set<std::string> codes;
-  for (const auto& participant : view.study.participants) {
-    if (!codes.insert(participant.code).second) {
-      return base::fail(base::ErrorCode::kData, {}, "two participants with the code " + base::quoted(participant.code),
-                        "each code once");
-    }
-  }
-  return view;
-}
-
 std::string simulatedNote(const study::Study& study) {
   const auto count = std::count_if(study.participants.begin(), study.participants.end(),
                                    [](const study::Participant& participant) { return participant.simulated; });
@@ -80,7 +67,7 @@ class Exporter {
 
   Result<StudyExport> write() {
     codebook_.shareable = options_.shareable;
-    auto view = studyForElicitation(file_).and_then(requireDistinctCodes);
+    auto view = studyForElicitation(file_);
     if (view) {
       if (auto ok = writeView(*view); !ok) return tl::unexpected(ok.error());
     } else if (options_.shareable) {

@@ -11,6 +11,7 @@
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
+#include "core/store/study_info.h"
 #include "experiments/stroke.h"
 
 namespace tactus::session {
@@ -164,10 +165,17 @@ class Importer {
   explicit Importer(store::StudyFile& file) : file_(file) {}
 
   Result<void> add(const study::Participant& participant, Rows rows) {
-    const auto person = personOf(participant);
+    rows.text = base::sha256(rows.text);
+    const auto there = isThere(rows.text);
+    if (!there) return tl::unexpected(there.error());
+    if (*there) {
+      import.notes.push_back(participant.code + "'s rows are in the study already.");
+      return {};
+    }
+    const auto person = personOf(participant, rows.text);
     if (!person) return tl::unexpected(person.error());
     study::SessionRecord session;
-    session.id = idOf("session " + rows.text);
+    session.id = sessionOf(*person, rows.text);
     session.person = *person;
     session.kind = study::SessionKind::kImport;
     session.program = "import";
@@ -176,10 +184,6 @@ class Importer {
     session.started.utc_ms = 1 + std::count_if(known->begin(), known->end(), [](const study::SessionRecord& other) {
                                return other.kind == study::SessionKind::kImport;
                              });
-    if (std::any_of(known->begin(), known->end(), [&](const auto& other) { return other.id == session.id; })) {
-      import.notes.push_back(participant.code + "'s rows are in the study already.");
-      return {};
-    }
     if (auto ok = store::append(file_, session); !ok) return ok;
     ++import.sessions;
     session_ = session.id;
@@ -194,7 +198,26 @@ class Importer {
   StudyImport import;
 
  private:
-  Result<RecordId> personOf(const study::Participant& participant) {
+  /// Of the same rows for another person, as two sites may have them, it is another session.
+  static RecordId sessionOf(const RecordId& person, const std::string& rows) {
+    return idOf("session " + toText(person) + ' ' + rows);
+  }
+
+  /// Whether somebody has these rows already, perhaps under another code by now.
+  Result<bool> isThere(const std::string& rows) {
+    const auto persons = store::persons(file_);
+    if (!persons) return tl::unexpected(persons.error());
+    for (const auto& person : *persons) {
+      const auto known = store::sessions(file_, person.id);
+      if (!known) return tl::unexpected(known.error());
+      const RecordId wanted = sessionOf(person.id, rows);
+      if (std::any_of(known->begin(), known->end(), [&](const auto& one) { return one.id == wanted; })) return true;
+    }
+    return false;
+  }
+
+  /// The person in this file with the participant's code, or a new one, whose id no other study gives.
+  Result<RecordId> personOf(const study::Participant& participant, const std::string& rows) {
     const auto known = store::findPerson(file_, participant.code);
     if (!known) return tl::unexpected(known.error());
     if (*known) {
@@ -203,7 +226,10 @@ class Importer {
                   participant.simulated ? "simulated rows for a real participant" : "real rows for a simulated one",
                   "another code");
     }
-    const study::Person person{idOf("person " + participant.code), participant.code, participant.simulated};
+    const auto study = store::studyInfo(file_);
+    if (!study) return tl::unexpected(study.error());
+    const std::string text = "person " + toText(study->id) + ' ' + rows;
+    const study::Person person{idOf(text), participant.code, participant.simulated};
     if (auto ok = store::append(file_, person); !ok) return tl::unexpected(ok.error());
     ++import.persons;
     return person.id;

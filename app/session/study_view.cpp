@@ -7,6 +7,7 @@
 
 #include "core/store/entries.h"
 #include "core/store/persons.h"
+#include "core/store/recoding.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
 #include "experiments/stroke.h"
@@ -50,6 +51,7 @@ class Reader {
   explicit Reader(const store::StudyFile& file) : file_(file) {}
 
   Result<StudyView> read() {
+    if (auto distinct = store::requireDistinctCodes(file_); !distinct) return tl::unexpected(distinct.error());
     const auto info = store::studyInfo(file_);
     if (!info) return tl::unexpected(info.error());
     view_.study.name = info->name;

@@ -21,7 +21,7 @@ struct StudyView {
 /// catch trials and usability sessions are left out. Where a participant did a block again in a later session (a speed
 /// level, a series, a form, rules), the latest session counts, with a note. Speeds come from the recorded positions
 /// (experiments/speed_from_positions.h); a recording that has a channel `speed`, as imported tables do, is taken as it
-/// is.
+/// is. Refused: two persons with one code, which a merge may bring together.
 base::Result<StudyView> studyForElicitation(const store::StudyFile& file);
 
 /// The samples of one accepted stroke, as experiments::strokeMotion gives them. Errors name the participant too.

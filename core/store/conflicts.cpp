@@ -1,6 +1,7 @@
 #include "core/store/conflicts.h"
 
 #include "core/store/entry_tables.h"
+#include "core/store/recoding.h"
 
 namespace tactus::store {
 namespace {
@@ -27,10 +28,9 @@ void checkOrder(Connection& connection, Findings& findings) {
 }
 
 void checkPersons(Connection& connection, Findings& findings) {
-  Query query(connection, "SELECT code, count(*) FROM person_current GROUP BY code HAVING count(*) > 1 ORDER BY code");
-  while (query.next()) {
-    const std::string code = query.text();
-    findings.push_back("person: " + std::to_string(query.integer()) + " persons have the code " + base::quoted(code));
+  for (const DoubledCode& doubled : doubledCodes(connection)) {
+    findings.push_back("person: " + describe(doubled, "have") +
+                       "; give one of them another: " + recodeCommand(connection, doubled));
   }
 }
 

@@ -3,14 +3,17 @@
 #include <SQLiteCpp/Statement.h>
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <sqlite3.h>
 
 #include "core/base/json_writer.h"
+#include "core/base/sha256.h"
 #include "core/store/conflicts.h"
 #include "core/store/entry_tables.h"
+#include "core/store/merged_withdrawals.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
-#include "core/store/removal.h"
 #include "core/store/withdrawal.h"
 
 namespace tactus::store {
@@ -59,8 +62,10 @@ std::vector<std::string> mergedColumns(Connection& connection, const MergedTable
 /// Copies the rows of one table that are new; the statements of both files work side by side.
 class TableMerge {
  public:
-  TableMerge(Connection& ours, Connection& theirs, const MergedTable& table)
+  TableMerge(Connection& ours, Connection& theirs, const MergedTable& table,
+             const std::vector<TimedCleaning>& cleanings)
       : table_(table),
+        cleanings_(cleanings),
         columns_(mergedColumns(ours, table)),
         rows_(theirs.database(), "SELECT " + list() + ", " + fitsChecksum(theirs, table.name, "t") + " FROM " +
                                      table.name + " AS t ORDER BY " + table.order),
@@ -73,6 +78,7 @@ class TableMerge {
   long long run(std::vector<std::string>& differences) {
     long long added = 0;
     while (rows_.executeStep()) {
+      clean();
       if (answers(same_) || !answers(belongs_)) continue;
       if (answers(there_)) {
         differences.push_back(table_.name + " " + keyText() + ": differs in the other file, this file's was kept");
@@ -99,10 +105,46 @@ class TableMerge {
   std::string equalities() const {
     std::string text;
     for (const auto& column : columns_) {
+      if (column == kCleaned) continue;  // two stations may clean a version at different times
       text.append(text.empty() ? "" : " AND ").append(column).append(" IS ?");
       text.append(std::to_string(position(column)));
     }
     return text;
+  }
+  /// Takes who withdrew out of the texts of the row.
+  void clean() {
+    texts_.clear();
+    cleaned_utc_ms_.reset();
+    if (cleanings_.empty()) return;
+    if (table_.name == "model_version") {
+      cleanModel();
+      return;
+    }
+    for (const FreeText& place : freeTexts()) {
+      if (place.table != table_.name) continue;
+      const int number = position(std::string(place.column));
+      const std::string before = rows_.getColumn(number - 1).getString();
+      std::string after = before;
+      for (const auto& one : cleanings_) after = one.cleaning.cleaned(after);
+      if (after != before) texts_[number] = std::move(after);
+    }
+  }
+  void cleanModel() {
+    const auto text = [this](const char* column) { return rows_.getColumn(position(column) - 1).getString(); };
+    const auto cleaned = rows_.getColumn(position(kCleaned) - 1);
+    if (!cleaned.isNull()) cleaned_utc_ms_ = cleaned.getInt64();
+    ModelTexts version{text("author"), text("label"), text("text")};
+    bool changed = false;
+    for (const auto& one : cleanings_) {
+      if (!one.cleaning.clean(version)) continue;
+      changed = true;
+      cleaned_utc_ms_ = std::min(one.utc_ms, cleaned_utc_ms_.value_or(one.utc_ms));
+    }
+    if (!changed) return;
+    texts_[position("sha256")] = base::sha256(version.text);
+    texts_[position("author")] = std::move(version.author);
+    texts_[position("label")] = std::move(version.label);
+    texts_[position("text")] = std::move(version.text);
   }
   /// A row without its owner is one of a person who withdrew.
   std::string owner() const {
@@ -125,18 +167,27 @@ class TableMerge {
     if (table_.has_place) given["place"] = "(SELECT coalesce(max(place), 0) + 1 FROM " + table_.name + ")";
     return insertion(ours, table_.name, given);
   }
-  std::string keyText() const {
+  std::string keyText() const { return study::toText(key()); }
+  RecordId key() const {
     RecordId id;
     const auto column = rows_.getColumn(0);
     if (column.getBytes() == static_cast<int>(id.bytes.size())) {
       const auto* bytes = static_cast<const std::uint8_t*>(column.getBlob());
       std::copy_n(bytes, id.bytes.size(), id.bytes.begin());
     }
-    return study::toText(id);
+    return id;
   }
   /// The values of the current row, as many as `statement` takes.
   void bindAll(SQLite::Statement& statement) const {
     for (int i = 0; i < statement.getBindParameterCount(); ++i) {
+      if (const auto text = texts_.find(i + 1); text != texts_.end()) {
+        statement.bind(i + 1, text->second);
+        continue;
+      }
+      if (cleaned_utc_ms_ && i + 1 == position(kCleaned)) {
+        statement.bind(i + 1, *cleaned_utc_ms_);
+        continue;
+      }
       const auto column = rows_.getColumn(i);
       switch (column.getType()) {
         case SQLITE_INTEGER:
@@ -163,7 +214,12 @@ class TableMerge {
     return found;
   }
 
+  static constexpr const char* kCleaned = "cleaned_utc_ms";
+
   const MergedTable& table_;
+  const std::vector<TimedCleaning>& cleanings_;
+  std::map<int, std::string> texts_;  ///< of the current row, in place of those that name somebody; by parameter
+  std::optional<std::int64_t> cleaned_utc_ms_;
   std::vector<std::string> columns_;
   SQLite::Statement rows_;
   SQLite::Statement same_;
@@ -171,20 +227,6 @@ class TableMerge {
   SQLite::Statement belongs_;
   SQLite::Statement insert_;
 };
-
-/// Takes over who withdrew, and removes them here.
-void mergeTombstones(Connection& connection, const std::vector<Tombstone>& others, Merge& merge) {
-  long long added = 0;
-  for (const Tombstone& tombstone : others) {
-    Query there(connection, "SELECT 1 FROM tombstone WHERE person_id = ?");
-    if (there.put(tombstone.person).next()) continue;
-    Query insert(connection, insertion(connection, "tombstone", {{"code_salt", "NULL"}, {"code_hash", "NULL"}}));
-    insert.put(tombstone.person).put(tombstone.utc_ms).run();
-    ++added;
-    if (removePerson(connection, tombstone.person) > 0) ++merge.withdrawn;
-  }
-  if (added > 0) merge.added.push_back({"tombstone", added});
-}
 
 std::string logDetail(const Merge& merge) {
   base::JsonWriter json;
@@ -211,24 +253,26 @@ Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const Record
         "a study of version " + std::to_string(opened->version()),
         "version " + std::to_string(file.version()) + " as the study it is merged into; open it once for writing"});
   }
-  auto withdrawn = tombstones(*opened);
-  if (!withdrawn) return tl::unexpected(withdrawn.error());
 
   Connection& ours = file.connection();
   Merge merge;
+  bool must_erase = false;
   auto merged = inTransaction(ours, [&] {
-    mergeTombstones(ours, *withdrawn, merge);
+    MergedWithdrawals withdrawals(ours, opened->connection());
+    withdrawals.apply(merge);
     for (const MergedTable& table : mergedTables()) {
-      const long long added = TableMerge(ours, opened->connection(), table).run(merge.conflicts);
+      const long long added =
+          TableMerge(ours, opened->connection(), table, withdrawals.cleanings()).run(merge.conflicts);
       if (added > 0) merge.added.push_back({table.name, added});
     }
     for (auto& conflict : conflicts(ours)) merge.conflicts.push_back(std::move(conflict));
+    must_erase = withdrawals.finish();
     if (merge.added.empty()) return;
     Query log(ours, insertion(ours, "import_log", {{"kind", "'merge'"}, {"sha256", "''"}}));
     log.put(log_id).put(utc_ms).put(std::filesystem::path(other).filename().string()).put(logDetail(merge)).run();
   });
   if (!merged) return tl::unexpected(merged.error());
-  if (merge.withdrawn > 0) {
+  if (must_erase) {
     if (auto erased = eraseTraces(file); !erased) return tl::unexpected(erased.error());
   }
   return merge;

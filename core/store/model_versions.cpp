@@ -1,8 +1,10 @@
 #include "core/store/model_versions.h"
 
 #include "core/base/sha256.h"
+#include "core/model_io/expert_removal.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
+#include "core/store/withdrawn_codes.h"
 
 namespace tactus::store {
 namespace {
@@ -49,6 +51,18 @@ ModelVersion readVersionWithText(Query& query) {
   return version;
 }
 
+/// A model that was open elsewhere while its expert withdrew must not bring the rules back.
+void refuseWithdrawnExperts(Connection& connection, const std::string& text) {
+  const auto withdrawn = readTombstones(connection);
+  if (withdrawn.empty()) return;
+  for (const std::string& expert : model_io::expertIds(text)) {
+    const TombstoneRow* const row = withdrawnWith(withdrawn, expert);
+    if (row == nullptr || codesOfNobodyElse(connection, row->person, {expert}).empty()) continue;
+    refuse(ErrorCode::kValue, "model version", "an expert with " + describeWithdrawn(expert, *row),
+           "a model without this expert");
+  }
+}
+
 std::vector<ModelVersion> readVersions(Query& query) {
   std::vector<ModelVersion> versions;
   while (query.next()) versions.push_back(readVersion(query));
@@ -64,6 +78,7 @@ Result<void> append(StudyFile& file, const ModelVersion& version) {
     if (!version.sha256.empty() && version.sha256 != hash) {
       refuse(ErrorCode::kMismatch, "model version", "the SHA-256 " + base::quoted(version.sha256), hash);
     }
+    refuseWithdrawnExperts(connection, version.text);
     Query insert(connection, insertion(connection, "model_version",
                                        {{"place", "(SELECT coalesce(max(place), 0) + 1 FROM model_version)"},
                                         {"sequence", "(SELECT coalesce(max(sequence), 0) + 1 FROM model_version)"},

@@ -11,7 +11,7 @@
 namespace tactus::store {
 
 /// Adds a version and stores the SHA-256 of its text; `version.sha256` may be empty, or must fit. Refused: an id that
-/// is there already, a parent that is not.
+/// is there already, a parent that is not, a model with an expert who withdrew from the study.
 base::Result<void> append(StudyFile& file, const study::ModelVersion& version);
 
 /// All versions from the oldest to the latest, without their texts.

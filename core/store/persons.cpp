@@ -1,7 +1,9 @@
 #include "core/store/persons.h"
 
 #include "core/store/query.h"
+#include "core/store/recoding.h"
 #include "core/store/record_checksum.h"
+#include "core/store/withdrawn_codes.h"
 
 namespace tactus::store {
 namespace {
@@ -34,6 +36,12 @@ bool isTaken(Connection& connection, const std::string& code) {
   return query.put(code).next();
 }
 
+/// A code that was changed stays the earlier person's in models and exports.
+bool wasTaken(Connection& connection, const std::string& code) {
+  Query query(connection, "SELECT 1 FROM person WHERE code = ?1 UNION ALL SELECT 1 FROM person_code WHERE code = ?1");
+  return query.put(code).next();
+}
+
 }  // namespace
 
 Result<void> append(StudyFile& file, const Person& person) {
@@ -43,6 +51,7 @@ Result<void> append(StudyFile& file, const Person& person) {
       refuse(ErrorCode::kValue, {}, "the code " + base::quoted(person.code) + ", which a person of the study has",
              "a code of its own for each person");
     }
+    refuseWithdrawnCode(connection, person.code);
     Query insert(connection, insertion(connection, "person"));
     insert.put(person.id).put(person.code).put(person.simulated).run();
   });
@@ -52,9 +61,10 @@ Result<std::string> unusedCode(const StudyFile& file, PersonCodes& codes) {
   constexpr int kMostDraws = 1000;  // fails only where nearly all 40,000 codes are in use
   Connection& connection = file.connection();
   return guarded(connection, [&] {
+    const auto withdrawn = readTombstones(connection);
     for (int draw = 0; draw < kMostDraws; ++draw) {
       std::string code = codes.next();
-      if (!isTaken(connection, code)) return code;
+      if (!wasTaken(connection, code) && withdrawnWith(withdrawn, code) == nullptr) return code;
     }
     refuse(ErrorCode::kLimit, {}, "a study in which nearly all codes are in use", "fewer persons");
   });
@@ -74,8 +84,10 @@ Result<std::optional<Person>> findPerson(const StudyFile& file, const std::strin
     Query query(connection, selection(connection) + " WHERE c.code = ? ORDER BY p.id");
     const auto found = readPersons(query.put(code));
     if (found.size() > 1) {
-      refuse(ErrorCode::kReference, {}, std::to_string(found.size()) + " persons with the code " + base::quoted(code),
-             "one; name the person by id");
+      DoubledCode doubled{code, {}};
+      for (const auto& person : found) doubled.persons.push_back(person.id);
+      refuse(ErrorCode::kReference, {}, describe(doubled),
+             "a code of its own for each person: " + recodeCommand(connection, doubled));
     }
     if (found.empty()) return std::nullopt;
     return found.front();

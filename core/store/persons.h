@@ -12,10 +12,10 @@
 
 namespace tactus::store {
 
-/// Adds a person. Refused: a code or id that is there already, a person who withdrew.
+/// Adds a person. Refused: a code or id that is there already, the id or a code of a person who withdrew.
 base::Result<void> append(StudyFile& file, const study::Person& person);
 
-/// A code from `codes` that no person of the file has.
+/// A code from `codes` that no person of the file has or had, nor one who withdrew.
 base::Result<std::string> unusedCode(const StudyFile& file, PersonCodes& codes);
 
 /// All persons, by code.

@@ -73,6 +73,11 @@ void Query::run() {
   in_ = 1;
 }
 
+void Query::reset() {
+  statement_.reset();
+  in_ = 1;
+}
+
 bool Query::next() {
   out_ = 0;
   return statement_.executeStep();

@@ -38,6 +38,8 @@ class Query {
   void run();
   /// Goes to the next row, if there is one.
   bool next();
+  /// Forgets the rows that were not taken, and makes ready for the next set of values.
+  void reset();
 
   /// The next column of the row.
   std::int64_t integer() { return statement_.getColumn(out_++).getInt64(); }

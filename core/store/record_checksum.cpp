@@ -90,6 +90,17 @@ std::string insertion(Connection& connection, std::string_view table, const std:
          arguments + "))";
 }
 
+std::string update(Connection& connection, std::string_view table, const std::map<std::string, std::string>& changed) {
+  std::string changes;
+  for (const auto& [column, value] : changed) changes.append(column).append(" = ").append(value).append(", ");
+  std::string sum = "record_crc32('" + std::string(table) + "'";
+  for (const auto& column : columnsOf(connection, table)) {
+    const auto found = changed.find(column);
+    sum.append(", ").append(found != changed.end() ? found->second : column);
+  }
+  return "UPDATE " + std::string(table) + " SET " + changes + "crc32 = " + sum + ")";
+}
+
 std::string fitsChecksum(Connection& connection, std::string_view table, std::string_view alias) {
   const std::string row = std::string(alias) + '.';
   std::string sql = "(" + row + "crc32 IS NULL OR " + row + "crc32 = record_crc32('" + std::string(table) + "'";

@@ -29,6 +29,10 @@ const std::vector<std::string>& columnsOf(Connection& connection, std::string_vi
 std::string insertion(Connection& connection, std::string_view table,
                       const std::map<std::string, std::string>& given = {});
 
+/// SQL that changes rows of `table` together with their checksums: each column of `changed` becomes what its SQL
+/// expression gives. A condition is to follow (` WHERE …`). Only an unfinished erasure permits it.
+std::string update(Connection& connection, std::string_view table, const std::map<std::string, std::string>& changed);
+
 /// SQL that is true where the row `alias` of `table` fits its checksum, or was written before there were any.
 /// For Query::requireIntact.
 std::string fitsChecksum(Connection& connection, std::string_view table, std::string_view alias);

@@ -54,9 +54,11 @@ std::vector<RecordTable> makeTables() {
        "utc_ms, person_id",
        {{"person_id", Kind::kId, "", "The participant"},
         {"utc_ms", Kind::kInteger, "ms", "When they withdrew, since 1970-01-01 UTC"},
-        {"code_salt", Kind::kBytes, "", "16 random bytes", "", true, 2},
+        {"code_salt", Kind::kBytes, "", "16 bytes of this participant alone", "", true, 2},
         {"code_hash", Kind::kBytes, "",
-         "SHA-256 of these bytes and the participant's code, which tells the code should it come back", "", true, 2}}});
+         "SHA-256 of these bytes and the participant's code, 32 bytes for each code they had; tells a code that comes "
+         "back",
+         "", true, 2}}});
   tables.push_back({"person",
                     "persons.csv",
                     "A participant",

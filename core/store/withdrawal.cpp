@@ -1,10 +1,13 @@
 #include "core/store/withdrawal.h"
 
-#include <filesystem>
+#include <algorithm>
+#include <iterator>
 
+#include "core/store/name_cleaning.h"
 #include "core/store/query.h"
-#include "core/store/record_checksum.h"
 #include "core/store/removal.h"
+#include "core/store/rewriting.h"
+#include "core/store/withdrawn_codes.h"
 
 namespace tactus::store {
 namespace {
@@ -13,73 +16,104 @@ using base::ErrorCode;
 using base::Result;
 using study::RecordId;
 
-/// Copies that migrations made (migrations.h).
-std::vector<std::string> copiesBeside(const std::string& path) {
-  const std::filesystem::path study(path);
-  const std::string beginning = study.filename().string() + ".before-v";
-  std::vector<std::string> copies;
-  std::error_code error;
-  const auto folder = study.has_parent_path() ? study.parent_path() : std::filesystem::path(".");
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (entry.path().filename().string().starts_with(beginning)) copies.push_back(entry.path().string());
-  }
-  return copies;
+Result<void> requireRest(const StudyFile& file) {
+  if (file.connection().batch == Connection::BatchState::kNone) return {};
+  return base::inFile({ErrorCode::kIo, {}, {}, "a batch that is not finished", "a study at rest"}, file.path());
+}
+
+std::vector<RecordId> readErasures(Connection& connection) {
+  Query query(connection, "SELECT person_id FROM erasure ORDER BY utc_ms, person_id");
+  std::vector<RecordId> persons;
+  while (query.next()) persons.push_back(query.id());
+  return persons;
 }
 
 }  // namespace
 
 Result<Withdrawal> withdraw(StudyFile& file, const RecordId& person, std::int64_t utc_ms) {
+  if (auto rest = requireRest(file); !rest) return tl::unexpected(rest.error());
   Connection& connection = file.connection();
-  if (connection.batch != Connection::BatchState::kNone) {
-    return base::inFile({ErrorCode::kIo, {}, {}, "a batch that is not finished", "a study at rest"}, file.path());
-  }
   Withdrawal withdrawal;
   auto removed = inTransaction(connection, [&] {
-    Query find(connection, "SELECT 1 FROM person WHERE id = ?");
-    if (!find.put(person).next()) {
+    const auto codes = codesOf(connection, person);
+    if (codes.empty()) {
       refuse(ErrorCode::kReference, {}, "no person " + study::toText(person), "a person of the study");
     }
-    Query leave(connection, insertion(connection, "tombstone", {{"code_salt", "NULL"}, {"code_hash", "NULL"}}));
-    leave.put(person).put(utc_ms).run();
+    const auto own = codesOfNobodyElse(connection, person, codes);
+    std::copy_if(codes.begin(), codes.end(), std::back_inserter(withdrawal.shared_codes),
+                 [&](const std::string& code) { return std::find(own.begin(), own.end(), code) == own.end(); });
+    leaveTombstone(connection, tombstoneFor(person, utc_ms, own));
     withdrawal.records = removePerson(connection, person);
+    withdrawal.models = cleanRecords(connection, NameCleaning(own), utc_ms);
   });
   if (!removed) return tl::unexpected(removed.error());
   if (auto erased = eraseTraces(file); !erased) {
     base::Error error = erased.error();
-    error.place = "the records are removed, but not yet their traces in unused pages of the file";
+    error.place = "the records are removed, but not yet their traces in unused pages of the file (study erase does it)";
     return tl::unexpected(error);
   }
-  withdrawal.copies = copiesBeside(file.path());
   return withdrawal;
 }
 
 Result<void> eraseTraces(StudyFile& file) {
+  if (auto rest = requireRest(file); !rest) return rest;
   Connection& connection = file.connection();
-  return guarded(connection, [&] {
-    // VACUUM may write temporary pages, so they stay in memory.
-    connection.database().exec("PRAGMA temp_store = MEMORY");
-    connection.database().exec("VACUUM");
-    Query truncate(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
-    if (!truncate.next() || truncate.integer() != 0) {
-      refuse(ErrorCode::kIo, {}, "a journal that could not be emptied", "a study that nobody else uses");
+  auto rewritten = guarded(connection, [&] {
+    if (!connection.isWritable()) {
+      refuse(ErrorCode::kIo, {}, "a study that is open for reading only", "one that is open for writing");
+    }
+    rewriteWithoutTraces(connection);
+  });
+  if (!rewritten) return rewritten;
+  // Only now, so that an erasure that was interrupted is known as such.
+  auto noted = inTransaction(connection, [&] { connection.database().exec("DELETE FROM erasure"); });
+  if (!noted) return noted;
+  return guarded(connection, [&] { emptyJournal(connection); });
+}
+
+Result<Erasure> erase(StudyFile& file) {
+  if (auto rest = requireRest(file); !rest) return tl::unexpected(rest.error());
+  Connection& connection = file.connection();
+  Erasure erasure;
+  auto cleaned = inTransaction(connection, [&] {
+    erasure.unfinished = readErasures(connection);
+    const auto tombstones = readTombstones(connection);
+    const bool has_hashes = std::any_of(tombstones.begin(), tombstones.end(),
+                                        [](const TombstoneRow& row) { return !row.code_hashes.empty(); });
+    if (!has_hashes) return;
+    for (const auto& expert : expertsOfModels(connection)) {
+      const TombstoneRow* const row = withdrawnWith(tombstones, expert);
+      if (row == nullptr || codesOfNobodyElse(connection, row->person, {expert}).empty()) continue;
+      noteErasure(connection, row->person, row->utc_ms);
+      erasure.models += cleanRecords(connection, NameCleaning({expert}), row->utc_ms);
     }
   });
+  if (!cleaned) return tl::unexpected(cleaned.error());
+  if (auto erased = eraseTraces(file); !erased) return tl::unexpected(erased.error());
+  return erasure;
+}
+
+Result<std::vector<RecordId>> unfinishedErasures(const StudyFile& file) {
+  Connection& connection = file.connection();
+  return guarded(connection, [&] { return readErasures(connection); });
 }
 
 Result<std::vector<Tombstone>> tombstones(const StudyFile& file) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    Query query(connection, "SELECT person_id, utc_ms, " + fitsChecksum(connection, "tombstone", "tombstone") +
-                                " FROM tombstone ORDER BY utc_ms, person_id");
     std::vector<Tombstone> found;
-    while (query.next()) {
-      Tombstone tombstone;
-      tombstone.person = query.id();
-      tombstone.utc_ms = query.integer();
-      query.requireIntact("tombstone", tombstone.person);
-      found.push_back(tombstone);
-    }
+    for (const auto& row : readTombstones(connection)) found.push_back({row.person, row.utc_ms});
     return found;
+  });
+}
+
+Result<std::optional<Tombstone>> withdrawnWithCode(const StudyFile& file, const std::string& code) {
+  Connection& connection = file.connection();
+  return guarded(connection, [&]() -> std::optional<Tombstone> {
+    const auto rows = readTombstones(connection);
+    const TombstoneRow* const row = withdrawnWith(rows, code);
+    if (row == nullptr) return std::nullopt;
+    return Tombstone{row->person, row->utc_ms};
   });
 }
 

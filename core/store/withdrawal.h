@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,19 +20,40 @@ struct Tombstone {
 };
 
 struct Withdrawal {
-  long long records = 0;            ///< removed, sessions and the person counted
-  std::vector<std::string> copies;  ///< files beside the study that were made before a migration and may hold the data
+  long long records = 0;  ///< removed, sessions and the person counted
+  long long models = 0;   ///< versions of models that were cleaned of the person's rules and code
+  /// Codes that another person of the file has or had too: texts and models in which they stand were left as they are.
+  std::vector<std::string> shared_codes;
 };
 
-/// Removes everything of the person in one transaction and leaves a tombstone, so that no merge brings the data back;
-/// then rewrites the file and empties its journal, so that nothing is left in unused pages. Models that were built with
-/// the data stay, and so do copies elsewhere. Where the rewriting fails (disk full), the records are removed and the
-/// error says that `eraseTraces` is to be done again.
+/// Removes everything of the person in one transaction: their records, their rules and code in all model versions, and
+/// their code in what others wrote (`(withdrawn)` stands there instead). A tombstone stays, with salted hashes of the
+/// person's codes, so that no entry, import or merge brings the data back. Then `eraseTraces`; where that fails or is
+/// interrupted the records are removed and the error says that `erase` is to be done. Copies elsewhere are not
+/// reached: copies.h names those that can be found.
 base::Result<Withdrawal> withdraw(StudyFile& file, const study::RecordId& person, std::int64_t utc_ms);
 
-/// The second half of `withdraw`, for when it failed.
+/// The second half of `withdraw`: rewrites the file and empties its journal, so that nothing is left in unused pages,
+/// and notes that the erasure is finished. Memory does not grow with the study; on the disk two more copies of it need
+/// room meanwhile. Can be interrupted at any point and done again.
 base::Result<void> eraseTraces(StudyFile& file);
 
+struct Erasure {
+  std::vector<study::RecordId> unfinished;  ///< whose erasure was not finished before
+  long long models = 0;                     ///< versions that still named somebody who withdrew, and were cleaned
+};
+
+/// Does again what an interrupted withdrawal left undone: cleans models that name somebody who withdrew (by the hashes
+/// of the tombstones), and erases the traces, also where nothing says that it is needed.
+base::Result<Erasure> erase(StudyFile& file);
+
+/// Whose erasure is not finished.
+base::Result<std::vector<study::RecordId>> unfinishedErasures(const StudyFile& file);
+
+/// By time and person.
 base::Result<std::vector<Tombstone>> tombstones(const StudyFile& file);
+
+/// When the participant who had this code withdrew, or nothing. What an older version removed left no code to compare.
+base::Result<std::optional<Tombstone>> withdrawnWithCode(const StudyFile& file, const std::string& code);
 
 }  // namespace tactus::store

@@ -34,7 +34,7 @@ const std::map<std::string, Permission>& permissions() {
       {"core/haptics/simulated", {{"core/base", "core/haptics", "core/study"}, {}}},
       {"core/haptics/hid", {{"core/base", "core/haptics"}, {"hidapi/", "linux/"}}},
       {"core/haptics/openhaptics", {{"core/base", "core/haptics"}, {}}},
-      {"core/store", {{"core/base", "core/study"}, {kJson, "SQLiteCpp/", "sqlite3.h"}}},
+      {"core/store", {{"core/base", "core/model_io", "core/study"}, {kJson, "SQLiteCpp/", "sqlite3.h"}}},
       {"core/model_io", {{"core/base", "core/fuzzy"}, {}}},
       {"experiments", {{"core/base", "core/study"}, {}}},
       {"elicitation", {{"core/base", "core/fuzzy", "core/analysis", "core/study"}, {kJson}}},

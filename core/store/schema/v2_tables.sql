@@ -25,9 +25,9 @@ DROP VIEW answer_current;
 DROP VIEW rating_current;
 DROP VIEW rule_current;
 
--- A salted hash of the code of the participant who withdrew tells the code when it comes back, and nothing else.
+-- Salted hashes of the codes of the participant who withdrew, 32 bytes each, tell a code when it comes back, and nothing else.
 ALTER TABLE tombstone ADD COLUMN code_salt BLOB CHECK (length(code_salt) = 16);
-ALTER TABLE tombstone ADD COLUMN code_hash BLOB CHECK (length(code_hash) = 32);
+ALTER TABLE tombstone ADD COLUMN code_hash BLOB CHECK (length(code_hash) > 0 AND length(code_hash) % 32 = 0);
 -- When a withdrawal took the participant's rules and code out of the text; NULL: the text is as it was stored.
 ALTER TABLE model_version ADD COLUMN cleaned_utc_ms INTEGER;
 -- Over what was read; empty where an older version did not note it.

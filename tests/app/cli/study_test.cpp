@@ -131,6 +131,45 @@ TEST_F(StudyCommands, WithdrawWantsAYesAndLastsThroughImports) {
   EXPECT_EQ(rows("a.tactus")["tombstone"], 1);
 }
 
+TEST_F(StudyCommands, WithdrawCanBeDoneAgainAndNamesCopies) {
+  fine({"study", "import", path("a.tactus"), path("tables")});
+  fine({"study", "export", path("a.tactus"), path("out")});
+  const ProgramRun first({"study", "withdraw", path("a.tactus"), "S1", "--yes"});
+  EXPECT_EQ(first.status, 0) << first.err;
+  EXPECT_NE(first.err.find(path("out") + ": an export in which the participant stands"), std::string::npos)
+      << first.err;
+  const ProgramRun again({"study", "withdraw", path("a.tactus"), "S1", "--yes"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.out.find("; there is nothing left to remove"), std::string::npos) << again.out;
+  const ProgramRun erased({"study", "erase", path("a.tactus")});
+  EXPECT_EQ(erased.status, 0) << erased.err;
+  EXPECT_NE(erased.out.find("no erasure was interrupted"), std::string::npos) << erased.out;
+  const ProgramRun tables({"study", "import", path("a.tactus"), path("tables")});
+  EXPECT_EQ(tables.status, 1);
+  EXPECT_NE(tables.err.find("found the code 'S1' of a participant who withdrew on "), std::string::npos) << tables.err;
+}
+
+TEST_F(StudyCommands, RecodeGivesAnotherCode) {
+  fine({"study", "import", path("a.tactus"), path("tables")});
+  fine({"study", "import", path("b.tactus"), path("tables")});
+  const ProgramRun merged({"study", "merge", path("a.tactus"), path("b.tactus")});
+  ASSERT_EQ(merged.status, 0) << merged.err;
+  const auto at = merged.out.find("tactus study recode " + path("a.tactus") + " ");
+  ASSERT_NE(at, std::string::npos) << merged.out;
+  const std::string id =
+      merged.out.substr(at + std::string("tactus study recode ").size() + path("a.tactus").size() + 1, 32);
+  const ProgramRun build({"build", path("a.tactus"), "--out", path("m.json")});
+  EXPECT_EQ(build.status, 1);
+  EXPECT_NE(build.err.find("found 2 persons with the code 'S1' (ids "), std::string::npos) << build.err;
+  EXPECT_NE(build.err.find("tactus study recode " + path("a.tactus") + " " + id + " S1-2"), std::string::npos)
+      << build.err;
+  EXPECT_EQ(ProgramRun({"study", "withdraw", path("a.tactus"), "S1", "--yes"}).status, 1);
+  fine({"study", "recode", path("a.tactus"), id, "S1-2"});
+  EXPECT_EQ(ProgramRun({"study", "recode", path("a.tactus"), "S1-2", "S1"}).status, 1);
+  fine({"study", "withdraw", path("a.tactus"), "S1-2", "--yes"});
+  EXPECT_EQ(rows("a.tactus")["tombstone"], 1);
+}
+
 TEST_F(StudyCommands, WrongUsage) {
   EXPECT_EQ(ProgramRun({"study"}).status, 2);
   EXPECT_EQ(ProgramRun({"study", "info"}).status, 2);

@@ -170,7 +170,7 @@ TEST_F(ExportedStudy, TwoParticipantsOfOneCodeStayInTheRecords) {
   const auto done = exportStudy(study.file, path("out"));
   ASSERT_TRUE(done) << done.error().message();
   ASSERT_EQ(done->notes.size(), 1U);
-  EXPECT_NE(done->notes[0].find("two participants with the code 'velvet-otter'"), std::string::npos);
+  EXPECT_NE(done->notes[0].find("2 persons with the code 'velvet-otter' (ids "), std::string::npos);
   EXPECT_FALSE(fs::exists(path("out/participants.csv")));
   EXPECT_TRUE(fs::exists(path("out/records/persons.csv")));
   ExportOptions options;

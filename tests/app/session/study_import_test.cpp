@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
 
 #include "app/session/known_forms.h"
 #include "app/session/simulated_strokes.h"
@@ -10,6 +11,7 @@
 #include "core/store/entries.h"
 #include "core/store/merge.h"
 #include "core/store/persons.h"
+#include "core/store/recoding.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
 #include "core/store/withdrawal.h"
@@ -134,18 +136,62 @@ TEST_F(StudyImportTest, ChangedRowsCountInsteadOfTheEarlierOnes) {
   EXPECT_EQ(store::sessions(file)->size(), 6U);
 }
 
-TEST_F(StudyImportTest, TwoStationsThatImportTheSameTablesMergeWithoutConflict) {
-  auto first = create("a.tactus");
-  {
-    auto second = create("b.tactus");
-    ASSERT_TRUE(importTables(smallStudy(1), second));
-    ASSERT_TRUE(second.close());
+TEST_F(StudyImportTest, TheSameCodesAndRowsAtTwoSitesAreOtherPersons) {
+  const auto at = [this](const std::string& name, std::uint64_t seed) {
+    auto file = create(name);
+    ASSERT_TRUE(importTables(smallStudy(seed), file) && file.close());
+  };
+  at("north.tactus", 1);
+  at("south.tactus", 1);  // even the rows are the same
+  at("west.tactus", 2);
+  const auto merged = [&](const std::string& into, const std::string& from) {
+    auto file = store::StudyFile::open(folder_.file(into));
+    const auto merge = store::mergeStudy(*file, folder_.file(from), ids_.next(), 1);
+    EXPECT_TRUE(merge) << merge.error().message();
+    EXPECT_TRUE(file->close());
+    return merge ? *merge : store::Merge{};
+  };
+  const auto south = merged("north.tactus", "south.tactus");
+  EXPECT_EQ(south.conflicts.size(), 3U);
+  const auto west = merged("north.tactus", "west.tactus");
+  ASSERT_EQ(west.conflicts.size(), 3U);
+  EXPECT_NE(west.conflicts[0].find("3 persons have the code 'amber-otter'"), std::string::npos) << west.conflicts[0];
+  EXPECT_TRUE(merged("north.tactus", "south.tactus").added.empty());
+
+  auto file = store::StudyFile::open(folder_.file("north.tactus"));
+  EXPECT_EQ(store::persons(*file)->size(), 9U);
+  EXPECT_EQ(store::sessions(*file)->size(), 9U);
+  const auto view = studyForElicitation(*file);
+  ASSERT_FALSE(view);
+  EXPECT_NE(view.error().message().find("found 3 persons with the code 'amber-otter' (ids "), std::string::npos);
+  EXPECT_NE(view.error().message().find("wanted a code of its own for each person: tactus study recode "),
+            std::string::npos)
+      << view.error().message();
+  EXPECT_FALSE(importTables(smallStudy(3), *file));  // whose they are cannot be told
+
+  // Two of each three get other codes, and nobody's data are mixed.
+  std::map<std::string, int> seen;
+  const auto everybody = store::persons(*file);
+  for (const auto& person : *everybody) {
+    const int number = ++seen[person.code];
+    if (number == 1) continue;
+    ASSERT_TRUE(store::recode(*file, person.id, person.code + "-" + std::to_string(number), ids_.next(), 10));
   }
-  ASSERT_TRUE(importTables(smallStudy(1), first));
-  const auto merged = store::mergeStudy(first, folder_.file("b.tactus"), ids_.next(), 1);
-  ASSERT_TRUE(merged) << merged.error().message();
-  EXPECT_TRUE(merged->conflicts.empty()) << merged->conflicts.size() << ": " << merged->conflicts.front();
-  expectSameRows(studyForElicitation(first)->study, smallStudy(1));
+  const auto after = studyForElicitation(*file);
+  ASSERT_TRUE(after) << after.error().message();
+  EXPECT_EQ(after->study.participants.size(), 9U);
+  EXPECT_EQ(after->study.answers.size(), 3 * smallStudy(1).answers.size());
+}
+
+TEST_F(StudyImportTest, RowsThatAreThereAreFoundUnderAnotherCode) {
+  auto file = create("a.tactus");
+  ASSERT_TRUE(importTables(smallStudy(1), file));
+  const auto person = store::findPerson(file, "amber-otter");
+  ASSERT_TRUE(store::recode(file, (*person)->id, "misty-lake", ids_.next(), 10));
+  const auto again = importTables(smallStudy(1), file);
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_EQ(again->persons + again->sessions + again->records, 0U);
+  EXPECT_EQ(store::persons(file)->size(), 3U);
 }
 
 TEST_F(StudyImportTest, WhoWithdrewDoesNotComeBack) {
@@ -153,9 +199,15 @@ TEST_F(StudyImportTest, WhoWithdrewDoesNotComeBack) {
   ASSERT_TRUE(importTables(smallStudy(1), file));
   const auto person = store::findPerson(file, "amber-otter");
   ASSERT_TRUE(person && *person);
-  ASSERT_TRUE(store::withdraw(file, (*person)->id, 2));
-  const auto again = importTables(smallStudy(1), file);
-  EXPECT_FALSE(again);
+  ASSERT_TRUE(store::withdraw(file, (*person)->id, 1'780'000'000'000));
+  for (const std::uint64_t seed : {1, 2}) {
+    const auto again = importTables(smallStudy(seed), file);
+    ASSERT_FALSE(again);
+    EXPECT_NE(again.error().message().find("found the code 'amber-otter' of a participant who withdrew on "
+                                           "2026-05-28T20:26:40Z, wanted nobody who took back their consent"),
+              std::string::npos)
+        << again.error().message();
+  }
   EXPECT_FALSE(*store::findPerson(file, "amber-otter"));
   EXPECT_EQ(store::persons(file)->size(), 2U);  // and the refusal added nothing
 }

@@ -1,5 +1,6 @@
 #include "tests/core/store/faulty_disk.h"
 
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -7,6 +8,7 @@
 #include <new>
 #include <sqlite3.h>
 #include <sstream>
+#include <unistd.h>
 
 #include "tests/core/store/crash_picture.h"
 
@@ -26,7 +28,7 @@ struct FaultyDisk::State {
   sqlite3_vfs* real = nullptr;
   std::map<std::string, CrashPicture> files;
 
-  enum class Plan { kNone, kFail, kPicture } plan = Plan::kNone;
+  enum class Plan { kNone, kFail, kPicture, kKill } plan = Plan::kNone;
   long long operation = 0;
   long long at = 0;
   Fault fault = Fault::kDiskFull;
@@ -57,6 +59,7 @@ struct FaultyDisk::State {
       struck = true;
       takePicture();
     }
+    if (plan == Plan::kKill && operation == at) ::kill(::getpid(), SIGKILL);
     if (plan != Plan::kFail || operation < at || (operation > at && !for_good)) return SQLITE_OK;
     struck = true;
     if (fault == Fault::kDiskFull) return is_sync ? SQLITE_IOERR_FSYNC : SQLITE_FULL;
@@ -197,6 +200,8 @@ void FaultyDisk::pictureAt(long long operation, const std::string& folder, std::
   state_->folder = folder;
   state_->seed = seed;
 }
+
+void FaultyDisk::killAt(long long operation) { state_->start(State::Plan::kKill, operation); }
 
 void FaultyDisk::heal() { state_->start(State::Plan::kNone, 0); }
 long long FaultyDisk::operations() const { return state_->operation; }

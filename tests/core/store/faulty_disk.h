@@ -28,6 +28,8 @@ class FaultyDisk {
   /// Puts what a crash just before operation number `operation` from now would leave into the folder `folder`, with
   /// `seed` choosing which unsynced sectors are there. Goes on as if nothing happened.
   void pictureAt(long long operation, const std::string& folder, std::uint64_t seed);
+  /// Kills this process (SIGKILL) just before operation number `operation` from now.
+  void killAt(long long operation);
   /// Back to a disk that works.
   void heal();
 

@@ -7,10 +7,12 @@
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
 #include "core/store/persons.h"
+#include "core/store/recoding.h"
 #include "core/store/sessions.h"
 #include "core/store/withdrawal.h"
 
 #include "tests/core/store/faulty_disk.h"
+#include "tests/core/store/naming_model.h"
 #include "tests/core/store/plain_sql.h"
 #include "tests/core/store/sample_records.h"
 #include "tests/support/temp_folder.h"
@@ -20,15 +22,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All that a study says, whatever the order in which it came in: no row numbers, no log of merges.
+/// All that a study says, whatever the order in which it came in: no row numbers, no log of merges, not when a model
+/// was cleaned.
 std::string contentOf(const std::string& path) {
   PlainSql sql(path);
   std::string all;
-  for (const std::string table : {"person", "session", "profile", "event", "stroke", "recording", "judgement", "answer",
-                                  "rating", "rule", "model_version", "tombstone"}) {
+  for (const std::string table : {"person", "person_code", "session", "profile", "event", "stroke", "recording",
+                                  "judgement", "answer", "rating", "rule", "model_version", "tombstone"}) {
     SQLite::Database database(path);
-    SQLite::Statement columns(
-        database, "SELECT name FROM pragma_table_info('" + table + "') WHERE name NOT IN ('place', 'crc32')");
+    SQLite::Statement columns(database, "SELECT name FROM pragma_table_info('" + table +
+                                            "') WHERE name NOT IN ('place', 'crc32', 'cleaned_utc_ms')");
     std::string row = "''";
     while (columns.executeStep()) row += " || ' ' || quote(\"" + columns.getColumn(0).getString() + "\")";
     all += table + "\n" + sql.lines("SELECT " + row + " FROM " + table + " ORDER BY 1");
@@ -41,12 +44,16 @@ class Merges : public testing::Test {
   std::string path(const std::string& name) const { return folder_.file(name + ".tactus"); }
 
   /// Closes nothing: the files must be closed. Returns the outcome, `into` holds the result.
-  Merge mergeInto(const std::string& into, const std::string& from) {
+  base::Result<Merge> tryMerge(const std::string& into, const std::string& from) {
     auto file = StudyFile::open(path(into), fast());
     EXPECT_TRUE(file) << file.error().message();
-    const auto merged = mergeStudy(*file, path(from), records_.id(), 1'790'000'000'000);
-    EXPECT_TRUE(merged) << merged.error().message();
+    auto merged = mergeStudy(*file, path(from), records_.id(), 1'790'000'000'000);
     EXPECT_TRUE(file->close());
+    return merged;
+  }
+  Merge mergeInto(const std::string& into, const std::string& from) {
+    const auto merged = tryMerge(into, from);
+    EXPECT_TRUE(merged) << merged.error().message();
     return merged ? *merged : Merge{};
   }
   void copy(const std::string& from, const std::string& to) const {
@@ -81,7 +88,10 @@ TEST_F(Merges, BringInWhatIsNewAndNothingTwice) {
                 {"person", 1}, {"session", 1}, {"stroke", 1}, {"answer", 2}, {"recording", 1}, {"model_version", 1}}));
   // Both stations drew the same code for their person.
   ASSERT_EQ(first.conflicts.size(), 1U);
-  EXPECT_EQ(first.conflicts[0], "person: 2 persons have the code 'velvet-otter'");
+  const auto [low, high] = std::minmax(north.person.id, south.person.id);
+  EXPECT_EQ(first.conflicts[0], "person: 2 persons have the code 'velvet-otter' (ids " + study::toText(low) + ", " +
+                                    study::toText(high) + "); give one of them another: tactus study recode " +
+                                    path("north") + " " + study::toText(high) + " velvet-otter-2");
   const auto content = contentOf(path("north"));
   const auto second = mergeInto("north", "south");
   EXPECT_TRUE(second.added.empty());
@@ -146,6 +156,103 @@ TEST_F(Merges, WhatBothCorrectedIsListedAndTheLaterCounts) {
   EXPECT_EQ(answers(*file, {.history = true})->size(), 3U);
 }
 
+TEST_F(Merges, APersonWhoWithdrewStaysOutWithEveryNameAndRule) {
+  SampleRecords shared(1);
+  auto study = makeStudy(path("a"), shared);
+  const auto other = shared.person("calm-fox");
+  const auto session = shared.session(other.id);
+  ASSERT_TRUE(append(study.file, other) && append(study.file, session) && study.file.close());
+  copy("a", "b");
+  const auto version = shared.model(namingModel({"velvet-otter", "calm-fox"}));
+  {
+    auto b = StudyFile::open(path("b"), fast());
+    auto felt = shared.event(session.id);
+    felt.detail = R"({"model":"velvet-otter alone"})";
+    ASSERT_TRUE(b && append(*b, version) && append(*b, felt) && b->close());
+    auto a = StudyFile::open(path("a"), fast());
+    ASSERT_TRUE(a && withdraw(*a, study.person.id, 1'780'000'000'000) && a->close());
+  }
+  copy("b", "b_before");
+  const auto merged = mergeInto("a", "b");
+  ASSERT_FALSE(merged.conflicts.empty());
+  EXPECT_EQ(
+      merged.conflicts[0],
+      "person 'velvet-otter': withdrew on 2026-05-28T20:26:40Z, so nothing of theirs comes in; withdraw them there "
+      "too: tactus study withdraw " +
+          path("b") + " " + study::toText(study.person.id) + " --yes");
+  const auto content = contentOf(path("a"));
+  EXPECT_EQ(content.find("velvet-otter"), std::string::npos);
+  EXPECT_EQ(content.find(ruleWeightOf("velvet-otter")), std::string::npos);
+  EXPECT_NE(content.find("(withdrawn) alone"), std::string::npos);
+  EXPECT_NE(content.find(ruleWeightOf("calm-fox")), std::string::npos);
+  // Again, and the other way round: the same.
+  EXPECT_TRUE(mergeInto("a", "b").added.empty());
+  EXPECT_EQ(contentOf(path("a")), content);
+  const auto removed = mergeInto("b", "a");
+  EXPECT_EQ(removed.withdrawn, 1);
+  EXPECT_EQ(contentOf(path("b")), content);
+  for (const char* name : {"a", "b"}) {
+    const auto file = StudyFile::open(path(name), fast());
+    EXPECT_TRUE(unfinishedErasures(*file)->empty());
+    EXPECT_TRUE(modelVersion(*file, version.id));
+  }
+}
+
+TEST_F(Merges, ACodeOfAnotherWhoWithdrewIsRefusedUntilItIsAnother) {
+  SampleRecords north_records(1);
+  SampleRecords south_records(2);
+  auto north = makeStudy(path("north"), north_records);
+  auto south = makeStudy(path("south"), south_records);
+  ASSERT_TRUE(append(south.file, south_records.model(namingModel({"velvet-otter"}))));
+  ASSERT_TRUE(withdraw(north.file, north.person.id, 1'780'000'000'000));
+  ASSERT_TRUE(north.file.close() && south.file.close());
+  for (const auto& [into, from] : {std::pair("north", "south"), std::pair("south", "north")}) {
+    const auto content = contentOf(path(into));
+    const auto refused = tryMerge(into, from);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(
+        refused.error().message(),
+        path("south") + ": found the code 'velvet-otter' of a participant who withdrew on 2026-05-28T20:26:40Z from " +
+            path("north") + ", wanted for another person another code (tactus study recode " + path("south") + " " +
+            study::toText(south.person.id) + " NEWCODE), for the same person the withdrawal here too (tactus " +
+            "study withdraw " + path("south") + " " + study::toText(south.person.id) + " --yes)");
+    EXPECT_EQ(contentOf(path(into)), content);
+  }
+  {
+    auto file = StudyFile::open(path("south"), fast());
+    ASSERT_TRUE(file && recode(*file, south.person.id, "misty-lake", records_.id(), 9) && file->close());
+  }
+  copy("north", "north_south");
+  mergeInto("north_south", "south");
+  copy("south", "south_north");
+  mergeInto("south_north", "north");
+  EXPECT_EQ(contentOf(path("north_south")), contentOf(path("south_north")));
+  // The earlier code is the other person's too, so their model stays.
+  EXPECT_NE(contentOf(path("south_north")).find(ruleWeightOf("velvet-otter")), std::string::npos);
+}
+
+TEST_F(Merges, TwoWithdrawalsOfOnePersonBecomeOne) {
+  SampleRecords shared(1);
+  auto study = makeStudy(path("a"), shared);
+  ASSERT_TRUE(append(study.file, shared.model(namingModel({"velvet-otter", "calm-fox"}))) && study.file.close());
+  copy("a", "b");
+  for (const auto& [name, utc_ms] : {std::pair("a", 70), std::pair("b", 50)}) {
+    auto file = StudyFile::open(path(name), fast());
+    ASSERT_TRUE(file);
+    ASSERT_TRUE(utc_ms != 50 || recode(*file, study.person.id, "misty-lake", records_.id(), 9));
+    ASSERT_TRUE(withdraw(*file, study.person.id, utc_ms) && file->close());
+  }
+  copy("a", "ab");
+  EXPECT_TRUE(mergeInto("ab", "b").conflicts.empty());
+  copy("b", "ba");
+  EXPECT_TRUE(mergeInto("ba", "a").conflicts.empty());
+  EXPECT_EQ(contentOf(path("ab")), contentOf(path("ba")));
+  const auto file = StudyFile::open(path("ab"), fast());
+  EXPECT_EQ(*tombstones(*file), (std::vector{Tombstone{study.person.id, 50}}));
+  for (const char* code : {"velvet-otter", "misty-lake"}) EXPECT_TRUE(*withdrawnWithCode(*file, code)) << code;
+  EXPECT_TRUE(unfinishedErasures(*file)->empty());
+}
+
 /// Three stations that began with copies of one study, went on by themselves, and exchange their files.
 class MergeProperties : public Merges, public testing::WithParamInterface<int> {
  protected:
@@ -161,6 +268,17 @@ class MergeProperties : public Merges, public testing::WithParamInterface<int> {
     ASSERT_TRUE(append(study.file, shared.model("first")) && study.file.close());
     base::Random random(static_cast<std::uint64_t>(GetParam()));
     for (const char* name : {"a", "b", "c"}) goOn(name, random);
+  }
+
+  /// A model with the experts that some of the persons are.
+  static std::string modelOf(const StudyFile& file, base::Random& random) {
+    std::vector<std::string> codes = {"printed-expert"};
+    const auto there = *persons(file);
+    for (const auto& person : there) {
+      const bool is_twice = std::find(codes.begin(), codes.end(), person.code) != codes.end();
+      if (random.below(2) == 0 && !is_twice) codes.push_back(person.code);
+    }
+    return namingModel(codes);
   }
 
   void goOn(const std::string& name, base::Random& random) {
@@ -187,12 +305,20 @@ class MergeProperties : public Merges, public testing::WithParamInterface<int> {
       } else if (choice == 3) {
         ASSERT_TRUE(append(file, records.judgement(session)));
       } else if (choice == 4) {
-        auto model = records.model(std::to_string(step));
+        auto model = records.model(modelOf(file, random));
         model.parent = (*latestModelVersion(file))->id;
         ASSERT_TRUE(append(file, model));
-      } else if (random.uniform() < 0.5) {
+      } else {
         const auto persons_there = *persons(file);
-        ASSERT_TRUE(withdraw(file, persons_there[random.below(static_cast<int>(persons_there.size()))].id, 5));
+        const auto person = persons_there[random.below(static_cast<int>(persons_there.size()))].id;
+        if (random.uniform() < 0.5) {
+          ASSERT_TRUE(withdraw(file, person, 5 + random.below(3)));
+        } else {
+          ASSERT_TRUE(recode(file, person,
+                             "code-" + std::string(1, 'a' + static_cast<char>(random.below(26))) +
+                                 study::toText(records.id()).substr(0, 6) + "x",
+                             records.id(), random.below(9)));
+        }
       }
     }
     ASSERT_TRUE(file.close());
@@ -200,30 +326,43 @@ class MergeProperties : public Merges, public testing::WithParamInterface<int> {
 };
 
 TEST_P(MergeProperties, OrderAndRepetitionDoNotMatter) {
-  copy("a", "ab");
-  mergeInto("ab", "b");
-  copy("ab", "ab_c");
-  mergeInto("ab_c", "c");
+  // A code of somebody else who withdrew refuses a merge, and then in every order.
+  int refused = 0;
+  const auto merge = [&](const char* into, const char* from) {
+    const auto merged = tryMerge(into, from);
+    if (merged) return true;
+    EXPECT_EQ(merged.error().code, base::ErrorCode::kData) << merged.error().message();
+    ++refused;
+    return false;
+  };
+  const auto inOrder = [&](const char* into, const char* first, const char* second) {
+    return merge(into, first) && merge(into, second);
+  };
+  copy("a", "ab_c");
   copy("b", "bc");
-  mergeInto("bc", "c");
   copy("a", "a_bc");
-  mergeInto("a_bc", "bc");
   copy("c", "cba");
-  mergeInto("cba", "b");
-  mergeInto("cba", "a");
+  const bool first = inOrder("ab_c", "b", "c");
+  const bool second = merge("bc", "c") && merge("a_bc", "bc");
+  const bool third = inOrder("cba", "b", "a");
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(first, third);
+  if (!first) return;
   const auto content = contentOf(path("ab_c"));
   EXPECT_EQ(contentOf(path("a_bc")), content);
   EXPECT_EQ(contentOf(path("cba")), content);
-  for (const char* again : {"a", "b", "c", "ab", "bc", "cba"}) {
+  for (const char* again : {"a", "b", "c", "bc", "cba"}) {
     const auto repeated = mergeInto("ab_c", again);
     EXPECT_TRUE(repeated.added.empty() || (repeated.added.size() == 1 && repeated.added[0].table == "import_log"));
   }
   EXPECT_EQ(contentOf(path("ab_c")), content);
+  // Nobody who withdrew is an expert of any model.
+  auto file = StudyFile::open(path("ab_c"), fast());
+  EXPECT_EQ(erase(*file)->models, 0);
 }
 
 TEST_P(MergeProperties, WhoWithdrewNeverComesBack) {
-  mergeInto("a", "b");
-  mergeInto("a", "c");
+  if (!tryMerge("a", "b") || !tryMerge("a", "c")) return;  // a code of somebody else who withdrew
   mergeInto("a", "origin");
   PlainSql sql(path("a"));
   EXPECT_EQ(sql.number("SELECT count(*) FROM person WHERE id IN (SELECT person_id FROM tombstone)"), 0);

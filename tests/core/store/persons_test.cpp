@@ -5,7 +5,9 @@
 #include <set>
 
 #include "core/store/person_codes.h"
+#include "core/store/recoding.h"
 
+#include "tests/core/store/plain_sql.h"
 #include "tests/core/store/sample_records.h"
 #include "tests/support/temp_folder.h"
 
@@ -71,6 +73,67 @@ TEST_F(Persons, ANewCodeIsOneThatNobodyHas) {
   const auto second = unusedCode(study_.file, again);
   ASSERT_TRUE(second);
   EXPECT_NE(*second, *first);
+}
+
+TEST_F(Persons, ANewCodeCountsEverywhereAndTheOldOneStaysTheirs) {
+  ASSERT_TRUE(recode(study_.file, study_.person.id, "calm-fox", records_.id(), 10));
+  EXPECT_EQ(persons(study_.file)->front().code, "calm-fox");
+  EXPECT_EQ((*findPerson(study_.file, "calm-fox"))->id, study_.person.id);
+  EXPECT_EQ(*findPerson(study_.file, "velvet-otter"), std::nullopt);
+  // A later change counts, whatever the order in which the changes are told.
+  ASSERT_TRUE(recode(study_.file, study_.person.id, "misty-lake", records_.id(), 8));
+  EXPECT_EQ(persons(study_.file)->front().code, "calm-fox");
+  for (const char* used : {"calm-fox", "velvet-otter", "misty-lake", ""}) {
+    const auto other = recode(study_.file, study_.person.id, used, records_.id(), 11);
+    EXPECT_FALSE(other) << used;
+  }
+  const auto refused = recode(study_.file, study_.person.id, "velvet-otter", records_.id(), 11);
+  EXPECT_NE(
+      refused.error().message().find("which a person of the study has or had, wanted one that nobody had yet, such "
+                                     "as 'velvet-otter-2'"),
+      std::string::npos)
+      << refused.error().message();
+  EXPECT_FALSE(recode(study_.file, records_.id(), "quiet-drum", records_.id(), 11));
+}
+
+TEST_F(Persons, AreMeantByCodeOrById) {
+  EXPECT_EQ(personNamed(study_.file, "velvet-otter")->id, study_.person.id);
+  EXPECT_EQ(personNamed(study_.file, study::toText(study_.person.id))->id, study_.person.id);
+  EXPECT_FALSE(personNamed(study_.file, study::toText(records_.id())));
+  EXPECT_NE(personNamed(study_.file, "calm-owl").error().message().find("no participant 'calm-owl'"),
+            std::string::npos);
+}
+
+TEST_F(Persons, TwoWithOneCodeAreNamedWithTheRemedy) {
+  EXPECT_TRUE(requireDistinctCodes(study_.file));
+  ASSERT_TRUE(study_.file.close());
+  const std::string path = folder_.file("study.tactus");
+  const std::string id = "ffffffffffffffffffffffffffffffff";
+  {
+    PlainSql sql(path);
+    ASSERT_EQ(sql.complaintWithoutGuards("INSERT INTO person VALUES (x'" + id + "', 'velvet-otter', 0, 0);" +
+                                         sql.seal("person")),
+              "");
+  }
+  auto file = StudyFile::open(path);
+  ASSERT_TRUE(file) << file.error().message();
+  const std::string both =
+      "found 2 persons with the code 'velvet-otter' (ids " + study::toText(study_.person.id) + ", " + id + "), wanted ";
+  const std::string command = "tactus study recode " + path + " " + id + " velvet-otter-2";
+  EXPECT_EQ(requireDistinctCodes(*file).error().message(),
+            path + ": " + both + "a code of its own for each person: " + command);
+  EXPECT_EQ(personNamed(*file, "velvet-otter").error().message(), path + ": " + both + "one of the ids");
+  EXPECT_NE(findPerson(*file, "velvet-otter").error().message().find(command), std::string::npos);
+  ASSERT_TRUE(recode(*file, *study::parseRecordId(id), "velvet-otter-2", records_.id(), 10));
+  EXPECT_TRUE(requireDistinctCodes(*file));
+  EXPECT_EQ((*findPerson(*file, "velvet-otter"))->id, study_.person.id);
+}
+
+TEST(ShellWord, IsOneWord) {
+  EXPECT_EQ(shellWord("/tmp/a-b_c.tactus"), "/tmp/a-b_c.tactus");
+  EXPECT_EQ(shellWord("my study.tactus"), "'my study.tactus'");
+  EXPECT_EQ(shellWord("it's"), "'it'\\''s'");
+  EXPECT_EQ(shellWord(""), "''");
 }
 
 }  // namespace

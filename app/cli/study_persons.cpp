@@ -1,0 +1,116 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include "app/cli/study_commands.h"
+#include "app/cli/study_text.h"
+#include "core/base/clock.h"
+#include "core/store/copies.h"
+#include "core/store/recoding.h"
+#include "core/store/withdrawal.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::ErrorCode;
+using base::Result;
+
+std::string utcText(std::int64_t utc_ms) {
+  return base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(utc_ms)));
+}
+
+/// Where the workbench keeps what a crash must not lose (app/workbench/controllers/autosave_folder.h).
+std::vector<std::string> autosaveFolders() {
+  namespace fs = std::filesystem;
+  const char* const data = std::getenv("XDG_DATA_HOME");  // NOLINT(concurrency-mt-unsafe)
+  const char* const home = std::getenv("HOME");           // NOLINT(concurrency-mt-unsafe)
+  fs::path root = data != nullptr && *data != '\0' ? fs::path(data) : fs::path();
+  if (root.empty() && home != nullptr) root = fs::path(home) / ".local" / "share";
+  if (root.empty()) return {};
+  return {(root / "Tactus" / "tactus-workbench" / "autosave").string()};
+}
+
+void addCopies(const std::string& file, const study::RecordId& person, const std::vector<std::string>& codes,
+               Output& output) {
+  for (const auto& copy : store::findCopies(file, person, codes, autosaveFolders())) {
+    output.warnings.push_back(copy.path + ": " + copy.what + "; withdraw there too, or delete it");
+  }
+}
+
+/// What is left to do for somebody who withdrew already.
+Result<Output> finishWithdrawal(store::StudyFile& file, const StudyWithdrawOptions& options,
+                                const store::Tombstone& tombstone) {
+  const auto unfinished = store::unfinishedErasures(file);
+  if (!unfinished) return tl::unexpected(unfinished.error());
+  Output output;
+  output.text = options.person + " withdrew from " + options.file + " on " + utcText(tombstone.utc_ms);
+  if (unfinished->empty()) {
+    output.text += "; there is nothing left to remove\n";
+  } else {
+    if (auto erased = store::erase(file); !erased) return tl::unexpected(erased.error());
+    output.text += "; the erasure, which was interrupted, is finished now\n";
+  }
+  if (auto closed = file.close(); !closed) return tl::unexpected(closed.error());
+  addCopies(options.file, tombstone.person, {options.person}, output);
+  return output;
+}
+
+}  // namespace
+
+Result<Output> studyRecode(const StudyRecodeOptions& options) {
+  auto file = store::StudyFile::open(options.file);
+  if (!file) return tl::unexpected(file.error());
+  const auto person = store::personNamed(*file, options.person);
+  if (!person) return tl::unexpected(person.error());
+  auto recoded = store::recode(*file, person->id, options.code, study::RecordIds().next(), utcNowMs());
+  if (!recoded) return tl::unexpected(recoded.error());
+  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  return Output{"The participant " + base::oneLine(person->code) + " (" + toText(person->id) + ") has the code " +
+                    base::oneLine(options.code) + " in " + options.file + " now\n",
+                {}};
+}
+
+Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
+  auto file = store::StudyFile::open(options.file);
+  if (!file) return tl::unexpected(file.error());
+  const auto person = store::personNamed(*file, options.person);
+  if (!person) {
+    const auto withdrawn = store::withdrawnWithCode(*file, options.person);
+    if (withdrawn && *withdrawn) return finishWithdrawal(*file, options, **withdrawn);
+    return tl::unexpected(person.error());
+  }
+  const auto withdrawal = store::withdraw(*file, person->id, utcNowMs());
+  if (!withdrawal) return tl::unexpected(withdrawal.error());
+  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  Output output;
+  output.text = "Removed " + std::to_string(withdrawal->records) + " records of " + base::oneLine(person->code) +
+                " from " + options.file + " and cleaned " + std::to_string(withdrawal->models) +
+                " versions of models. Backups and exports made before still hold them.\n";
+  for (const auto& code : withdrawal->shared_codes) {
+    output.warnings.push_back(base::quoted(code) +
+                              " is the code of another participant too: models and texts with it "
+                              "were left as they are");
+  }
+  addCopies(options.file, person->id, {person->code}, output);
+  return output;
+}
+
+Result<Output> studyErase(const StudyEraseOptions& options) {
+  auto file = store::StudyFile::open(options.file);
+  if (!file) return tl::unexpected(file.error());
+  const auto erasure = store::erase(*file);
+  if (!erasure) return tl::unexpected(erasure.error());
+  const auto withdrawn = store::tombstones(*file);
+  if (!withdrawn) return tl::unexpected(withdrawn.error());
+  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  Output output;
+  output.text =
+      options.file + ": " +
+      (erasure->unfinished.empty() ? std::string("no erasure was interrupted")
+                                   : "finished the erasure of " + std::to_string(erasure->unfinished.size()) +
+                                         (erasure->unfinished.size() == 1 ? " participant" : " participants")) +
+      "; nothing of those who withdrew is left in the file\n";
+  for (const auto& tombstone : *withdrawn) addCopies(options.file, tombstone.person, {}, output);
+  return output;
+}
+
+}  // namespace tactus::cli

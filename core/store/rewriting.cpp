@@ -1,0 +1,84 @@
+#include "core/store/rewriting.h"
+
+#include <SQLiteCpp/Statement.h>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <sqlite3.h>
+#include <unistd.h>
+#include <utility>
+
+#include "core/store/query.h"
+
+namespace tactus::store {
+namespace {
+
+using base::ErrorCode;
+
+/// An empty file beside the study that only its owner may read; its name goes on every way out.
+class Beside {
+ public:
+  explicit Beside(const std::string& study) : path_(study + ".XXXXXX") {
+    const int descriptor = ::mkstemp(path_.data());
+    if (descriptor < 0) {
+      throw Refusal{{ErrorCode::kIo,
+                     study,
+                     {},
+                     std::strerror(errno),  // NOLINT(concurrency-mt-unsafe)
+                     "a folder in which the study can be written anew"}};
+    }
+    ::close(descriptor);
+  }
+  ~Beside() { removeName(); }
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+
+  const std::string& path() const { return path_; }
+  void removeName() {
+    for (const char* tail : {"", "-journal", "-wal"}) ::unlink((path_ + tail).c_str());
+  }
+
+ private:
+  std::string path_;
+};
+
+/// Writes all pages of `from` over those of the study, in one transaction.
+void putInPlace(SQLite::Database& from, Connection& study) {
+  sqlite3* target = study.database().getHandle();
+  sqlite3_backup* backup = sqlite3_backup_init(target, "main", from.getHandle(), "main");
+  if (backup == nullptr) throw SQLite::Exception(target);
+  const int stepped = sqlite3_backup_step(backup, -1);
+  const int finished = sqlite3_backup_finish(backup);
+  if (stepped != SQLITE_DONE) throw SQLite::Exception(sqlite3_errstr(stepped), stepped);
+  if (finished != SQLITE_OK) throw SQLite::Exception(sqlite3_errstr(finished), finished);
+}
+
+}  // namespace
+
+void rewriteWithoutTraces(Connection& connection) {
+  {
+    Beside beside(connection.path());
+    // VACUUM INTO holds a few pages in memory; VACUUM alone would put the whole study into a temporary file that may
+    // lie on another disk.
+    Query copy(connection, "VACUUM INTO ?");
+    copy.put(beside.path()).run();
+    SQLite::Database anew(beside.path().c_str(), SQLite::OPEN_READONLY, 0,
+                          connection.vfs().empty() ? nullptr : connection.vfs().c_str());
+    anew.exec("PRAGMA locking_mode = EXCLUSIVE");
+    anew.exec("PRAGMA mmap_size = 0");
+    anew.execAndGet("SELECT count(*) FROM sqlite_schema");  // opens it
+    // From here on a crash leaves no copy behind.
+    beside.removeName();
+    putInPlace(anew, connection);
+  }
+  emptyJournal(connection);
+}
+
+void emptyJournal(Connection& connection) {
+  Query truncate(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
+  if (!truncate.next() || truncate.integer() != 0) {
+    refuse(ErrorCode::kIo, {}, "a journal that could not be emptied", "a study that nobody else uses");
+  }
+}
+
+}  // namespace tactus::store
