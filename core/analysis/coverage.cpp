@@ -4,9 +4,12 @@
 #include "core/analysis/coverage.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "core/analysis/rule_table.h"
 #include "core/base/check.h"
@@ -57,12 +60,36 @@ std::vector<LiveRule> liveRules(const ForceModel& model, std::span<const std::si
   return rules;
 }
 
+/// The last number on the way from the mean of a Gaussian, where it is 1, to `outside`, where it is 0, that has a
+/// membership above 0.
+double lastAbove0(const MembershipFunction& gaussian, double outside) {
+  double inside = gaussian.mean;
+  while (true) {
+    const double middle = inside + (outside - inside) / 2;
+    if (middle == inside || middle == outside) return inside;
+    (gaussian(middle) > 0 ? inside : outside) = middle;
+  }
+}
+
+/// Where the membership is above 0: of a trapezoid its feet, of a Gaussian where the exponential underflows, about
+/// 38.6 sigma from the mean, to the last digit. There the Gaussian ends like a vertical edge.
+std::pair<double, double> supportOf(const MembershipFunction& f) {
+  if (!f.gaussian) return {f.a, f.d};
+  constexpr double kFar = 80;  // sigma, with one digit more where sigma is below the distance of neighbouring numbers
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {lastAbove0(f, std::nextafter(f.mean - kFar * f.sigma, -kInfinity)),
+          lastAbove0(f, std::nextafter(f.mean + kFar * f.sigma, kInfinity))};
+}
+
 std::vector<Cell> cellsOf(const fuzzy::Variable& variable, std::size_t input, const std::vector<LiveRule>& rules) {
   std::vector<double> ends = {variable.min, variable.max};
+  std::set<std::pair<double, double>> gaussians;  // mean and sigma of those that are cut already
   for (const auto& rule : rules) {
     for (const auto& condition : rule) {
-      if (condition.input != input || condition.function.gaussian) continue;
-      for (const double end : {condition.function.a, condition.function.d}) {
+      const auto& f = condition.function;
+      if (condition.input != input || (f.gaussian && !gaussians.emplace(f.mean, f.sigma).second)) continue;
+      const auto [low, high] = supportOf(f);
+      for (const double end : {low, high}) {
         if (end > variable.min && end < variable.max) ends.push_back(end);
       }
     }

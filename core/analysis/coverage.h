@@ -40,7 +40,8 @@ inline constexpr std::size_t kCoverageAllowance = 20'000'000;
 
 /// Holes of the experts at the given indices taken together: a point is covered where one of them has a rule of
 /// strength > 0. With one index: where that expert abstains; with all of weight > 0: where the averaged force has no
-/// value. The boundaries are ends of supports, nothing is sampled. A Gaussian covers everything. `model` must be valid
+/// value. The boundaries are ends of supports, nothing is sampled. A Gaussian ends where its membership underflows to
+/// 0, about 38.6 sigma from its mean: beyond, the evaluation finds that no rule fires. `model` must be valid
 /// (fuzzy::validate).
 Coverage coverage(const fuzzy::ForceModel& model, std::span<const std::size_t> experts,
                   std::size_t allowance = kCoverageAllowance);

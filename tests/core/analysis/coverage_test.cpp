@@ -1,7 +1,11 @@
 #include "core/analysis/coverage.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/random.h"
 #include "core/fuzzy/compiled_model.h"
@@ -87,6 +91,98 @@ TEST(Coverage, HolesAreExactlyWhereNothingFires) {
       const auto found = coverage(model, std::span(&e, 1));
       ASSERT_TRUE(found.complete);
       for (int p = 0; p < 10; ++p) {
+        auto point = support::randomPoint(random, model);
+        for (std::size_t i = 0; i < point.size(); ++i) point[i] = compiled->clampInput(i, point[i]);
+        int holes = 0;
+        for (const auto& hole : found.holes) holes += contains(hole, point) ? 1 : 0;
+        ASSERT_EQ(holes, compiled->evaluateExpert(e, point).fired ? 0 : 1) << "model " << m << ", expert " << e;
+      }
+    }
+  }
+}
+
+/// One input from 0 to 100 with these Gaussians (mean, sigma), a rule for each.
+ForceModel gaussianModel(const std::vector<std::pair<double, double>>& gaussians) {
+  ForceModel model = support::ngtVariables();
+  model.inputs = {{"x", "x", "1", 0, 100, {}}};
+  model.experts = {{"A", "A", 1, {}, {}}};
+  for (const auto& [mean, sigma] : gaussians) {
+    const std::string id = "t" + std::to_string(model.inputs[0].terms.size());
+    model.inputs[0].terms.push_back({id, id, fuzzy::Shape::kGaussian, {mean, sigma}});
+    model.experts[0].rules.push_back({{{"x", id}}, "small"});
+  }
+  return model;
+}
+
+TEST(Coverage, NarrowGaussiansEndWhereTheyUnderflow) {
+  // exp(-u^2 / 2) is 0 in doubles from u = sqrt(2 * 745.13) = 38.604 on; before, any of these was a hole over
+  // everything or none at all.
+  auto model = gaussianModel({{20, 0.1}});
+  auto found = coverage(model, everyone(model));
+  ASSERT_EQ(found.holes.size(), 2);
+  EXPECT_EQ(found.holes[0].ranges[0].low, 0);
+  EXPECT_NEAR(found.holes[0].ranges[0].high, 20 - 3.8604, 1e-4);
+  EXPECT_FALSE(found.holes[0].ranges[0].high_included);
+  EXPECT_NEAR(found.holes[1].ranges[0].low, 20 + 3.8604, 1e-4);
+  EXPECT_EQ(found.holes[1].ranges[0].high, 100);
+
+  model = gaussianModel({{50, 1}});  // in the middle, where every cell was looked at
+  EXPECT_EQ(coverage(model, everyone(model)).holes.size(), 2);
+  model = gaussianModel({{0, 1}, {77, 1}});  // together they cover all
+  EXPECT_TRUE(coverage(model, everyone(model)).holes.empty());
+  model = gaussianModel({{50, 3}});
+  EXPECT_TRUE(coverage(model, everyone(model)).holes.empty());
+}
+
+TEST(Coverage, GaussianEdgesAreThoseOfTheEvaluationToTheLastDigit) {
+  base::Random random(11);
+  for (int m = 0; m < 300; ++m) {
+    std::vector<std::pair<double, double>> gaussians;
+    for (int t = 0, count = 1 + random.below(4); t < count; ++t) {
+      const double sigma = std::pow(10, random.uniform(-18, 1));
+      gaussians.emplace_back(random.uniform(-10, 110), sigma);
+    }
+    const auto model = gaussianModel(gaussians);
+    const auto compiled = fuzzy::compile(model);
+    const auto found = coverage(model, everyone(model));
+    ASSERT_TRUE(found.complete);
+    std::vector<double> points = {0, 50, 100};
+    for (const auto& [mean, sigma] : gaussians) {
+      points.insert(points.end(),
+                    {mean, mean + 38.6 * sigma, mean - 38.61 * sigma, mean + random.uniform(-50, 50) * sigma});
+    }
+    for (const auto& hole : found.holes) {
+      for (const double end : {hole.ranges[0].low, hole.ranges[0].high}) {
+        points.insert(points.end(), {end, std::nextafter(end, -1e9), std::nextafter(end, 1e9)});
+      }
+    }
+    for (double x : points) {
+      x = compiled->clampInput(0, x);
+      int holes = 0;
+      for (const auto& hole : found.holes) holes += contains(hole, {x}) ? 1 : 0;
+      ASSERT_EQ(holes, compiled->evaluate(std::vector<double>{x}).fired ? 0 : 1) << "model " << m << " at " << x;
+    }
+  }
+}
+
+TEST(Coverage, NarrowGaussiansBesideOtherInputs) {
+  base::Random random(12);
+  for (int m = 0; m < 200; ++m) {
+    ForceModel model = support::randomModel(random, {});
+    for (auto& input : model.inputs) {
+      for (auto& term : input.terms) {
+        if (random.below(2) == 0) continue;
+        const double width = input.max - input.min;
+        term.shape = fuzzy::Shape::kGaussian;
+        term.points = {random.uniform(input.min, input.max), width * std::pow(10, random.uniform(-4, -1))};
+      }
+    }
+    const auto compiled = fuzzy::compile(model);
+    ASSERT_TRUE(compiled);
+    for (std::size_t e = 0; e < model.experts.size(); ++e) {
+      const auto found = coverage(model, std::span(&e, 1));
+      ASSERT_TRUE(found.complete);
+      for (int p = 0; p < 20; ++p) {
         auto point = support::randomPoint(random, model);
         for (std::size_t i = 0; i < point.size(); ++i) point[i] = compiled->clampInput(i, point[i]);
         int holes = 0;
