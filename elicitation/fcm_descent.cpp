@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "elicitation/fcm_pass.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr double kObjectiveNoise = 1e-13;  // J of two neighbouring points differs by rounding alone below this share
 constexpr double kSmoothM = 3;             // above it J's second derivatives have cusps at the samples
 constexpr double kNewtonSafety = 10;       // of the estimate of what a Newton step leaves
+constexpr double kOvershoot = 0x1p-50;     // of the end of the data: a few roundings
 constexpr double kRoundingOfStep = 1e-16;  // of the smallest gap between centres: no step can do better
 
 double largest(const std::vector<double>& step) {
@@ -78,6 +80,7 @@ class Descent {
           out_.converged = isSmall(size);
           moveTo(candidate_, size);
           std::swap(sums_, next_);
+          if (damping_ == 1) putInOrder();
           damping_ = damping_ > 0.2 ? damping_ / 2 : 0;
           return true;
         }
@@ -106,7 +109,15 @@ class Descent {
       break;
     }
     candidate_ = centres_;
-    for (std::size_t k = 0; k < c; ++k) candidate_[k] += step_[k];
+    for (std::size_t k = 0; k < c; ++k) candidate_[k] = withoutOvershoot(centres_[k] + step_[k]);
+  }
+
+  /// A centre that belongs to an outlier alone lies on it, at the end of the data; the rounding of a step must not
+  /// carry it past, which would forbid the step to all others.
+  double withoutOvershoot(double centre) const {
+    if (centre > data_.high && centre - data_.high <= kOvershoot * std::abs(data_.high)) return data_.high;
+    if (centre < data_.low && data_.low - centre <= kOvershoot * std::abs(data_.low)) return data_.low;
+    return centre;
   }
 
   /// A step may not carry centres out of the data or past each other: it would leave its own valley.
@@ -136,6 +147,25 @@ class Descent {
     }
     if (size == 0 || rest <= settings_.tolerance * std::min(smallestGap(candidate_), data_.range())) return true;
     return size <= settings_.tolerance * data_.range() && next_.objective >= sums_.objective;
+  }
+
+  /// Bezdek's step may carry centres past each other, as an outlier takes one of them out of the middle. Their numbers
+  /// follow the order again, or Newton's step would never be in order.
+  void putInOrder() {
+    const std::size_t c = centres_.size();
+    if (std::is_sorted(centres_.begin(), centres_.end())) return;
+    std::vector<std::size_t> order(c);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [this](std::size_t k, std::size_t l) { return centres_[k] < centres_[l]; });
+    const std::vector<double> centres = centres_;
+    const FcmSums sums = sums_;
+    for (std::size_t k = 0; k < c; ++k) {
+      centres_[k] = centres[order[k]];
+      sums_.weight[k] = sums.weight[order[k]];
+      sums_.pull[k] = sums.pull[order[k]];
+      for (std::size_t l = 0; l < c; ++l) sums_.curvature[k * c + l] = sums.curvature[order[k] * c + order[l]];
+    }
   }
 
   void moveTo(const std::vector<double>& centres, double size) {

@@ -115,6 +115,23 @@ TACTUS_INLINE Shares byRatios(const Register* d, Register* power, int c, double 
   return {nearest * sum * scale, spread(1.0)};
 }
 
+/// On a centre every u^m d is 0, but (u^m d)^2 / h tends to u^m: adds that to the diagonal of the products for the
+/// samples of one share that lie on a centre. Without it a centre on a lone sample has a curvature below 0, and no step
+/// of Newton is possible.
+template <class Powers>
+void addOnCentres(const FcmBlock& block, const FcmPlace& place, int share, Register* outer, Powers powers) noexcept {
+  const int c = static_cast<int>(place.clusters);
+  for (std::size_t i = static_cast<std::size_t>(share) * kWidth; i < block.count; i += kFcmLanes) {
+    const Register x = (load(block.values + i) * block.scale - block.shift) * block.stretch;
+    Register d[kMostClusters], power[kMostClusters];
+    for (int k = 0; k < c; ++k) d[k] = x - place.centres[k];
+    const Shares of = powers(d, power);
+    const Register weight = block.weights == nullptr ? spread(1.0) : load(block.weights + i) * block.weight_scale;
+    const Register on_centre = of.h > 0.0 ? Register{} : weight;
+    for (int k = 0, diagonal = 0; k < c; ++k, diagonal += k + 1) outer[diagonal] += on_centre * power[k];
+  }
+}
+
 /// Adds the samples of one share. `count` clusters known when compiling, or 0.
 template <int count, class Powers>
 TACTUS_INLINE Register addShare(const FcmBlock& block, const FcmPlace& place, int share, double* sums,
@@ -125,6 +142,7 @@ TACTUS_INLINE Register addShare(const FcmBlock& block, const FcmPlace& place, in
   Register total[fcmSumCount(kRoom)];
   for (int j = 0; j < sum_count; ++j) total[j] = Register{};
   Register least = spread(1.0);
+  Register lowest = spread(1.0);  // of h
   for (std::size_t i = static_cast<std::size_t>(share) * kWidth; i < block.count; i += kFcmLanes) {
     const Register x = (load(block.values + i) * block.scale - block.shift) * block.stretch;
     Register d[kRoom], power[kRoom];
@@ -132,7 +150,7 @@ TACTUS_INLINE Register addShare(const FcmBlock& block, const FcmPlace& place, in
     for (int k = 0; k < c; ++k) d[k] = x - place.centres[k];
     const Shares of = powers(d, power);
     least = smaller(of.least, least);
-    // On a centre every u^m d is 0, and so is its part of the curvature.
+    lowest = smaller(of.h, lowest);
     Register factor = 1.0 / larger(of.h, spread(1e-300));
     Register h = of.h;
     Register weight = spread(1.0);
@@ -154,6 +172,9 @@ TACTUS_INLINE Register addShare(const FcmBlock& block, const FcmPlace& place, in
     }
     *outer += h;
   }
+  bool on_centre = false;
+  for (int lane = 0; lane < kWidth; ++lane) on_centre = on_centre || !(lowest[lane] > 0);
+  if (on_centre) addOnCentres(block, place, share, total + 2 * c, powers);
   for (int j = 0; j < sum_count; ++j) store(sums + j * static_cast<int>(kFcmLanes) + share * kWidth, total[j]);
   return least;
 }

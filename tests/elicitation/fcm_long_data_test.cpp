@@ -107,5 +107,56 @@ TEST(FcmLongData, ASampleWithoutWeightHasNoSay) {
   EXPECT_LE(largestError(result->centres, plain->centres), kRounding);
 }
 
+/// Where Bezdek's iteration stands still for each centre by itself: its own test measures by the range of the samples,
+/// which an outlier stretches.
+std::vector<long double> fixedPointOfEach(const std::vector<double>& samples, const std::vector<double>& start,
+                                          double m) {
+  std::vector<long double> centres;
+  for (const double centre : start) centres.push_back(centre * 1.0001L);
+  for (int round = 0; round < 100; ++round) centres = reference::fcmFixedPoint({samples, {}, m}, centres, 5).centres;
+  return centres;
+}
+
+TEST(FcmLongData, AnOutlierCostsTheOtherCentresNothing) {
+  // Before, the centre on the outlier forbade Newton's steps to all: errors of 1e-8 to 1e-6 mm/s.
+  for (const std::size_t count : {300U, 5000U}) {
+    base::Random random(5);
+    std::vector<double> speeds;
+    for (std::size_t i = 0; i < count; ++i) {
+      speeds.push_back(static_cast<double>(i % 3 + 1) * 15 + 4 * random.normal());
+    }
+    for (const double m : {1.5, 2.0, 2.5}) {
+      for (const double outlier : {1e4, 1e6, -1e6, 1e8, 1e12}) {
+        auto samples = speeds;
+        samples.push_back(outlier);
+        const auto result = fuzzyCMeans(samples, {.clusters = 4, .m = m});
+        ASSERT_TRUE(result);
+        EXPECT_EQ(result->stop, FcmStop::kConverged);
+        const auto reference = fixedPointOfEach(samples, result->centres, m);
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (std::abs(result->centres[k]) > 100) continue;
+          // Two units in the last place of 45, as without an outlier.
+          EXPECT_NEAR(result->centres[k], static_cast<double>(reference[k]), 2e-14)
+              << count << ' ' << m << ' ' << outlier;
+        }
+      }
+    }
+  }
+}
+
+TEST(FcmLongData, AnOutlierAmongThreeClusters) {
+  // One centre goes to the outlier, the two others share the speeds.
+  base::Random random(6);
+  std::vector<double> samples(3000);
+  for (double& x : samples) x = 30 + 8 * random.normal();
+  samples[1234] = 1e6;
+  const auto result = fuzzyCMeans(samples);
+  ASSERT_TRUE(result);
+  const auto reference = fixedPointOfEach(samples, result->centres, 2);
+  EXPECT_NEAR(result->centres[0], static_cast<double>(reference[0]), 2e-14);
+  EXPECT_NEAR(result->centres[1], static_cast<double>(reference[1]), 2e-14);
+  EXPECT_LE(result->iterations, 60);
+}
+
 }  // namespace
 }  // namespace tactus::elicitation
