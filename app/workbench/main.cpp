@@ -3,12 +3,15 @@
 #include <QCommandLineParser>
 #include <QIcon>
 #include <QSettings>
+#include <csignal>
 
 #include "app/version.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/workbench.h"
 
 int main(int argc, char** argv) {
+  // A limit on the size of files is then an error that is told, as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("Tactus"));
   QApplication::setApplicationName(QStringLiteral("tactus-workbench"));

@@ -1,18 +1,21 @@
 #include "core/base/file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <optional>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
+#include "core/base/system_reason.h"
+
 namespace tactus::base {
 namespace {
 
-std::string reason(int error_number) { return std::strerror(error_number); }  // NOLINT(concurrency-mt-unsafe)
+std::string reason(int error_number) { return systemReason(error_number); }
 
 tl::unexpected<Error> ioError(const std::string& path, std::string found, std::string wanted) {
   return tl::unexpected(Error{ErrorCode::kIo, path, {}, std::move(found), std::move(wanted)});
@@ -57,14 +60,41 @@ mode_t wantedMode(const std::string& target) {
 
 /// Writes to something that is there and no regular file.
 Result<void> writeInto(const std::string& path, std::string_view bytes) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  // Without a reader a pipe would wait for one.
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+  if (file.number() < 0 && errno == ENXIO) {
+    return ioError(path, "a pipe that nobody reads", "a file that can be written");
+  }
+  if (file.number() >= 0) ::fcntl(file.number(), F_SETFL, O_WRONLY);
   if (file.number() >= 0 && writeAll(file.number(), bytes) && file.close()) return {};
   return ioError(path, reason(errno), "a file that can be written");
+}
+
+/// What is no file and would be waited for or never end; nothing for files, and for what a shell pipes in (/dev/fd).
+std::optional<std::string> notAFile(const std::string& path) {
+  std::error_code error;
+  const std::string target = std::filesystem::weakly_canonical(path, error).string();
+  struct stat info {};
+  if (error || ::lstat(target.c_str(), &info) != 0) return std::nullopt;
+  if (S_ISFIFO(info.st_mode)) return "a pipe";
+  if (S_ISCHR(info.st_mode) || S_ISBLK(info.st_mode)) return "a device";
+  return std::nullopt;
+}
+
+/// Waits until the names in the folder of `path` are on the disk; 0 or the number of the error.
+int syncFolderOf(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  const Descriptor parent(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // A folder that may be written into but not listed cannot be asked, and some file systems keep names in order alone.
+  if (parent.number() < 0) return errno == EACCES ? 0 : errno;
+  if (::fsync(parent.number()) == 0 || errno == EINVAL || errno == ENOTSUP) return 0;
+  return errno;
 }
 
 }  // namespace
 
 Result<std::string> readFile(const std::string& path, std::size_t most_bytes) {
+  if (const auto found = notAFile(path)) return ioError(path, *found, "a file");
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) return ioError(path, path.empty() ? "an empty file name" : reason(errno), "a readable file");
   struct stat info {};
@@ -125,10 +155,21 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view bytes
     return ioError(path, why, "a file that can be written");
   }
   // The rename itself must survive a power cut too.
-  const auto folder = std::filesystem::path(target).parent_path();
-  const Descriptor parent(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (parent.number() >= 0) ::fsync(parent.number());
+  if (const int error = syncFolderOf(target); error != 0) {
+    return ioError(path, reason(error),
+                   "a folder that keeps its names (the file is written, but a power cut may undo it)");
+  }
   return {};
+}
+
+Result<void> requireBelow(const std::string& folder, const std::string& path) {
+  std::error_code error;
+  const auto whole = std::filesystem::weakly_canonical(path, error);
+  const auto root = std::filesystem::weakly_canonical(folder, error);
+  const auto [end, unused] = std::mismatch(root.begin(), root.end(), whole.begin(), whole.end());
+  if (error || end == root.end()) return {};
+  return ioError(path, "a link to " + base::quoted(whole.string()) + ", outside of the folder",
+                 "a file in the folder itself");
 }
 
 Result<void> makeFolder(const std::string& path) {

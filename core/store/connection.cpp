@@ -5,12 +5,14 @@
 #include <sqlite3.h>
 #include <string_view>
 
+#include "core/base/system_reason.h"
 #include "core/base/text.h"
 #include "core/store/record_checksum.h"
 
 namespace tactus::store {
 namespace {
 
+using base::Error;
 using base::ErrorCode;
 
 std::string absolute(const std::string& path) { return std::filesystem::absolute(path).string(); }
@@ -41,6 +43,19 @@ int openFlags(Connection::Mode mode) {
   return mode == Connection::Mode::kImmutable ? SQLite::OPEN_READONLY | SQLite::OPEN_URI : SQLite::OPEN_READWRITE;
 }
 
+/// The number of the system's last error with the journal, the file, or anything: each file remembers its own, while
+/// that of the connection may be left over from something else.
+int lastReason(sqlite3* database) {
+  int number = 0;
+  sqlite3_file* journal = nullptr;
+  sqlite3_file_control(database, "main", SQLITE_FCNTL_JOURNAL_POINTER, &journal);
+  if (journal != nullptr && journal->pMethods != nullptr) {
+    journal->pMethods->xFileControl(journal, SQLITE_FCNTL_LAST_ERRNO, &number);
+  }
+  if (!base::isReason(number)) sqlite3_file_control(database, "main", SQLITE_FCNTL_LAST_ERRNO, &number);
+  return base::isReason(number) ? number : sqlite3_system_errno(database);
+}
+
 }  // namespace
 
 Connection::Connection(const std::string& path, Mode mode, const std::string& vfs)
@@ -63,7 +78,11 @@ Connection::Connection(const std::string& path, Mode mode, const std::string& vf
     refuse(ErrorCode::kSchema, {}, "a library of SQLite without foreign keys", "one with them");
   }
   if (mode == Mode::kReadWrite && sqlite3_db_readonly(database_.getHandle(), "main") == 1) {
-    throw Refusal{whyNotWritable(path_)};
+    Error reason = whyNotWritable(path_);
+    if (reason.found.empty()) {
+      reason = {ErrorCode::kIo, {}, {}, "a file that the system opens for reading only", "a study that can be changed"};
+    }
+    throw Refusal{std::move(reason)};
   }
 }
 
@@ -102,7 +121,7 @@ std::string Connection::firstFinding(const std::string& check) {
 }
 
 base::Error Connection::describe(const SQLite::Exception& exception) {
-  return describeFailure(path_, failureOf(exception, sqlite3_system_errno(database_.getHandle())));
+  return describeFailure(path_, failureOf(exception, lastReason(database_.getHandle())));
 }
 
 }  // namespace tactus::store

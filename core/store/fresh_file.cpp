@@ -2,12 +2,13 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
+
+#include "core/base/system_reason.h"
 
 namespace tactus::store {
 namespace {
@@ -17,8 +18,7 @@ using base::ErrorCode;
 using base::Result;
 
 tl::unexpected<Error> systemError(const std::string& path, int error_number, const char* wanted) {
-  return tl::unexpected(
-      Error{ErrorCode::kIo, path, {}, std::strerror(error_number), wanted});  // NOLINT(concurrency-mt-unsafe)
+  return tl::unexpected(Error{ErrorCode::kIo, path, {}, base::systemReason(error_number), wanted});
 }
 
 tl::unexpected<Error> thereAlready(const std::string& path) {

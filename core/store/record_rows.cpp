@@ -75,13 +75,20 @@ std::vector<study::Channel> channelsIn(const std::string& text) {
   return channels;
 }
 
+/// The file `below` the folder; refuses one that a link takes elsewhere.
+std::string inside(const std::string& folder, const fs::path& below) {
+  std::string path = (fs::path(folder) / below).string();
+  if (auto below_it = base::requireBelow(folder, path); !below_it) throw Refusal{std::move(below_it.error())};
+  return path;
+}
+
 }  // namespace
 
 RecordRows::RecordRows(const RecordTable& table, const std::string& folder, int version)
     : table_(table),
       folder_(folder),
       version_(version),
-      csv_(orRefuse(base::CsvTable::read((fs::path(folder) / table.file).string()))) {
+      csv_(orRefuse(base::CsvTable::read(inside(folder, table.file)))) {
   for (const auto& column : table.columns) {
     if (column.since <= version_) orRefuse(csv_.require(column.name));
   }
@@ -248,7 +255,7 @@ std::string RecordRows::ownFile(std::size_t row, const RecordColumn& column, std
                                 std::string_view ending) const {
   const fs::path path = fs::path(below) / (study::toText(*idIn(row, keyOf(table_))) + std::string(ending));
   if (cell(row, column) != path.generic_string()) refuseCell(row, column, path.generic_string());
-  return (fs::path(folder_) / path).string();
+  return inside(folder_, path);
 }
 
 std::string RecordRows::cell(std::size_t row, const RecordColumn& column) const {

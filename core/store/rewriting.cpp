@@ -3,11 +3,11 @@
 #include <SQLiteCpp/Statement.h>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <sqlite3.h>
 #include <unistd.h>
 #include <utility>
 
+#include "core/base/system_reason.h"
 #include "core/store/query.h"
 
 namespace tactus::store {
@@ -21,11 +21,8 @@ class Beside {
   explicit Beside(const std::string& study) : path_(study + ".XXXXXX") {
     const int descriptor = ::mkstemp(path_.data());
     if (descriptor < 0) {
-      throw Refusal{{ErrorCode::kIo,
-                     study,
-                     {},
-                     std::strerror(errno),  // NOLINT(concurrency-mt-unsafe)
-                     "a folder in which the study can be written anew"}};
+      throw Refusal{
+          {ErrorCode::kIo, study, {}, base::systemReason(errno), "a folder in which the study can be written anew"}};
     }
     ::close(descriptor);
   }

@@ -1,12 +1,13 @@
 #include "core/store/sqlite_errors.h"
 
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <sqlite3.h>
 #include <unistd.h>
 #include <utility>
+
+#include "core/base/system_reason.h"
 
 namespace tactus::store {
 namespace {
@@ -79,9 +80,8 @@ Error describeFailure(const std::string& path, const SqliteFailure& failure) {
                          // itself
     case SQLITE_IOERR: {
       std::string found = "a disk that reports an error";
-      if (failure.system_errno != 0) {
-        found += std::string(" (") + std::strerror(failure.system_errno) + ")";  // NOLINT(concurrency-mt-unsafe)
-      }
+      // SQLite may have called the system again since, so that a number without meaning is left.
+      if (base::isReason(failure.system_errno)) found += " (" + base::systemReason(failure.system_errno) + ")";
       return ioError(path, std::move(found), "a disk that stores the study (what was saved before is still there)");
     }
     case SQLITE_CONSTRAINT:

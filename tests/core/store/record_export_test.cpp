@@ -278,6 +278,20 @@ class BrokenTables : public testing::Test {
   std::string session_;
 };
 
+TEST_F(BrokenTables, ALinkToTheOutsideIsRefused) {
+  const fs::path model = only("models");
+  fs::rename(model, folder_.file("elsewhere.json"));
+  fs::create_symlink(folder_.file("elsewhere.json"), model);
+  expectRefused(model.string() + ": found a link to '" + folder_.file("elsewhere.json").substr(0, 20));
+  EXPECT_NE(complaint().find("outside of the folder, wanted a file in the folder itself"), std::string::npos);
+  fs::remove(model);
+  fs::rename(folder_.file("elsewhere.json"), model);
+  // A folder that is itself reached by a link is fine.
+  fs::rename(folder_.file("out"), folder_.file("real"));
+  fs::create_directory_symlink(folder_.file("real"), folder_.file("out"));
+  EXPECT_TRUE(restoreRecords(folder_.file("out"), folder_.file("b.tactus")));
+}
+
 TEST_F(BrokenTables, OutOfRange) {
   edit(out("ratings.csv"), ",speed,3,6", ",speed,8,6");
   expectRefused(out("ratings.csv") + ": line 2, column 'effort': found '8'");

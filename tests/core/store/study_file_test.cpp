@@ -1,9 +1,12 @@
 #include "core/store/study_file.h"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "core/store/entries.h"
@@ -194,6 +197,23 @@ TEST_F(StudyFiles, ADamagedOneIsRefused) {
   makeClosedStudy();
   fs::resize_file(path(), fs::file_size(path()) / 2);
   EXPECT_NE(openError().find("found a damaged file ("), std::string::npos) << openError();
+}
+
+TEST_F(StudyFiles, ALimitOnTheSizeOfFilesIsToldAsTheReason) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);  // as the programs do
+    const rlimit limit{100'000, 100'000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    SampleRecords records;
+    const auto made = StudyFile::create(folder_.file("limited.tactus"), records.study());
+    const bool said = !made && made.error().message().find("(ulimit -f)") != std::string::npos;
+    ::_exit(said ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("limited.tactus")));
 }
 
 }  // namespace
