@@ -10,6 +10,11 @@
 namespace tactus::fuzzy {
 namespace {
 
+/// Each point of a batch is looked at again, so nothing that further experts add to it would stay.
+constexpr std::uint32_t kAllPoints = ~std::uint32_t{0};
+static_assert(kBatch == 32);
+constexpr std::size_t kTile = 64;  // batches that go through one chunk of experts before the next chunk
+
 /// One point of a batch: `varying` and `index` as in evaluateBatchOf, the fixed inputs in `values`.
 Evaluation evaluateOne(const ModelTables& tables, std::span<const std::span<const double>> varying,
                        std::span<const std::size_t> index, std::span<const double> values, std::size_t p) noexcept {
@@ -45,9 +50,19 @@ void evaluateBatchOf(const ModelTables& tables, const BatchProgram& program,
   };
   std::fill(out.fired.begin(), out.fired.end(), std::uint8_t{1});
   std::size_t first = 0;
-  for (; first + kBatch <= points; first += kBatch) {
-    for (std::size_t k = 0; k < varying.size(); ++k) columns[index[k]] = varying[k].data() + first;
-    look_again_at(first, kernel(tables.program, program, columns.data(), out.force_n.data() + first));
+  while (points - first >= kBatch) {
+    const std::size_t batches = std::min((points - first) / kBatch, kTile);
+    std::array<std::uint32_t, kTile> again{};
+    for (const BatchChunk& chunk : program.chunks) {
+      for (std::size_t b = 0; b < batches; ++b) {
+        if (again[b] == kAllPoints) continue;
+        const std::size_t at = first + b * kBatch;
+        for (std::size_t k = 0; k < varying.size(); ++k) columns[index[k]] = varying[k].data() + at;
+        again[b] |= kernel(tables.program, program, chunk, columns.data(), out.force_n.data() + at);
+      }
+    }
+    for (std::size_t b = 0; b < batches; ++b) look_again_at(first + b * kBatch, again[b]);
+    first += batches * kBatch;
   }
   const std::size_t left = points - first;
   if (left == 0) return;
@@ -59,7 +74,11 @@ void evaluateBatchOf(const ModelTables& tables, const BatchProgram& program,
     std::fill(std::copy(rest.begin(), rest.end(), padded[k].begin()), padded[k].end(), rest.front());
     columns[index[k]] = padded[k].data();
   }
-  const std::uint32_t again = kernel(tables.program, program, columns.data(), force_n.data());
+  std::uint32_t again = 0;
+  for (const BatchChunk& chunk : program.chunks) {
+    if (again == kAllPoints) break;
+    again |= kernel(tables.program, program, chunk, columns.data(), force_n.data());
+  }
   std::copy_n(force_n.begin(), left, out.force_n.begin() + static_cast<std::ptrdiff_t>(first));
   look_again_at(first, again & ((std::uint32_t{1} << left) - 1));
 }

@@ -45,7 +45,50 @@ void addExpert(const SectionPlan& plan, const PlannedExpert& expert, std::size_t
   }
 }
 
+/// Beside the slots of a kernel's points this much stays in the second cache of common processors.
+constexpr std::size_t kChunkBytes = std::size_t{192} << 10U;
+/// Each chunk computes the slots of its section anew: a chunk is this many times as large as what that reads, and more.
+constexpr std::size_t kTimesSlots = 16;
+
+std::size_t bytesOf(const BatchProgram& program, const BatchExpert& expert) {
+  std::size_t bytes = sizeof(BatchExpert) + expert.lanes.count * sizeof(BatchLane);
+  for (const BatchLane& lane : in(program.lanes, expert.lanes)) {
+    bytes += lane.groups.count * sizeof(RuleGroup);
+    for (const RuleGroup& group : in(program.groups, lane.groups)) bytes += group.rules.count * sizeof(BatchRule);
+  }
+  return bytes;
+}
+
+std::size_t bytesOf(const BatchSection& section) {
+  return section.terms.count * sizeof(BatchTerm) + section.antecedents.count * sizeof(Antecedent);
+}
+
 }  // namespace
+
+void setChunks(BatchProgram& program) {
+  program.chunks.clear();
+  BatchChunk chunk;
+  std::size_t bytes = 0;
+  const auto close = [&] {
+    program.chunks.push_back(chunk);
+    bytes = 0;
+  };
+  for (std::uint32_t s = 0; s < sizeOf(program.sections); ++s) {
+    const BatchSection& section = program.sections[s];
+    bytes += bytesOf(section);
+    for (std::uint32_t e = section.experts.first; e < section.experts.end(); ++e) {
+      const std::size_t more = bytesOf(program, program.experts[e]);
+      if (bytes + more > kChunkBytes + kTimesSlots * bytesOf(section) && e > chunk.experts.first) {
+        close();
+        chunk = {{s, 1}, {e, 0}};
+      }
+      bytes += more;
+      chunk.sections.count = s + 1 - chunk.sections.first;
+      chunk.experts.count = e + 1 - chunk.experts.first;
+    }
+  }
+  close();
+}
 
 void addSection(const SectionPlan& plan, const ModelTables& tables, std::span<const ClosedForm> forms,
                 BatchProgram& program) {

@@ -57,9 +57,10 @@ TACTUS_INLINE void addExpert(const Program& common, const BatchProgram& program,
   force = force + moment / area * expert.share;
 }
 
-/// kPoints points from `first` on; returns bits of those that must be looked at again.
-TACTUS_INLINE std::uint32_t somePoints(const Program& common, const BatchProgram& program, const double* const* columns,
-                                       std::size_t first, VB* slots, double* force_n) noexcept {
+/// The experts of `chunk` at kPoints points from `first` on; returns bits of those that must be looked at again.
+TACTUS_INLINE std::uint32_t somePoints(const Program& common, const BatchProgram& program, const BatchChunk& chunk,
+                                       const double* const* columns, std::size_t first, VB* slots,
+                                       double* force_n) noexcept {
   VB inputs[kMostInputs];
   Bits look_again[VB::kParts] = {};
   for (std::size_t i = 0; i < kMostInputs; ++i) {
@@ -68,8 +69,8 @@ TACTUS_INLINE std::uint32_t somePoints(const Program& common, const BatchProgram
     for (int p = 0; p < VB::kParts; ++p) look_again[p] |= x.part[p] - x.part[p] != 0.0;  // NaN and infinity
     inputs[i] = smaller(larger(x, spread<kPoints>(common.input_min[i])), spread<kPoints>(common.input_max[i]));
   }
-  VB force = spread<kPoints>(common.output_min);
-  for (const BatchSection& section : program.sections) {
+  VB force = chunk.experts.first == 0 ? spread<kPoints>(common.output_min) : load<kPoints>(force_n + first);
+  for (const BatchSection& section : in(program.sections, chunk.sections)) {
     for (const FixedSlot& fixed : in(program.fixed, section.fixed)) slots[fixed.slot] = spread<kPoints>(fixed.value);
     for (const BatchTerm& term : in(program.terms, section.terms)) {
       slots[term.slot] = membership(term, inputs[term.input]);
@@ -79,8 +80,10 @@ TACTUS_INLINE std::uint32_t somePoints(const Program& common, const BatchProgram
       for (const std::uint16_t slot : in(program.antecedent_slots, antecedent.of)) least = smaller(slots[slot], least);
       slots[antecedent.slot] = least;
     }
-    for (const BatchExpert& expert : in(program.experts, section.experts)) {
-      addExpert(common, program, expert, slots, force, look_again);
+    const std::uint32_t end = section.experts.end() < chunk.experts.end() ? section.experts.end() : chunk.experts.end();
+    std::uint32_t e = section.experts.first > chunk.experts.first ? section.experts.first : chunk.experts.first;
+    for (; e < end; ++e) {
+      addExpert(common, program, program.experts[e], slots, force, look_again);
     }
   }
   store(force_n + first, force);
@@ -96,12 +99,12 @@ TACTUS_INLINE std::uint32_t somePoints(const Program& common, const BatchProgram
   return bits;
 }
 
-std::uint32_t batch(const Program& common, const BatchProgram& program, const double* const* columns,
-                    double* force_n) noexcept {
+std::uint32_t batch(const Program& common, const BatchProgram& program, const BatchChunk& chunk,
+                    const double* const* columns, double* force_n) noexcept {
   VB slots[kMostSlots];
   std::uint32_t look_again = 0;
   for (std::size_t first = 0; first < kBatch; first += kPoints) {
-    look_again |= somePoints(common, program, columns, first, slots, force_n);
+    look_again |= somePoints(common, program, chunk, columns, first, slots, force_n);
   }
   return look_again;
 }

@@ -24,12 +24,13 @@ struct Kernels {
   /// All experts of the model at one point, clamped here. False where an area is negligible, or an input is not finite:
   /// then the outcome is not set.
   bool (*point)(const Program& program, const double* inputs, PointOutcome& out) noexcept;
-  /// The mean over all experts at kBatch points, by a program made from that of the model. `columns` holds kMostInputs
-  /// pointers: to kBatch values of any kind for each input that varies, null for the others. `force_n` has room for
-  /// kBatch forces. Returns bits of the points that must be looked at again: some expert may not fire there, or an
-  /// input is not finite.
-  std::uint32_t (*batch)(const Program& model, const BatchProgram& program, const double* const* columns,
-                         double* force_n) noexcept;
+  /// The part of one chunk of experts in the mean at kBatch points, by a program made from that of the model. The first
+  /// chunk sets `force_n`, which has room for kBatch forces; the others, in order, add to it. `columns` holds
+  /// kMostInputs pointers: to kBatch values of any kind for each input that varies, null for the others. Returns bits
+  /// of the points that must be looked at again: some expert of the chunk may not fire there, or an input is not
+  /// finite.
+  std::uint32_t (*batch)(const Program& model, const BatchProgram& program, const BatchChunk& chunk,
+                         const double* const* columns, double* force_n) noexcept;
 };
 
 /// The sets that this processor can run, the fastest last.

@@ -64,6 +64,7 @@ bool addSections(const ModelTables& tables, Program& program) {
     addSection(*plan, tables, program.forms, program.point);
     addSection(*plan, tables, program.forms, program.batch);
   }
+  setChunks(program.batch);
   return true;
 }
 

@@ -192,6 +192,13 @@ struct BatchSection {
   Stretch fixed, terms, antecedents, experts;
 };
 
+/// Experts whose tables fit into a cache together. All points of a tile go through one chunk before the next, or the
+/// tables of a thousand experts would be fetched from memory again for every few points.
+struct BatchChunk {
+  Stretch sections;  ///< that have experts of the chunk
+  Stretch experts;   ///< of the whole program; the first chunk begins with the first expert
+};
+
 struct BatchProgram {
   std::pmr::memory_resource* memory;
   Table<BatchSection> sections{memory};
@@ -203,7 +210,11 @@ struct BatchProgram {
   Table<BatchLane> lanes{memory};
   Table<RuleGroup> groups{memory};
   Table<BatchRule> rules{memory};
+  Table<BatchChunk> chunks{memory};  ///< all experts in order, at least one chunk; set by setChunks
 };
+
+/// Divides the experts of a program, which is complete otherwise, into chunks.
+void setChunks(BatchProgram& program);
 
 struct Kernels;
 

@@ -32,6 +32,7 @@ class Folding {
 
   BatchProgram fold() {
     for (const BatchSection& section : from_.sections) addSection(section);
+    setChunks(out_);
     return std::move(out_);
   }
 

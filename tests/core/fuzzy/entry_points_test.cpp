@@ -136,13 +136,19 @@ TEST(EntryPoints, EveryInstructionSetGivesTheSameBits) {
     PointOutcome first;
     std::array<double, kBatch> first_batch;
     sets[0].point(tables.program, clamped.data(), first);
-    const std::uint32_t look_again =
-        sets[0].batch(tables.program, tables.program.batch, pointers.data(), first_batch.data());
+    const auto run = [&](const Kernels& set, std::array<double, kBatch>& force_n) {
+      std::uint32_t look_again = 0;
+      for (const BatchChunk& chunk : tables.program.batch.chunks) {
+        look_again |= set.batch(tables.program, tables.program.batch, chunk, pointers.data(), force_n.data());
+      }
+      return look_again;
+    };
+    const std::uint32_t look_again = run(sets[0], first_batch);
     for (const auto& set : sets.subspan(1)) {
       PointOutcome other;
       std::array<double, kBatch> other_batch;
       set.point(tables.program, clamped.data(), other);
-      ASSERT_EQ(set.batch(tables.program, tables.program.batch, pointers.data(), other_batch.data()), look_again);
+      ASSERT_EQ(run(set, other_batch), look_again);
       for (std::size_t e = 0; e < tables.experts.size(); ++e) {
         ASSERT_EQ(std::bit_cast<std::uint64_t>(first.area[e]), std::bit_cast<std::uint64_t>(other.area[e])) << set.name;
         if (first.area[e] == 0) continue;
@@ -156,6 +162,66 @@ TEST(EntryPoints, EveryInstructionSetGivesTheSameBits) {
     }
   }
   EXPECT_GT(usable, 500) << "too few models have a fast form";
+}
+
+/// `count` variations of S4 who leave out every `missing`th item, if it is not 0, and mean what they say by other
+/// words.
+ForceModel manyExperts(int count, int missing) {
+  ForceModel model = support::s4FiveRegions();
+  const Expert s4 = model.experts.front();
+  model.experts.clear();
+  for (int e = 0; e < count; ++e) {
+    Expert expert = s4;
+    expert.id = "E" + std::to_string(e);
+    for (std::size_t r = 0; r < expert.rules.size(); ++r) {
+      const auto shift = static_cast<std::size_t>(e) * 7 + r * 3;
+      expert.rules[r].then = model.output.terms[shift % 5].id;
+      if (missing > 0 && (r + static_cast<std::size_t>(e)) % static_cast<std::size_t>(missing) == 0) {
+        expert.rules[r].enabled = false;
+      }
+    }
+    model.experts.push_back(std::move(expert));
+  }
+  return model;
+}
+
+// The tables of so many experts go through in chunks: all points of a tile for one chunk before the next.
+TEST(EntryPoints, ManyExpertsInChunks) {
+  for (const int missing : {0, 3}) {
+    const ForceModel model = manyExperts(600, missing);
+    const auto compiled = compile(model);
+    const auto& program = compiled->tables().program;
+    ASSERT_GE(program.batch.chunks.size(), 2U);
+    std::uint32_t next = 0;
+    for (const BatchChunk& chunk : program.batch.chunks) {
+      EXPECT_EQ(chunk.experts.first, next);
+      next = chunk.experts.end();
+    }
+    EXPECT_EQ(next, 600U);
+
+    constexpr std::size_t kPoints = 64 * kBatch + 3 * kBatch + 5;  // a tile, a part of one, and what fills no batch
+    base::Random random(4);
+    Columns columns(model.inputs.size(), std::vector<double>(kPoints));
+    for (std::size_t p = 0; p < kPoints; ++p) {
+      const auto point = support::randomPoint(random, model);
+      for (std::size_t i = 0; i < point.size(); ++i) columns[i][p] = point[i];
+    }
+    std::vector<double> force(kPoints);
+    std::vector<std::uint8_t> fired(kPoints);
+    evaluateBatch(*compiled, spans(columns), {force, fired});
+    for (std::size_t p = 0; p < kPoints; p += 13) {
+      std::vector<double> point;
+      for (const auto& column : columns) point.push_back(column[p]);
+      expectSameForce(model, compiled->evaluate(point), force[p], fired[p] != 0);
+      // The same bits in a batch of its own: neighbours and tiles do not matter.
+      Columns single;
+      for (const double x : point) single.push_back({x});
+      double alone = 0;
+      std::uint8_t alone_fired = 0;
+      evaluateBatch(*compiled, spans(single), {{&alone, 1}, {&alone_fired, 1}});
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(alone), std::bit_cast<std::uint64_t>(force[p]));
+    }
+  }
 }
 
 TEST(EntryPoints, ABatchKeepsThePolicies) {
