@@ -12,6 +12,7 @@
 #include "core/store/conflicts.h"
 #include "core/store/entry_tables.h"
 #include "core/store/merged_withdrawals.h"
+#include "core/store/older_imports.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
 #include "core/store/withdrawal.h"
@@ -258,6 +259,7 @@ Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const Record
   Merge merge;
   bool must_erase = false;
   auto merged = inTransaction(ours, [&] {
+    requireNoMixedImports(ours, opened->connection());
     MergedWithdrawals withdrawals(ours, opened->connection());
     withdrawals.apply(merge);
     for (const MergedTable& table : mergedTables()) {

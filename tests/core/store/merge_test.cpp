@@ -231,6 +231,39 @@ TEST_F(Merges, ACodeOfAnotherWhoWithdrewIsRefusedUntilItIsAnother) {
   EXPECT_NE(contentOf(path("south_north")).find(ruleWeightOf("velvet-otter")), std::string::npos);
 }
 
+TEST_F(Merges, DifferentTablesThatAnOlderVersionGaveToOnePersonAreNotMixed) {
+  // The id that version 1 gave to everybody with this code: the first half of the SHA-256 of "person N01".
+  const auto id = study::parseRecordId("b9ccdac316bc5a16a7450b7e871ab6fb");
+  SampleRecords records(3);
+  const auto import = [&](const std::string& name) {
+    auto study = makeStudy(path(name), records);
+    auto session = records.session(*id);
+    session.kind = study::SessionKind::kImport;
+    ASSERT_TRUE(append(study.file, study::Person{*id, "N01", false}) && append(study.file, session));
+    ASSERT_TRUE(append(study.file, records.answer(session.id)) && study.file.close());
+  };
+  import("north");
+  import("south");
+  const auto content = contentOf(path("north"));
+  const auto refused = tryMerge("north", "south");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message(),
+            path("south") +
+                ": found other tables for 'N01' than this study has; an older version imported both and cannot "
+                "tell two persons of one code apart, wanted a study made by importing the tables again, into "
+                "a new file");
+  EXPECT_EQ(contentOf(path("north")), content);
+  // A copy that went on shares what was imported.
+  copy("north", "copied");
+  {
+    auto file = StudyFile::open(path("copied"), fast());
+    auto session = records.session(*id);
+    session.kind = study::SessionKind::kImport;
+    ASSERT_TRUE(file && append(*file, session) && file->close());
+  }
+  EXPECT_TRUE(tryMerge("north", "copied"));
+}
+
 TEST_F(Merges, TwoWithdrawalsOfOnePersonBecomeOne) {
   SampleRecords shared(1);
   auto study = makeStudy(path("a"), shared);
