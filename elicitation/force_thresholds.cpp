@@ -111,7 +111,11 @@ std::vector<TermRamp> rampsAround(const std::vector<double>& mean_n, double half
     const auto end = [&](std::size_t part) {
       return rounded(mean_n[first] + side_n * (2 * static_cast<double>(part) / parts - 1));
     };
-    for (std::size_t part = 0; part <= last - first; ++part) ramps.push_back({end(part), end(part + 1)});
+    for (std::size_t part = 0; part <= last - first; ++part) {
+      // Ramps that touch may round to either side of half a micronewton.
+      const double begin_n = ramps.empty() ? end(part) : std::max(end(part), ramps.back().end_n);
+      ramps.push_back({begin_n, std::max(begin_n, end(part + 1))});
+    }
     first = last + 1;
   }
   return ramps;
@@ -127,7 +131,7 @@ std::string outsideNote(const std::vector<ForceThresholds>& participants) {
   if (outside == 0) return {};
   return "Of " + std::to_string(all) + " thresholds of the force " + std::to_string(outside) +
          (outside == 1 ? " lies" : " lie") +
-         " outside the forces that the participant judged; half a step beyond these is taken.";
+         " outside the forces that count and that the participant judged; half a step beyond these is taken.";
 }
 
 }  // namespace

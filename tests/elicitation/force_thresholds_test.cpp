@@ -1,6 +1,8 @@
 #include "elicitation/force_thresholds.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <span>
 #include <string>
 
 #include "core/base/random.h"
@@ -86,8 +88,9 @@ TEST(ForceThresholds, MeansOfFourParticipantsByHand) {
   EXPECT_EQ(terms.output.max, 1.1);
   EXPECT_TRUE(terms.absent.empty());
   EXPECT_EQ(terms.participants[0].outside, 1);  // very small at no force
-  EXPECT_EQ(terms.notes, (std::vector<std::string>{"Of 16 thresholds of the force 1 lies outside the forces that the "
-                                                   "participant judged; half a step beyond these is taken."}));
+  EXPECT_EQ(terms.notes,
+            (std::vector<std::string>{"Of 16 thresholds of the force 1 lies outside the forces that count and that the "
+                                      "participant judged; half a step beyond these is taken."}));
 }
 
 /// The averaged model of four experts with rules of one condition and a region, on these force terms: rows well, medium
@@ -190,14 +193,19 @@ TEST(ForceThresholds, WhoGoesOnAloneMovesNothingAboveTheQuorum) {
 
 TEST(ForceThresholds, RandomAnswersGiveTermsThatSumToOne) {
   base::Random random(8);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 600; ++round) {
     std::vector<study::ForceJudgement> all;
-    for (const char* who : {"A", "B", "C"}) {
+    // Sevenths of a step: ramps that touch in the middle of two micronewtons.
+    const std::vector<std::string> participants = {"A", "B", "C", "D", "E", "F", "G"};
+    for (const auto& who : std::span(participants).first(round % 2 == 0 ? 3 : 7)) {
       std::string answers = "v";
       for (int i = 0; i < 8; ++i) answers += "vsmlVbn."[random.below(8)];
       judge(all, who, answers);
     }
     const auto terms = found(all);
+    for (const auto& term : terms.output.terms) {
+      EXPECT_TRUE(std::is_sorted(term.points.begin(), term.points.end())) << round << ' ' << term.id;
+    }
     for (double x = 0; x <= terms.output.max; x += 0.0137) {
       double sum = 0;
       for (const auto& term : terms.output.terms) sum += fuzzy::MembershipFunction::of(term)(x);
