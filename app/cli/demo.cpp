@@ -1,6 +1,7 @@
 // The main job, end to end: simulated and published data in; study file, tables, models, export and report out.
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include "app/cli/commands.h"
 #include "app/report/demo_report.h"
@@ -14,6 +15,7 @@
 #include "core/base/file.h"
 #include "core/base/json_writer.h"
 #include "core/model_io/model_file.h"
+#include "core/store/study_file.h"
 #include "core/study/csv_tables.h"
 #include "elicitation/ngt_variables.h"
 #include "questionnaires/published_rules.h"
@@ -111,12 +113,20 @@ Result<study::Study> runStudy(const std::string& folder, std::uint64_t seed, con
   const std::string path = folder + '/' + std::string(kStudyFile);
   const std::string unfinished = path + ".unfinished";
   std::error_code problem;
-  for (const char* tail : {"", "-wal", "-shm"}) std::filesystem::remove(unfinished + tail, problem);
+  // Held until the new one stands in its place, so that none is replaced while a program works on it.
+  std::optional<store::StudyFile> older;
+  if (std::filesystem::exists(path, problem)) {
+    auto opened = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
+    if (!opened) return tl::unexpected(opened.error());
+    older = std::move(*opened);
+  }
+  for (const char* tail : {"", "-wal", "-journal", "-shm"}) std::filesystem::remove(unfinished + tail, problem);
   auto file = session::makeSimulatedNgtStudy(unfinished, seed, reading, std::string(kGenerator));
   if (!file) return tl::unexpected(file.error());
   auto view = session::studyForElicitation(*file);
   if (!view) return tl::unexpected(view.error());
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  for (const char* tail : {"-wal", "-journal", "-shm"}) std::filesystem::remove(path + tail, problem);
   std::filesystem::rename(unfinished, path, problem);
   if (problem) {
     return tl::unexpected(

@@ -71,6 +71,13 @@ std::string mergesAsJson(const std::string& file, const std::vector<NamedMerge>&
   return json.text();
 }
 
+/// What a person should know of the opening of a study, as warnings.
+std::vector<std::string> noticesOf(const std::string& path, const store::StudyFile& file) {
+  std::vector<std::string> warnings;
+  for (const auto& notice : file.notices()) warnings.push_back(path + ": " + notice);
+  return warnings;
+}
+
 }  // namespace
 
 Result<Output> studyNew(const StudyNewOptions& options) {
@@ -86,7 +93,8 @@ Result<Output> studyInfo(const StudyInfoOptions& options) {
   if (!file) return tl::unexpected(file.error());
   const auto info = store::studyInfo(*file);
   if (!info) return tl::unexpected(info.error());
-  return Output{options.json ? infoAsJson(options.file, *info) : infoAsText(options.file, *info), {}};
+  return Output{options.json ? infoAsJson(options.file, *info) : infoAsText(options.file, *info),
+                noticesOf(options.file, *file)};
 }
 
 Result<Output> studyCheck(const StudyCheckOptions& options) {
@@ -132,8 +140,9 @@ Result<Output> studyMerge(const StudyMergeOptions& options) {
     if (!merge) return tl::unexpected(merge.error());
     merges.push_back({other, std::move(*merge)});
   }
+  auto notices = noticesOf(options.file, *file);
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
-  return Output{options.json ? mergesAsJson(options.file, merges) : mergesAsText(merges), {}};
+  return Output{options.json ? mergesAsJson(options.file, merges) : mergesAsText(merges), std::move(notices)};
 }
 
 }  // namespace tactus::cli

@@ -4,6 +4,8 @@
 
 #include "core/store/connection.h"
 #include "core/store/fresh_file.h"
+#include "core/store/opening_row.h"
+#include "core/store/query.h"
 #include "core/store/study_file.h"
 
 namespace tactus::store {
@@ -33,6 +35,14 @@ Result<void> copyDatabase(Connection& connection, const std::string& target) {
     Connection copy(fresh->temporary(), Connection::Mode::kReadWrite, connection.vfs());
     auto copied = guarded(copy, [&] {
       copyPages(connection, copy);
+      // The copy is a file of its own, so that no journal of the study can pass for its journal.
+      if (auto row = readOpening(copy)) {
+        OpeningWriter(copy).write({newToken(), {}, row->commits, false, 0});
+        Query truncate(copy, "PRAGMA wal_checkpoint(TRUNCATE)");
+        if (!truncate.next() || truncate.integer() != 0) {
+          refuse(ErrorCode::kIo, "copy", "a journal that could not be emptied", "a copy that stands alone");
+        }
+      }
       for (const char* check : {"integrity_check", "foreign_key_check"}) {
         const std::string finding = copy.firstFinding(check);
         if (!finding.empty()) refuse(ErrorCode::kMismatch, "copy", finding, "an intact copy of the study");

@@ -19,6 +19,7 @@ Result<Batch> Batch::begin(StudyFile& file) {
     if (connection.batch != State::kNone) {
       refuse(ErrorCode::kIo, {}, "a batch that is not finished", "one batch at a time");
     }
+    connection.beginWrite();
     connection.database().exec("BEGIN IMMEDIATE");
     connection.batch = State::kOpen;
   });
@@ -41,7 +42,9 @@ Result<void> Batch::commit() {
     if (connection.batch == State::kSpoiled) {
       refuse(ErrorCode::kIo, {}, "a batch in which a write failed", "one in which all succeeded");
     }
+    connection.countCommit();
     connection.database().exec("COMMIT");
+    connection.acknowledge();
   });
   if (!done) return done;
   connection.batch = State::kNone;

@@ -48,11 +48,28 @@ void checkCorrections(Connection& connection, Findings& findings) {
 
 }  // namespace
 
+std::vector<std::string> circles(Connection& connection) {
+  Findings findings;
+  for (const std::string_view table : kEntryTables) {
+    const std::string name(table);
+    Query query(connection, "WITH RECURSIVE d(id) AS (SELECT id FROM " + name +
+                                " WHERE supersedes IS NULL UNION SELECT c.id FROM d JOIN " + name +
+                                " AS c ON c.supersedes = d.id) SELECT id FROM " + name +
+                                " WHERE supersedes IS NOT NULL AND id NOT IN (SELECT id FROM d) ORDER BY id");
+    while (query.next()) {
+      findings.push_back(name + " " + study::toText(query.id()) +
+                         ": its corrections go in a circle, so none of them counts");
+    }
+  }
+  return findings;
+}
+
 std::vector<std::string> conflicts(Connection& connection) {
   Findings findings;
   checkOrder(connection, findings);
   checkPersons(connection, findings);
   checkCorrections(connection, findings);
+  for (auto& circle : circles(connection)) findings.push_back(std::move(circle));
   return findings;
 }
 

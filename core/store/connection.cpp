@@ -1,12 +1,15 @@
 #include "core/store/connection.h"
 
 #include <SQLiteCpp/Statement.h>
+#include <algorithm>
 #include <filesystem>
 #include <sqlite3.h>
 #include <string_view>
 
 #include "core/base/system_reason.h"
 #include "core/base/text.h"
+#include "core/store/journal_file.h"
+#include "core/store/opening.h"
 #include "core/store/record_checksum.h"
 
 namespace tactus::store {
@@ -14,6 +17,12 @@ namespace {
 
 using base::Error;
 using base::ErrorCode;
+
+/// Instructions of SQLite's machine, some hundred million of which take a second. A study needs about one per byte for
+/// its dearest query.
+constexpr int kStepsBetweenLooks = 100'000;
+constexpr long long kFreeSteps = 200'000'000;
+constexpr long long kStepsPerByte = 20;
 
 std::string absolute(const std::string& path) { return std::filesystem::absolute(path).string(); }
 
@@ -66,6 +75,7 @@ Connection::Connection(const std::string& path, Mode mode, const std::string& vf
   sqlite3_extended_result_codes(database_.getHandle(), 1);
   leaveJournalOnClose(true);
   addRecordChecksum(database_.getHandle());
+  sqlite3_progress_handler(database_.getHandle(), kStepsBetweenLooks, &Connection::onProgress, this);
   // Exclusive before the first access: the whole file is ours, and the index of the journal stays in memory.
   database_.exec("PRAGMA locking_mode = EXCLUSIVE");
   database_.exec("PRAGMA trusted_schema = OFF");
@@ -86,7 +96,45 @@ Connection::Connection(const std::string& path, Mode mode, const std::string& vf
   }
 }
 
-Connection::~Connection() = default;
+Connection::~Connection() {
+  if (!opening) return;
+  // Where the close fails, nothing is lost: the next opening works the journal in.
+  database_.tryExec("ROLLBACK");
+  startWork();
+  try {
+    opening->close();
+    leaveJournalOnClose(false);
+  } catch (const SQLite::Exception&) {
+  } catch (const Refusal&) {
+  }
+  opening.reset();
+}
+
+void Connection::beginWrite() {
+  if (opening) opening->beginWrite();
+}
+
+void Connection::countCommit() {
+  if (opening) opening->countCommit();
+}
+
+void Connection::acknowledge() {
+  if (opening) opening->acknowledge();
+}
+
+void Connection::startWork(long long more_bytes) {
+  steps_ = 0;
+  if (more_bytes > 0) more_bytes_ = more_bytes;
+}
+
+int Connection::onProgress(void* self) {
+  auto& connection = *static_cast<Connection*>(self);
+  connection.steps_ += kStepsBetweenLooks;
+  if (connection.steps_ < kFreeSteps) return 0;
+  const long long bytes = std::max(identityOf(connection.path_).bytes, 0LL) +
+                          std::max(identityOf(journalOf(connection.path_)).bytes, 0LL) + connection.more_bytes_;
+  return connection.steps_ < kFreeSteps + bytes * kStepsPerByte ? 0 : 1;
+}
 
 std::string Connection::answerOf(const std::string& sql) {
   SQLite::Statement statement(database_, sql);

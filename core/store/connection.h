@@ -22,6 +22,8 @@ inline constexpr int kApplicationId = 0x54414354;
 /// How long to wait for another program to let go of the file: long enough for a look with the sqlite3 shell.
 inline constexpr int kBusyTimeoutMs = 1000;
 
+class Opening;
+
 /// Thread: the one that opened it. Exactly one per file: SQLite up to 3.51.2 may lose commits of a WAL file with two
 /// connections that write, so the file is locked as a whole while it is open.
 class Connection {
@@ -57,6 +59,18 @@ class Connection {
   /// The error for an exception that this connection threw.
   base::Error describe(const SQLite::Exception& exception);
 
+  /// What an opening for writing needs beside the connection (opening.h); empty while the file is made or only read.
+  /// Closed with the connection.
+  std::unique_ptr<Opening> opening;
+  /// Before a transaction; within it, before its commit; after it, before it is acknowledged.
+  void beginWrite();
+  void countCommit();
+  void acknowledge();
+
+  /// A query that takes more steps than any does on a study of this size ends with an error: files of others may be
+  /// made so that one would take for ever. `more_bytes` of another file are worked in too.
+  void startWork(long long more_bytes = 0);
+
   /// Whether writes go into one transaction that a Batch commits.
   enum class BatchState { kNone, kOpen, kSpoiled };
   BatchState batch = BatchState::kNone;
@@ -67,11 +81,15 @@ class Connection {
   Mode mode_;
   SQLite::Database database_;
   std::map<std::string, std::vector<std::string>> columns_;
+  static int onProgress(void* self);
+  long long steps_ = 0;
+  long long more_bytes_ = 0;
 };
 
 /// Runs `work`; what it throws becomes an error about the connection's file.
 template <class Work>
 auto guarded(Connection& connection, Work&& work) -> base::Result<std::invoke_result_t<Work>> {
+  connection.startWork();
   try {
     if constexpr (std::is_void_v<std::invoke_result_t<Work>>) {
       work();
@@ -103,9 +121,12 @@ base::Result<void> inTransaction(Connection& connection, Work&& work) {
     if (connection.batch == Connection::BatchState::kSpoiled) {
       refuse(base::ErrorCode::kIo, {}, "a batch in which a write failed", "a new batch");
     }
+    connection.beginWrite();
     SQLite::Transaction transaction(connection.database(), SQLite::TransactionBehavior::IMMEDIATE);
     work();
+    connection.countCommit();
     transaction.commit();
+    connection.acknowledge();
   });
 }
 

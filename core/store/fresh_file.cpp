@@ -66,6 +66,15 @@ Result<FreshFile> FreshFile::beside(const std::string& path) {
   struct stat info {};
   if (path.empty()) return systemError(path, ENOENT, "a file name");
   if (::lstat(path.c_str(), &info) == 0) return thereAlready(path);
+  for (const char* tail : {"-wal", "-journal", "-shm"}) {
+    const std::string rest = path + tail;
+    if (::lstat(rest.c_str(), &info) != 0) continue;
+    return tl::unexpected(Error{ErrorCode::kIo,
+                                path,
+                                {},
+                                "what another study of this name left (" + base::quoted(rest) + ")",
+                                "a name beside which nothing is left; move that file away or take another name"});
+  }
   std::string temporary = path + ".XXXXXX";
   const int descriptor = ::mkstemp(temporary.data());
   if (descriptor < 0) return systemError(path, errno, "a folder in which files can be made");

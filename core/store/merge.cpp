@@ -30,6 +30,8 @@ struct MergedTable {
   std::string key;
   std::string order;
   bool has_place = false;  ///< the first column only counts the rows of its file
+  std::string with = {};   ///< what `order` needs before and in the selection
+  std::string join = {};
 };
 
 /// Rows that others refer to come first.
@@ -37,11 +39,12 @@ std::vector<MergedTable> mergedTables() {
   std::vector<MergedTable> tables = {{"person", "id", "id"}, {"person_code", "id", "id"}, {"session", "id", "id"}};
   for (const std::string_view entry : kEntryTables) {
     const std::string name(entry);
-    // A correction comes after what it corrects, however long the chain is.
-    tables.push_back({name, "id",
-                      "(WITH RECURSIVE chain(id, depth) AS (SELECT t.supersedes, 1 UNION ALL SELECT c.supersedes, "
-                      "chain.depth + 1 FROM chain JOIN " +
-                          name + " AS c ON c.id = chain.id) SELECT max(depth) FROM chain), session_id, sequence, id"});
+    // A correction comes after what it corrects, however long the chain is; a ring of them is left out.
+    tables.push_back({name, "id", "d.depth, session_id, sequence, t.id", false,
+                      "WITH RECURSIVE d(id, depth) AS (SELECT id, 0 FROM " + name +
+                          " WHERE supersedes IS NULL UNION ALL SELECT c.id, d.depth + 1 FROM d JOIN " + name +
+                          " AS c ON c.supersedes = d.id) ",
+                      " JOIN d ON d.id = t.id"});
   }
   tables.push_back({"recording", "stroke_id", "stroke_id", true});
   tables.push_back({"model_version", "id", "sequence, utc_ms, id", true});
@@ -68,8 +71,8 @@ class TableMerge {
       : table_(table),
         cleanings_(cleanings),
         columns_(mergedColumns(ours, table)),
-        rows_(theirs.database(), "SELECT " + list() + ", " + fitsChecksum(theirs, table.name, "t") + " FROM " +
-                                     table.name + " AS t ORDER BY " + table.order),
+        rows_(theirs.database(), table.with + "SELECT " + list() + ", " + fitsChecksum(theirs, table.name, "t") +
+                                     " FROM " + table.name + " AS t" + table.join + " ORDER BY " + table.order),
         same_(ours.database(), "SELECT 1 FROM " + table.name + " WHERE " + equalities()),
         there_(ours.database(), "SELECT 1 FROM " + table.name + " WHERE " + table.key + " = ?1"),
         belongs_(ours.database(), owner()),
@@ -151,6 +154,7 @@ class TableMerge {
   std::string owner() const {
     const std::string parameter = "?" + std::to_string(position("session_id"));
     if (table_.name == "person") return "SELECT 1 WHERE ?1 NOT IN (SELECT person_id FROM tombstone)";
+    if (table_.key == "stroke_id") return "SELECT 1 FROM stroke WHERE id = ?1";
     if (position("person_id") > 0) {
       return "SELECT 1 FROM person WHERE id = ?" + std::to_string(position("person_id"));
     }
@@ -267,6 +271,7 @@ Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const Record
           TableMerge(ours, opened->connection(), table, withdrawals.cleanings()).run(merge.conflicts);
       if (added > 0) merge.added.push_back({table.name, added});
     }
+    for (const auto& circle : circles(opened->connection())) merge.conflicts.push_back(circle + "; left out");
     for (auto& conflict : conflicts(ours)) merge.conflicts.push_back(std::move(conflict));
     must_erase = withdrawals.finish();
     if (merge.added.empty()) return;

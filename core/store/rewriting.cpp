@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/system_reason.h"
+#include "core/store/opening.h"
 #include "core/store/query.h"
 
 namespace tactus::store {
@@ -72,6 +73,7 @@ void rewriteWithoutTraces(Connection& connection) {
 }
 
 void emptyJournal(Connection& connection) {
+  if (connection.opening) return connection.opening->emptyJournal();
   Query truncate(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
   if (!truncate.next() || truncate.integer() != 0) {
     refuse(ErrorCode::kIo, {}, "a journal that could not be emptied", "a study that nobody else uses");

@@ -84,6 +84,12 @@ Error describeFailure(const std::string& path, const SqliteFailure& failure) {
       if (base::isReason(failure.system_errno)) found += " (" + base::systemReason(failure.system_errno) + ")";
       return ioError(path, std::move(found), "a disk that stores the study (what was saved before is still there)");
     }
+    case SQLITE_INTERRUPT:
+      return {ErrorCode::kLimit,
+              path,
+              {},
+              "records that take longer to go through than those of any study of this size",
+              "a study file as Tactus makes it"};
     case SQLITE_CONSTRAINT:
       return {ErrorCode::kValue,
               path,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/store/migrations.h"
@@ -24,7 +25,7 @@ struct NewStudy {
 
 enum class Access {
   kReadWrite,
-  /// Changes nothing that is recorded. A journal left by a crash is still worked in where that is possible.
+  /// Changes nothing. A journal left by a crash is read along and stays where it is.
   kReadOnly,
 };
 
@@ -64,16 +65,21 @@ class StudyFile {
   /// Of the schema, from 1.
   int version() const { return version_; }
 
+  /// What happened to the study before or while it was opened and a person should know, one sentence each: records
+  /// that were lost with a damaged journal.
+  const std::vector<std::string>& notices() const { return notices_; }
+
   /// For core/store only.
   Connection& connection() const;
 
  private:
-  StudyFile(std::unique_ptr<Connection> connection, Access access, int version);
+  StudyFile(std::unique_ptr<Connection> connection, Access access, int version, std::vector<std::string> notices);
 
   std::unique_ptr<Connection> connection_;
   std::string path_;
   Access access_ = Access::kReadWrite;
   int version_ = 0;
+  std::vector<std::string> notices_;
 };
 
 /// Version of SQLite that the program runs with, for reports.

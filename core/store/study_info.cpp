@@ -43,6 +43,12 @@ void checkIncidents(Connection& connection, Findings& findings) {
   while (query.next()) findings.push_back("incident: " + query.text());
 }
 
+/// What the opening for reading only said and could not note in the file.
+void addNotices(const StudyFile& file, Findings& findings) {
+  if (file.access() != Access::kReadOnly) return;
+  for (const auto& notice : file.notices()) findings.push_back("incident: " + notice);
+}
+
 void checkRecordings(Connection& connection, Findings& findings) {
   Query missing(connection, "SELECT id FROM stroke WHERE id NOT IN (SELECT stroke_id FROM recording)");
   while (missing.next()) findings.push_back("stroke " + study::toText(missing.id()) + ": has no recording");
@@ -107,6 +113,7 @@ Result<std::vector<std::string>> checkStudy(const StudyFile& file) {
     for (auto& conflict : conflicts(connection)) findings.push_back(std::move(conflict));
     checkChecksums(connection, findings);
     checkIncidents(connection, findings);
+    addNotices(file, findings);
     checkRecordings(connection, findings);
     checkModels(connection, findings);
     auto felt = checkFeelRecords(file);

@@ -33,8 +33,9 @@ base::Result<StudyInfo> studyInfo(const StudyFile& file);
 /// Looks for anything that is not as it should be, one sentence each; empty when all is well: the integrity of the file
 /// and of its references, numbers missing in the order of a session (a lost record) or given twice (a session that went
 /// on in two copies of the file), strokes without recording, recordings and model texts that do not fit their
-/// checksums, codes of two persons, records with two corrections, placements and recordings of feeling a model that do
-/// not fit (feel_records.h). Reads the whole file.
+/// checksums, records that do not fit their CRC-32, incidents (a journal that was missing, cut or damaged), codes of
+/// two persons, records with two corrections or corrections in a circle, placements and recordings of feeling a model
+/// that do not fit (feel_records.h). Reads the whole file.
 base::Result<std::vector<std::string>> checkStudy(const StudyFile& file);
 
 }  // namespace tactus::store

@@ -54,16 +54,18 @@ CREATE TABLE erasure (
 ) STRICT, WITHOUT ROWID;
 
 -- Which opening for writing the file and its journal belong to: what tells a journal of another file and a journal that
--- lost its end. Not a record: each commit changes it, and no export or merge takes it along.
+-- lost its end. The checksum tells a row that was half written when the machine crashed. Not a record: each commit changes it, and no export or merge takes it along.
 CREATE TABLE opening (
   one INTEGER NOT NULL PRIMARY KEY CHECK (one = 1),
   token BLOB NOT NULL CHECK (length(token) = 16),
   previous BLOB CHECK (length(previous) = 16),
   commits INTEGER NOT NULL CHECK (commits >= 0),
   is_open INTEGER NOT NULL CHECK (is_open IN (0, 1)),
-  journal_bytes INTEGER NOT NULL CHECK (journal_bytes >= 0)
+  journal_bytes INTEGER NOT NULL CHECK (journal_bytes >= 0),
+  crc32 INTEGER NOT NULL DEFAULT 0 CHECK (crc32 BETWEEN 0 AND 4294967295)
 ) STRICT;
-INSERT INTO opening VALUES (1, randomblob(16), NULL, 0, 0, 0);
+INSERT INTO opening (one, token, previous, commits, is_open, journal_bytes) VALUES (1, randomblob(16), NULL, 0, 0, 0);
+UPDATE opening SET crc32 = record_crc32('opening', one, token, previous, commits, is_open, journal_bytes);
 
 -- Records that were lost or may have been: a journal that was missing, cut or damaged when the file was opened.
 CREATE TABLE incident (

@@ -5,6 +5,7 @@
 
 #include "core/base/csv.h"
 #include "core/model_io/model_file.h"
+#include "core/store/study_file.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/support/temp_folder.h"
@@ -31,6 +32,20 @@ class Demo : public testing::Test {
 
 support::TempFolder* Demo::folder_ = nullptr;
 ProgramRun* Demo::run_ = nullptr;
+
+TEST_F(Demo, DoesNotReplaceAStudyThatIsOpen) {
+  const support::TempFolder folder;
+  const std::string study = folder.file("demo/study/ngt-demo.tactus");
+  std::filesystem::create_directories(folder.file("demo/study"));
+  std::filesystem::copy_file(path("written-by-tactus-demo.txt"), folder.file("demo/written-by-tactus-demo.txt"));
+  std::filesystem::copy_file(path("study/ngt-demo.tactus"), study);
+  const auto open = store::StudyFile::open(study);
+  ASSERT_TRUE(open) << open.error().message();
+  const ProgramRun run({"demo", folder.file("demo")});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("ngt-demo.tactus: found a study that is open elsewhere"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(study + ".unfinished"));
+}
 
 TEST_F(Demo, WritesTheFilesItNames) {
   ASSERT_EQ(run_->status, 0) << run_->err;

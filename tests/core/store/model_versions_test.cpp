@@ -80,7 +80,7 @@ TEST_F(ModelVersions, AChangedTextIsFoundOut) {
   ASSERT_TRUE(study_.file.close());
   {
     PlainSql sql(path_);
-    ASSERT_EQ(sql.complaint("DROP TRIGGER model_version_keep; UPDATE model_version SET text = 'another model'"), "");
+    ASSERT_EQ(sql.complaintWithoutGuards("UPDATE model_version SET text = 'another model'"), "");
   }
   const auto file = StudyFile::open(path_);
   ASSERT_TRUE(file);

@@ -1,0 +1,196 @@
+#include "core/store/opening.h"
+
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+#include "core/store/journal_file.h"
+#include "core/store/query.h"
+
+namespace tactus::store {
+namespace {
+
+using base::ErrorCode;
+
+/// Beyond the 1000 pages after which SQLite works the journal in, so that the room hardly ever has to grow. Most of it
+/// is a hole that takes no place on the disk.
+constexpr long long kRoomBytes = 8LL << 20;
+/// Room that is kept behind the last commit for the next one.
+constexpr long long kSpareBytes = 2LL << 20;
+/// As many pages as SQLite waits for by itself.
+constexpr int kCheckpointFrames = 1000;
+constexpr long long kFrameHeaderBytes = 24;
+
+[[noreturn]] void refuseGone(const std::string& found) {
+  refuse(ErrorCode::kIo, {}, found,
+         "the files that were opened; what is written now would be lost, so back the open study up under a new name");
+}
+
+/// Of the file without its journal; empty where it cannot be read.
+std::string tokenOnDisk(const std::string& path) {
+  try {
+    Connection on_disk(path, Connection::Mode::kImmutable, {});
+    const auto row = readOpening(on_disk);
+    return row ? row->token : std::string();
+  } catch (const SQLite::Exception&) {
+    return {};
+  } catch (const Refusal&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+FileIdentity identityOf(const std::string& path) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) != 0) return {};
+  return {info.st_dev, info.st_ino, info.st_size, info.st_mtim.tv_sec * 1'000'000'000LL + info.st_mtim.tv_nsec};
+}
+
+Opening::Opening(Connection& connection)
+    : connection_(connection),
+      row_(readOpening(connection).value()),
+      writer_(std::make_unique<OpeningWriter>(connection)),
+      page_bytes_(connection.pragma("page_size")),
+      study_(identityOf(connection.path())) {
+  sqlite3_wal_hook(connection.database().getHandle(), &Opening::afterCommit, this);
+}
+
+Opening::~Opening() { sqlite3_wal_hook(connection_.database().getHandle(), nullptr, nullptr); }
+
+sqlite3_file* Opening::journal() const {
+  sqlite3_file* file = nullptr;
+  sqlite3_file_control(connection_.database().getHandle(), "main", SQLITE_FCNTL_JOURNAL_POINTER, &file);
+  if (file == nullptr || file->pMethods == nullptr) {
+    refuse(ErrorCode::kIo, {}, "a study without its journal", "one that can have it");
+  }
+  return file;
+}
+
+void Opening::makeRoom(long long bytes) {
+  sqlite3_file* file = journal();
+  int code = file->pMethods->xTruncate(file, bytes);
+  if (code == SQLITE_OK) code = file->pMethods->xSync(file, SQLITE_SYNC_FULL);
+  if (code != SQLITE_OK) throw SQLite::Exception("the journal could not be made", code);
+  room_bytes_ = bytes;
+}
+
+void Opening::commit(const OpeningRow& row) {
+  SQLite::Transaction transaction(connection_.database(), SQLite::TransactionBehavior::IMMEDIATE);
+  writer_->write(row);
+  transaction.commit();
+  row_ = row;
+}
+
+void Opening::beginWrite() {
+  if (is_established_) return;
+  requireSameStudy(identityOf(connection_.path()));
+  if (!is_drawn_) {
+    if (room_bytes_ == 0) makeRoom(kRoomBytes);
+    commit({newToken(), row_.token, row_.commits + 1, true, room_bytes_});
+    is_drawn_ = true;
+  }
+  Query checkpoint(connection_, "PRAGMA wal_checkpoint(PASSIVE)");
+  const bool free = checkpoint.next() && checkpoint.integer() == 0;
+  const auto frames = free ? checkpoint.integer() : -1;
+  if (!free || checkpoint.integer() != frames) {
+    refuse(ErrorCode::kIo, {}, "a journal that could not be worked in", "a study that nobody else uses");
+  }
+  checkpointed_ = false;
+  study_ = identityOf(connection_.path());
+  journal_ = identityOf(journalOf(connection_.path()));
+  writeMark();
+  is_established_ = true;
+}
+
+void Opening::countCommit() {
+  OpeningRow row = row_;
+  ++row.commits;
+  row.journal_bytes = room_bytes_;
+  writer_->write(row);
+}
+
+int Opening::afterCommit(void* self, sqlite3* database, const char* schema, int frames) {
+  auto* opening = static_cast<Opening*>(self);
+  opening->frames_end_ = frames * (kFrameHeaderBytes + opening->page_bytes_);
+  if (frames >= kCheckpointFrames) {
+    // Where it fails, the journal just grows on; the commit is safe in it.
+    sqlite3_wal_checkpoint_v2(database, schema, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
+    opening->checkpointed_ = true;
+  }
+  return SQLITE_OK;
+}
+
+void Opening::acknowledge() {
+  ++row_.commits;
+  if (frames_end_ + kSpareBytes > room_bytes_) {
+    try {
+      makeRoom(frames_end_ + kRoomBytes);
+    } catch (const SQLite::Exception&) {  // on a full disk: the commit is safe without, and the next one tries again
+    }
+  }
+  writeMark();
+  requireSameFiles();
+}
+
+void Opening::writeMark() {
+  const long long at = room_bytes_ - AcknowledgmentMark::kFromEnd;
+  if (at < frames_end_ + kSpareBytes / 2) return;
+  sqlite3_file* file = journal();
+  const std::string bytes = AcknowledgmentMark{row_.token, row_.commits}.bytes();
+  // A mark that cannot be written is only missing: the commit is safe without it.
+  file->pMethods->xWrite(file, bytes.data(), static_cast<int>(bytes.size()), at);
+}
+
+void Opening::requireSameStudy(const FileIdentity& study) const {
+  if (!study.isThere()) refuseGone("the study file gone: it was deleted or moved while it was open");
+  if (!study.isSameFileAs(study_))
+    refuseGone("another file in the place of the study: it was replaced while it was open");
+  if (study.bytes < study_.bytes) refuseGone("a study file that was cut while it was open");
+  if (study.changed_ns != study_.changed_ns && !checkpointed_) {
+    // Written to, and not by us: perhaps only touched, perhaps overwritten in place.
+    if (tokenOnDisk(connection_.path()) != row_.token)
+      refuseGone("a study file that was overwritten while it was open");
+  }
+}
+
+void Opening::requireSameFiles() {
+  const FileIdentity study = identityOf(connection_.path());
+  requireSameStudy(study);
+  const FileIdentity journal = identityOf(journalOf(connection_.path()));
+  if (!journal.isThere()) refuseGone("the study's journal gone: it was deleted or moved while the study was open");
+  if (!journal.isSameFileAs(journal_)) refuseGone("another file in the place of the study's journal");
+  if (journal.bytes < room_bytes_) refuseGone("a journal that was cut while the study was open");
+  study_ = study;
+  checkpointed_ = false;
+}
+
+void Opening::truncateJournal() {
+  room_bytes_ = 0;
+  Query truncate(connection_, "PRAGMA wal_checkpoint(TRUNCATE)");
+  if (!truncate.next() || truncate.integer() != 0) {
+    refuse(ErrorCode::kIo, {}, "a journal that could not be emptied", "a study that nobody else uses");
+  }
+  frames_end_ = 0;
+  study_.bytes = 0;  // a file that was rewritten may be shorter
+  checkpointed_ = true;
+}
+
+void Opening::emptyJournal() {
+  if (is_drawn_) commit({row_.token, row_.previous, row_.commits + 1, true, 0});
+  truncateJournal();
+  if (!is_established_) return;
+  makeRoom(kRoomBytes);
+  commit({row_.token, row_.previous, row_.commits + 1, true, room_bytes_});
+  connection_.database().exec("PRAGMA wal_checkpoint(PASSIVE)");
+  writeMark();
+  requireSameFiles();
+}
+
+void Opening::close() {
+  if (is_drawn_) commit({row_.token, row_.previous, row_.commits + 1, false, 0});
+  writer_.reset();
+  truncateJournal();
+  if (is_established_) requireSameFiles();
+}
+
+}  // namespace tactus::store

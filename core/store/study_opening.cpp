@@ -1,0 +1,296 @@
+#include "core/store/study_opening.h"
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <sqlite3.h>
+#include <system_error>
+#include <utility>
+
+#include "core/store/journal_check.h"
+#include "core/store/migrations.h"
+#include "core/store/opening.h"
+#include "core/store/query.h"
+#include "core/store/record_checksum.h"
+#include "core/store/schema.h"
+#include "core/store/schema_check.h"
+
+namespace tactus::store {
+namespace {
+
+namespace fs = std::filesystem;
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using Mode = Connection::Mode;
+
+tl::unexpected<Error> ioError(const std::string& path, std::string found, std::string wanted) {
+  return tl::unexpected(Error{ErrorCode::kIo, path, {}, std::move(found), std::move(wanted)});
+}
+
+Result<void> requireFile(const std::string& path) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (status.type() == fs::file_type::regular) return {};
+  std::string found = "a name of something else";
+  if (path.empty()) {
+    found = "an empty file name";
+  } else if (status.type() == fs::file_type::directory) {
+    found = "a folder";
+  } else if (status.type() == fs::file_type::not_found) {
+    found = "no such file";
+  } else if (error) {
+    found = error.message();
+  }
+  return ioError(path, std::move(found), "a Tactus study file");
+}
+
+/// SQLite would play such a journal back into the study; Tactus never leaves one beside it.
+Result<void> requireNoRollbackJournal(const std::string& path) {
+  const std::string journal = path + "-journal";
+  if (identityOf(journal).bytes <= 0) return {};
+  return ioError(path, "the journal of another program beside the study (" + base::quoted(journal) + ")",
+                 "the study without it; move that file away");
+}
+
+/// For reading only: as usual where the journal can be opened too, without locks where nothing can be written.
+Result<Mode> readingMode(const std::string& path) {
+  if (whyNotWritable(path).found.empty()) return Mode::kQueryOnly;
+  if (identityOf(journalOf(path)).bytes <= 0) return Mode::kImmutable;
+  return ioError(
+      path, "a journal beside the study that was not worked in after a crash, in a place that cannot be written to",
+      "both files together in a folder that can be written to");
+}
+
+/// Looks whether the file is a study of a version that this program may open so; returns the version.
+int requireStudy(Connection& connection, Access access) {
+  if (connection.applicationId() != kApplicationId) {
+    refuse(ErrorCode::kSyntax, {}, "a database of another program", "a Tactus study file");
+  }
+  const int version = connection.version();
+  const int newest = schemaSteps().back().version;
+  if (version > newest && access == Access::kReadWrite) {
+    refuse(ErrorCode::kVersion, {}, "a study of version " + std::to_string(version),
+           "at most version " + std::to_string(newest) +
+               ": a newer Tactus wrote it, and this one can open it for reading only");
+  }
+  if (version < 1) {
+    refuse(ErrorCode::kMismatch, {}, "a damaged file (no version)", "an intact study file; restore a backup");
+  }
+  requireSchema(connection, version);
+  return version;
+}
+
+void requireIntact(Connection& connection) {
+  const std::string finding = connection.firstFinding("quick_check");
+  if (finding.empty()) return;
+  refuse(ErrorCode::kMismatch, {}, "a damaged file (" + finding + ")", "an intact study file; restore a backup");
+}
+
+std::string studyIdIn(Connection& connection) { return connection.answerOf("SELECT id FROM main.study"); }
+
+/// What the study file says without its journal; nothing where it cannot be read alone, which a crash while the journal
+/// was worked in can bring about.
+struct FileAlone {
+  bool is_readable = false;
+  std::optional<OpeningRow> row;
+  std::string id;
+};
+
+/// `look` at the file without its journal; false where it throws.
+template <class Look>
+bool lookAlone(const std::string& path, Look&& look) {
+  try {
+    Connection alone(path, Mode::kImmutable, {});
+    look(alone);
+    return true;
+  } catch (const SQLite::Exception&) {
+    return false;
+  } catch (const Refusal&) {
+    return false;
+  }
+}
+
+FileAlone readAlone(const std::string& path) {
+  FileAlone file;
+  file.is_readable = lookAlone(path, [&](Connection& alone) {
+    requireStudy(alone, Access::kReadOnly);
+    file.row = readOpening(alone);
+    file.id = studyIdIn(alone);
+  });
+  return file;
+}
+
+bool isIntactAlone(const std::string& path) {
+  return lookAlone(path, [](Connection& alone) {
+    requireStudy(alone, Access::kReadOnly);
+    requireIntact(alone);
+  });
+}
+
+tl::unexpected<Error> foreignJournal(const std::string& path) {
+  return tl::unexpected(Error{ErrorCode::kMismatch,
+                              path,
+                              {},
+                              "the journal of another file, or of another state of this one, beside the study (" +
+                                  base::quoted(journalOf(path)) + ")",
+                              "the study with its own journal or without one; move that file away, and keep it"});
+}
+
+/// What the study and its journal say together.
+JournalFindings examine(Connection& connection, const JournalFile& journal) {
+  const FileAlone file = readAlone(connection.path());
+  std::optional<OpeningRow> both;
+  std::string id;
+  try {
+    both = readOpening(connection);
+    id = studyIdIn(connection);
+  } catch (const SQLite::Exception&) {
+  } catch (const Refusal&) {
+  }
+  JournalFindings findings;
+  if (!file.is_readable) return findings;
+  findings = examineJournal(file.row, both, journal);
+  // A file of version 1 tells only which study it is.
+  if (!file.row && journal.commits > 0 && id != file.id) findings.is_foreign = true;
+  return findings;
+}
+
+/// Keeps the journal for whoever looks into what was lost: its new name.
+std::string freeNameFor(const std::string& path) {
+  std::string name = path + ".damaged-journal";
+  for (int number = 2; identityOf(name).isThere(); ++number) name = path + ".damaged-journal-" + std::to_string(number);
+  return name;
+}
+
+/// Lets everything read a file of another version as if it were of the newest. Temporary views come before what the
+/// file itself has under the same name.
+void readAsNewest(Connection& connection, int version) {
+  if (version == schemaSteps().back().version) return;
+  connection.database().exec("PRAGMA query_only = OFF");
+  connection.database().exec("PRAGMA temp_store = MEMORY");
+  if (version == 1) connection.database().exec(std::string(readingVersion1()));
+  connection.database().exec(viewsForReading());
+  connection.database().exec("PRAGMA query_only = ON");
+}
+
+std::int64_t utcNowMs() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Ends the opening before this one: what happened to it is noted, its journal is worked in and emptied.
+void settle(Connection& connection, const std::optional<Incident>& incident) {
+  if (auto row = readOpening(connection); row && (row->is_open || incident)) {
+    SQLite::Transaction transaction(connection.database(), SQLite::TransactionBehavior::IMMEDIATE);
+    OpeningWriter(connection).write({row->token, row->previous, row->commits + 1, false, 0});
+    if (incident) {
+      Query insert(connection, insertion(connection, "incident"));
+      insert.putBlob(newToken()).put(utcNowMs()).put(incident->kind).put(incident->detail).run();
+    }
+    transaction.commit();
+  }
+  Query truncate(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
+  if (!truncate.next() || truncate.integer() != 0) {
+    refuse(ErrorCode::kIo, {}, "a journal that could not be worked in", "a study that nobody else uses");
+  }
+}
+
+Result<void> beginWriting(Connection& connection, const std::optional<Incident>& incident) {
+  auto done = guarded(connection, [&] {
+    connection.startJournal();
+    connection.leaveJournalOnClose(true);  // until Opening::close says that it is empty
+    settle(connection, incident);
+  });
+  if (done) done = migrate(connection, schemaSteps());
+  if (!done) return done;
+  return guarded(connection, [&] { connection.opening = std::make_unique<Opening>(connection); });
+}
+
+/// With `known`, the journal was put aside before, and that is what is to be said of it.
+Result<OpenedStudy> openAs(const std::string& path, const OpenOptions& options, Mode mode,
+                           const std::optional<Incident>& known) {
+  auto connected = connect(path, mode, options.vfs);
+  if (!connected) return tl::unexpected(connected.error());
+  OpenedStudy study{std::move(*connected), 0, {}};
+  Connection& db = *study.connection;
+  try {
+    db.applicationId();  // takes the lock; SQLite reads the journal
+  } catch (const SQLite::Exception& exception) {
+    if ((exception.getErrorCode() & 0xFF) == SQLITE_BUSY) return tl::unexpected(db.describe(exception));
+  }
+  const JournalFile journal = mode == Mode::kImmutable ? JournalFile{} : readJournal(journalOf(path));
+  // Nothing of a journal is touched before it is known to be ours; the empty one that SQLite makes goes again.
+  db.leaveJournalOnClose(!journal.isEmpty());
+  std::optional<Incident> incident = known;
+  if (!journal.isEmpty()) {
+    JournalFindings findings = examine(db, journal);
+    if (findings.is_foreign) return foreignJournal(path);
+    if (findings.incident) incident = std::move(findings.incident);
+    if ((findings.is_behind || incident) && mode == Mode::kReadWrite) {
+      const std::string kept = freeNameFor(path);
+      std::error_code error;
+      fs::copy_file(journalOf(path), kept, error);
+      if (error) return ioError(kept, error.message(), "a place in which the damaged journal can be kept");
+      if (incident) incident->detail += "; the journal is kept as " + fs::path(kept).filename().string();
+    }
+    if (findings.is_behind) {
+      if (!isIntactAlone(path)) return ioError(path, "a damaged file", "an intact study file; restore a backup");
+      if (mode != Mode::kReadWrite) {
+        return ioError(path, "a damaged journal beside the study",
+                       "a study that was opened for writing once since then");
+      }
+      study.connection.reset();
+      fs::remove(journalOf(path));
+      return openAs(path, options, mode, incident);
+    }
+  }
+  auto version = guarded(db, [&] {
+    const int found = requireStudy(db, options.access);
+    requireIntact(db);
+    if (journal.isEmpty() && !incident) incident = examineJournal(readOpening(db), {}, journal).incident;
+    return found;
+  });
+  if (!version) {
+    if (journal.commits == 0 || !isIntactAlone(path)) return tl::unexpected(version.error());
+    return ioError(path,
+                   "a damaged journal (" + base::quoted(journalOf(path)) + ") beside a study that is intact without it",
+                   "an intact journal; move it away, and keep it, to open the study without what was saved last");
+  }
+  study.version = *version;
+  if (mode == Mode::kReadWrite) {
+    if (auto begun = beginWriting(db, incident); !begun) return tl::unexpected(begun.error());
+    study.version = schemaSteps().back().version;
+  } else {
+    auto ready = guarded(db, [&] { readAsNewest(db, study.version); });
+    if (!ready) return tl::unexpected(ready.error());
+  }
+  if (incident) study.notices.push_back(incident->detail);
+  return study;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Connection>> connect(const std::string& path, Mode mode, const std::string& vfs) {
+  try {
+    return std::make_unique<Connection>(path, mode, vfs);
+  } catch (const Refusal& refusal) {
+    return base::inFile(refusal.error, path);
+  } catch (const SQLite::Exception& exception) {
+    return tl::unexpected(describeFailure(path, failureOf(exception)));
+  }
+}
+
+Result<OpenedStudy> openStudy(const std::string& path, const OpenOptions& options) {
+  if (auto there = requireFile(path); !there) return tl::unexpected(there.error());
+  if (auto alone = requireNoRollbackJournal(path); !alone) return tl::unexpected(alone.error());
+  Mode mode = Mode::kReadWrite;
+  if (options.access == Access::kReadOnly) {
+    auto reading = readingMode(path);
+    if (!reading) return tl::unexpected(reading.error());
+    mode = *reading;
+  }
+  return openAs(path, options, mode, {});
+}
+
+}  // namespace tactus::store
