@@ -150,6 +150,7 @@ Result<void> CsvTable::takeRow(const std::vector<std::string_view>& cells, std::
 Result<void> CsvTable::fill(std::string& text, Header header) {
   if (text.size() > kMostBytes) return fail(ErrorCode::kLimit, {}, "more than 2 GiB", "a smaller table");
   if (!isUtf8(text)) return fail(ErrorCode::kSyntax, {}, "bytes that are not UTF-8 text", "a CSV table in UTF-8");
+  has_mark_ = text.starts_with("\xEF\xBB\xBF");
   const auto ends_cell = [](char c) { return c == ',' || c == '\n'; };
   // Never too few, so that the vector does not grow by copies; what stays unused is never touched.
   starts_.reserve(static_cast<std::size_t>(std::count_if(text.begin(), text.end(), ends_cell)) + 2);
@@ -236,6 +237,20 @@ tl::unexpected<Error> CsvTable::refuse(std::size_t row, std::size_t column, Erro
   const auto text = cell(row, column);
   return tl::unexpected(
       Error{code, file_, place(row, column), text.empty() ? "an empty cell" : quoted(text), std::move(wanted)});
+}
+
+bool looksLikeFormula(std::string_view cell) noexcept {
+  return !cell.empty() && std::string_view("=+-@\t\r").find(cell.front()) != std::string_view::npos;
+}
+
+std::string guarded(std::string_view cell) {
+  const auto behind = cell.substr(std::min(cell.find_first_not_of('\''), cell.size()));
+  return looksLikeFormula(behind) ? '\'' + std::string(cell) : std::string(cell);
+}
+
+std::string_view withoutGuard(std::string_view cell) noexcept {
+  const auto behind = cell.substr(std::min(cell.find_first_not_of('\''), cell.size()));
+  return cell.starts_with('\'') && looksLikeFormula(behind) ? cell.substr(1) : cell;
 }
 
 CsvWriter::CsvWriter(std::span<const std::string> columns) : columns_(columns.size()) {

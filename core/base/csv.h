@@ -34,6 +34,8 @@ class CsvTable {
   const std::string& file() const { return file_; }
   const std::vector<std::string>& columns() const { return columns_; }
   bool hasHeader() const { return has_header_; }
+  /// Whether the text began with a byte order mark, as tables for spreadsheet programs do.
+  bool hasMark() const { return has_mark_; }
   std::size_t rowCount() const { return rows_; }
 
   /// Index of the column `name`, or nothing.
@@ -73,11 +75,24 @@ class CsvTable {
   std::shared_ptr<const std::string> text_;
   std::vector<std::string> columns_;
   bool has_header_ = true;
+  bool has_mark_ = false;
   // Row by row where each cell starts in *text_, and one more: a cell ends one byte before the next one starts.
   std::vector<std::uint32_t> starts_;
   std::vector<LineJump> jumps_;
   std::size_t rows_ = 0;
 };
+
+/// Whether a spreadsheet program may take the cell for a formula and run it: it begins with = + - @, a tab or a
+/// carriage return.
+bool looksLikeFormula(std::string_view cell) noexcept;
+
+/// What is wanted where such a text is refused.
+inline constexpr const char* kNoFormula = "a name that does not begin with = + - @, a tab or a carriage return";
+
+/// The cell for a spreadsheet program: with an apostrophe in front where it, or what stands behind its apostrophes,
+/// looks like a formula. `withoutGuard` gives back what it was.
+std::string guarded(std::string_view cell);
+std::string_view withoutGuard(std::string_view cell) noexcept;
 
 /// Builds CSV text: rows in, text out; cells are quoted only where they must be.
 class CsvWriter {

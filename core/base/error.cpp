@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/base/text.h"
+
 namespace tactus::base {
 namespace {
 
@@ -11,6 +13,33 @@ std::string shortened(std::string_view text, std::size_t most_bytes) {
   std::size_t end = most_bytes;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
   return std::string(text.substr(0, end)) + "…";
+}
+
+/// The lowest `digits` hexadecimal digits of `code` behind a backslash and `kind`.
+void escape(std::string& out, char kind, char32_t code, int digits) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  out += '\\';
+  out += kind;
+  for (int digit = digits - 1; digit >= 0; --digit) out += kHex[(code >> (4U * static_cast<unsigned>(digit))) & 15U];
+}
+
+std::string escaped(std::string_view text, bool keeps_lines) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const Utf8Character character = firstCharacter(text);
+    if (!character.valid) {
+      escape(out, 'x', static_cast<unsigned char>(text.front()), 2);
+    } else if (!isControl(character.code) || (keeps_lines && character.code == '\n')) {
+      out += text.substr(0, character.bytes);
+    } else if (character.code < 0x80) {
+      escape(out, 'x', character.code, 2);
+    } else {
+      escape(out, 'u', character.code, 4);
+    }
+    text.remove_prefix(character.bytes);
+  }
+  return out;
 }
 
 }  // namespace
@@ -59,21 +88,9 @@ tl::unexpected<Error> inFile(Error error, std::string_view file) {
   return tl::unexpected(std::move(error));
 }
 
-std::string oneLine(std::string_view text) {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      out += "\\x";
-      out += kHex[byte >> 4U];
-      out += kHex[byte & 15U];
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
+std::string oneLine(std::string_view text) { return escaped(text, false); }
+
+std::string plainLines(std::string_view text) { return escaped(text, true); }
 
 std::string quoted(std::string_view text) { return "'" + oneLine(shortened(text, 60)) + "'"; }
 

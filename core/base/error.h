@@ -45,10 +45,15 @@ tl::unexpected<Error> fail(ErrorCode code, std::string place, std::string found,
 /// The same error, said of `file`. A file that is named already stays.
 tl::unexpected<Error> inFile(Error error, std::string_view file);
 
-/// `text` with its control characters escaped, so that it stays on one line.
+/// `text` with its control characters (isControl in text.h) and bytes that are no UTF-8 escaped, so that it stays on
+/// one line and gives no orders to a terminal: `\x1b` for a byte, `\u202e` for a character. All outside text of a
+/// message, file names too, goes through this function or `quoted`. Doing it twice changes nothing.
 std::string oneLine(std::string_view text);
 
-/// Outside text in quotes for a message: control characters escaped, at most 60 bytes, cut at a whole UTF-8 character.
+/// The same for text of several lines, which keeps its ends of lines.
+std::string plainLines(std::string_view text);
+
+/// Outside text in quotes for a message: as `oneLine`, at most 60 bytes of it, cut at a whole UTF-8 character.
 std::string quoted(std::string_view text);
 
 }  // namespace tactus::base

@@ -10,7 +10,10 @@
 #include <unistd.h>
 #include <utility>
 
+#include "core/base/descriptor.h"
+#include "core/base/sha256.h"
 #include "core/base/system_reason.h"
+#include "core/base/unfinished.h"
 
 namespace tactus::base {
 namespace {
@@ -21,24 +24,6 @@ tl::unexpected<Error> ioError(const std::string& path, std::string found, std::s
   return tl::unexpected(Error{ErrorCode::kIo, path, {}, std::move(found), std::move(wanted)});
 }
 
-/// Closes a file descriptor on every way out.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int number() const { return number_; }
-  bool close() {
-    const int open_number = std::exchange(number_, -1);
-    return open_number < 0 || ::close(open_number) == 0;
-  }
-
- private:
-  int number_;
-};
-
 bool writeAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -47,15 +32,6 @@ bool writeAll(int descriptor, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
-}
-
-/// A new file opened through mkstemp gets mode 0600; the result has what the old file had, or the usual mode.
-mode_t wantedMode(const std::string& target) {
-  struct stat old {};
-  if (::stat(target.c_str(), &old) == 0) return old.st_mode & 07777U;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666U & ~mask;
 }
 
 /// Writes to something that is there and no regular file.
@@ -128,6 +104,35 @@ Result<std::string> readFile(const std::string& path, std::size_t most_bytes) {
   return bytes;
 }
 
+Result<std::string> fileSha256(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  struct stat info {};
+  if (!file.isOpen() || ::fstat(file.number(), &info) != 0) return ioError(path, reason(errno), "a readable file");
+  if (!S_ISREG(info.st_mode)) return ioError(path, "no regular file", "a readable file");
+  Sha256 hash;
+  std::string chunk(std::size_t{1} << 16U, '\0');
+  while (true) {
+    const ssize_t got = ::read(file.number(), chunk.data(), chunk.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return ioError(path, reason(errno), "a readable file");
+    if (got == 0) return hash.text();
+    hash.add(std::string_view(chunk).substr(0, static_cast<std::size_t>(got)));
+  }
+}
+
+Result<std::string> listingSha256(const std::string& folder, const std::vector<std::string>& names) {
+  Sha256 listing;
+  for (const auto& name : names) {
+    const auto path = std::filesystem::path(folder) / name;
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) continue;
+    const auto hash = fileSha256(path.string());
+    if (!hash) return hash;
+    listing.add(*hash + "  " + name + '\n');
+  }
+  return listing.text();
+}
+
 Result<void> writeFileAtomically(const std::string& path, std::string_view bytes) {
   std::error_code ignored;
   std::string target = path;
@@ -141,13 +146,12 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view bytes
   // A device or a pipe is written into: putting a file in its place would destroy it.
   if (exists && !S_ISREG(info.st_mode)) return writeInto(path, bytes);
 
-  std::string temporary = target + ".XXXXXX";
-  const mode_t mode = wantedMode(target);
-  Descriptor file(::mkstemp(temporary.data()));
-  if (file.number() < 0) return ioError(path, reason(errno), "a folder that can be written to");
+  // What replaces a file has its mode, and until then nobody else reads it.
+  auto [temporary, file] = makeUnfinishedFile(target, exists ? 0600 : 0666);
+  if (!file.isOpen()) return ioError(path, reason(errno), "a folder that can be written to");
 
-  const bool written =
-      writeAll(file.number(), bytes) && ::fchmod(file.number(), mode) == 0 && ::fsync(file.number()) == 0;
+  const bool written = writeAll(file.number(), bytes) &&
+                       (!exists || ::fchmod(file.number(), info.st_mode & 07777U) == 0) && ::fsync(file.number()) == 0;
   const int write_error = errno;
   if (!written || !file.close() || std::rename(temporary.c_str(), target.c_str()) != 0) {
     const std::string why = reason(written ? errno : write_error);
@@ -172,8 +176,13 @@ Result<void> requireBelow(const std::string& folder, const std::string& path) {
                  "a file in the folder itself");
 }
 
-Result<void> makeFolder(const std::string& path) {
+Result<void> makeFolder(const std::string& path, FolderMode mode) {
   std::error_code error;
+  if (mode == FolderMode::kPrivate) {
+    const auto parent = std::filesystem::path(path).parent_path();
+    if (!parent.empty()) std::filesystem::create_directories(parent, error);
+    if (!error && ::mkdir(path.c_str(), 0700) == 0) return {};
+  }
   std::filesystem::create_directories(path, error);
   if (error || !std::filesystem::is_directory(path)) {
     return ioError(path, error ? error.message() : "a file", "a folder that can be made");

@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <cstdint>
 
 namespace tactus::base {
 namespace {
@@ -61,20 +60,33 @@ void take(std::array<Word, 8>& state, std::string_view block) {
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-  std::array<Word, 8> state = kStart;
-  const std::uint64_t bits = static_cast<std::uint64_t>(bytes.size()) * 8;
+Sha256::Sha256() : state_(kStart) {}
+
+void Sha256::add(std::string_view bytes) {
+  bits_ += static_cast<std::uint64_t>(bytes.size()) * 8;
+  if (!waiting_.empty()) {
+    const auto missing = bytes.substr(0, kBlockBytes - waiting_.size());
+    waiting_ += missing;
+    bytes.remove_prefix(missing.size());
+    if (waiting_.size() < kBlockBytes) return;
+    take(state_, waiting_);
+    waiting_.clear();
+  }
   while (bytes.size() >= kBlockBytes) {
-    take(state, bytes.substr(0, kBlockBytes));
+    take(state_, bytes.substr(0, kBlockBytes));
     bytes.remove_prefix(kBlockBytes);
   }
+  waiting_ = bytes;
+}
 
+std::string Sha256::text() const {
   // FIPS 180-4, 5.1.1: a one bit, zeros, and the length in bits.
-  std::string last(bytes);
+  std::array<Word, 8> state = state_;
+  std::string last = waiting_;
   last += static_cast<char>(0x80);
   while (last.size() % kBlockBytes != kBlockBytes - 8) last += '\0';
   for (int shift = 56; shift >= 0; shift -= 8)
-    last += static_cast<char>((bits >> static_cast<unsigned>(shift)) & 0xFFU);
+    last += static_cast<char>((bits_ >> static_cast<unsigned>(shift)) & 0xFFU);
   for (std::size_t at = 0; at < last.size(); at += kBlockBytes)
     take(state, std::string_view(last).substr(at, kBlockBytes));
 
@@ -84,6 +96,12 @@ std::string sha256(std::string_view bytes) {
     for (int shift = 28; shift >= 0; shift -= 4) text += kDigits[(word >> static_cast<unsigned>(shift)) & 0xFU];
   }
   return text;
+}
+
+std::string sha256(std::string_view bytes) {
+  Sha256 hash;
+  hash.add(bytes);
+  return hash.text();
 }
 
 }  // namespace tactus::base

@@ -1,6 +1,7 @@
 // Numbers and text, the same whatever the locale.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,8 +21,22 @@ std::optional<double> parseNumber(std::string_view text) noexcept;
 /// The integer that the whole of `text` says, or nothing.
 std::optional<long long> parseInteger(std::string_view text) noexcept;
 
-/// Whether `text` is well-formed UTF-8 (RFC 3629: no surrogates, no overlong forms).
+/// A character at the beginning of some text.
+struct Utf8Character {
+  char32_t code = 0;      ///< 0 where the first byte begins no well-formed character
+  std::size_t bytes = 1;  ///< its length, 1 to 4; 1 for such a byte
+  bool valid = false;
+};
+
+/// The first character of `text`, which is not empty (RFC 3629: no surrogates, no overlong forms).
+Utf8Character firstCharacter(std::string_view text) noexcept;
+
+/// Whether `text` is well-formed UTF-8.
 bool isUtf8(std::string_view text) noexcept;
+
+/// Whether a terminal or a screen could take the character for an order instead of a letter: C0, DEL, C1, the controls
+/// of the writing direction, and the separators of lines and paragraphs.
+bool isControl(char32_t code) noexcept;
 
 /// `text` without spaces and tabs at both ends.
 std::string_view trimmed(std::string_view text) noexcept;

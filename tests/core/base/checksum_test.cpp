@@ -54,5 +54,15 @@ TEST(Sha256, EveryLengthAroundABlock) {
   EXPECT_EQ(sha256(std::string(120, 'x')), "13f05a0b594787f5ecd315edc96141bd3243203d1b7d4f0836f37308b276ba98");
 }
 
+TEST(Sha256, PiecesGiveWhatTheWholeGives) {
+  std::string bytes;
+  for (int i = 0; i < 300; ++i) bytes += static_cast<char>(i * 7);
+  for (const std::size_t piece : {1U, 3U, 63U, 64U, 65U, 130U}) {
+    Sha256 hash;
+    for (std::size_t at = 0; at < bytes.size(); at += piece) hash.add(std::string_view(bytes).substr(at, piece));
+    EXPECT_EQ(hash.text(), sha256(bytes)) << piece;
+  }
+}
+
 }  // namespace
 }  // namespace tactus::base

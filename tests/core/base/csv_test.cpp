@@ -144,5 +144,26 @@ TEST(Csv, AHeaderCanBeOptional) {
   EXPECT_EQ(named->rowCount(), 1U);
 }
 
+TEST(Csv, WhatLooksLikeAFormulaIsGuardedAndComesBack) {
+  for (const char* const formula : {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1"}) {
+    EXPECT_TRUE(looksLikeFormula(formula)) << formula;
+    EXPECT_EQ(guarded(formula), '\'' + std::string(formula));
+  }
+  for (const char* const plain : {"", "a=1", "1-2", " =1", "'s", "'", "''", "ä"}) {
+    EXPECT_FALSE(looksLikeFormula(plain)) << plain;
+    EXPECT_EQ(guarded(plain), plain);
+    EXPECT_EQ(withoutGuard(plain), plain);
+  }
+  for (const char* const text : {"=1", "'=1", "''=1", "'a", "-", "'-"}) EXPECT_EQ(withoutGuard(guarded(text)), text);
+}
+
+TEST(Csv, SaysWhetherItBeganWithAMark) {
+  EXPECT_TRUE(CsvTable::parse("\xEF\xBB\xBF"
+                              "a\n1\n",
+                              "t.csv")
+                  ->hasMark());
+  EXPECT_FALSE(CsvTable::parse("a\n1\n", "t.csv")->hasMark());
+}
+
 }  // namespace
 }  // namespace tactus::base

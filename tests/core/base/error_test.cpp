@@ -34,6 +34,23 @@ TEST(Error, QuotedTextIsShortAndHarmless) {
   EXPECT_EQ(base::quoted(std::string(59, 'x') + "äö"), "'" + std::string(59, 'x') + "…'");
 }
 
+TEST(Error, NothingInAMessageSteersATerminalOrTurnsItsText) {
+  // C1 (CSI as U+009B), the controls of the writing direction of UAX #9, the separators of lines, and bytes that are no
+  // UTF-8, which an 8-bit terminal may take for C1.
+  EXPECT_EQ(oneLine("a\u009b31mb"), "a\\u009b31mb");
+  EXPECT_EQ(oneLine("N\u202e10\u202c"), "N\\u202e10\\u202c");
+  EXPECT_EQ(oneLine("\u061c\u200e\u200f\u202a\u2066\u2069\u2028\u2029"),
+            "\\u061c\\u200e\\u200f\\u202a\\u2066\\u2069\\u2028\\u2029");
+  EXPECT_EQ(oneLine("\x9b\xff\xc3"), "\\x9b\\xff\\xc3");
+  EXPECT_EQ(oneLine("größe 🙂 – \u200d"), "größe 🙂 – \u200d") << "letters, dashes and joiners stay";
+  EXPECT_EQ(oneLine(oneLine("a\x1b\u202e")), oneLine("a\x1b\u202e"));
+  EXPECT_EQ(quoted("\u009b"), "'\\u009b'");
+  EXPECT_EQ((Error{ErrorCode::kIo, "e\u202evil", "\u009b", "\x1b[2J", "\x7f"}).message(),
+            "e\\u202evil: \\u009b: found \\x1b[2J, wanted \\x7f");
+}
+
+TEST(Error, TextOfSeveralLinesKeepsThem) { EXPECT_EQ(plainLines("a\nb\x1b\r\u0085\n"), "a\nb\\x1b\\x0d\\u0085\n"); }
+
 TEST(Error, EveryCodeHasItsText) {
   for (int code = 1; code <= static_cast<int>(ErrorCode::kData); ++code) {
     EXPECT_NE(describe(static_cast<ErrorCode>(code)), "unknown error") << code;

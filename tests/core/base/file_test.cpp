@@ -1,12 +1,14 @@
 #include "core/base/file.h"
 
 #include <array>
+#include <atomic>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
 #include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 
 #include "tests/support/temp_folder.h"
@@ -77,6 +79,49 @@ TEST(File, ANewFileHasTheUsualMode) {
   ::umask(before);
   ASSERT_TRUE(written.has_value());
   EXPECT_EQ(static_cast<unsigned>(fs::status(folder.file("x")).permissions()), 0640U);
+}
+
+TEST(File, TheMaskOfTheProcessIsNeverTouched) {
+  // The mask of the threads that make files meanwhile: with 027 a file of mode 0666 or 0667 would tell of a change.
+  const support::TempFolder folder;
+  const mode_t before = ::umask(027);
+  std::atomic<bool> ends{false};
+  std::atomic<int> wrong{0};
+  std::thread other([&] {
+    for (int i = 0; !ends; ++i) {
+      const std::string name = folder.file("other" + std::to_string(i));
+      ::close(::open(name.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0666));
+      if (static_cast<unsigned>(fs::status(name).permissions()) != 0640U) ++wrong;
+      ::unlink(name.c_str());
+    }
+  });
+  for (int i = 0; i < 300; ++i) EXPECT_TRUE(writeFileAtomically(folder.file("x" + std::to_string(i)), ""));
+  ends = true;
+  other.join();
+  ::umask(before);
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(File, HashesAreThoseOfSha256sum) {
+  const support::TempFolder folder;
+  ASSERT_TRUE(writeFileAtomically(folder.file("b.csv"), "abc"));
+  ASSERT_TRUE(writeFileAtomically(folder.file("a.csv"), ""));
+  EXPECT_EQ(fileSha256(folder.file("b.csv")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  // printf abc > b.csv; : > a.csv; sha256sum b.csv a.csv | sha256sum
+  EXPECT_EQ(listingSha256(folder.file(""), {"b.csv", "none.csv", "a.csv"}),
+            "a2208d92bf7b7db8cbebb928ab97e09b9753099a97157fa4bd3319e6841491ae");
+  EXPECT_FALSE(fileSha256(folder.file("none")));
+  EXPECT_FALSE(fileSha256("/dev/zero"));
+}
+
+TEST(File, APrivateFolderIsOnlyTheUsers) {
+  const support::TempFolder folder;
+  ASSERT_TRUE(makeFolder(folder.file("a/b"), FolderMode::kPrivate).has_value());
+  EXPECT_EQ(static_cast<unsigned>(fs::status(folder.file("a/b")).permissions()), 0700U);
+  fs::permissions(folder.file("a/b"), fs::perms::all);
+  ASSERT_TRUE(makeFolder(folder.file("a/b"), FolderMode::kPrivate).has_value());
+  EXPECT_EQ(fs::status(folder.file("a/b")).permissions(), fs::perms::all) << "one that is there stays as it is";
+  EXPECT_EQ(makeFolder("/dev/null/x", FolderMode::kPrivate).error().code, ErrorCode::kIo);
 }
 
 TEST(File, APipeIsWrittenIntoAndStaysAPipe) {

@@ -34,6 +34,8 @@ TEST(JsonWriter, ObjectsInsideALine) {
 TEST(JsonWriter, Strings) {
   using namespace std::string_view_literals;
   EXPECT_EQ(jsonString("a\"\\/\b\n\r\t\0\x1f ä🙂"sv), R"("a\"\\/\u0008\n\r\t\u0000\u001f ä🙂")");
+  // DEL, C1 and the writing direction stay data, but reach no terminal; what is no UTF-8 would be no JSON.
+  EXPECT_EQ(jsonString("\x7f\u009b\u202e\xff"), R"("\u007f\u009b\u202e\ufffd")");
 }
 
 TEST(JsonWriter, Numbers) {
