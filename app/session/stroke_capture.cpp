@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace tactus::session {
@@ -11,8 +12,16 @@ using experiments::PositionSample;
 void StrokeCapture::add(const PositionSample& sample) {
   if (!std::isfinite(sample.time_s) || !std::isfinite(sample.position_mm)) return;
   if (!samples_.empty() && sample.time_s <= samples_.back().time_s) return;
+  if (!samples_.empty() && sample.time_s - samples_.back().time_s > longest_gap_s_) gap();
   samples_.push_back(sample);
   finder_.add(sample);
+}
+
+void StrokeCapture::gap() {
+  const std::size_t next = first_ + samples_.size();
+  if (samples_.empty() || (!gaps_.empty() && gaps_.back() == next)) return;
+  gaps_.push_back(next);
+  finder_.finish();
 }
 
 std::optional<CapturedStroke> StrokeCapture::take() {
@@ -20,8 +29,12 @@ std::optional<CapturedStroke> StrokeCapture::take() {
   if (!stroke) return std::nullopt;
   const auto at = [this](std::size_t place) { return samples_.begin() + static_cast<std::ptrdiff_t>(place - first_); };
   const auto earlier = [](const PositionSample& sample, double time_s) { return sample.time_s < time_s; };
-  const auto begin = std::lower_bound(samples_.begin(), at(stroke->first), stroke->start_s - kAroundS, earlier);
-  const auto end = std::lower_bound(at(stroke->last), samples_.end(), stroke->end_s + kAroundS, earlier);
+  // Within the gaps around the stroke.
+  const auto gap_behind = std::upper_bound(gaps_.begin(), gaps_.end(), stroke->first);
+  const auto from = gap_behind == gaps_.begin() ? samples_.begin() : at(std::max(*std::prev(gap_behind), first_));
+  const auto until = gap_behind == gaps_.end() ? samples_.end() : at(*gap_behind);
+  const auto begin = std::lower_bound(from, at(stroke->first), stroke->start_s - kAroundS, earlier);
+  const auto end = std::lower_bound(at(stroke->last), until, stroke->end_s + kAroundS, earlier);
 
   CapturedStroke out;
   out.stroke = *stroke;
@@ -37,6 +50,7 @@ std::optional<CapturedStroke> StrokeCapture::take() {
   out.recording.channels = {std::move(time), std::move(depth)};
   samples_.erase(samples_.begin(), begin);
   first_ = out.recording_first;
+  while (!gaps_.empty() && gaps_.front() <= first_) gaps_.pop_front();
   return out;
 }
 

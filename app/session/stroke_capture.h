@@ -28,9 +28,13 @@ class StrokeCapture {
   static constexpr double kAroundS = 0.35;
 
   /// The settings must be valid.
-  explicit StrokeCapture(const experiments::StrokeSettings& settings = {}) : finder_(settings) {}
+  explicit StrokeCapture(const experiments::StrokeSettings& settings = {})
+      : finder_(settings), longest_gap_s_(settings.longest_gap_s) {}
 
   void add(const experiments::PositionSample& sample);
+  /// Samples were lost behind the last one: a movement that is going on is `interrupted`, and no recording holds
+  /// samples of both sides. A time without samples beyond `longest_gap_s` says the same by itself.
+  void gap();
   /// The stream has ended.
   void finish() { finder_.finish(); }
   /// The next stroke, or nothing so far.
@@ -39,7 +43,9 @@ class StrokeCapture {
  private:
   experiments::StrokeFinder finder_;
   std::deque<experiments::PositionSample> samples_;
-  std::size_t first_ = 0;  ///< place of samples_[0] in the stream
+  std::size_t first_ = 0;         ///< place of samples_[0] in the stream
+  std::deque<std::size_t> gaps_;  ///< places of the first samples behind gaps
+  double longest_gap_s_;
 };
 
 }  // namespace tactus::session

@@ -1,10 +1,12 @@
 #include "app/workbench/display_text.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 
@@ -20,6 +22,10 @@ int placeDigits(const fuzzy::Variable& variable) {
 }  // namespace
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+QString harmless(const QString& outside) { return text(base::oneLine(outside.toStdString())); }
+
+QString shownFileName(const QString& path) { return harmless(QFileInfo(path).fileName()); }
 
 QString numberText(double value, int decimals) {
   QString out = text(base::formatFixed(value, decimals));

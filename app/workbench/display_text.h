@@ -11,6 +11,11 @@ namespace tactus::workbench {
 
 QString text(const std::string& utf8);
 
+/// Outside text in a sentence: nothing in it turns the sentence around or breaks its line (base::oneLine).
+QString harmless(const QString& outside);
+/// The name of the file `path` without its folder, as it is shown: harmless.
+QString shownFileName(const QString& path);
+
 /// `value` with at most `decimals` digits after the point, without zeros at the end.
 QString numberText(double value, int decimals = 2);
 

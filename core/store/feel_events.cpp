@@ -102,7 +102,7 @@ study::StrokeRecord strokeOf(const study::FeelPiece& record) {
   stroke.level = kFeelLevel;
   stroke.number = record.number;
   stroke.attempt = record.recording;
-  stroke.verdict = kFeelVerdict;
+  stroke.verdict = record.gap_follows ? kFeelGapVerdict : kFeelVerdict;
   stroke.last = record.samples.size();
   stroke.recording = record.samples;
   return stroke;
@@ -149,7 +149,8 @@ Result<study::FeelEnd> feelEndOf(const EventRecord& event) {
 }
 
 study::FeelPiece feelPieceOf(study::StrokeRecord stroke) {
-  return {std::move(stroke.entry), stroke.attempt, stroke.number, std::move(stroke.recording)};
+  return {std::move(stroke.entry), stroke.attempt, stroke.number, std::move(stroke.recording),
+          stroke.verdict == kFeelGapVerdict};
 }
 
 }  // namespace tactus::store

@@ -65,6 +65,7 @@ struct PieceRow {
   RecordId stroke;
   int number = 0;
   double length_s = 0;
+  bool gap_follows = false;
 };
 
 /// The pieces of all recordings, by number; two of one number stay beside each other.
@@ -72,7 +73,8 @@ Result<std::map<RecordingKey, std::vector<PieceRow>>> pieceRows(const StudyFile&
   Connection& connection = file.connection();
   return guarded(connection, [&] {
     Query query(connection,
-                "SELECT s.id, s.session_id, s.attempt, s.number, r.samples / r.sample_rate_hz FROM stroke_current AS s"
+                "SELECT s.id, s.session_id, s.attempt, s.number, r.samples / r.sample_rate_hz, s.verdict FROM "
+                "stroke_current AS s"
                 " JOIN session ON session.id = s.session_id JOIN recording AS r ON r.stroke_id = s.id"
                 " WHERE session.kind = 'usability' AND s.level = ? ORDER BY s.session_id, s.attempt, s.number, s.id");
     query.put(kFeelLevel);
@@ -84,6 +86,7 @@ Result<std::map<RecordingKey, std::vector<PieceRow>>> pieceRows(const StudyFile&
       const int recording = query.small();
       row.number = query.small();
       row.length_s = query.number();
+      row.gap_follows = query.text() == kFeelGapVerdict;
       out[{session, recording}].push_back(row);
     }
     return out;
@@ -182,7 +185,10 @@ Result<std::vector<FeelSummary>> feelRecordings(const StudyFile& file) {
     summary.code = codes->at(start.entry.session);
     if (const auto found = pieces->find(key); found != pieces->end()) {
       summary.pieces = static_cast<int>(found->second.size());
-      for (const PieceRow& piece : found->second) summary.length_s += piece.length_s;
+      for (const PieceRow& piece : found->second) {
+        summary.length_s += piece.length_s;
+        summary.gaps += piece.gap_follows ? 1 : 0;
+      }
     }
     summary.finished = finished.contains(key);
     summary.start = std::move(start);
@@ -243,7 +249,12 @@ Result<std::vector<std::string>> checkFeelRecords(const StudyFile& file) {
     const auto found = pieces->find(key);
     checkPieces(nameOf(start), found == pieces->end() ? std::vector<PieceRow>() : found->second,
                 end == ends.end() ? std::nullopt : std::optional(end->second), findings);
-    if (found != pieces->end()) pieces->erase(found);
+    if (found == pieces->end()) continue;
+    for (const PieceRow& piece : found->second) {
+      if (!piece.gap_follows) continue;
+      findings.push_back(nameOf(start) + ": samples were lost behind piece " + std::to_string(piece.number));
+    }
+    pieces->erase(found);
   }
   for (const auto& [key, rows] : *pieces) {
     findings.push_back("session " + study::toText(key.first) + ": pieces of recording " + std::to_string(key.second) +

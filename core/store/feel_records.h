@@ -28,6 +28,7 @@ struct FeelSummary {
   int pieces = 0;         ///< that are there
   double length_s = 0;    ///< of their samples at their rate
   bool finished = false;  ///< false: it was ended by a crash, or goes on
+  int gaps = 0;           ///< places between pieces where samples were lost; the times of the samples tell how long
 
   bool operator==(const FeelSummary&) const = default;
 };

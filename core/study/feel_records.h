@@ -48,9 +48,10 @@ struct FeelStart {
 /// A few seconds of a recording, which are stored while it goes on.
 struct FeelPiece {
   Entry entry;
-  int recording = 1;  ///< FeelStart::number
-  int number = 1;     ///< from 1 within the recording, without gaps
-  Recording samples;  ///< channels as in docs/study-file.md
+  int recording = 1;         ///< FeelStart::number
+  int number = 1;            ///< from 1 within the recording, without gaps
+  Recording samples;         ///< channels as in docs/study-file.md
+  bool gap_follows = false;  ///< samples between this piece and the next were lost
 
   bool operator==(const FeelPiece&) const = default;
 };

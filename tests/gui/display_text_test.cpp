@@ -25,6 +25,12 @@ TEST(DisplayText, ARatioHasNoUnit) {
   EXPECT_EQ(quantityText(30, "mm/s"), QStringLiteral("30 mm/s"));
 }
 
+TEST(DisplayText, OutsideTextTurnsNoSentenceAround) {
+  const QString evil = QStringLiteral("/home/a/n\u202Excod.\u2066\n\u009B.tactus");
+  EXPECT_EQ(shownFileName(evil), QStringLiteral("n\\u202excod.\\u2066\\x0a\\u009b.tactus"));
+  EXPECT_EQ(shownFileName(QStringLiteral("/home/a/größe – 1.tactus")), QStringLiteral("größe – 1.tactus"));
+}
+
 TEST(DisplayText, MembershipsOfAValue) {
   const fuzzy::ForceModel model = tests::twoExperts();
   EXPECT_EQ(membershipText(model.inputs[0].terms, 45), QStringLiteral("Slow 0.75 · Fast 0.25"));

@@ -102,6 +102,13 @@ void SteppedFeel::advance(workbench::FeelController& feel, int milliseconds) {
   }
 }
 
+void SteppedFeel::stall(int milliseconds) {
+  for (int ms = 0; ms < milliseconds; ++ms) {
+    now_ns_ += kTickNs;
+    if (loop_ != nullptr) loop_->tick();
+  }
+}
+
 void SteppedFeel::moveTo(workbench::FeelController& feel, double position_mm, double speed_mm_s) {
   const double start_mm = feel.targetMm();
   const double way_mm = position_mm - start_mm;

@@ -22,6 +22,8 @@ class SteppedFeel {
 
   /// Ticks once per millisecond; `feel` gets a beat every 16 ms and one at the end.
   void advance(workbench::FeelController& feel, int milliseconds);
+  /// Ticks without a beat: the program stands still.
+  void stall(int milliseconds);
   /// The wish of the hand goes to `position_mm` with `speed_mm_s`, and rests there for 0.1 s.
   void moveTo(workbench::FeelController& feel, double position_mm, double speed_mm_s);
 

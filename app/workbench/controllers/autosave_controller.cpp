@@ -7,15 +7,14 @@
 #include "app/workbench/display_text.h"
 
 namespace tactus::workbench {
-namespace {
 
-constexpr int kDelayMs = 1000;           // after an edit
-constexpr int kDelayInGestureMs = 2000;  // a drag changes the model with every frame
-
-}  // namespace
-
-AutosaveController::AutosaveController(ModelController& models, EditController& edits, QString root, QObject* parent)
-    : QObject(parent), models_(models), edits_(edits), folder_(std::make_shared<AutosaveFolder>(std::move(root))) {
+AutosaveController::AutosaveController(ModelController& models, EditController& edits, QString root, Times times,
+                                       QObject* parent)
+    : QObject(parent),
+      models_(models),
+      edits_(edits),
+      times_(times),
+      folder_(std::make_shared<AutosaveFolder>(std::move(root))) {
   due_.setSingleShot(true);
   connect(&due_, &QTimer::timeout, this, &AutosaveController::write);
   connect(&edits_, &EditController::modelReset, this, &AutosaveController::onReset);
@@ -31,9 +30,10 @@ AutosaveController::~AutosaveController() {
   folder_->remove();
 }
 
-void AutosaveController::onChange() {
-  if (due_.isActive()) return;
-  due_.start(edits_.inGesture() ? kDelayInGestureMs : kDelayMs);
+void AutosaveController::onChange() { writeWithin(edits_.inGesture() ? times_.in_gesture_ms : times_.after_edit_ms); }
+
+void AutosaveController::writeWithin(int delay_ms) {
+  if (!due_.isActive() || due_.remainingTime() > delay_ms) due_.start(delay_ms);
 }
 
 // The document before was closed, so its changes were saved or given up.
@@ -52,24 +52,25 @@ void AutosaveController::write() {
     return;
   }
   busy_ = true;
+  const quint64 number = ++number_;
   // Copies share the models they hold, so that this costs little; texts are made by the worker.
   auto history = editing::needsAutosave(edits_.history())
                      ? std::make_shared<const editing::EditHistory>(edits_.history())
                      : nullptr;
   AutosaveFolder::Facts facts{models_.current()->path, !models_.isModified() && !models_.current()->in_study};
-  worker_.post([this, folder = folder_, history = std::move(history), facts = std::move(facts)] {
+  worker_.post([this, number, folder = folder_, history = std::move(history), facts = std::move(facts)] {
     QString failure;
     if (!history) {
       folder->remove();
     } else if (const auto done = folder->write(*history, facts); !done) {
       failure = text(done.error().message());
     }
-    answers_.post([this, failure] { finish(failure); });
+    answers_.post([this, number, failure] { finish(number, failure); });
   });
 }
 
-void AutosaveController::finish(const QString& failure) {
-  busy_ = false;
+void AutosaveController::finish(quint64 number, const QString& failure) {
+  if (number == number_) busy_ = false;
   if (failure_.isEmpty() && !failure.isEmpty()) {
     emit failed(tr("A crash would lose the changes of the model, because they cannot be kept: %1").arg(failure));
   }
@@ -77,11 +78,13 @@ void AutosaveController::finish(const QString& failure) {
   if (std::exchange(again_, false)) {
     write();
   } else if (failure.isEmpty()) {
-    emit written();
+    emit written(number);
+  } else {
+    writeWithin(times_.after_failure_ms);
   }
 }
 
-void AutosaveController::flush() {
+quint64 AutosaveController::flush() {
   write();
   worker_.waitForDone();
   if (again_) {
@@ -90,6 +93,7 @@ void AutosaveController::flush() {
     write();
     worker_.waitForDone();
   }
+  return number_;
 }
 
 QString AutosaveController::folder() {

@@ -87,7 +87,7 @@ AutosaveFolder::~AutosaveFolder() = default;
 
 base::Result<void> AutosaveFolder::begin() {
   const QString path = QDir(root_).filePath(QUuid::createUuid().toString(QUuid::Id128));
-  if (auto made = base::makeFolder(path.toStdString()); !made) return made;
+  if (auto made = base::makeFolder(path.toStdString(), base::FolderMode::kPrivate); !made) return made;
   auto lock = lockOf(path);
   if (!lock->tryLock(0)) {
     return base::fail(base::ErrorCode::kIo, path.toStdString(), "a folder that cannot be locked",

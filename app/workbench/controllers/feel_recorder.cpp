@@ -29,6 +29,7 @@ bool FeelRecorder::has(const std::vector<Condition>& conditions) const {
 
 void FeelRecorder::add(const haptics::Sample& sample, double depth_mm, int placement) {
   if (!start_ns_) start_ns_ = sample.time_ns;
+  last_tick_ = sample.tick;
   length_s_ = static_cast<double>(sample.time_ns - *start_ns_) * 1e-9;
   auto channel = piece_.channels.begin();
   const auto put = [&](double value) { (channel++)->values.push_back(value); };

@@ -28,6 +28,8 @@ class FeelRecorder {
   bool has(const std::vector<Condition>& conditions) const;
   /// From the next sample on; as many as at the beginning.
   void setConditions(const std::vector<double>& values) { conditions_ = values; }
+  /// Whether samples of the servo between the last one that was added and `next` are missing.
+  bool isGapBefore(const haptics::Sample& next) const { return last_tick_ && next.tick != *last_tick_ + 1; }
   /// `depth_mm` as the model counts it; `placement` from 1.
   void add(const haptics::Sample& sample, double depth_mm, int placement);
 
@@ -43,6 +45,7 @@ class FeelRecorder {
   study::Recording piece_;
   std::vector<double> conditions_;
   std::optional<std::int64_t> start_ns_;
+  std::optional<std::uint64_t> last_tick_;
   double length_s_ = 0;
 };
 

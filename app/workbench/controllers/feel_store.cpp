@@ -126,6 +126,12 @@ void FeelStore::onSampled(std::span<const haptics::Sample> samples) {
       placement_orders_ = feel_.placementOrders();
       ++placement_;
     }
+    if (recorder_->isGapBefore(sample)) {
+      storePiece(true);
+      emit failed(
+          tr("Samples of the recording were lost, because this program came to a standstill. The recording says "
+             "where."));
+    }
     recorder_->add(sample, sample.depth_mm + feel_.depthOffsetMm(), placement_);
   }
   if (recorder_->pieceS() >= kPieceS) storePiece();
@@ -138,12 +144,12 @@ void FeelStore::onModel() {
   emit said(tr("The recording into %1 has ended, because the model has other inputs now.").arg(study_.fileName()));
 }
 
-void FeelStore::storePiece() {
+void FeelStore::storePiece(bool gap_follows) {
   auto piece = recorder_->takePiece();
   if (!piece) return;
   ++pieces_;
-  store(study::FeelPiece{entry(), 1, pieces_, std::move(*piece)}, tr("A piece of the recording"), recorded_visit_,
-        recordings_, {});
+  store(study::FeelPiece{entry(), 1, pieces_, std::move(*piece), gap_follows}, tr("A piece of the recording"),
+        recorded_visit_, recordings_, {});
 }
 
 void FeelStore::onAdvanced() {

@@ -68,7 +68,7 @@ class FeelStore : public QObject {
   void onModel();
   void beginRecording();
   void endRecording();
-  void storePiece();
+  void storePiece(bool gap_follows = false);
   void play(const study::RecordId& id, const study::Recording& recording);
   void playNext();
   void follow(std::size_t sample);

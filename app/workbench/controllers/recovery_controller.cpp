@@ -1,6 +1,5 @@
 #include "app/workbench/controllers/recovery_controller.h"
 
-#include <QFileInfo>
 #include <QTimer>
 #include <algorithm>
 #include <utility>
@@ -20,9 +19,9 @@ RecoveryController::RecoveryController(ModelController& models, EditController& 
                                        QString root, QObject* parent)
     : QObject(parent), models_(models), edits_(edits), autosave_(autosave), root_(std::move(root)) {
   connect(&models_, &ModelController::opened, this, &RecoveryController::onOpened);
-  connect(&autosave_, &AutosaveController::written, this, [this] {
-    for (const auto& work : std::exchange(replaced_, {})) work->discard();
-  });
+  connect(&autosave_, &AutosaveController::written, this, &RecoveryController::onWritten);
+  // A document that was left before its autosave was written: the files keep what it had, free for the next scan.
+  connect(&edits_, &EditController::modelReset, this, [this] { replaced_.clear(); });
   scan();
 }
 
@@ -98,7 +97,7 @@ void RecoveryController::adopt(base::Result<Found> found) {
     put_off_.append(work.folder);
     drop();
     emit failed(tr("The edits of %1 cannot be restored and stay where they are: %2")
-                    .arg(QFileInfo(work.document).fileName(), text(found.error().message())));
+                    .arg(shownFileName(work.document), text(found.error().message())));
     return;
   }
   if (found->history) {
@@ -106,12 +105,10 @@ void RecoveryController::adopt(base::Result<Found> found) {
   } else {
     goOn(found->autosave);
   }
-  replaced_.push_back(taken);
-  autosave_.flush();
+  replaced_.push_back({taken, autosave_.flush()});
   busy_ = false;
   drop();
-  emit restored(
-      tr("Restored: %1, edits: %2, with their history.").arg(QFileInfo(work.document).fileName()).arg(work.edits));
+  emit restored(tr("Restored: %1, edits: %2, with their history.").arg(shownFileName(work.document)).arg(work.edits));
 }
 
 void RecoveryController::begin(const LostWork& work, editing::EditHistory history) {
@@ -151,6 +148,14 @@ void RecoveryController::goOn(const editing::Autosave& autosave) {
     if (kind == editing::name(editing::EventKind::kSignOff)) edits_.signOff(text(version.author));
   }
   if (autosave.unfinished) show(autosave.unfinished->model, autosave.unfinished->label + " (recovered)");
+}
+
+// An autosave that was begun before the work was restored does not hold it.
+void RecoveryController::onWritten(quint64 number) {
+  for (const Replaced& replaced : replaced_) {
+    if (replaced.number <= number) replaced.work->discard();
+  }
+  std::erase_if(replaced_, [number](const Replaced& replaced) { return replaced.number <= number; });
 }
 
 void RecoveryController::discard() {

@@ -34,7 +34,8 @@ class RecoveryController : public QObject {
 
  public slots:
   /// Opens the document of what is offered, where it is not open, and goes on with its history. The work is deleted
-  /// once it is autosaved again. Ends with `restored` or `failed`. Changes of the open model are replaced.
+  /// once the restored state itself is autosaved; where the document is left before, it stays and is offered again.
+  /// Ends with `restored` or `failed`. Changes of the open model are replaced.
   void restore();
   /// Deletes what is offered.
   void discard();
@@ -60,6 +61,7 @@ class RecoveryController : public QObject {
   void adopt(base::Result<Found> found);
   void begin(const LostWork& work, editing::EditHistory history);
   void goOn(const editing::Autosave& autosave);
+  void onWritten(quint64 number);
   void drop();
 
   ModelController& models_;
@@ -67,9 +69,14 @@ class RecoveryController : public QObject {
   AutosaveController& autosave_;
   const QString root_;
   std::vector<LostWork> offered_;
-  QStringList put_off_;                               ///< folders
-  std::shared_ptr<TakenWork> taken_;                  ///< being restored
-  std::vector<std::shared_ptr<TakenWork>> replaced_;  ///< restored, to be deleted once they are autosaved again
+  QStringList put_off_;               ///< folders
+  std::shared_ptr<TakenWork> taken_;  ///< being restored
+  /// Work that was restored into the open document.
+  struct Replaced {
+    std::shared_ptr<TakenWork> work;
+    quint64 number = 0;  ///< of the first autosave that holds it
+  };
+  std::vector<Replaced> replaced_;  ///< to be deleted once that is written
   bool busy_ = false;
   QString wanted_;  ///< the study that has to be opened first
   Mailbox answers_;

@@ -1,7 +1,6 @@
 #include "app/workbench/controllers/study_contents.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <algorithm>
 #include <chrono>
 #include <set>
@@ -26,7 +25,7 @@ using base::Result;
 
 QString tr(const char* text) { return QCoreApplication::translate("StudyContents", text); }
 
-QString fileName(const QString& path) { return QFileInfo(path).fileName(); }
+QString fileName(const QString& path) { return shownFileName(path); }
 
 // `3 experts, 1 of them simulated`.
 QString expertsText(const fuzzy::ForceModel& model, const std::vector<study::Participant>& participants) {

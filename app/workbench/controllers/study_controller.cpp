@@ -52,7 +52,7 @@ StudyController::StudyController(ModelController& models, EditController& edits,
   connect(&models_, &ModelController::storeNow, this, &StudyController::storeNow);
   connect(&models_, &ModelController::reopenFromStudy, this, &StudyController::openModel);
   connect(&models_, &ModelController::copied, this, [this](const QString& copy) {
-    emit said(tr("A copy was written to %1; edits go on into %2.").arg(QFileInfo(copy).fileName(), fileName()));
+    emit said(tr("A copy was written to %1; edits go on into %2.").arg(shownFileName(copy), fileName()));
   });
 }
 
@@ -62,7 +62,7 @@ StudyController::~StudyController() {
   post([](StudyWorker::Desk& desk) { desk.catchUp(); });
 }
 
-QString StudyController::fileName() const { return QFileInfo(path_).fileName(); }
+QString StudyController::fileName() const { return shownFileName(path_); }
 
 bool StudyController::keepsModel() const { return isOpen() && models_.current() && models_.current()->in_study; }
 
@@ -170,7 +170,7 @@ void StudyController::buildModel() {
 void StudyController::putModel() {
   if (!takesOrders() || opening_ || !models_.current() || keepsModel()) return;
   edits_.commit();
-  const QString from = QFileInfo(models_.current()->path).fileName();
+  const QString from = shownFileName(models_.current()->path);
   events_ordered_ = 0;
   models_.moveIntoStudy(path_);
   has_model_ = true;

@@ -223,7 +223,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 bool MainWindow::focusNextPrevChild(bool next) { return focusNextAsRead(*this, next); }
 
-void MainWindow::say(const QString& sentence) { strip_->showMessage(sentence); }
+void MainWindow::say(const QString& sentence) { strip_->showMessage(harmless(sentence)); }
 
 void MainWindow::choose() {
   const auto open = models_.current();
@@ -319,7 +319,7 @@ void MainWindow::showModel() {
 
 void MainWindow::showTitle() {
   const OpenModel& open = *models_.current();
-  setWindowTitle(QStringLiteral("%1 – %2[*]").arg(text(open.model.name), QFileInfo(open.path).fileName()));
+  setWindowTitle(QStringLiteral("%1 – %2[*]").arg(harmless(text(open.model.name)), shownFileName(open.path)));
   // One that was left by its study has no file yet.
   if (QFileInfo::exists(open.path)) recent_.add(open.path);
 }

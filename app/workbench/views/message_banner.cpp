@@ -4,7 +4,9 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
+#include "core/base/error.h"
 
 namespace tactus::workbench {
 
@@ -38,7 +40,7 @@ void MessageBanner::show(const QString& sentence, const QColor& ink, const QColo
   colors.setColor(QPalette::WindowText, ink);
   label_->setPalette(colors);
   close_->setPalette(colors);
-  label_->setText(sentence);
+  label_->setText(text(base::plainLines(sentence.toStdString())));
   setColors(fill, fill);
   setVisible(true);
 }

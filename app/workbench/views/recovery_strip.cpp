@@ -1,11 +1,11 @@
 #include "app/workbench/views/recovery_strip.h"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
 #include "app/workbench/controllers/recovery_controller.h"
+#include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
 
 namespace tactus::workbench {
@@ -45,7 +45,7 @@ void RecoveryStrip::showOffer() {
   QPalette colors = label_->palette();
   colors.setColor(QPalette::WindowText, theme::warningInk());
   label_->setPalette(colors);
-  const QString name = QFileInfo(offer->document).fileName();
+  const QString name = shownFileName(offer->document);
   const QString when = offer->last.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
   QString sentence =
       offer->saved ? tr("The workbench ended unexpectedly at %1. %2 was saved; the history of its edits (%3) can be "

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/controllers/recent_files.h"
+#include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
 
 namespace tactus::workbench {
@@ -85,9 +86,9 @@ void StartView::listRecent() {
   for (const QString& path : paths) {
     const QFileInfo file(path);
     const QString folder = fontMetrics().elidedText(file.absolutePath(), Qt::ElideMiddle, kPanelWidth - 64);
-    auto* button = new QCommandLinkButton(file.fileName(), folder, recent_list_);
+    auto* button = new QCommandLinkButton(shownFileName(path), harmless(folder), recent_list_);
     button->setIcon(style()->standardIcon(QStyle::SP_FileIcon));
-    button->setToolTip(path);
+    button->setToolTip(harmless(path));
     list->addWidget(button);
     // Queued, because opening the file rebuilds this list and with it the button.
     connect(

@@ -54,6 +54,54 @@ TEST(StrokeCapture, CutsEachStrokeOutOfTheStream) {
   }
 }
 
+TEST(StrokeCapture, AGapInterruptsTheStrokeAndEndsItsRecording) {
+  const auto level = simulatedLevel({"S3", "medium", 106, 25}, 4);
+  const auto stream = samplesOf(level.strokes[0]);
+  const auto whole = experiments::findStrokes(stream);
+  ASSERT_TRUE(whole && whole->size() == 1U);
+  const std::size_t middle = (whole->front().first + whole->front().last) / 2;
+  // Twenty samples are lost: too few for the times to tell, so whoever lost them says it.
+  StrokeCapture capture;
+  std::vector<CapturedStroke> found;
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < stream.size(); ++i) {
+    if (i >= middle && i < middle + 20) continue;
+    if (i == middle + 20) capture.gap();
+    capture.add(stream[i]);
+    taken += i < middle ? 1 : 0;
+  }
+  capture.finish();
+  while (auto one = capture.take()) found.push_back(std::move(*one));
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].stroke.verdict, experiments::StrokeVerdict::kInterrupted);
+  for (const auto& one : found) {
+    const std::size_t end = one.recording_first + one.recording.size();
+    EXPECT_TRUE(end <= taken || one.recording_first >= taken) << "no recording holds both sides of the gap";
+  }
+}
+
+TEST(StrokeCapture, NoRecordingSpansATimeWithoutSamples) {
+  const auto level = simulatedLevel({"S3", "medium", 106, 25}, 4);
+  auto stream = samplesOf(level.strokes[0]);
+  // The second stroke follows 0.06 s after the first one's stream was cut off 0.1 s behind the stroke.
+  const auto strokes = experiments::findStrokes(stream);
+  ASSERT_TRUE(strokes);
+  while (stream.back().time_s > strokes->front().end_s + 0.1) stream.pop_back();
+  const std::size_t first_part = stream.size();
+  const auto second = samplesOf(level.strokes[1], stream.back().time_s + 0.06);
+  stream.insert(stream.end(), second.begin(), second.end());
+  StrokeCapture capture;
+  for (const auto& sample : stream) capture.add(sample);
+  capture.finish();
+  int count = 0;
+  while (const auto one = capture.take()) {
+    const std::size_t end = one->recording_first + one->recording.size();
+    EXPECT_TRUE(end <= first_part || one->recording_first >= first_part);
+    ++count;
+  }
+  EXPECT_EQ(count, 2);
+}
+
 TEST(StrokeCapture, ASampleThatIsNoneChangesNothing) {
   const auto level = simulatedLevel({"S3", "medium", 106, 25}, 4);
   const auto stream = samplesOf(level.strokes[0]);

@@ -172,5 +172,31 @@ TEST_F(AutosaveControllerTest, SaysOnceWhereNothingCanBeKept) {
   EXPECT_TRUE(failed[0][0].toString().contains(root));
 }
 
+TEST_F(AutosaveControllerTest, TriesAgainWhereItFailed) {
+  folder.writeText("", QStringLiteral("autosave"));
+  autosave = std::make_unique<AutosaveController>(models, edits, root, AutosaveController::Times{10, 10, 10});
+  QSignalSpy failed(autosave.get(), &AutosaveController::failed);
+  QSignalSpy written(autosave.get(), &AutosaveController::written);
+  edit(3);
+  ASSERT_TRUE(failed.wait(kPatience));
+  // The disk has room again; nothing is edited any more.
+  ASSERT_TRUE(QFile::remove(root));
+  ASSERT_TRUE(written.count() > 0 || written.wait(kPatience));
+  EXPECT_EQ(content(parts().value(0)).versions, editing::unstoredVersions(edits.history()));
+  EXPECT_EQ(failed.count(), 1);
+}
+
+TEST_F(AutosaveControllerTest, TellsWhichWritingHoldsTheState) {
+  const QSignalSpy written(autosave.get(), &AutosaveController::written);
+  edit(3);
+  const quint64 first = autosave->flush();
+  edit(2);
+  const quint64 second = autosave->flush();
+  EXPECT_LT(first, second);
+  QCoreApplication::processEvents();
+  ASSERT_FALSE(written.isEmpty());
+  EXPECT_EQ(written.back()[0].toULongLong(), second);
+}
+
 }  // namespace
 }  // namespace tactus::workbench

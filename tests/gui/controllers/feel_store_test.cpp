@@ -12,6 +12,7 @@
 #include "app/workbench/controllers/feel_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
 #include "app/workbench/controllers/study_controller.h"
+#include "core/haptics/sample_ring.h"
 #include "core/store/feel_records.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
@@ -238,6 +239,37 @@ TEST_F(FeelStoreTest, ARecordingIsStoredInPiecesWhileItGoesOn) {
   const auto& times = *channelOf(samples, "time");
   for (std::size_t i = 1; i < times.size(); ++i) ASSERT_NEAR(times[i] - times[i - 1], 0.001, 1e-9);
   EXPECT_TRUE(store::checkStudy(file)->empty());
+}
+
+TEST_F(FeelStoreTest, ARecordingWithAGapEndsItsPieceAndSaysSo) {
+  const QSignalSpy failed(&store, &FeelStore::failed);
+  feel.start(QStringLiteral("virtual"));
+  store.setRecording(true);
+  time.advance(feel, 500);
+  constexpr int kLostMs = 250;
+  time.stall(static_cast<int>(haptics::SampleRing::kDefaultCapacity) + kLostMs);
+  time.advance(feel, 500);
+  store.setRecording(false);
+  feel.stop();
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("lost")));
+  ASSERT_TRUE(allWritten());
+  ASSERT_TRUE(closed());
+  const auto file = tests::lookInto(path);
+  const auto list = *store::feelRecordings(file);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list[0].gaps, 1);
+  const auto samples = *store::feelRecording(file, list[0].start.entry.id);
+  const auto& times = *channelOf(samples, "time");
+  std::vector<double> jumps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] - times[i - 1] > 0.0015) jumps.push_back(times[i] - times[i - 1]);
+  }
+  ASSERT_EQ(jumps.size(), 1U);
+  EXPECT_NEAR(jumps[0], 0.001 * (kLostMs + 1), 1e-9) << "the ring keeps what it has and drops what comes";
+  const auto findings = *store::checkStudy(file);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_NE(findings[0].find("samples were lost behind piece"), std::string::npos);
 }
 
 TEST_F(FeelStoreTest, ARecordingEndsWithTheConditionsThatItBeganWith) {

@@ -90,6 +90,31 @@ TEST_F(RecoveryControllerTest, BringsBackEveryBitAndEveryStep) {
   EXPECT_EQ(lostWork(root).size(), 1U);
 }
 
+TEST_F(RecoveryControllerTest, TheFilesStayUntilTheRestoredStateItselfIsWritten) {
+  crash();
+  // The disk of the autosaves is full: a file stands where the folder has to be.
+  const QString full = folder.path(QStringLiteral("full"));
+  folder.writeText("", QStringLiteral("full"));
+  ModelController models;
+  EditController edits{models};
+  AutosaveController autosave{models, edits, full};
+  RecoveryController recovery{models, edits, autosave, root};
+  QSignalSpy restored(&recovery, &RecoveryController::restored);
+  recovery.restore();
+  ASSERT_TRUE(restored.wait(kPatience));
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(QFileInfo::exists(left));
+  // There is room again, but for another document: its autosave holds nothing of the restored work.
+  ASSERT_TRUE(QFile::remove(full));
+  models.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
+  QSignalSpy written(&autosave, &AutosaveController::written);
+  edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 3));
+  autosave.flush();
+  ASSERT_TRUE(written.count() > 0 || written.wait(kPatience));
+  EXPECT_TRUE(QFileInfo::exists(left));
+  ASSERT_EQ(lostWork(root).size(), 1U) << "and it is offered again";
+}
+
 TEST_F(RecoveryControllerTest, LaterMeansWhenTheDocumentIsOpenedOrAtTheNextStart) {
   crash();
   {
