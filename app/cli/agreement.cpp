@@ -66,7 +66,8 @@ Result<Rated> readRated(const AgreementOptions& options) {
           base::joined(study::kJudgementColumns, ",") + ") or counts (force_n," + base::joined(terms, ",") + ")"});
 }
 
-std::string padded(std::string cell, std::size_t width) {
+std::string padded(const std::string& text, std::size_t width) {
+  std::string cell = base::oneLine(text);
   cell.resize(std::max(width, cell.size() + 1), ' ');
   return cell;
 }
@@ -96,7 +97,7 @@ std::string concordanceText(const OrReason<elicitation::KendallW>& w) {
 }
 
 std::string itemsText(const AgreementData& data, const elicitation::Agreement& agreement) {
-  std::string text = "votes for " + base::joined(data.terms, ", ") + ":\n" +
+  std::string text = "votes for " + base::oneLine(base::joined(data.terms, ", ")) + ":\n" +
                      "unit       ratings  consensus  entropy_bits  spread_terms  votes\n";
   for (std::size_t i = 0; i < data.units.size(); ++i) {
     const auto& votes = data.counts.units[i];

@@ -97,9 +97,10 @@ void writeForce(const elicitation::BuiltModel& built, elicitation::ForceTermsFro
 std::string summary(const BuildOptions& options, const Results& results) {
   const auto& built = results.built;
   std::string text = dataAsText(results.data);
-  text += options.out + ": " + built.model.name + "; experts " + std::to_string(built.model.experts.size()) + '\n';
+  text += base::oneLine(options.out + ": " + built.model.name) + "; experts " +
+          std::to_string(built.model.experts.size()) + '\n';
   for (const auto& expert : built.model.experts) {
-    text += "  " + expert.id + ": rules " + std::to_string(expert.rules.size()) + ", weight " +
+    text += "  " + base::oneLine(expert.id) + ": rules " + std::to_string(expert.rules.size()) + ", weight " +
             base::formatNumber(expert.weight) + '\n';
   }
   text += speedsAsText(built, results.speed_intervals);

@@ -21,7 +21,7 @@ std::size_t ruleCount(const fuzzy::ForceModel& model) {
 std::string asText(const std::string& file, const fuzzy::ForceModel& model, const elicitation::RuleLint& found) {
   const auto& lint = found.model;
   const auto& range = lint.reachable;
-  std::string text = file + ": valid; inputs " + std::to_string(model.inputs.size()) + ", experts " +
+  std::string text = base::oneLine(file) + ": valid; inputs " + std::to_string(model.inputs.size()) + ", experts " +
                      std::to_string(model.experts.size()) + ", rules " + std::to_string(ruleCount(model)) +
                      ", findings " + std::to_string(found.findings.size()) + '\n';
   text += findingsAsText(found.findings, model.output.unit);

@@ -69,7 +69,8 @@ std::string asJson(const elicitation::FcmResult& result, const elicitation::FcmV
   return json.text();
 }
 
-std::string padded(std::string cell, std::size_t width) {
+std::string padded(const std::string& text, std::size_t width) {
+  std::string cell = base::oneLine(text);
   cell.resize(std::max(width, cell.size() + 2), ' ');
   return cell;
 }
@@ -77,7 +78,7 @@ std::string padded(std::string cell, std::size_t width) {
 /// `column` is empty for a file without a header.
 std::string asText(const elicitation::FcmResult& result, const elicitation::FcmValidity& validity,
                    const std::string& column) {
-  const std::string centre = column.empty() ? "centre" : "centre (" + column + ")";
+  const std::string centre = column.empty() ? "centre" : base::oneLine("centre (" + column + ")");
   std::size_t samples = 0;
   for (const std::size_t size : validity.sizes) samples += size;
   std::string text = "cluster  " + padded(centre, 12) + "nearest samples\n";

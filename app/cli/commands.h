@@ -17,6 +17,8 @@ namespace tactus::cli {
 struct Output {
   std::string text;                   ///< to standard output
   std::vector<std::string> warnings;  ///< one line each, to standard error
+  /// The text is a table for another program, not a message: no character of it is escaped.
+  bool is_table = false;
 };
 
 struct EvalOptions {

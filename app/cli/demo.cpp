@@ -127,7 +127,11 @@ Result<study::Study> runStudy(const std::string& folder, std::uint64_t seed, con
   if (!view) return tl::unexpected(view.error());
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   for (const char* tail : {"-wal", "-journal", "-shm"}) std::filesystem::remove(path + tail, problem);
-  std::filesystem::rename(unfinished, path, problem);
+  // The study before keeps its mode.
+  const auto before = std::filesystem::status(path, problem);
+  problem.clear();
+  if (std::filesystem::exists(before)) std::filesystem::permissions(unfinished, before.permissions(), problem);
+  if (!problem) std::filesystem::rename(unfinished, path, problem);
   if (problem) {
     return tl::unexpected(
         base::Error{base::ErrorCode::kIo, path, {}, problem.message(), "a place where the study file can be put"});
@@ -194,7 +198,8 @@ Result<std::vector<File>> writeScenarios(const std::string& folder) {
 }
 
 std::string asText(const std::string& folder, const std::vector<File>& files) {
-  std::string text = "Wrote the demo study (simulated, except for S4's published rules) to " + folder + ":\n";
+  std::string text =
+      "Wrote the demo study (simulated, except for S4's published rules) to " + base::oneLine(folder) + ":\n";
   for (const auto& file : files) {
     std::string path = file.path;
     path.resize(std::max<std::size_t>(30, path.size() + 2), ' ');

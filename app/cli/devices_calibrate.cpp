@@ -31,7 +31,7 @@ class TerminalGuide final : public devices::CalibrationGuide {
   }
   bool interrupted() const noexcept override { return signals_.raised(); }
 
-  void say(const std::string& text) { *terminal_.out << text << std::flush; }
+  void say(const std::string& text) { *terminal_.out << base::plainLines(text) << std::flush; }
 
  private:
   Terminal terminal_;

@@ -47,7 +47,7 @@ class TerminalGuide final : public devices::SelfTestGuide {
 
   bool interrupted() const noexcept override { return signals_.raised(); }
 
-  void say(const std::string& text) { *terminal_.out << text << std::flush; }
+  void say(const std::string& text) { *terminal_.out << base::plainLines(text) << std::flush; }
 
  private:
   /// Waits for it; nothing: there is none, or the program is to end.

@@ -73,7 +73,7 @@ Result<Output> eval(const EvalOptions& options) {
     for (std::size_t column = 0; column < points->columns().size(); ++column) csv.cell(points->cell(row, column));
     csv.cell(force.force_n).cell(force.fired ? 1 : 0).endRow();
   }
-  if (options.out.empty()) return Output{csv.text(), read->warnings};
+  if (options.out.empty()) return Output{csv.text(), read->warnings, true};
   if (auto written = base::writeFileAtomically(options.out, csv.text()); !written)
     return tl::unexpected(written.error());
   return Output{"", read->warnings};

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <sstream>
 
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
@@ -162,13 +163,29 @@ void addCommands(CLI::App& app, Chosen& chosen) {
              });
 }
 
+/// What CLI11 says of a wrong command line, with the arguments that it repeats escaped.
+std::string harmless(std::string text, const std::vector<std::string>& arguments) {
+  for (const auto& argument : arguments) {
+    const auto value = argument.find('=');  // of `--option=value`
+    for (const auto& part : {argument, value == std::string::npos ? std::string() : argument.substr(value + 1)}) {
+      const std::string escaped = base::oneLine(part);
+      if (escaped == part) continue;
+      for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + escaped.size())) {
+        text.replace(at, part.size(), escaped);
+      }
+    }
+  }
+  return base::plainLines(text);
+}
+
 int report(const base::Result<Output>& result, std::ostream& out, std::ostream& err) {
   if (!result) {
     err << "tactus: " << result.error().message() << '\n';
     return kWrongInput;
   }
-  for (const auto& warning : result->warnings) err << "tactus: warning: " << warning << '\n';
-  out << result->text << std::flush;
+  for (const auto& warning : result->warnings) err << "tactus: warning: " << base::oneLine(warning) << '\n';
+  // Each name in it is escaped where it is put in, so that it makes no line of its own; this is for what is forgotten.
+  out << (result->is_table ? result->text : base::plainLines(result->text)) << std::flush;
   if (out.good()) return kFine;
   err << "tactus: found a standard output that cannot be written to, wanted a pipe or file with room\n";
   return kWrongInput;
@@ -192,16 +209,22 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
     err << app.help();
     return kWrongUsage;
   }
+  const std::vector<std::string> typed = arguments;
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, err) == 0 ? kFine : kWrongUsage;
+    std::ostringstream help;
+    std::ostringstream wrong;  // says what was typed
+    const int status = app.exit(error, help, wrong) == 0 ? kFine : kWrongUsage;
+    out << help.str();
+    err << harmless(wrong.str(), typed);
+    return status;
   }
   try {
     return report(chosen(), out, err);
   } catch (const std::exception& error) {
-    err << "tactus: stopped: " << error.what() << '\n';
+    err << "tactus: stopped: " << base::oneLine(error.what()) << '\n';
     return kWrongInput;
   }
 }

@@ -19,8 +19,8 @@ using simulation::RunSummary;
 std::string count(std::uint64_t number) { return std::to_string(number); }
 
 std::string asText(const SimulateOptions& options, const RunSummary& run) {
-  std::string text =
-      options.out + ": simulated, " + base::formatNumber(run.duration_s) + " s, " + count(run.ticks) + " ticks\n";
+  std::string text = base::oneLine(options.out) + ": simulated, " + base::formatNumber(run.duration_s) + " s, " +
+                     count(run.ticks) + " ticks\n";
   text += "  strokes in which the tube slid " + std::to_string(run.strokes) + ", tube at " +
           formatFixed(run.depth_mm, 2) + " mm: advanced " + formatFixed(run.depth_mm - run.start_depth_mm, 2) + " of " +
           formatFixed(run.planned_mm, 2) + " mm that the hand wanted to push\n";

@@ -26,11 +26,11 @@ std::string probability(double p) { return formatFixed(p, p < 0.001 ? 6 : 3); }
 
 std::string participantAsText(const ParticipantSpeeds& one, const SpeedIntervals* intervals) {
   const auto& found = one.diagnostics;
-  std::string text = "speeds of " + one.participant + ": " + std::to_string(one.kept) + " of " +
+  std::string text = "speeds of " + base::oneLine(one.participant) + ": " + std::to_string(one.kept) + " of " +
                      std::to_string(one.samples) + " samples\n";
   for (std::size_t k = 0; k < found.levels.size(); ++k) {
     const auto& level = found.levels[k];
-    text += "  " + level.level;
+    text += "  " + base::oneLine(level.level);
     text += level.samples == 0 ? " no strokes"
                                : " " + fixed1(level.mean_mm_s) + " ± " + fixed1(level.sd_mm_s) + " mm/s, strokes " +
                                      std::to_string(level.stroke_means_mm_s.size());

@@ -4,6 +4,7 @@
 #include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "app/session/data_checks.h"
+#include "app/session/leftovers.h"
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/clock.h"
@@ -24,7 +25,7 @@ std::string utcText(std::int64_t utc_ms) {
 }
 
 std::string infoAsText(const std::string& file, const store::StudyInfo& info) {
-  std::string text = file + ": " + base::oneLine(info.name) + "\n  made " + utcText(info.created_utc_ms) + " with " +
+  std::string text = base::oneLine(file + ": " + info.name) + "\n  made " + utcText(info.created_utc_ms) + " with " +
                      base::oneLine(info.program) + "\n  version of the file " + std::to_string(info.version) +
                      "\n  id " + toText(info.id) + '\n';
   for (const auto& count : info.counts) text += "  " + count.table + ' ' + std::to_string(count.rows) + '\n';
@@ -55,7 +56,7 @@ struct NamedMerge {
 
 std::string mergesAsText(const std::vector<NamedMerge>& merges) {
   std::string text;
-  for (const auto& [file, merge] : merges) text += file + ": " + mergeAsText(merge);
+  for (const auto& [file, merge] : merges) text += base::oneLine(file) + ": " + mergeAsText(merge);
   return text;
 }
 
@@ -85,7 +86,7 @@ Result<Output> studyNew(const StudyNewOptions& options) {
   auto file = newStudy(options.file, name);
   if (!file) return tl::unexpected(file.error());
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
-  return Output{"Made the study " + base::oneLine(name) + " in " + options.file + '\n', {}};
+  return Output{"Made the study " + base::oneLine(name) + " in " + base::oneLine(options.file) + '\n', {}};
 }
 
 Result<Output> studyInfo(const StudyInfoOptions& options) {
@@ -107,6 +108,7 @@ Result<Output> studyCheck(const StudyCheckOptions& options) {
     auto found = store::checkStudy(*file);
     if (!found) return tl::unexpected(found.error());
     findings = std::move(*found);
+    for (const auto& leftover : session::leftoversOfStudy(options.file)) findings.push_back(sentence(leftover));
   }
   const auto tables = session::readStudy(options.file, elicitation::ngtInputIds());
   if (is_folder && !tables) return tl::unexpected(tables.error());
@@ -121,8 +123,8 @@ Result<Output> studyCheck(const StudyCheckOptions& options) {
     json.key("notes").values(notes).endObject();
     return Output{json.text(), {}};
   }
-  std::string text = options.file + ": findings " + std::to_string(findings.size()) + '\n';
-  for (const auto& finding : findings) text += "  " + finding + '\n';
+  std::string text = base::oneLine(options.file) + ": findings " + std::to_string(findings.size()) + '\n';
+  for (const auto& finding : findings) text += "  " + base::oneLine(finding) + '\n';
   return Output{text + dataAsText(data), notes};
 }
 
@@ -140,9 +142,9 @@ Result<Output> studyMerge(const StudyMergeOptions& options) {
     if (!merge) return tl::unexpected(merge.error());
     merges.push_back({other, std::move(*merge)});
   }
-  auto notices = noticesOf(options.file, *file);
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
-  return Output{options.json ? mergesAsJson(options.file, merges) : mergesAsText(merges), std::move(notices)};
+  auto warnings = noticesOf(options.file, *file);
+  for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
+  return Output{options.json ? mergesAsJson(options.file, merges) : mergesAsText(merges), std::move(warnings)};
 }
 
 }  // namespace tactus::cli

@@ -34,7 +34,7 @@ base::Result<Output> studyExport(const StudyExportOptions& options) {
     return Output{json.text(), {}};
   }
   return Output{"Wrote the " + profile + " export of " + std::to_string(done->participants) + " participants to " +
-                    options.folder + "; codebook.md says what the tables hold\n",
+                    base::oneLine(options.folder) + "; codebook.md says what the tables hold\n",
                 std::move(done->notes)};
 }
 

@@ -6,9 +6,14 @@
 #include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "app/session/data_checks.h"
+#include "app/session/leftovers.h"
+#include "core/base/file.h"
+#include "core/store/backup.h"
 #include "core/store/record_import.h"
 #include "core/store/study_info.h"
+#include "core/store/work_folder.h"
 #include "core/study/csv_tables.h"
+#include "core/study/table_line.h"
 #include "elicitation/ngt_variables.h"
 
 namespace tactus::cli {
@@ -16,11 +21,37 @@ namespace {
 
 using base::Result;
 
-/// Opens the study at `path`, or makes it with the name that `name` gives.
-Result<store::StudyFile> openOrMake(const std::string& path, const std::string& name) {
+/// What the tables of a folder gave, and what is to be said besides.
+struct Imported {
+  session::StudyImport import;
+  std::vector<std::string> warnings;
+};
+
+/// Imports into a new study, which appears whole or not at all: it is made beside its place.
+Result<Imported> intoNewStudy(const std::string& path, const study::Study& tables,
+                              const session::ImportSource& source) {
+  auto work = store::WorkFolder::beside(path);
+  if (!work) return tl::unexpected(work.error());
+  const auto said_of_path = [&path](base::Error error) {
+    error.file = path;
+    return tl::unexpected(std::move(error));
+  };
+  auto file = newStudy(work->file("study"), tables.name);
+  if (!file) return said_of_path(file.error());
+  auto imported = session::importTables(tables, *file, source);
+  if (!imported) return said_of_path(imported.error());
+  if (auto placed = store::backUp(*file, path); !placed) return tl::unexpected(placed.error());
+  return Imported{std::move(*imported), {}};
+}
+
+Result<Imported> intoStudy(const std::string& path, const study::Study& tables, const session::ImportSource& source) {
   std::error_code ignored;
-  if (!path.empty() && !std::filesystem::exists(path, ignored)) return newStudy(path, name);
-  return store::StudyFile::open(path);
+  if (!path.empty() && !std::filesystem::exists(path, ignored)) return intoNewStudy(path, tables, source);
+  auto file = store::StudyFile::open(path);
+  if (!file) return tl::unexpected(file.error());
+  auto imported = session::importTables(tables, *file, source);
+  if (!imported) return base::inFile(imported.error(), path);
+  return Imported{std::move(*imported), closeSaved(*file)};
 }
 
 Result<Output> importFolder(const StudyImportOptions& options) {
@@ -29,13 +60,17 @@ Result<Output> importFolder(const StudyImportOptions& options) {
   if (!tables) return tl::unexpected(tables.error());
   const auto data = session::dataFindings(tables->study);
   if (auto ok = study::refuseData(data); !ok) return study::inStudyFolder(ok.error(), options.folder);
-  auto file = openOrMake(options.file, tables->study.name);
-  if (!file) return tl::unexpected(file.error());
-  auto imported = session::importTables(tables->study, *file);
-  if (!imported) return base::inFile(imported.error(), options.file);
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  const auto hash =
+      base::listingSha256(options.folder, {std::string(study::kParticipantsTable), std::string(study::kSpeedsTable),
+                                           std::string(study::kJudgementsTable), std::string(study::kAnswersTable),
+                                           std::string(study::kRulesTable)});
+  if (!hash) return tl::unexpected(hash.error());
+  auto done = intoStudy(options.file, tables->study, {tables->study.name, *hash, utcNowMs()});
+  if (!done) return tl::unexpected(done.error());
+  const auto* imported = &done->import;
 
-  std::vector<std::string> notes = tables->notes;
+  std::vector<std::string> notes = std::move(done->warnings);
+  notes.insert(notes.end(), tables->notes.begin(), tables->notes.end());
   notes.insert(notes.end(), imported->notes.begin(), imported->notes.end());
   if (options.json) {
     base::JsonWriter json;
@@ -48,7 +83,7 @@ Result<Output> importFolder(const StudyImportOptions& options) {
   }
   return Output{dataAsText(data) + "Added persons " + std::to_string(imported->persons) + ", sessions " +
                     std::to_string(imported->sessions) + ", records " + std::to_string(imported->records) + " to " +
-                    options.file + '\n',
+                    base::oneLine(options.file) + '\n',
                 std::move(notes)};
 }
 
@@ -59,7 +94,7 @@ Result<Output> restore(const StudyImportOptions& options, const std::string& rec
   if (!file) return tl::unexpected(file.error());
   auto info = store::studyInfo(*file);
   if (!info) return tl::unexpected(info.error());
-  if (!options.json) return Output{"Made " + options.file + " as it was exported\n", {}};
+  if (!options.json) return Output{"Made " + base::oneLine(options.file) + " as it was exported\n", {}};
   store::Merge merge;
   merge.added = std::move(info->counts);
   std::erase_if(merge.added, [](const store::TableCount& count) { return count.rows == 0; });
@@ -76,19 +111,20 @@ Result<Output> importRecords(const StudyImportOptions& options, const std::strin
   if (!file) return tl::unexpected(file.error());
   const auto merge = store::importRecords(*file, records, study::RecordIds().next(), utcNowMs());
   if (!merge) return tl::unexpected(merge.error());
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
-  if (!options.json) return Output{options.folder + ": " + mergeAsText(*merge), {}};
+  auto warnings = closeSaved(*file);
+  if (!options.json) return Output{base::oneLine(options.folder) + ": " + mergeAsText(*merge), std::move(warnings)};
   base::JsonWriter json;
   json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
   writeMerge(*merge, json);
   json.endObject();
-  return Output{json.text(), {}};
+  return Output{json.text(), std::move(warnings)};
 }
 
 }  // namespace
 
 Result<Output> studyImport(const StudyImportOptions& options) {
   std::error_code ignored;
+  session::removeOurs(session::leftoversOfStudy(options.file));  // of an import that was stopped
   const std::string records = (std::filesystem::path(options.folder) / "records").string();
   if (!std::filesystem::is_directory(records, ignored)) return importFolder(options);
   const bool is_there = std::filesystem::exists(options.file, ignored);

@@ -42,7 +42,7 @@ Result<Output> finishWithdrawal(store::StudyFile& file, const StudyWithdrawOptio
   const auto unfinished = store::unfinishedErasures(file);
   if (!unfinished) return tl::unexpected(unfinished.error());
   Output output;
-  output.text = options.person + " withdrew from " + options.file + " on " + utcText(tombstone.utc_ms);
+  output.text = base::oneLine(options.person + " withdrew from " + options.file) + " on " + utcText(tombstone.utc_ms);
   if (unfinished->empty()) {
     output.text += "; there is nothing left to remove\n";
   } else {
@@ -65,7 +65,7 @@ Result<Output> studyRecode(const StudyRecodeOptions& options) {
   if (!recoded) return tl::unexpected(recoded.error());
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   return Output{"The participant " + base::oneLine(person->code) + " (" + toText(person->id) + ") has the code " +
-                    base::oneLine(options.code) + " in " + options.file + " now\n",
+                    base::oneLine(options.code + " in " + options.file) + " now\n",
                 {}};
 }
 
@@ -83,7 +83,7 @@ Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   Output output;
   output.text = "Removed " + std::to_string(withdrawal->records) + " records of " + base::oneLine(person->code) +
-                " from " + options.file + " and cleaned " + std::to_string(withdrawal->models) +
+                " from " + base::oneLine(options.file) + " and cleaned " + std::to_string(withdrawal->models) +
                 " versions of models. Backups and exports made before still hold them.\n";
   for (const auto& code : withdrawal->shared_codes) {
     output.warnings.push_back(base::quoted(code) +
@@ -104,7 +104,7 @@ Result<Output> studyErase(const StudyEraseOptions& options) {
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   Output output;
   output.text =
-      options.file + ": " +
+      base::oneLine(options.file) + ": " +
       (erasure->unfinished.empty() ? std::string("no erasure was interrupted")
                                    : "finished the erasure of " + std::to_string(erasure->unfinished.size()) +
                                          (erasure->unfinished.size() == 1 ? " participant" : " participants")) +

@@ -15,6 +15,14 @@ base::Result<store::StudyFile> newStudy(const std::string& path, const std::stri
   return store::StudyFile::create(path, {study::RecordIds().next(), name, utcNowMs(), std::string(kGenerator)});
 }
 
+std::vector<std::string> closeSaved(store::StudyFile& file) {
+  const std::string path = file.path();
+  const auto closed = file.close();
+  if (closed) return {};
+  return {"everything is saved, but " + path + "-wal could not be worked into the study: " + closed.error().message() +
+          "; leave it beside the study, the next opening does it"};
+}
+
 void writeCounts(const std::vector<store::TableCount>& counts, base::JsonWriter& json) {
   json.beginObject(base::JsonWriter::Layout::kInline);
   for (const auto& count : counts) json.key(count.table).value(count.rows);
@@ -26,7 +34,7 @@ std::string mergeAsText(const store::Merge& merge) {
   for (const auto& count : merge.added) text += ' ' + count.table + ' ' + std::to_string(count.rows);
   text +=
       ", withdrawn " + std::to_string(merge.withdrawn) + ", conflicts " + std::to_string(merge.conflicts.size()) + '\n';
-  for (const auto& conflict : merge.conflicts) text += "  " + conflict + '\n';
+  for (const auto& conflict : merge.conflicts) text += "  " + base::oneLine(conflict) + '\n';
   return text;
 }
 

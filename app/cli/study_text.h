@@ -18,6 +18,9 @@ std::int64_t utcNowMs();
 /// Makes the study file `path` and opens it.
 base::Result<store::StudyFile> newStudy(const std::string& path, const std::string& name);
 
+/// Closes a study in which everything is saved. A failure of this last step is a warning: no record is lost.
+std::vector<std::string> closeSaved(store::StudyFile& file);
+
 /// `{"person": 3, …}` on one line.
 void writeCounts(const std::vector<store::TableCount>& counts, base::JsonWriter& json);
 

@@ -82,7 +82,8 @@ std::string votesText(const VoteStep& step) {
   return base::joined(counts, " ");
 }
 
-std::string padded(std::string cell, std::size_t width) {
+std::string padded(const std::string& text, std::size_t width) {
+  std::string cell = base::oneLine(text);
   cell.resize(std::max(width, cell.size() + 1), ' ');
   return cell;
 }
@@ -99,8 +100,8 @@ std::string termsText(const std::vector<fuzzy::Term>& terms) {
 
 std::string asText(const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
                    const elicitation::FrequencyTerms& frequency, const std::vector<std::string>& ids) {
-  std::string text = "votes for " + base::joined(ids, ", ") + ":\n" + padded("force_n", 9) + padded("votes", 14) +
-                     padded("term", 14) + "why\n";
+  std::string text = "votes for " + base::oneLine(base::joined(ids, ", ")) + ":\n" + padded("force_n", 9) +
+                     padded("votes", 14) + padded("term", 14) + "why\n";
   for (const auto& step : steps) {
     text += padded(base::formatNumber(step.force_n), 9) + padded(votesText(step), 14) +
             padded(step.term ? ids[*step.term] : "-", 14) + why(step) + '\n';

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
+
 namespace tactus::cli {
 namespace {
 
@@ -13,7 +15,9 @@ std::size_t width(std::string_view text) {
 
 }  // namespace
 
-std::string wrapped(std::string_view text, std::string_view first, std::size_t indent) {
+std::string wrapped(std::string_view sentence, std::string_view first, std::size_t indent) {
+  const std::string harmless = base::oneLine(sentence);
+  std::string_view text = harmless;
   std::string out(first);
   std::size_t column = width(first);
   bool line_start = true;

@@ -9,8 +9,8 @@ namespace tactus::cli {
 
 inline constexpr std::size_t kTextColumns = 100;
 
-/// `text` (UTF-8) on lines of at most kTextColumns characters, each with a line feed, broken at spaces; a longer word
-/// stays whole. The first line starts with `first`, all others with `indent` spaces.
-std::string wrapped(std::string_view text, std::string_view first, std::size_t indent);
+/// `sentence` (UTF-8), escaped by base::oneLine, on lines of at most kTextColumns characters, each with a line feed,
+/// broken at spaces; a longer word stays whole. The first line starts with `first`, all others with `indent` spaces.
+std::string wrapped(std::string_view sentence, std::string_view first, std::size_t indent);
 
 }  // namespace tactus::cli

@@ -1,11 +1,17 @@
 #include "app/session/export_folder.h"
 
-#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <optional>
 #include <set>
+#include <system_error>
+#include <unistd.h>
 #include <utility>
 
 #include "app/session/codebook.h"
 #include "core/base/file.h"
+#include "core/base/unfinished.h"
 #include "core/study/record_id.h"
 #include "core/study/table_line.h"
 
@@ -43,6 +49,16 @@ Error notFree(const fs::path& folder, std::string found) {
   return {ErrorCode::kIo, folder.string(), {}, std::move(found), "a new or empty folder, or one that an export made"};
 }
 
+/// The first file of the folder that no export makes, or nothing.
+std::optional<fs::path> otherFile(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+    const fs::path below = entry.path().lexically_relative(folder);
+    if (!entry.is_directory(error) && !isOurs(below)) return below;
+  }
+  return std::nullopt;
+}
+
 /// An earlier export has its codebook, and nothing of anybody else.
 Result<void> requireFree(const fs::path& folder) {
   std::error_code error;
@@ -53,35 +69,55 @@ Result<void> requireFree(const fs::path& folder) {
   if (!codebook || codebook->find(kCodebookFormat) == std::string::npos) {
     return tl::unexpected(notFree(folder, "a folder that holds other files"));
   }
-  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-    const fs::path below = entry.path().lexically_relative(folder);
-    if (!entry.is_directory() && !isOurs(below)) {
-      return tl::unexpected(notFree(folder, "an earlier export with another file, " + base::quoted(below.string())));
-    }
+  if (const auto other = otherFile(folder)) {
+    return tl::unexpected(notFree(folder, "an earlier export with another file, " + base::quoted(other->string())));
   }
   return {};
-}
-
-/// A name beside `path` that is free.
-fs::path freeName(const fs::path& path, const std::string& ending) {
-  std::error_code ignored;
-  for (int number = 1;; ++number) {
-    fs::path name = path;
-    name += ending + std::to_string(number);
-    if (!fs::exists(name, ignored)) return name;
-  }
 }
 
 tl::unexpected<Error> ioError(const fs::path& path, const std::error_code& error) {
   return tl::unexpected(Error{ErrorCode::kIo, path.string(), {}, error.message(), "a folder that can be written"});
 }
 
+/// Gives the new folder `from` the name `to`, which an older folder has; that gets the name of the new one.
+Result<void> exchange(const fs::path& from, const fs::path& to, Swap swap) {
+  if (swap == Swap::kAtOnce) {
+    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return {};
+    const bool is_unknown = errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
+    if (!is_unknown) return ioError(to, {errno, std::generic_category()});
+  }
+  // The file system cannot exchange names. After a crash between the two steps both folders are still there.
+  std::error_code error;
+  auto old = base::makeUnfinishedFolder(to.string(), base::kUnfinishedEnding);
+  if (!old.descriptor.isOpen()) return ioError(to, {errno, std::generic_category()});
+  fs::rename(to, old.path, error);
+  if (error) {
+    fs::remove(old.path);
+    return ioError(to, error);
+  }
+  fs::rename(from, to, error);
+  if (error) {
+    const auto failed = ioError(to, error);
+    fs::rename(old.path, to, error);
+    return failed;
+  }
+  fs::rename(old.path, from, error);
+  return {};
+}
+
 }  // namespace
 
-ExportFolder::ExportFolder(fs::path target, fs::path temporary)
-    : target_(std::move(target)), temporary_(std::move(temporary)) {}
+bool isExport(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_directory(folder, error) && !fs::is_empty(folder, error) && !otherFile(folder);
+}
+
+ExportFolder::ExportFolder(fs::path target, fs::path temporary, base::Descriptor in_use)
+    : target_(std::move(target)), temporary_(std::move(temporary)), in_use_(std::move(in_use)) {}
 ExportFolder::ExportFolder(ExportFolder&& other) noexcept
-    : target_(std::exchange(other.target_, {})), temporary_(std::exchange(other.temporary_, {})) {}
+    : target_(std::exchange(other.target_, {})),
+      temporary_(std::exchange(other.temporary_, {})),
+      in_use_(std::move(other.in_use_)) {}
 ExportFolder::~ExportFolder() {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
@@ -94,27 +130,28 @@ Result<ExportFolder> ExportFolder::beside(const std::string& folder) {
   if (!target.has_filename()) target = target.parent_path();
   if (auto free = requireFree(target); !free) return tl::unexpected(free.error());
   if (auto made = base::makeFolder(target.parent_path().string()); !made) return tl::unexpected(made.error());
-  fs::path temporary = freeName(target, ".new-");
-  if (!fs::create_directory(temporary, error)) return ioError(temporary, error);
-  return ExportFolder(std::move(target), std::move(temporary));
+  auto [temporary, in_use] = base::makeUnfinishedFolder(target.string(), base::kUnfinishedEnding);
+  if (!in_use.isOpen()) return ioError(target.parent_path(), {errno, std::generic_category()});
+  return ExportFolder(std::move(target), std::move(temporary), std::move(in_use));
 }
 
-Result<void> ExportFolder::place() {
+Result<void> ExportFolder::place(Swap swap) {
   std::error_code error;
-  fs::path old;
-  if (fs::exists(target_, error)) {
-    old = freeName(target_, ".old-");
-    fs::rename(target_, old, error);
+  const auto old = fs::status(target_, error);
+  if (fs::exists(old)) {
+    fs::permissions(temporary_, old.permissions(), error);
+    if (error) return ioError(target_, error);
+    if (auto exchanged = exchange(temporary_, target_, swap); !exchanged) return exchanged;
+    fs::remove_all(temporary_, error);
+  } else {
+    fs::rename(temporary_, target_, error);
     if (error) return ioError(target_, error);
   }
-  fs::rename(temporary_, target_, error);
-  if (error) {
-    const auto failed = ioError(target_, error);
-    if (!old.empty()) fs::rename(old, target_, error);
-    return failed;
-  }
   temporary_.clear();
-  if (!old.empty()) fs::remove_all(old, error);
+  const base::Descriptor parent(::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!parent.isOpen() || ::fsync(parent.number()) != 0) {
+    return ioError(target_.parent_path(), {errno, std::generic_category()});
+  }
   return {};
 }
 

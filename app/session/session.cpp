@@ -4,7 +4,9 @@
 #include <chrono>
 #include <utility>
 
+#include "app/session/session_order.h"
 #include "app/session/session_state.h"
+#include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
@@ -73,8 +75,13 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   state->simulated = person->simulated;
   // Everything that can be refused is refused before the session is in the file.
   if (auto ok = state->makeProtocols(); !ok) return tl::unexpected(ok.error());
-  if (auto ok = store::append(file, record); !ok) return tl::unexpected(ok.error());
-  if (auto ok = state->log(kBegan); !ok) return tl::unexpected(ok.error());
+  const auto latest = latestSession(file, start.person);
+  if (!latest) return tl::unexpected(latest.error());
+  // A session without the first line of its log would be one that nobody holds.
+  auto begun = store::inOneBatch(file, [&] {
+    return store::append(file, record).and_then([&] { return state->log(kBegan, afterDetail(*latest)); });
+  });
+  if (!begun) return tl::unexpected(begun.error());
   return Session(std::move(state));
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/session/codebook.h"
 #include "app/session/export_folder.h"
+#include "app/session/leftovers.h"
 #include "app/session/shareable.h"
 #include "app/session/study_view.h"
 #include "core/base/csv.h"
@@ -19,7 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 using base::Result;
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 31U;
+constexpr const char* kGuarded =
+    "For spreadsheet programs: text that begins with = + - @, a tab or a carriage return has an apostrophe in front, "
+    "so "
+    "that none of it is run as a formula; `tactus study import` and `tactus build` take it away again.";
+constexpr const char* kNotGuarded =
+    "Text stands as it was entered. A spreadsheet program may run text that begins with = + - @ as a formula: for such "
+    "a "
+    "program export with `--bom`, which puts an apostrophe in front.";
 
 /// The inputs of the study's rules: those of the tube model, then further ones.
 std::vector<std::string> inputsOf(const study::Study& study) {
@@ -46,10 +54,26 @@ Result<void> addBands(const std::string& path, const std::vector<std::string>& b
   return base::writeFileAtomically(path, csv.text());
 }
 
-Result<void> addMark(const std::string& path) {
-  const auto text = base::readFile(path, kMostBytes);
-  if (!text) return tl::unexpected(text.error());
-  return base::writeFileAtomically(path, std::string(store::kByteOrderMark) + *text);
+/// Makes the table one for spreadsheet programs: with a byte order mark, and guards before what looks like a formula.
+Result<void> addMark(const std::string& path, const store::RecordTable& description) {
+  const auto table = base::CsvTable::read(path);
+  if (!table) return tl::unexpected(table.error());
+  const auto is_text = [&](const std::string& name) {
+    return std::any_of(description.columns.begin(), description.columns.end(), [&](const store::RecordColumn& column) {
+      return column.name == name && column.kind == store::ColumnKind::kText;
+    });
+  };
+  std::vector<bool> texts;
+  for (const auto& name : table->columns()) texts.push_back(is_text(name));
+  base::CsvWriter csv{std::span<const std::string>(table->columns())};
+  for (std::size_t row = 0; row < table->rowCount(); ++row) {
+    for (std::size_t column = 0; column < texts.size(); ++column) {
+      const auto cell = table->cell(row, column);
+      csv.cell(std::string_view(texts[column] ? base::guarded(cell) : std::string(cell)));
+    }
+    csv.endRow();
+  }
+  return base::writeFileAtomically(path, std::string(store::kByteOrderMark) + csv.text());
 }
 
 std::string simulatedNote(const study::Study& study) {
@@ -76,6 +100,7 @@ class Exporter {
       done_.notes.push_back("The five tables for elicitation are left out: " + view.error().message() + '.');
     }
     if (auto ok = options_.shareable ? noteWhatIsMissing() : writeRecords(); !ok) return tl::unexpected(ok.error());
+    codebook_.notes.emplace_back(options_.mark == store::ByteOrderMark::kWrite ? kGuarded : kNotGuarded);
     for (const auto& [name, text] :
          {std::pair("codebook.json", asJson(codebook_)), std::pair("codebook.md", asMarkdown(codebook_))}) {
       if (auto ok = base::writeFileAtomically(path(name), text); !ok) return tl::unexpected(ok.error());
@@ -105,11 +130,12 @@ class Exporter {
     for (const auto& table : view_tables_) {
       codebook_.tables.push_back({std::string(table.file), &table});
       if (options_.mark == store::ByteOrderMark::kNone) continue;
-      if (auto ok = addMark(path(table.file)); !ok) return ok;
+      if (auto ok = addMark(path(table.file), table); !ok) return ok;
     }
     codebook_.notes.emplace_back(
         "The tables at the top hold what counts now: no corrected records, no practice, no strokes that were not "
-        "accepted, no judgements that are not scored; of a block that was done again, the latest session.");
+        "accepted, no judgements that are not scored; of a block that was done again, the session that counts (the "
+        "latest complete one).");
     return {};
   }
 
@@ -151,9 +177,12 @@ class Exporter {
 Result<StudyExport> exportStudy(const store::StudyFile& file, const std::string& folder, const ExportOptions& options) {
   auto place = ExportFolder::beside(folder);
   if (!place) return tl::unexpected(place.error());
+  std::vector<std::string> removed = removeOurs(leftoversOfStudy(file.path()));
+  for (auto& path : removeOurs(leftoversOfExport(folder))) removed.push_back(std::move(path));
   auto done = Exporter(file, place->path(), options).write();
   if (!done) return done;
   if (auto placed = place->place(); !placed) return tl::unexpected(placed.error());
+  for (const auto& path : removed) done->notes.push_back(path + ": left by a crash; deleted");
   return done;
 }
 

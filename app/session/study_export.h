@@ -28,7 +28,8 @@ struct StudyExport {
 /// reads them (core/study/csv_tables.h), codebook.json and codebook.md, and below `records` everything that the study
 /// file holds (core/store/record_export.h). The same study gives the same bytes. The folder appears whole or not at
 /// all; it must be new, empty, or an earlier export, which is replaced. A full export leaves out the five tables, with
-/// a note, where the study has no view for elicitation (study_view.h).
+/// a note, where the study has no view for elicitation (study_view.h). What crashes left beside the study and the
+/// folder is deleted, with a note, where it is certainly ours (leftovers.h).
 base::Result<StudyExport> exportStudy(const store::StudyFile& file, const std::string& folder,
                                       const ExportOptions& options = {});
 

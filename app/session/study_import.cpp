@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
+#include "app/session/session_order.h"
+#include "app/session/session_state.h"
 #include "core/base/sha256.h"
 #include "core/base/text.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
+#include "core/store/import_log.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
@@ -36,6 +40,8 @@ struct Rows {
   std::vector<study::AnswerRecord> answers;
   std::vector<study::RuleRecord> rules;
   std::string text;  ///< all values, so that equal rows give an equal id
+
+  std::string digest() const { return base::sha256(text); }
 };
 
 /// Collects values into a text that differs where any value does; a long one is folded into its hash.
@@ -162,32 +168,52 @@ std::vector<Rows> rowsOfAll(const study::Study& study) {
 
 class Importer {
  public:
-  explicit Importer(store::StudyFile& file) : file_(file) {}
+  Importer(store::StudyFile& file, const ImportSource& source) : file_(file), source_(source) {}
+
+  /// Looks what was imported before; once, before the first `add`.
+  Result<void> look() {
+    const auto persons = store::persons(file_);
+    if (!persons) return tl::unexpected(persons.error());
+    for (const auto& person : *persons) {
+      const auto known = sessionsInOrder(file_, person.id);
+      if (!known) return tl::unexpected(known.error());
+      const auto latest = std::find_if(known->rbegin(), known->rend(), [](const study::SessionRecord& session) {
+        return session.kind == study::SessionKind::kImport;
+      });
+      if (latest != known->rend()) latest_imports_.push_back(*latest);
+    }
+    return {};
+  }
 
   Result<void> add(const study::Participant& participant, Rows rows) {
-    rows.text = base::sha256(rows.text);
-    const auto there = isThere(rows.text);
-    if (!there) return tl::unexpected(there.error());
-    if (*there) {
+    if (isThere(rows)) {
       import.notes.push_back(participant.code + "'s rows are in the study already.");
       return {};
     }
-    const auto person = personOf(participant, rows.text);
+    const auto person = personOf(participant, rows.digest());
     if (!person) return tl::unexpected(person.error());
+    const auto known = sessionsInOrder(file_, *person);
+    if (!known) return tl::unexpected(known.error());
     study::SessionRecord session;
-    session.id = sessionOf(*person, rows.text);
     session.person = *person;
     session.kind = study::SessionKind::kImport;
     session.program = "import";
-    const auto known = store::sessions(file_, *person);
-    if (!known) return tl::unexpected(known.error());
-    session.started.utc_ms = 1 + std::count_if(known->begin(), known->end(), [](const study::SessionRecord& other) {
-                               return other.kind == study::SessionKind::kImport;
-                             });
+    session.started.utc_ms = source_.utc_ms;
+    const std::string digest = rows.digest();
+    session.id = idAt(*person, digest, session.started.utc_ms);
+    // Where the clock stood still, the same rows may have come at this time before.
+    while (std::any_of(known->begin(), known->end(), [&](const auto& other) { return other.id == session.id; })) {
+      session.id = idAt(*person, digest, ++session.started.utc_ms);
+    }
     if (auto ok = store::append(file_, session); !ok) return ok;
     ++import.sessions;
     session_ = session.id;
+    all_sessions_ += toText(session.id);
     next_ = 0;
+    if (!known->empty()) {
+      study::EventRecord began{entry(" began"), kBegan, afterDetail(known->back().id)};
+      if (auto ok = store::append(file_, began); !ok) return ok;
+    }
     return appendAll(rows.profiles)
         .and_then([&] { return appendAll(rows.strokes); })
         .and_then([&] { return appendAll(rows.judgements); })
@@ -195,29 +221,41 @@ class Importer {
         .and_then([&] { return appendAll(rows.rules); });
   }
 
+  /// What the study remembers of the import; nothing where nothing was new.
+  Result<void> remember() {
+    if (import.sessions == 0) return {};
+    nlohmann::json counts{{"persons", import.persons}, {"sessions", import.sessions}, {"records", import.records}};
+    return store::append(file_, store::ImportLogEntry{idOf("import " + all_sessions_), source_.utc_ms, "tables",
+                                                      source_.name, counts.dump(), source_.sha256});
+  }
+
   StudyImport import;
 
  private:
-  /// Of the same rows for another person, as two sites may have them, it is another session.
-  static RecordId sessionOf(const RecordId& person, const std::string& rows) {
-    return idOf("session " + toText(person) + ' ' + rows);
+  static RecordId idAt(const RecordId& person, const std::string& digest, std::int64_t utc_ms) {
+    return idOf("session " + toText(person) + ' ' + digest + " at " + std::to_string(utc_ms));
   }
 
-  /// Whether somebody has these rows already, perhaps under another code by now.
-  Result<bool> isThere(const std::string& rows) {
-    const auto persons = store::persons(file_);
-    if (!persons) return tl::unexpected(persons.error());
-    for (const auto& person : *persons) {
-      const auto known = store::sessions(file_, person.id);
-      if (!known) return tl::unexpected(known.error());
-      const RecordId wanted = sessionOf(person.id, rows);
-      if (std::any_of(known->begin(), known->end(), [&](const auto& one) { return one.id == wanted; })) return true;
-    }
-    return false;
+  /// Whether the rows are those of the latest import of somebody, perhaps under another code by now.
+  bool isThere(const Rows& rows) const {
+    const std::string digest = rows.digest();
+    const RecordId without_time = idOf("session " + rows.text);  // before version 2 of the study file
+    return std::any_of(latest_imports_.begin(), latest_imports_.end(), [&](const study::SessionRecord& session) {
+      return session.id == idAt(session.person, digest, session.started.utc_ms) || session.id == without_time;
+    });
+  }
+
+  study::Entry entry(const std::string& what) const {
+    study::Entry entry;
+    entry.id = idOf(toText(session_) + what);
+    entry.session = session_;
+    entry.when.utc_ms = source_.utc_ms;
+    entry.entered_by = study::EnteredBy::kProgram;
+    return entry;
   }
 
   /// The person in this file with the participant's code, or a new one, whose id no other study gives.
-  Result<RecordId> personOf(const study::Participant& participant, const std::string& rows) {
+  Result<RecordId> personOf(const study::Participant& participant, const std::string& digest) {
     const auto known = store::findPerson(file_, participant.code);
     if (!known) return tl::unexpected(known.error());
     if (*known) {
@@ -228,7 +266,7 @@ class Importer {
     }
     const auto study = store::studyInfo(file_);
     if (!study) return tl::unexpected(study.error());
-    const std::string text = "person " + toText(study->id) + ' ' + rows;
+    const std::string text = "person " + toText(study->id) + ' ' + digest;
     const study::Person person{idOf(text), participant.code, participant.simulated};
     if (auto ok = store::append(file_, person); !ok) return tl::unexpected(ok.error());
     ++import.persons;
@@ -238,9 +276,7 @@ class Importer {
   template <class Record>
   Result<void> appendAll(std::vector<Record>& records) {
     for (auto& record : records) {
-      record.entry.id = idOf(toText(session_) + ' ' + std::to_string(next_++));
-      record.entry.session = session_;
-      record.entry.entered_by = study::EnteredBy::kProgram;
+      record.entry = entry(' ' + std::to_string(next_++));
       if (auto ok = store::append(file_, record); !ok) return ok;
       ++import.records;
     }
@@ -248,20 +284,25 @@ class Importer {
   }
 
   store::StudyFile& file_;
+  const ImportSource& source_;
+  std::vector<study::SessionRecord> latest_imports_;  ///< of each person who has any
+  std::string all_sessions_;                          ///< ids of the new ones
   RecordId session_;
   std::size_t next_ = 0;
 };
 
 }  // namespace
 
-Result<StudyImport> importTables(const study::Study& study, store::StudyFile& file) {
+Result<StudyImport> importTables(const study::Study& study, store::StudyFile& file, const ImportSource& source) {
   auto batch = store::Batch::begin(file);
   if (!batch) return tl::unexpected(batch.error());
-  Importer importer(file);
+  Importer importer(file, source);
+  if (auto ok = importer.look(); !ok) return tl::unexpected(ok.error());
   auto rows = rowsOfAll(study);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (auto ok = importer.add(study.participants[i], std::move(rows[i])); !ok) return tl::unexpected(ok.error());
   }
+  if (auto ok = importer.remember(); !ok) return tl::unexpected(ok.error());
   if (auto ok = batch->commit(); !ok) return tl::unexpected(ok.error());
   return std::move(importer.import);
 }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
+#include "app/session/counted_session.h"
+#include "app/session/session_order.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/recoding.h"
@@ -19,32 +20,15 @@ namespace {
 using base::Result;
 using study::RecordId;
 
-/// Which participant a session is of; sessions that elicitation does not read are absent.
-using CodeOfSession = std::map<RecordId, std::string>;
+/// Whose a session is, and its place among the sessions of the person.
+struct Visit {
+  RecordId person;
+  std::size_t place = 0;
+  study::SessionRecord session;
+};
 
-/// Of each block (what `block` calls a participant's part of a kind) the records of the latest session, participant
-/// after participant by code. The records come session after session.
-template <class Record, class Block>
-std::vector<Record> ofLatestSession(std::vector<Record> records, const CodeOfSession& codes, Block block,
-                                    std::vector<std::string>& notes) {
-  std::map<std::pair<std::string, std::string>, RecordId> latest;
-  std::set<std::pair<std::string, std::string>> repeated;
-  const auto key = [&](const Record& record) { return std::pair(codes.at(record.entry.session), block(record)); };
-  std::erase_if(records, [&](const Record& record) { return !codes.contains(record.entry.session); });
-  for (const auto& record : records) {
-    const auto [it, is_new] = latest.try_emplace(key(record), record.entry.session);
-    if (!is_new && it->second != record.entry.session) repeated.insert(it->first);
-    it->second = record.entry.session;
-  }
-  std::erase_if(records, [&](const Record& record) { return latest.at(key(record)) != record.entry.session; });
-  std::stable_sort(records.begin(), records.end(), [&](const Record& a, const Record& b) {
-    return codes.at(a.entry.session) < codes.at(b.entry.session);
-  });
-  for (const auto& [participant, what] : repeated) {
-    notes.push_back(participant + " did " + what + " in more than one session; the latest counts.");
-  }
-  return records;
-}
+/// Sessions that elicitation reads.
+using Visits = std::map<RecordId, Visit>;
 
 class Reader {
  public:
@@ -69,7 +53,7 @@ class Reader {
     if (!persons) return tl::unexpected(persons.error());
     const auto sessions = store::sessions(file_);
     if (!sessions) return tl::unexpected(sessions.error());
-    const auto profiles = store::profiles(file_);
+    auto profiles = store::profiles(file_);
     if (!profiles) return tl::unexpected(profiles.error());
 
     // Who only felt models, such as the researcher, is no participant of the elicitation.
@@ -88,16 +72,23 @@ class Reader {
       participant.simulated = person.simulated;
       view_.study.participants.push_back(std::move(participant));
     }
-    std::map<RecordId, std::size_t> participant_of_session;
-    for (const auto& session : *sessions) {
-      if (!place_of.contains(session.person)) continue;
-      const std::size_t place = place_of.at(session.person);
-      participant_of_session[session.id] = place;
-      if (session.kind != study::SessionKind::kUsability) codes_[session.id] = view_.study.participants[place].code;
+    std::map<RecordId, Visit> all;
+    for (const auto& [person, place] : place_of) {
+      codes_[person] = view_.study.participants[place].code;
+      const auto ordered = sessionsInOrder(file_, person);
+      if (!ordered) return tl::unexpected(ordered.error());
+      for (std::size_t i = 0; i < ordered->size(); ++i) {
+        const auto& session = (*ordered)[i];
+        all[session.id] = {person, i, session};
+        if (session.kind != study::SessionKind::kUsability) visits_[session.id] = all[session.id];
+      }
     }
+    std::erase_if(*profiles, [&](const auto& profile) { return !all.contains(profile.entry.session); });
+    std::stable_sort(profiles->begin(), profiles->end(), [&](const auto& a, const auto& b) {
+      return all.at(a.entry.session).place < all.at(b.entry.session).place;
+    });
     for (const auto& profile : *profiles) {  // the latest holds
-      if (!participant_of_session.contains(profile.entry.session)) continue;
-      auto& participant = view_.study.participants[participant_of_session.at(profile.entry.session)];
+      auto& participant = view_.study.participants[place_of.at(all.at(profile.entry.session).person)];
       participant.years_experience = profile.years_experience;
       participant.category = profile.category;
       participant.handedness = profile.handedness;
@@ -112,12 +103,16 @@ class Reader {
     std::erase_if(*strokes, [](const study::StrokeRecord& stroke) {
       return stroke.practice || stroke.verdict != name(experiments::StrokeVerdict::kAccepted);
     });
-    const auto level = [](const study::StrokeRecord& stroke) { return "the speed " + base::quoted(stroke.level); };
-    for (auto& stroke : ofLatestSession(std::move(*strokes), codes_, level, view_.notes)) {
+    const auto level = [](const study::StrokeRecord& stroke) {
+      return ElicitedBlock{ElicitedBlock::Kind::kSpeedLevel, stroke.level};
+    };
+    auto counted = ofCountedSession(std::move(*strokes), level, [](const auto&) { return true; });
+    if (!counted) return tl::unexpected(counted.error());
+    for (auto& stroke : *counted) {
       auto recording = store::recordingOf(file_, stroke.entry.id);
       if (!recording) return tl::unexpected(recording.error());
       stroke.recording = std::move(*recording);
-      const auto samples = speedSamples(stroke, codes_.at(stroke.entry.session));
+      const auto samples = speedSamples(stroke, codeOf(stroke.entry));
       if (!samples) return tl::unexpected(samples.error());
       view_.study.speeds.insert(view_.study.speeds.end(), samples->begin(), samples->end());
     }
@@ -130,11 +125,13 @@ class Reader {
     std::erase_if(*judgements,
                   [](const study::JudgementRecord& judgement) { return !judgement.scored || judgement.catch_trial; });
     const auto series = [](const study::JudgementRecord& judgement) {
-      return "the series " + base::quoted(judgement.series);
+      return ElicitedBlock{ElicitedBlock::Kind::kForceSeries, judgement.series};
     };
-    for (auto& judgement : ofLatestSession(std::move(*judgements), codes_, series, view_.notes)) {
+    auto counted = ofCountedSession(std::move(*judgements), series, [](const auto&) { return true; });
+    if (!counted) return tl::unexpected(counted.error());
+    for (auto& judgement : *counted) {
       study::ForceJudgement out;
-      out.participant = codes_.at(judgement.entry.session);
+      out.participant = codeOf(judgement.entry);
       out.series = judgement.series;
       out.step = judgement.step;
       out.force_n = judgement.commanded_n;
@@ -148,10 +145,17 @@ class Reader {
   Result<void> addAnswers() {
     auto answers = store::answers(file_);
     if (!answers) return tl::unexpected(answers.error());
-    const auto form = [](const study::AnswerRecord& answer) { return "the form " + base::quoted(answer.form); };
-    for (auto& answer : ofLatestSession(std::move(*answers), codes_, form, view_.notes)) {
+    const auto form = [](const study::AnswerRecord& answer) {
+      return ElicitedBlock{ElicitedBlock::Kind::kForm, answer.form};
+    };
+    const auto is_answered = [](const study::AnswerRecord& answer) {
+      return answer.status == study::Answer::Status::kAnswered;
+    };
+    auto counted = ofCountedSession(std::move(*answers), form, is_answered);
+    if (!counted) return tl::unexpected(counted.error());
+    for (auto& answer : *counted) {
       study::Answer out;
-      out.participant = codes_.at(answer.entry.session);
+      out.participant = codeOf(answer.entry);
       out.form = std::move(answer.form);
       out.item = answer.item;
       out.term = std::move(answer.value);
@@ -164,16 +168,61 @@ class Reader {
   Result<void> addRules() {
     auto rules = store::rules(file_);
     if (!rules) return tl::unexpected(rules.error());
-    const auto all = [](const study::RuleRecord&) { return std::string("the rules"); };
-    for (auto& record : ofLatestSession(std::move(*rules), codes_, all, view_.notes)) {
-      record.rule.participant = codes_.at(record.entry.session);
+    const auto all = [](const study::RuleRecord&) { return ElicitedBlock{}; };
+    auto counted = ofCountedSession(std::move(*rules), all, [](const auto&) { return true; });
+    if (!counted) return tl::unexpected(counted.error());
+    for (auto& record : *counted) {
+      record.rule.participant = codeOf(record.entry);
       view_.study.rules.push_back(std::move(record.rule));
     }
     return {};
   }
 
+  const std::string& codeOf(const study::Entry& entry) const { return codes_.at(visits_.at(entry.session).person); }
+
+  /// Of each block (what `block` calls a participant's part of a kind) the records of the session that counts,
+  /// participant after participant by code. `is_scored` tells the records by which sessions are compared.
+  template <class Record, class Block, class IsScored>
+  Result<std::vector<Record>> ofCountedSession(std::vector<Record> records, Block block, IsScored is_scored) {
+    std::erase_if(records, [&](const Record& record) { return !visits_.contains(record.entry.session); });
+    // For each person and block: its sessions by their place.
+    std::map<std::pair<RecordId, ElicitedBlock>, std::map<std::size_t, BlockInSession>> found;
+    const auto key = [&](const Record& record) {
+      return std::pair(visits_.at(record.entry.session).person, block(record));
+    };
+    for (const auto& record : records) {
+      const Visit& visit = visits_.at(record.entry.session);
+      auto& one = found[key(record)][visit.place];
+      one.session = visit.session;
+      one.scored += is_scored(record) ? 1 : 0;
+    }
+    std::map<std::pair<RecordId, ElicitedBlock>, RecordId> counted;
+    std::vector<std::pair<std::string, std::string>> notes;  // with the code, by which they are sorted
+    for (const auto& [what, by_place] : found) {
+      std::vector<BlockInSession> sessions;
+      for (const auto& [place, one] : by_place) sessions.push_back(one);
+      if (sessions.size() > 1) {
+        for (auto& one : sessions) {
+          const auto complete = isComplete(file_, one.session, what.second, one.scored);
+          if (!complete) return tl::unexpected(complete.error());
+          one.complete = *complete;
+        }
+        const std::string& code = codes_.at(what.first);
+        notes.emplace_back(code, note(code, what.second, sessions));
+      }
+      counted[what] = sessions[countedSession(sessions)].session.id;
+    }
+    std::stable_sort(notes.begin(), notes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (auto& [code, sentence] : notes) view_.notes.push_back(std::move(sentence));
+    std::erase_if(records, [&](const Record& record) { return counted.at(key(record)) != record.entry.session; });
+    std::stable_sort(records.begin(), records.end(),
+                     [&](const Record& a, const Record& b) { return codeOf(a.entry) < codeOf(b.entry); });
+    return records;
+  }
+
   const store::StudyFile& file_;
-  CodeOfSession codes_;
+  Visits visits_;
+  std::map<RecordId, std::string> codes_;  ///< of the participants
   StudyView view_;
 };
 

@@ -18,8 +18,9 @@ struct StudyView {
 };
 
 /// The study in `file`. Corrected records, practice, strokes that were not accepted, judgements that are not scored,
-/// catch trials and usability sessions are left out. Where a participant did a block again in a later session (a speed
-/// level, a series, a form, rules), the latest session counts, with a note. Speeds come from the recorded positions
+/// catch trials and usability sessions are left out. Where a participant did a block in several sessions (a speed
+/// level, a series, a form, rules), the latest one in which it is complete counts, otherwise the one with most of it
+/// (counted_session.h), with a note that names all of them. Speeds come from the recorded positions
 /// (experiments/speed_from_positions.h); a recording that has a channel `speed`, as imported tables do, is taken as it
 /// is. Refused: two persons with one code, which a merge may bring together.
 base::Result<StudyView> studyForElicitation(const store::StudyFile& file);

@@ -27,6 +27,8 @@ Result<Batch> Batch::begin(StudyFile& file) {
   return Batch(file);
 }
 
+bool isInBatch(const StudyFile& file) { return file.connection().batch == State::kOpen; }
+
 Batch::Batch(Batch&& other) noexcept : file_(std::exchange(other.file_, nullptr)) {}
 
 Batch::~Batch() {

@@ -27,4 +27,18 @@ class Batch {
   StudyFile* file_;
 };
 
+/// Whether writes to the file go into a batch now.
+bool isInBatch(const StudyFile& file);
+
+/// Runs `work`, which returns a Result<void>, so that all its writes are committed or none: in a batch of its own, or
+/// as a part of the one that is open.
+template <class Work>
+base::Result<void> inOneBatch(StudyFile& file, Work work) {
+  if (isInBatch(file)) return work();
+  auto batch = Batch::begin(file);
+  if (!batch) return tl::unexpected(batch.error());
+  if (auto done = work(); !done) return done;
+  return batch->commit();
+}
+
 }  // namespace tactus::store

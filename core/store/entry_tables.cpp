@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/csv.h"
 #include "core/base/json_writer.h"
+#include "core/base/text.h"
 #include "core/store/words.h"
 
 namespace tactus::store {
@@ -30,6 +32,12 @@ std::vector<study::ItemCondition> parseConditions(const std::string& text) {
   }
   if (!fits) refuse(ErrorCode::kSchema, "rule", base::quoted(text), "a list of [input, term]");
   return conditions;
+}
+
+/// `name`, an id of a term, level, series or form.
+const std::string& plainName(const std::string& name, const char* place) {
+  if (base::looksLikeFormula(name)) refuse(ErrorCode::kValue, place, base::quoted(name), base::kNoFormula);
+  return name;
 }
 
 }  // namespace
@@ -60,7 +68,11 @@ void putColumns(Query& query, const study::StrokeRecord& record) {
     refuse(ErrorCode::kValue, "stroke", "an end at sample " + std::to_string(record.last),
            "one within the " + std::to_string(record.recording.size()) + " samples of its recording");
   }
-  query.put(record.level).put(record.number).put(record.attempt).put(record.practice).put(record.verdict);
+  query.put(plainName(record.level, "level"))
+      .put(record.number)
+      .put(record.attempt)
+      .put(record.practice)
+      .put(record.verdict);
   query.put(static_cast<std::int64_t>(record.first)).put(static_cast<std::int64_t>(record.last));
 }
 void takeColumns(Query& query, study::StrokeRecord& record) {
@@ -74,8 +86,16 @@ void takeColumns(Query& query, study::StrokeRecord& record) {
 }
 
 void putColumns(Query& query, const study::JudgementRecord& record) {
-  query.put(record.series).put(record.step).put(record.attempt).put(record.commanded_n).put(record.felt_n);
-  query.put(wordFor(record.kind)).put(record.term).put(record.scored).put(record.catch_trial).put(record.feel_again);
+  query.put(plainName(record.series, "series"))
+      .put(record.step)
+      .put(record.attempt)
+      .put(record.commanded_n)
+      .put(record.felt_n);
+  query.put(wordFor(record.kind))
+      .put(plainName(record.term, "term"))
+      .put(record.scored)
+      .put(record.catch_trial)
+      .put(record.feel_again);
   query.put(record.forward_mm).put(record.forward_speed_mm_s).put(record.response_s);
 }
 void takeColumns(Query& query, study::JudgementRecord& record) {
@@ -95,8 +115,10 @@ void takeColumns(Query& query, study::JudgementRecord& record) {
 }
 
 void putColumns(Query& query, const study::AnswerRecord& record) {
-  query.put(record.form).put(record.form_version).put(record.item).put(record.position);
-  query.put(wordFor(record.status)).put(record.value).put(record.response_s);
+  query.put(plainName(record.form, "form")).put(record.form_version).put(record.item).put(record.position);
+  const bool is_number = base::parseNumber(record.value).has_value();  // on a rating scale
+  query.put(wordFor(record.status)).put(is_number ? record.value : plainName(record.value, "answer"));
+  query.put(record.response_s);
 }
 void takeColumns(Query& query, study::AnswerRecord& record) {
   record.form = query.text();
@@ -118,7 +140,9 @@ void takeColumns(Query& query, study::RatingRecord& record) {
 }
 
 void putColumns(Query& query, const study::RuleRecord& record) {
-  query.put(record.rule.form).put(conditionsText(record.rule.conditions)).put(record.rule.then).put(record.rule.weight);
+  for (const auto& condition : record.rule.conditions) plainName(condition.term, "rule");
+  query.put(plainName(record.rule.form, "rule")).put(conditionsText(record.rule.conditions));
+  query.put(plainName(record.rule.then, "rule")).put(record.rule.weight);
 }
 void takeColumns(Query& query, study::RuleRecord& record) {
   record.rule.form = query.text();

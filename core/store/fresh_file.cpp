@@ -1,7 +1,6 @@
 #include "core/store/fresh_file.h"
 
 #include <cerrno>
-#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/stat.h>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "core/base/system_reason.h"
+#include "core/base/unfinished.h"
 
 namespace tactus::store {
 namespace {
@@ -51,11 +51,13 @@ std::string folderOf(const std::string& path) {
 
 }  // namespace
 
-FreshFile::FreshFile(std::string path, std::string temporary)
-    : path_(std::move(path)), temporary_(std::move(temporary)) {}
+FreshFile::FreshFile(std::string path, std::string temporary, base::Descriptor in_use)
+    : path_(std::move(path)), temporary_(std::move(temporary)), in_use_(std::move(in_use)) {}
 
 FreshFile::FreshFile(FreshFile&& other) noexcept
-    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})) {}
+    : path_(std::move(other.path_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      in_use_(std::move(other.in_use_)) {}
 
 FreshFile::~FreshFile() {
   if (temporary_.empty()) return;
@@ -75,15 +77,9 @@ Result<FreshFile> FreshFile::beside(const std::string& path) {
                                 "what another study of this name left (" + base::quoted(rest) + ")",
                                 "a name beside which nothing is left; move that file away or take another name"});
   }
-  std::string temporary = path + ".XXXXXX";
-  const int descriptor = ::mkstemp(temporary.data());
-  if (descriptor < 0) return systemError(path, errno, "a folder in which files can be made");
-  // mkstemp makes the file private; the study gets the usual permissions.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  ::fchmod(descriptor, 0666U & ~mask);
-  ::close(descriptor);
-  return FreshFile(path, std::move(temporary));
+  auto [temporary, in_use] = base::makeUnfinishedFile(path, 0600);
+  if (!in_use.isOpen()) return systemError(path, errno, "a folder in which files can be made");
+  return FreshFile(path, std::move(temporary), std::move(in_use));
 }
 
 Result<void> FreshFile::place() {
@@ -92,6 +88,7 @@ Result<void> FreshFile::place() {
   if (error == EEXIST) return thereAlready(path_);
   if (error != 0) return systemError(path_, error, "a file that can be written");
   temporary_.clear();
+  in_use_.close();  // before anybody opens the database: a later close would take its locks away
   error = sync(folderOf(path_), O_RDONLY | O_DIRECTORY);
   if (error != 0) return systemError(path_, error, "a folder that can be synced");
   return {};

@@ -3,11 +3,12 @@
 
 #include <string>
 
+#include "core/base/descriptor.h"
 #include "core/base/error.h"
 
 namespace tactus::store {
 
-/// Thread: one at a time. Removed again unless `place` succeeds.
+/// Thread: one at a time. Removed again unless `place` succeeds. Only the user can read it (0600).
 class FreshFile {
  public:
   /// An empty file beside `path`, which must not be there yet.
@@ -27,10 +28,11 @@ class FreshFile {
   base::Error renamed(base::Error error) const;
 
  private:
-  FreshFile(std::string path, std::string temporary);
+  FreshFile(std::string path, std::string temporary, base::Descriptor in_use);
 
   std::string path_;
   std::string temporary_;
+  base::Descriptor in_use_;  ///< after a crash nobody has it
 };
 
 }  // namespace tactus::store

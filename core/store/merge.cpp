@@ -7,6 +7,7 @@
 #include <optional>
 #include <sqlite3.h>
 
+#include "core/base/file.h"
 #include "core/base/json_writer.h"
 #include "core/base/sha256.h"
 #include "core/store/conflicts.h"
@@ -244,10 +245,13 @@ std::string logDetail(const Merge& merge) {
 
 }  // namespace
 
-Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const RecordId& log_id, std::int64_t utc_ms) {
+Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const RecordId& log_id, std::int64_t utc_ms,
+                         const std::string& sha256) {
   if (file.connection().batch != Connection::BatchState::kNone) {
     return base::inFile({ErrorCode::kIo, {}, {}, "a batch that is not finished", "a study at rest"}, file.path());
   }
+  // Before it is open: reading it later would take its locks away.
+  const auto hash = sha256.empty() ? base::fileSha256(other) : Result<std::string>(sha256);
   auto opened = StudyFile::open(other, {Access::kReadOnly, file.connection().vfs()});
   if (!opened) return tl::unexpected(opened.error());
   if (opened->version() != file.version()) {
@@ -275,8 +279,9 @@ Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const Record
     for (auto& conflict : conflicts(ours)) merge.conflicts.push_back(std::move(conflict));
     must_erase = withdrawals.finish();
     if (merge.added.empty()) return;
-    Query log(ours, insertion(ours, "import_log", {{"kind", "'merge'"}, {"sha256", "''"}}));
-    log.put(log_id).put(utc_ms).put(std::filesystem::path(other).filename().string()).put(logDetail(merge)).run();
+    Query log(ours, insertion(ours, "import_log", {{"kind", "'merge'"}}));
+    log.put(log_id).put(utc_ms).put(std::filesystem::path(other).filename().string()).put(logDetail(merge));
+    log.put(hash.value_or(std::string())).run();
   });
   if (!merged) return tl::unexpected(merged.error());
   if (must_erase) {

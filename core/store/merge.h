@@ -24,10 +24,10 @@ struct Merge {
 /// two files hold different records under one id, which only a change by hand can cause: then this file's is kept.
 /// Listed as conflicts, with both sides kept: a code of two persons (with the command that gives one another code), a
 /// session that went on in both files, a record that both files correct (the later correction counts); and who stays
-/// out. `log_id` and `utc_ms` are for the line in import_log, which is written where anything is new. Refused: what
-/// cannot be opened, a study of another version of the schema (open it once for writing), a person with the code of
-/// somebody else who withdrew from the other file.
+/// out. `log_id`, `utc_ms` and `sha256` (empty: of the other file) are for the line in import_log, which is written
+/// where anything is new. Refused: what cannot be opened, a study of another version of the schema (open it once for
+/// writing), a person with the code of somebody else who withdrew from the other file.
 base::Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const study::RecordId& log_id,
-                               std::int64_t utc_ms);
+                               std::int64_t utc_ms, const std::string& sha256 = {});
 
 }  // namespace tactus::store

@@ -1,5 +1,6 @@
 #include "core/store/persons.h"
 
+#include "core/base/csv.h"
 #include "core/store/query.h"
 #include "core/store/recoding.h"
 #include "core/store/record_checksum.h"
@@ -47,6 +48,9 @@ bool wasTaken(Connection& connection, const std::string& code) {
 Result<void> append(StudyFile& file, const Person& person) {
   Connection& connection = file.connection();
   return inTransaction(connection, [&] {
+    if (base::looksLikeFormula(person.code)) {
+      refuse(ErrorCode::kValue, {}, "the code " + base::quoted(person.code), base::kNoFormula);
+    }
     if (isTaken(connection, person.code)) {
       refuse(ErrorCode::kValue, {}, "the code " + base::quoted(person.code) + ", which a person of the study has",
              "a code of its own for each person");

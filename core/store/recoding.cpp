@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/csv.h"
 #include "core/store/persons.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
@@ -48,6 +49,7 @@ Result<void> recode(StudyFile& file, const RecordId& person, const std::string& 
       refuse(ErrorCode::kReference, {}, "no person " + study::toText(person), "a person of the study");
     }
     if (code.empty()) refuse(ErrorCode::kValue, {}, "an empty code", "a code");
+    if (base::looksLikeFormula(code)) refuse(ErrorCode::kValue, {}, "the code " + base::quoted(code), base::kNoFormula);
     if (wasEverUsed(connection, code)) {
       refuse(ErrorCode::kValue, {}, "the code " + base::quoted(code) + ", which a person of the study has or had",
              "one that nobody had yet, such as " + base::quoted(freeCodeLike(connection, code)));

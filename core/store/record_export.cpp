@@ -107,6 +107,7 @@ class Writer {
       }
       case ColumnKind::kBytes:
       case ColumnKind::kText:
+        return mark_ == ByteOrderMark::kWrite ? base::guarded(query.text()) : query.text();
       case ColumnKind::kJson:
         return query.text();
       case ColumnKind::kInteger:

@@ -1,13 +1,15 @@
 #include "core/store/record_import.h"
 
-#include <cstdlib>
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "core/base/file.h"
 #include "core/store/backup.h"
 #include "core/store/record_rows.h"
 #include "core/store/schema.h"
+#include "core/store/work_folder.h"
 
 namespace tactus::store {
 namespace {
@@ -17,39 +19,23 @@ using base::Error;
 using base::ErrorCode;
 using base::Result;
 
-/// A folder beside a study file for what is made on the way; removed with all it holds.
-class WorkFolder {
- public:
-  static Result<WorkFolder> beside(const std::string& path) {
-    std::string pattern = path + ".import-XXXXXX";
-    if (mkdtemp(pattern.data()) == nullptr) {
-      std::error_code ignored;
-      const auto parent = fs::absolute(path, ignored).parent_path().string();
-      return tl::unexpected(Error{ErrorCode::kIo, parent, {}, "a folder that cannot be written into", "one that can"});
-    }
-    return WorkFolder(std::move(pattern));
-  }
-  WorkFolder(WorkFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
-  WorkFolder& operator=(WorkFolder&&) = delete;
-  ~WorkFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-
-  std::string file(const std::string& name) const { return (fs::path(path_) / name).string(); }
-
- private:
-  explicit WorkFolder(std::string path) : path_(std::move(path)) {}
-
-  std::string path_;
-};
-
 /// The name of the folder itself, which import_log keeps.
 std::string nameOf(const std::string& folder) {
   std::error_code ignored;
   auto path = fs::weakly_canonical(folder, ignored);
   if (path.filename() == "records") path = path.parent_path();
   return path.filename().empty() ? "tables" : path.filename().string();
+}
+
+/// Over everything that is read of an export.
+Result<std::string> recordsSha256(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (at->is_regular_file(error)) names.push_back(at->path().lexically_relative(folder).generic_string());
+  }
+  std::sort(names.begin(), names.end());
+  return base::listingSha256(folder, names);
 }
 
 /// The first record of the new study, and the version of the schema that its tables are of.
@@ -117,7 +103,9 @@ Result<Merge> importRecords(StudyFile& file, const std::string& folder, const st
   auto made = studyFromTables(folder, path);
   if (!made) return tl::unexpected(made.error());
   if (auto closed = made->close(); !closed) return tl::unexpected(closed.error());
-  return mergeStudy(file, path, log_id, utc_ms);
+  const auto hash = recordsSha256(folder);
+  if (!hash) return tl::unexpected(hash.error());
+  return mergeStudy(file, path, log_id, utc_ms, *hash);
 }
 
 }  // namespace tactus::store

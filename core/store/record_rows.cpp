@@ -1,6 +1,7 @@
 #include "core/store/record_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
@@ -50,6 +51,13 @@ const RecordTable& tableCalled(std::string_view name) {
   const auto it = std::find_if(tables.begin(), tables.end(), [name](const auto& table) { return table.name == name; });
   TACTUS_CHECK(it != tables.end());
   return *it;
+}
+
+/// Whether the cell is a code or an id of a term, level, series or form: what tables are joined by.
+bool isName(const RecordColumn& column, const std::string& text) {
+  if (column.name == "value") return !base::parseNumber(text);  // of an answer: a term, or a number on a scale
+  constexpr std::array<std::string_view, 6> kNames = {"code", "level", "series", "term", "form", "then"};
+  return std::find(kNames.begin(), kNames.end(), column.name) != kNames.end();
 }
 
 /// Whether `text` names the column as a whole word.
@@ -184,6 +192,7 @@ void RecordRows::putCell(Query& query, std::size_t row, const RecordColumn& colu
     case ColumnKind::kText:
     case ColumnKind::kJson:
       if (text.find('\0') != std::string::npos) refuseCell(row, column, "text without a byte 0");
+      if (isName(column, text) && base::looksLikeFormula(text)) refuseCell(row, column, base::kNoFormula);
       if (column.kind == ColumnKind::kJson && !text.empty() && !nlohmann::json::accept(text))
         refuseCell(row, column, "JSON text, or none");
       query.put(text);
@@ -259,7 +268,9 @@ std::string RecordRows::ownFile(std::size_t row, const RecordColumn& column, std
 }
 
 std::string RecordRows::cell(std::size_t row, const RecordColumn& column) const {
-  return std::string(csv_.cell(row, *csv_.find(column.name)));
+  const auto text = csv_.cell(row, *csv_.find(column.name));
+  const bool is_guarded = csv_.hasMark() && column.kind == ColumnKind::kText;
+  return std::string(is_guarded ? base::withoutGuard(text) : text);
 }
 
 std::optional<RecordId> RecordRows::idIn(std::size_t row, const RecordColumn& column) const {

@@ -84,7 +84,7 @@ std::vector<RecordTable> makeTables() {
         {"person_id", Kind::kId, "", "The participant", "person"},
         {"kind", Kind::kText, "", "elicitation, usability or import (tables that were read from files)"},
         {"started_utc_ms", Kind::kInteger, "ms",
-         "Beginning, since 1970-01-01 UTC; counts the imports in a session of the kind import"},
+         "Beginning, since 1970-01-01 UTC; in a session of the kind import, when it was imported"},
         {"started_monotonic_ns", Kind::kInteger, "ns", "Beginning, by a clock that never jumps"},
         {"consent_version", Kind::kText, "", "Version of the text that the participant agreed to", "", true},
         {"seed", Kind::kText, "", "Seed of every random order of the session, a whole number below 2^64"},

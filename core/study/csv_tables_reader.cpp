@@ -35,12 +35,22 @@ class RowReader {
  public:
   RowReader(const CsvTable& table, std::size_t row) : table_(table), row_(row) {}
 
-  std::string_view text(std::size_t column) const { return base::trimmed(table_.cell(row_, column)); }
+  std::string_view text(std::size_t column) const {
+    const auto cell = base::trimmed(table_.cell(row_, column));
+    return table_.hasMark() ? base::withoutGuard(cell) : cell;
+  }
 
-  std::string requiredText(std::size_t column, std::string_view wanted) {
+  /// A code or an id of a term, form or series, or an empty cell.
+  std::string name(std::size_t column) {
     const auto cell = text(column);
-    if (cell.empty()) refuse(column, ErrorCode::kValue, std::string(wanted));
+    if (base::looksLikeFormula(cell)) refuse(column, ErrorCode::kValue, base::kNoFormula);
     return std::string(cell);
+  }
+
+  std::string requiredName(std::size_t column, std::string_view wanted) {
+    std::string cell = name(column);
+    if (cell.empty()) refuse(column, ErrorCode::kValue, std::string(wanted));
+    return cell;
   }
 
   double number(std::size_t column) { return keep(table_.number(row_, column), 0.0); }
@@ -162,7 +172,7 @@ Result<std::vector<Participant>> readParticipants(const CsvTable& table) {
   std::set<std::string> seen;
   return readRows<Participant>(table, [&](RowReader& cells) {
     Participant participant;
-    participant.code = cells.requiredText(column[0], "the code of a participant");
+    participant.code = cells.requiredName(column[0], "the code of a participant");
     if (!seen.insert(participant.code).second)
       cells.refuse(column[0], ErrorCode::kValue, base::quoted(participant.code) + " again", "each participant once");
     participant.years_experience = cells.optionalAmount(column[1]);
@@ -181,8 +191,8 @@ Result<std::vector<SpeedSample>> readSpeeds(const CsvTable& table) {
 
   return readRows<SpeedSample>(table, [&column](RowReader& cells) {
     SpeedSample sample;
-    sample.participant = cells.requiredText(column[0], "the code of a participant");
-    sample.level = cells.requiredText(column[1], "the level that was asked for");
+    sample.participant = cells.requiredName(column[0], "the code of a participant");
+    sample.level = cells.requiredName(column[1], "the level that was asked for");
     sample.stroke = cells.ordinal(column[2]);
     sample.time_s = cells.number(column[3]);
     sample.depth_mm = cells.number(column[4]);
@@ -199,12 +209,12 @@ Result<std::vector<ForceJudgement>> readJudgements(const CsvTable& table) {
   std::set<std::tuple<std::string, std::string, int>> seen;
   return readRows<ForceJudgement>(table, [&](RowReader& cells) {
     ForceJudgement judgement;
-    judgement.participant = cells.requiredText(column[0], "the code of a participant");
-    judgement.series = cells.text(column[1]);
+    judgement.participant = cells.requiredName(column[0], "the code of a participant");
+    judgement.series = cells.name(column[1]);
     judgement.step = cells.ordinal(column[2]);
     judgement.force_n = cells.number(column[3]);
     if (judgement.force_n < 0) cells.refuse(column[3], ErrorCode::kValue, "a force of 0 N or more");
-    std::tie(judgement.kind, judgement.term) = judgementOf(cells.text(column[4]));
+    std::tie(judgement.kind, judgement.term) = judgementOf(cells.name(column[4]));
     if (!seen.emplace(judgement.participant, judgement.series, judgement.step).second) {
       cells.refuse(column[2], ErrorCode::kValue, "step " + std::to_string(judgement.step) + " of this series again",
                    "each step of a series once for a participant");
@@ -221,10 +231,10 @@ Result<std::vector<Answer>> readAnswers(const CsvTable& table) {
   std::set<std::tuple<std::string, std::string, int>> seen;
   return readRows<Answer>(table, [&](RowReader& cells) {
     Answer answer;
-    answer.participant = cells.requiredText(column[0], "the code of a participant");
-    answer.form = cells.requiredText(column[1], "the id of a form");
+    answer.participant = cells.requiredName(column[0], "the code of a participant");
+    answer.form = cells.requiredName(column[1], "the id of a form");
     answer.item = cells.integer(column[2]);
-    answer.term = cells.text(column[3]);
+    answer.term = cells.name(column[3]);
     answer.status = statusOf(cells, column[4]);
     const bool answered = answer.status == Answer::Status::kAnswered;
     if (answered && answer.term.empty()) {
@@ -253,18 +263,18 @@ Result<std::vector<GivenRule>> readRules(const CsvTable& table, const std::vecto
   std::set<std::tuple<std::string, std::string, Terms>> seen;
   return readRows<GivenRule>(table, [&](RowReader& cells) {
     GivenRule rule;
-    rule.participant = cells.requiredText(column[0], "the code of a participant");
-    if (form) rule.form = cells.text(*form);
+    rule.participant = cells.requiredName(column[0], "the code of a participant");
+    if (form) rule.form = cells.name(*form);
     Terms terms;
     for (const std::size_t input : *inputs) {
-      terms.emplace_back(cells.text(input));
+      terms.push_back(cells.name(input));
       if (!terms.back().empty()) rule.conditions.push_back({table.columns()[input], terms.back()});
     }
     if (rule.conditions.empty()) {
       cells.refuse(inputs->empty() ? column[1] : inputs->front(), ErrorCode::kValue, "a rule without a condition",
                    "a term for one input or more");
     }
-    rule.then = cells.requiredText(column[1], "the term that follows");
+    rule.then = cells.requiredName(column[1], "the term that follows");
     terms.push_back(rule.then);
     if (!cells.text(column[2]).empty()) rule.weight = cells.number(column[2]);
     if (!(rule.weight >= 0 && rule.weight <= 1)) {

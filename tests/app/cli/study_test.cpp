@@ -1,8 +1,20 @@
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "app/cli/study_text.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/store/import_log.h"
+#include "core/store/persons.h"
 
 #include "tests/app/cli/run_program.h"
+#include "tests/core/store/faulty_disk.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::cli {
@@ -60,6 +72,88 @@ TEST_F(StudyCommands, ImportOfTablesMakesTheStudyAndAddsNothingTwice) {
   EXPECT_EQ(json({"study", "info", path("a.tactus")})["simulated_persons"], 2);
 }
 
+TEST_F(StudyCommands, ImportsAndMergesAreRemembered) {
+  const auto before = std::chrono::system_clock::now();
+  fine({"study", "import", path("a.tactus"), path("tables")});
+  fine({"study", "new", path("b.tactus")});
+  const std::string other = base::fileSha256(path("a.tactus")).value();
+  fine({"study", "merge", path("b.tactus"), path("a.tactus")});
+  fine({"study", "export", path("b.tactus"), path("out")});
+  fine({"study", "new", path("c.tactus")});
+  fine({"study", "import", path("c.tactus"), path("out")});
+  const auto logOf = [&](const std::string& name) {
+    const auto file = store::StudyFile::open(path(name), {store::Access::kReadOnly});
+    return store::importLog(*file).value();
+  };
+  const auto tables = base::listingSha256(path("tables"), {"participants.csv", "answers.csv"});
+  const auto log = logOf("b.tactus");
+  ASSERT_EQ(log.size(), 2U);
+  EXPECT_EQ(log[0].kind, "tables");
+  EXPECT_EQ(log[0].source, "tables");
+  EXPECT_EQ(log[0].sha256, tables);
+  EXPECT_NE(log[0].detail.find("\"records\":4"), std::string::npos);
+  EXPECT_GE(log[0].utc_ms, std::chrono::duration_cast<std::chrono::milliseconds>(before.time_since_epoch()).count());
+  EXPECT_EQ(log[1].kind, "merge");
+  EXPECT_EQ(log[1].source, "a.tactus");
+  EXPECT_EQ(log[1].sha256, other);
+  // A full export is a merge from a folder.
+  const auto imported = logOf("c.tactus");
+  ASSERT_EQ(imported.size(), 3U);
+  EXPECT_EQ(imported[2].source, "out");
+  EXPECT_EQ(imported[2].sha256.size(), 64U);
+}
+
+TEST_F(StudyCommands, AnImportThatIsStoppedBlocksNothing) {
+  // Enough rows that the signal falls into the middle.
+  std::string speeds = "participant,level,stroke,time_s,depth_mm,speed_mm_s\n";
+  for (int i = 0; i < 20'000; ++i) {
+    speeds += "S1,slow," + std::to_string(1 + i / 1000) + ',' + std::to_string(i % 1000) + ",1,1\n";
+  }
+  writeText(path("tables/speeds.csv"), speeds);
+  for (const int wait_ms : {0, 2, 5, 10, 20, 40, 80}) {
+    for (const bool is_there : {false, true}) {
+      const std::string study = path(std::to_string(wait_ms) + (is_there ? "there.tactus" : "new.tactus"));
+      if (is_there) fine({"study", "new", study});
+      const pid_t child = ::fork();
+      if (child == 0) {
+        const ProgramRun run({"study", "import", study, path("tables")});
+        ::_exit(run.status);
+      }
+      ::usleep(static_cast<unsigned>(wait_ms) * 1000);
+      ::kill(child, SIGINT);
+      int status = 0;
+      ASSERT_EQ(::waitpid(child, &status, 0), child);
+      fine({"study", "import", study, path("tables")});
+      EXPECT_EQ(json({"study", "info", study})["rows"]["stroke"], 20);
+      const auto check = json({"study", "check", study});
+      EXPECT_TRUE(check["findings"].empty()) << check;
+      for (const auto& entry : fs::directory_iterator(path(""))) {
+        const std::string name = entry.path().filename().string();
+        EXPECT_EQ(name.find(".import-"), std::string::npos) << name;
+        EXPECT_EQ(name.find(".tactus-"), std::string::npos) << name;
+      }
+    }
+  }
+}
+
+TEST_F(StudyCommands, AStudyThatIsSavedIsNotSaidToHaveFailed) {
+  store::FaultyDisk disk("full after the commit");
+  auto made = store::StudyFile::create(path("a.tactus"), {study::RecordIds(1).next(), "a", 1, "test"});
+  ASSERT_TRUE(made && made->close());
+  auto file = store::StudyFile::open(path("a.tactus"), {store::Access::kReadWrite, disk.name()});
+  ASSERT_TRUE(file);
+  const study::Person person{study::RecordIds(2).next(), "amber-otter", true};
+  ASSERT_TRUE(store::append(*file, person));
+  disk.failAt(1, store::FaultyDisk::Fault::kDiskFull, true);
+  const auto warnings = closeSaved(*file);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("everything is saved, but"), std::string::npos);
+  disk.heal();
+  const auto again = store::StudyFile::open(path("a.tactus"));
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_EQ(store::findPerson(*again, "amber-otter").value(), person);
+}
+
 TEST_F(StudyCommands, AMistakeInTheTablesLeavesNoStudy) {
   writeText(path("tables/answers.csv"), "participant,form,item,term,status\nS9,f,1,small,answered\n");
   const ProgramRun run({"study", "import", path("a.tactus"), path("tables")});
@@ -81,6 +175,76 @@ TEST_F(StudyCommands, CheckTellsFindingsFromDamage) {
   EXPECT_EQ(damaged.status, 1);
   EXPECT_NE(damaged.err.find("damaged"), std::string::npos) << damaged.err;
   EXPECT_EQ(ProgramRun({"study", "check", path("none.tactus")}).status, 1);
+}
+
+TEST_F(StudyCommands, CheckAndWithdrawListWhatACrashLeft) {
+  fine({"study", "import", path("a.tactus"), path("tables")});
+  writeText(path("a.tactus.tactus-k3Xw0a"), "half a copy");
+  fs::create_directory(path("a.tactus.import-k3Xw0a"));
+  const auto check = fine({"study", "check", path("a.tactus")});
+  EXPECT_NE(check.out.find("findings 2\n"), std::string::npos) << check.out;
+  for (const char* left : {"a.tactus.tactus-k3Xw0a", "a.tactus.import-k3Xw0a"}) {
+    EXPECT_NE(check.out.find(path(left) + ": left by a crash"), std::string::npos) << check.out;
+  }
+  const auto withdraw = fine({"study", "withdraw", path("a.tactus"), "S1", "--yes"});
+  EXPECT_NE(withdraw.err.find(path("a.tactus.tactus-k3Xw0a")), std::string::npos) << withdraw.err;
+  const auto exported = fine({"study", "export", path("a.tactus"), path("out")});
+  EXPECT_NE(exported.err.find(path("a.tactus.tactus-k3Xw0a") + ": left by a crash; deleted"), std::string::npos);
+  EXPECT_FALSE(fs::exists(path("a.tactus.tactus-k3Xw0a")));
+  EXPECT_NE(fine({"study", "check", path("a.tactus")}).out.find("findings 0\n"), std::string::npos);
+}
+
+/// No byte that a terminal could obey, and no character that turns the text around.
+void expectHarmless(const std::string& text) {
+  for (const char* const bad : {"\x1b", "\u009b", "\u202e", "\u2066", "\r", "\x9b\x33"}) {
+    EXPECT_EQ(text.find(bad), std::string::npos) << "in " << base::oneLine(text);
+  }
+  EXPECT_TRUE(base::isUtf8(text));
+}
+
+TEST_F(StudyCommands, NamesGiveNoOrdersToTheTerminal) {
+  const std::string evil = "e\x1b[2J\u009b31m\u202ecod\u2066\r\nforged: line\x9b\x33";
+  const std::string folder = path(evil.substr(0, evil.size() - 2));  // a study's name is UTF-8
+  fs::create_directory(folder);
+  writeText(folder + "/participants.csv",
+            "participant,years_experience,category,handedness,weight,simulated\n\"N\x1b[2J\u009b\u202e\n1\",,,,,1\n");
+  writeText(folder + "/more\x1b.csv", "");
+  const std::string study = folder + "/s.tactus";
+  const std::vector<std::vector<std::string>> commands = {
+      {"study", "import", study, folder},
+      {"study", "info", study},
+      {"study", "info", study, "--json"},
+      {"study", "check", study},
+      {"study", "export", study, folder + "/out"},
+      {"study", "merge", study, study},
+      {"study", "import", folder + "/t.tactus", folder + "/out"},
+      {"study", "import", study, folder + "/out"},
+      {"study", "export", study, folder},
+      {"study", "withdraw", study, evil, "--yes"},
+      {"study", "new", study},
+      {"study", "new", folder + "/u.tactus", "--name", evil},
+      {"study", "check", folder + "/none"},
+      {"build", folder, "--out", folder + "/m.tactus.json"},
+      {"build", study, "--out", folder + "/m.tactus.json", "--weights", evil},
+      {"check", folder + "/participants.csv"},
+      {"eval", folder + "/m", "--in", evil},
+      {"cluster", folder + "/participants.csv", "--column", evil},
+      {"vote", folder + "/participants.csv", "--series", evil},
+      {"agreement", folder + "/participants.csv"},
+      {"simulate", folder + "/m", "--scenario", evil, "--out", evil},
+      {evil},
+      {"study", evil},
+      {"cluster", "x", "-c", evil},
+      {"eval", "m", "--in", "p", "--method", evil},
+      {"devices", "test", evil},
+  };
+  for (const auto& command : commands) {
+    const ProgramRun run(command);
+    expectHarmless(run.out);
+    expectHarmless(run.err);
+    EXPECT_EQ((run.out + run.err).find("\nforged"), std::string::npos) << base::oneLine(run.out + run.err);
+  }
+  fine({"study", "withdraw", study, "N\x1b[2J\u009b\u202e\n1", "--yes"});
 }
 
 TEST_F(StudyCommands, MergeAddsSeveralFilesOnce) {

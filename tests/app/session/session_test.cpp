@@ -239,6 +239,22 @@ TEST_F(SessionTest, NothingBeginsWithoutConsentOrWithNonsense) {
   EXPECT_FALSE(Session::resume(*file_, ids_.next(), steadyTools(1)));
 }
 
+TEST_F(SessionTest, ABeginningThatFailsLeavesNoSession) {
+  begin(start());
+  ASSERT_TRUE(session_->tell({}));
+  // The ids of the first session were 1: itself, 2: its first event, 3: the profile, 4: the event after it. A second
+  // one that gets number 3 gives number 4 to its first event, which is there already.
+  SessionTools tools = steadyTools(tools_seed_);
+  tools.ids.next();
+  tools.ids.next();
+  const auto refused = Session::begin(*file_, start(), tools);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("there already"), std::string::npos) << refused.error().message();
+  EXPECT_EQ(store::sessions(*file_)->size(), 1U);
+  begin(start());
+  EXPECT_EQ(store::sessions(*file_)->size(), 2U);
+}
+
 TEST_F(SessionTest, WhatTheStageDoesNotAskForIsRefused) {
   begin(start());
   EXPECT_FALSE(session_->rate(1, 1));

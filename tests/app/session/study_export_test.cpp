@@ -134,6 +134,40 @@ TEST_F(ExportedStudy, MarksEveryTable) {
   EXPECT_TRUE(study::readStudyFolder(path("out"), elicitation::ngtInputIds()));
 }
 
+TEST_F(ExportedStudy, GuardsFreeTextForSpreadsheetsOnlyAndReadsItBack) {
+  auto study = store::makeStudy(path("a.tactus"), records_);
+  auto profile = records_.profile(study.session.id);
+  profile.category = "=HYPERLINK(\"http://x\")";
+  profile.handedness = "'-left";
+  profile.gloves = "@SUM(A1)";
+  ASSERT_TRUE(append(study.file, profile));
+  ExportOptions options;
+  ASSERT_TRUE(exportStudy(study.file, path("plain"), options));
+  options.mark = store::ByteOrderMark::kWrite;
+  ASSERT_TRUE(exportStudy(study.file, path("guarded"), options));
+  const auto plain = bytesBelow(path("plain"));
+  const auto guarded = bytesBelow(path("guarded"));
+  for (const char* table : {"participants.csv", "records/profiles.csv"}) {
+    EXPECT_NE(plain.at(table).find("\"=HYPERLINK"), std::string::npos) << table;
+    EXPECT_NE(guarded.at(table).find("\"'=HYPERLINK"), std::string::npos) << table;
+    EXPECT_NE(guarded.at(table).find("''-left"), std::string::npos) << table;
+  }
+  EXPECT_NE(guarded.at("records/profiles.csv").find("'@SUM"), std::string::npos);
+  EXPECT_NE(plain.at("codebook.md").find("with `--bom`"), std::string::npos);
+  EXPECT_NE(guarded.at("codebook.md").find("apostrophe in front, so"), std::string::npos);
+
+  // Both give the same study again.
+  ASSERT_TRUE(store::restoreRecords(path("guarded/records"), path("b.tactus")));
+  const auto restored = store::StudyFile::open(path("b.tactus"));
+  ASSERT_TRUE(restored);
+  ASSERT_TRUE(exportStudy(*restored, path("again")));
+  EXPECT_EQ(bytesBelow(path("again")), plain);
+  const auto tables = study::readStudyFolder(path("guarded"), elicitation::ngtInputIds());
+  ASSERT_TRUE(tables) << tables.error().message();
+  EXPECT_EQ(tables->study.participants[0].category, profile.category);
+  EXPECT_EQ(tables->study.participants[0].handedness, profile.handedness);
+}
+
 TEST_F(ExportedStudy, ReplacesAnEarlierExportOnly) {
   const auto file = imported();
   fs::create_directory(path("out"));

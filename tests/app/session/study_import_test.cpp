@@ -9,6 +9,7 @@
 #include "app/session/study_view.h"
 #include "core/base/random.h"
 #include "core/store/entries.h"
+#include "core/store/import_log.h"
 #include "core/store/merge.h"
 #include "core/store/persons.h"
 #include "core/store/recoding.h"
@@ -134,6 +135,49 @@ TEST_F(StudyImportTest, ChangedRowsCountInsteadOfTheEarlierOnes) {
   expectSameRows(view->study, smallStudy(2));
   EXPECT_FALSE(view->notes.empty());  // that there are two sessions is said
   EXPECT_EQ(store::sessions(file)->size(), 6U);
+}
+
+TEST_F(StudyImportTest, WhatWasImportedLastCounts) {
+  auto file = create("a.tactus");
+  std::int64_t utc_ms = 1'770'000'000'000;
+  for (const std::uint64_t seed : {1U, 2U, 1U, 2U, 1U}) {
+    // The clock is set back each time.
+    utc_ms -= 86'400'000;
+    const auto imported = importTables(smallStudy(seed), file, {"tables", "", utc_ms});
+    ASSERT_TRUE(imported) << imported.error().message();
+    EXPECT_EQ(imported->sessions, 3U);
+    expectSameRows(studyForElicitation(file)->study, smallStudy(seed));
+  }
+  // The latest rows again are nothing new, whenever that is.
+  const auto again = importTables(smallStudy(1), file, {"tables", "", utc_ms + 5});
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->sessions, 0U);
+  EXPECT_TRUE(store::checkStudy(file)->empty());
+}
+
+TEST_F(StudyImportTest, RecordsHaveTheTimeOfTheImportAndTheStudyRemembersIt) {
+  auto file = create("a.tactus");
+  constexpr std::int64_t kNow = 1'770'000'000'123;
+  const std::string hash(64, 'a');
+  const auto imported = importTables(smallStudy(1), file, {"ward 7", hash, kNow});
+  ASSERT_TRUE(imported);
+  const auto sessions = store::sessions(file);
+  for (const auto& session : *sessions) EXPECT_EQ(session.started.utc_ms, kNow);
+  const auto answers = store::answers(file);
+  for (const auto& answer : *answers) EXPECT_EQ(answer.entry.when.utc_ms, kNow);
+  const auto strokes = store::strokes(file);
+  for (const auto& stroke : *strokes) EXPECT_EQ(stroke.entry.when.utc_ms, kNow);
+  const auto log = store::importLog(file);
+  ASSERT_TRUE(log);
+  ASSERT_EQ(log->size(), 1U);
+  EXPECT_EQ(log->front().utc_ms, kNow);
+  EXPECT_EQ(log->front().kind, "tables");
+  EXPECT_EQ(log->front().source, "ward 7");
+  EXPECT_EQ(log->front().sha256, hash);
+  EXPECT_EQ(log->front().detail,
+            "{\"persons\":3,\"records\":" + std::to_string(imported->records) + ",\"sessions\":3}");
+  ASSERT_TRUE(importTables(smallStudy(1), file, {"ward 7", hash, kNow + 1}));
+  EXPECT_EQ(store::importLog(file)->size(), 1U) << "nothing was new";
 }
 
 TEST_F(StudyImportTest, TheSameCodesAndRowsAtTwoSitesAreOtherPersons) {

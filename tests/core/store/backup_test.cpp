@@ -50,6 +50,21 @@ TEST_F(Backups, AreOneFileWithoutRests) {
   }
 }
 
+TEST_F(Backups, AreOnlyTheUsersAsStudiesAndJournalsAre) {
+  const auto mode = [](const std::string& path) { return static_cast<unsigned>(fs::status(path).permissions()); };
+  ASSERT_TRUE(append(study_.file, records_.answer(study_.session.id, 1)));
+  ASSERT_TRUE(backUp(study_.file, copy_));
+  for (const auto& path : {path_, path_ + "-wal", copy_}) EXPECT_EQ(mode(path), 0600U) << path;
+  ASSERT_TRUE(study_.file.close());
+
+  // A mode that a person gave stays, and the journal follows it.
+  fs::permissions(path_, static_cast<fs::perms>(0640));
+  auto again = StudyFile::open(path_);
+  ASSERT_TRUE(again);
+  ASSERT_TRUE(append(*again, records_.answer(study_.session.id, 2)));
+  for (const auto& path : {path_, path_ + "-wal"}) EXPECT_EQ(mode(path), 0640U) << path;
+}
+
 TEST_F(Backups, NeverReplaceAFile) {
   std::ofstream(copy_) << "precious";
   const auto copied = backUp(study_.file, copy_);

@@ -194,6 +194,29 @@ TEST_F(Entries, WhatBreaksARuleIsRefused) {
   EXPECT_EQ(answers(study_.file)->size(), 1U);
 }
 
+TEST_F(Entries, HaveNoNamesThatASpreadsheetWouldRun) {
+  auto answer = records_.answer(sessionId());
+  answer.value = "=small";
+  EXPECT_NE(refusal(answer).find("found '=small', wanted a name that does not begin with = + - @"), std::string::npos);
+  answer.value = "-2";  // on a scale
+  EXPECT_EQ(refusal(answer), "");
+  auto stroke = records_.stroke(sessionId());
+  stroke.level = "+slow";
+  EXPECT_NE(refusal(stroke), "");
+  auto judgement = records_.judgement(sessionId());
+  judgement.term = "@small";
+  EXPECT_NE(refusal(judgement), "");
+  judgement = records_.judgement(sessionId());
+  judgement.series = "\tup";
+  EXPECT_NE(refusal(judgement), "");
+  auto rule = records_.rule(sessionId());
+  rule.rule.then = "-large";
+  EXPECT_NE(refusal(rule), "");
+  rule = records_.rule(sessionId());
+  rule.rule.conditions.front().term = "=deep";
+  EXPECT_NE(refusal(rule), "");
+}
+
 TEST_F(Entries, ABatchIsWrittenWholeOrNotAtAll) {
   {
     auto batch = Batch::begin(study_.file);

@@ -64,6 +64,14 @@ TEST_F(Persons, HaveACodeOfTheirOwn) {
   EXPECT_EQ(*findPerson(study_.file, "calm-owl"), std::nullopt);
 }
 
+TEST_F(Persons, HaveNoCodeThatASpreadsheetWouldRun) {
+  for (const char* code : {"=1", "+1", "-1", "@a", "\ta", "\ra"}) {
+    const auto refused = append(study_.file, records_.person(code));
+    ASSERT_FALSE(refused) << code;
+    EXPECT_NE(refused.error().message().find("wanted a name that does not begin with = + - @"), std::string::npos);
+  }
+}
+
 TEST_F(Persons, ANewCodeIsOneThatNobodyHas) {
   PersonCodes codes(3);
   const auto first = unusedCode(study_.file, codes);

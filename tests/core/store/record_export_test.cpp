@@ -302,6 +302,17 @@ TEST_F(BrokenTables, NotANumber) {
   expectRefused(out("sessions.csv") + ": line 2, column 'device_friction_n': found 'much', wanted a finite number");
 }
 
+TEST_F(BrokenTables, CodeThatASpreadsheetWouldRun) {
+  edit(out("persons.csv"), ",velvet-otter,", ",=velvet-otter,");
+  expectRefused(out("persons.csv") +
+                ": line 2, column 'code': found '=velvet-otter', wanted a name that does not begin");
+}
+
+TEST_F(BrokenTables, TermThatASpreadsheetWouldRun) {
+  edit(out("strokes.csv"), ",medium,", ",@medium,");
+  expectRefused(out("strokes.csv") + ": line 2, column 'level': found '@medium', wanted a name that does not begin");
+}
+
 TEST_F(BrokenTables, UnknownSession) {
   edit(out("ratings.csv"), session_, std::string(32, 'a'));
   expectRefused(out("ratings.csv") + ": line 2, column 'session_id': found '" + std::string(32, 'a') +

@@ -50,6 +50,18 @@ INSTANTIATE_TEST_SUITE_P(
                     "participant,years_experience,category,handedness,weight,simulated\n,,,,1,\n",
                     "participants.csv: line 2, column 'participant': found an empty cell, wanted the code of a "
                     "participant"},
+        BrokenTable{"CodeAsFormula", "participants.csv",
+                    "participant,years_experience,category,handedness,weight,simulated\n=1+1,,,,1,\n",
+                    "participants.csv: line 2, column 'participant': found '=1+1', wanted a name that does not begin "
+                    "with = + - @, a tab or a carriage return"},
+        BrokenTable{
+            "CodeBehindALineEnd", "participants.csv",
+            "participant,years_experience,category,handedness,weight,simulated\n\"\r=1\",,,,1,\n",
+            "participants.csv: line 2, column 'participant': found '\\x0d=1', wanted a name that does not begin "
+            "with = + - @, a tab or a carriage return"},
+        BrokenTable{"TermAsFormula", "judgements.csv", "participant,series,step,force_n,term\nP1,up,1,0.1,-small\n",
+                    "judgements.csv: line 2, column 'term': found '-small', wanted a name that does not begin with = + "
+                    "- @, a tab or a carriage return"},
         BrokenTable{"Stranger", "speeds.csv",
                     "participant,level,stroke,time_s,depth_mm,speed_mm_s\nP1,slow,1,0,0,0\nP9,slow,1,0,0,0\n",
                     "speeds.csv: line 3, column 'participant': found 'P9', wanted a participant of participants.csv"},

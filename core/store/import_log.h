@@ -1,0 +1,30 @@
+// What was read into a study file, and when.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/store/study_file.h"
+
+namespace tactus::store {
+
+/// One import of tables, or one merge.
+struct ImportLogEntry {
+  study::RecordId id;
+  std::int64_t utc_ms = 0;
+  std::string kind;    ///< `tables` or `merge`
+  std::string source;  ///< name of the file or folder
+  std::string detail;  ///< JSON: what was added, by kind of record
+  std::string sha256;  ///< over what was read; empty where an older Tactus read it
+
+  bool operator==(const ImportLogEntry&) const = default;
+};
+
+base::Result<void> append(StudyFile& file, const ImportLogEntry& entry);
+
+/// All of them by time.
+base::Result<std::vector<ImportLogEntry>> importLog(const StudyFile& file);
+
+}  // namespace tactus::store
