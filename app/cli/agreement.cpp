@@ -43,27 +43,33 @@ Result<Rated> readCounts(const base::CsvTable& table, const std::vector<std::str
   return out;
 }
 
-Result<Rated> readRated(const AgreementOptions& options) {
-  const auto table = base::CsvTable::read(options.file);
-  if (!table) return tl::unexpected(table.error());
+Result<Rated> readTable(const base::CsvTable& table, const AgreementOptions& options) {
   std::vector<std::string> terms;
   for (const auto& term : elicitation::ngtOutput().terms) terms.push_back(term.id);
-  if (elicitation::isVoteTable(*table, terms)) return readCounts(*table, terms);
-  if (table->find("item") && table->find("status")) {
-    const auto answers = study::readAnswers(*table);
+  if (elicitation::isVoteTable(table, terms)) return readCounts(table, terms);
+  if (table.find("item") && table.find("status")) {
+    const auto answers = study::readAnswers(table);
     if (!answers) return tl::unexpected(answers.error());
     return rated(elicitation::agreementData(*answers, options.form, session::knownForms(), terms), "answers",
                  options.file);
   }
-  if (table->find("series") || table->find("term")) {
-    const auto judgements = study::readJudgements(*table);
+  if (table.find("series") || table.find("term")) {
+    const auto judgements = study::readJudgements(table);
     if (!judgements) return tl::unexpected(judgements.error());
     return rated(elicitation::agreementData(*judgements, options.series, terms), "judgements", options.file);
   }
   return tl::unexpected(base::Error{
-      base::ErrorCode::kSchema, options.file, "header", "columns " + base::joined(table->columns(), ", "),
+      base::ErrorCode::kSchema, options.file, "header", "columns " + base::joined(table.columns(), ", "),
       "answers (" + base::joined(study::kAnswerColumns, ",") + "), judgements (" +
           base::joined(study::kJudgementColumns, ",") + ") or counts (force_n," + base::joined(terms, ",") + ")"});
+}
+
+Result<Rated> readRated(const AgreementOptions& options) {
+  const auto table = base::CsvTable::read(options.file);
+  if (!table) return tl::unexpected(table.error());
+  auto rated = readTable(*table, options);
+  if (auto note = table->note(); note && rated) rated->warnings.push_back(std::move(*note));
+  return rated;
 }
 
 std::string padded(const std::string& text, std::size_t width) {

@@ -22,6 +22,7 @@ Result<Column> readColumn(const ClusterOptions& options) {
   const auto table = base::CsvTable::read(options.speeds, base::CsvTable::Header::kOptional);
   if (!table) return tl::unexpected(table.error());
   Column column;
+  if (auto note = table->note()) column.warnings.push_back(std::move(*note));
   std::size_t index = 0;
   if (table->hasHeader()) {
     const auto found = table->require(options.column);

@@ -56,6 +56,8 @@ Result<Output> eval(const EvalOptions& options) {
   const auto columns = inputColumns(read->model, *points);
   if (!columns) return tl::unexpected(columns.error());
 
+  auto warnings = read->warnings;
+  if (auto note = points->note()) warnings.push_back(std::move(*note));
   auto header = points->columns();
   header.insert(header.end(), {"force", "fired"});
   base::CsvWriter csv(header);
@@ -73,10 +75,10 @@ Result<Output> eval(const EvalOptions& options) {
     for (std::size_t column = 0; column < points->columns().size(); ++column) csv.cell(points->cell(row, column));
     csv.cell(force.force_n).cell(force.fired ? 1 : 0).endRow();
   }
-  if (options.out.empty()) return Output{csv.text(), read->warnings, true};
+  if (options.out.empty()) return Output{csv.text(), std::move(warnings), true};
   if (auto written = base::writeFileAtomically(options.out, csv.text()); !written)
     return tl::unexpected(written.error());
-  return Output{"", read->warnings};
+  return Output{"", std::move(warnings)};
 }
 
 }  // namespace tactus::cli

@@ -7,6 +7,7 @@
 #include "app/cli/study_text.h"
 #include "app/session/data_checks.h"
 #include "app/session/leftovers.h"
+#include "app/session/study_source.h"
 #include "core/base/file.h"
 #include "core/store/backup.h"
 #include "core/store/record_import.h"
@@ -56,7 +57,7 @@ Result<Imported> intoStudy(const std::string& path, const study::Study& tables, 
 
 Result<Output> importFolder(const StudyImportOptions& options) {
   // Everything that can be wrong with the tables is found before a file is made.
-  const auto tables = study::readStudyFolder(options.folder, elicitation::ngtInputIds());
+  const auto tables = session::readTables(options.folder, elicitation::ngtInputIds());
   if (!tables) return tl::unexpected(tables.error());
   const auto data = session::dataFindings(tables->study);
   if (auto ok = study::refuseData(data); !ok) return study::inStudyFolder(ok.error(), options.folder);

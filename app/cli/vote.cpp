@@ -27,6 +27,7 @@ Result<Count> countFile(const VoteOptions& options, const std::vector<std::strin
   const auto table = base::CsvTable::read(options.judgements);
   if (!table) return tl::unexpected(table.error());
   Count count;
+  if (auto note = table->note()) count.warnings.push_back(std::move(*note));
   if (elicitation::isVoteTable(*table, terms)) {
     auto votes = elicitation::readVoteTable(*table, terms);
     if (!votes) return tl::unexpected(votes.error());

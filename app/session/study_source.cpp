@@ -4,13 +4,22 @@
 #include <utility>
 
 #include "app/session/study_view.h"
+#include "app/session/table_words.h"
 #include "core/store/study_file.h"
 
 namespace tactus::session {
 
+base::Result<study::StudyTables> readTables(const std::string& folder, const std::vector<std::string>& input_ids) {
+  auto tables = study::readStudyFolder(folder, input_ids);
+  if (!tables) return tables;
+  auto notes = readWords(tables->study);
+  tables->notes.insert(tables->notes.end(), notes.begin(), notes.end());
+  return tables;
+}
+
 base::Result<study::StudyTables> readStudy(const std::string& path, const std::vector<std::string>& input_ids) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return study::readStudyFolder(path, input_ids);
+  if (!std::filesystem::is_regular_file(path, ignored)) return readTables(path, input_ids);
   const auto file = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
   if (!file) return tl::unexpected(file.error());
   auto view = studyForElicitation(*file);

@@ -42,7 +42,7 @@ std::string closestWord(std::string_view word, std::span<const std::string> know
   for (const auto& candidate : known) {
     if (candidate.size() > kLongestWord) continue;
     const std::size_t edits = editDistance(word, candidate);
-    if (edits >= least || 3 * edits > std::max<std::size_t>(candidate.size(), 3)) continue;
+    if (edits >= least || 3 * edits > std::max({candidate.size(), word.size(), std::size_t{3}})) continue;
     least = edits;
     best = candidate;
   }

@@ -1,133 +1,46 @@
 #include "core/base/csv.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/close_match.h"
+#include "core/base/csv_splitter.h"
+#include "core/base/decimal_comma.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/base/text_encoding.h"
 
 namespace tactus::base {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 31U;
-// No real row is longer; garbage without line ends is refused before it is split into cells.
-constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
+/// Cells up to the last one that is not empty.
+std::size_t filledCells(const std::vector<std::string_view>& cells) {
+  const auto last =
+      std::find_if(cells.rbegin(), cells.rend(), [](std::string_view cell) { return !trimmed(cell).empty(); });
+  return static_cast<std::size_t>(cells.rend() - last);
+}
 
-/// Splits a buffer into records. The cells move together in place, unquoted, with one byte between neighbours: that
-/// never needs more room than the text had, and one offset says where a cell starts and where the one before ends.
-class Splitter {
- public:
-  explicit Splitter(std::string& text) : text_(text) {
-    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
-  }
-
-  /// Reads the next record into `cells`; false at the end of the text.
-  Result<bool> next(std::vector<std::string_view>& cells) {
-    skipToRecord();
-    if (at_ >= text_.size()) return false;
-    begun_ = true;
-    record_line_ = line_;
-    cells.clear();
-    const std::size_t start = at_;
-    while (true) {
-      auto cell = at_ < text_.size() && text_[at_] == '"' ? quotedCell() : plainCell();
-      if (!cell) return tl::unexpected(cell.error());
-      cells.push_back(*cell);
-      if (at_ - start > kLongestLine) {
-        return fail(ErrorCode::kLimit, linePlace(), "a line of more than 1 MiB", "rows of comma-separated cells");
-      }
-      if (at_ < text_.size() && text_[at_] == ',') {
-        ++at_;
-        continue;
-      }
-      endLine();
-      return true;
-    }
-  }
-
-  std::size_t recordLine() const { return record_line_; }
-  /// Where the next cell would start.
-  std::size_t end() const { return out_; }
-
- private:
-  std::string linePlace() const { return "line " + std::to_string(record_line_); }
-
-  void endLine() {
-    if (at_ < text_.size() && text_[at_] == '\r') ++at_;
-    if (at_ < text_.size() && text_[at_] == '\n') ++at_;
-    ++line_;
-  }
-
-  /// Past empty lines and, before the first record, comments. Later a # begins a cell: no row may vanish.
-  void skipToRecord() {
-    while (at_ < text_.size()) {
-      if (text_[at_] == '#' && !begun_) {
-        at_ = std::min(text_.find('\n', at_), text_.size());
-      } else if (text_[at_] != '\n' && text_[at_] != '\r') {
-        return;
-      }
-      endLine();
-    }
-  }
-
-  Result<std::string_view> plainCell() {
-    const std::size_t start = at_;
-    const std::size_t limit = std::min(text_.size(), start + kLongestLine + 1);
-    while (at_ < limit && text_[at_] != ',' && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
-    const std::size_t size = at_ - start;
-    if (out_ != start) std::memmove(text_.data() + out_, text_.data() + start, size);
-    return taken(size);
-  }
-
-  Result<std::string_view> quotedCell() {
-    const std::size_t start = ++at_;
-    std::size_t size = 0;
-    const std::size_t limit = std::min(text_.size(), start + kLongestLine);
-    while (at_ < limit) {
-      if (text_[at_] == '"') {
-        ++at_;
-        const bool doubled = at_ < text_.size() && text_[at_] == '"';
-        if (!doubled) {
-          const bool ends = at_ == text_.size() || text_[at_] == ',' || text_[at_] == '\n' || text_[at_] == '\r';
-          if (!ends)
-            return fail(ErrorCode::kSyntax, linePlace(), "text after a closing quote",
-                        "a comma or the end of the line");
-          return taken(size);
-        }
-      }
-      if (text_[at_] == '\n') ++line_;
-      text_[out_ + size++] = text_[at_++];
-    }
-    return fail(ErrorCode::kSyntax, linePlace(), "an opening quote without its end", "a closing quote");
-  }
-
-  /// The cell of `size` bytes at out_.
-  std::string_view taken(std::size_t size) {
-    const auto cell = std::string_view(text_).substr(out_, size);
-    out_ += size + 1;
-    return cell;
-  }
-
-  std::string& text_;
-  std::size_t at_ = 0;
-  std::size_t out_ = 0;  // never beyond at_
-  std::size_t line_ = 1;
-  std::size_t record_line_ = 1;
-  bool begun_ = false;
-};
+std::string separatorName(char separator) {
+  if (separator == ';') return "semicolons between the cells";
+  if (separator == '\t') return "tabs between the cells";
+  return quoted(std::string(1, separator)) + " between the cells";
+}
 
 }  // namespace
 
 Result<void> CsvTable::takeHeader(const std::vector<std::string_view>& names, std::size_t line) {
   const std::string place = "line " + std::to_string(line);
-  for (const std::string_view name : names) {
-    const std::string column(trimmed(name));
+  header_cells_ = names.size();
+  const std::size_t named = std::max<std::size_t>(filledCells(names), 1);
+  for (std::size_t i = 0; i < named; ++i) {
+    const std::string column(trimmed(names[i]));
     if (column.empty()) return fail(ErrorCode::kSchema, place, "a column without a name", "a name for every column");
-    if (find(column)) {
+    if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) {
       return fail(ErrorCode::kSchema, place, "column " + quoted(column) + " twice", "each column once");
     }
     columns_.push_back(column);
@@ -136,25 +49,46 @@ Result<void> CsvTable::takeHeader(const std::vector<std::string_view>& names, st
 }
 
 Result<void> CsvTable::takeRow(const std::vector<std::string_view>& cells, std::size_t line) {
-  if (cells.size() != columns_.size()) {
+  const std::size_t filled = filledCells(cells);
+  if (cells.size() < columns_.size() || filled > columns_.size()) {
+    const bool beside = filled > columns_.size() && filled <= header_cells_;
+    std::string wanted = std::to_string(columns_.size()) + " as in the first line";
+    if (beside) wanted = "a name for every column that holds something";
+    if (!beside && filled > columns_.size()) wanted += " (decimal commas? then semicolons between the cells)";
     return fail(ErrorCode::kSchema, "line " + std::to_string(line), std::to_string(cells.size()) + " cells",
-                std::to_string(columns_.size()) + " as in the first line");
+                std::move(wanted));
   }
-  for (const auto cell : cells) starts_.push_back(static_cast<std::uint32_t>(cell.data() - text_->data()));
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    starts_.push_back(static_cast<std::uint32_t>(cells[i].data() - text_->data()));
   const bool consecutive = !jumps_.empty() && line - jumps_.back().line == rows_ - jumps_.back().row;
   if (!consecutive) jumps_.push_back({static_cast<std::uint32_t>(rows_), static_cast<std::uint32_t>(line)});
   ++rows_;
   return {};
 }
 
+/// Writes points where commas are decimal ones.
+void CsvTable::readCommas(std::string& text) {
+  DecimalCommas commas;
+  for (std::size_t row = 0; row < rows_; ++row) {
+    for (std::size_t column = 0; column < columns_.size(); ++column) commas.add(cell(row, column));
+  }
+  if (!commas.decimal()) return;
+  for (std::size_t i = 0; i + 1 < starts_.size(); ++i) {
+    const std::string_view here(text.data() + starts_[i], starts_[i + 1] - 1 - starts_[i]);
+    const auto kind = DecimalCommas::kindOf(here);
+    if (kind != DecimalCommas::Cell::kDecimal && kind != DecimalCommas::Cell::kEither) continue;
+    text[starts_[i] + here.find(',')] = '.';
+  }
+  read_as_ += (read_as_.empty() ? "" : ", ") + std::string("decimal commas");
+}
+
 Result<void> CsvTable::fill(std::string& text, Header header) {
-  if (text.size() > kMostBytes) return fail(ErrorCode::kLimit, {}, "more than 2 GiB", "a smaller table");
-  if (!isUtf8(text)) return fail(ErrorCode::kSyntax, {}, "bytes that are not UTF-8 text", "a CSV table in UTF-8");
-  has_mark_ = text.starts_with("\xEF\xBB\xBF");
-  const auto ends_cell = [](char c) { return c == ',' || c == '\n'; };
+  const CsvDialect dialect = csvDialect(text);
+  if (dialect.separator != ',') read_as_ = separatorName(dialect.separator);
+  const auto ends_cell = [&dialect](char c) { return c == dialect.separator || c == '\n'; };
   // Never too few, so that the vector does not grow by copies; what stays unused is never touched.
   starts_.reserve(static_cast<std::size_t>(std::count_if(text.begin(), text.end(), ends_cell)) + 2);
-  Splitter splitter(text);
+  CsvSplitter splitter(text, dialect);
   std::vector<std::string_view> record;
   bool first = true;
   while (true) {
@@ -162,26 +96,52 @@ Result<void> CsvTable::fill(std::string& text, Header header) {
     if (!more) return tl::unexpected(more.error());
     if (!*more) break;
     if (first) {
-      const auto is_number = [](std::string_view cell) { return parseNumber(trimmed(cell)).has_value(); };
+      const auto is_number = [](std::string_view cell) {
+        const auto kind = DecimalCommas::kindOf(cell);
+        return kind == DecimalCommas::Cell::kDecimal || kind == DecimalCommas::Cell::kEither ||
+               parseNumber(trimmed(cell)).has_value();
+      };
       has_header_ = header == Header::kRequired || !std::all_of(record.begin(), record.end(), is_number);
       for (std::size_t i = 0; !has_header_ && i < record.size(); ++i) columns_.push_back(std::to_string(i + 1));
     }
     const bool is_header = first && has_header_;
-    auto taken = is_header ? takeHeader(record, splitter.recordLine()) : takeRow(record, splitter.recordLine());
-    if (!taken) return taken;
     first = false;
+    if (is_header) {
+      if (auto taken = takeHeader(record, splitter.recordLine()); !taken) return taken;
+      continue;
+    }
+    // Spreadsheets write rows of empty cells; a single cell, or one in quotes, is meant.
+    const bool is_empty = record.size() > 1 && filledCells(record) == 0 && !splitter.sawQuotes();
+    if (!is_empty) {
+      if (auto taken = takeRow(record, splitter.recordLine()); !taken) return taken;
+    }
+    const std::size_t kept = is_empty ? 0 : columns_.size();
+    if (kept < record.size()) splitter.drop(record[kept]);
   }
   if (first) return fail(ErrorCode::kSchema, {}, "an empty table", "a header line with the names of the columns");
   starts_.push_back(static_cast<std::uint32_t>(splitter.end()));
+  // Where commas separate cells, one in a cell is part of a text, or of a number that nobody can be sure of.
+  if (dialect.separator != ',') readCommas(text);
   return {};
 }
 
 Result<CsvTable> CsvTable::parse(std::string text, std::string file, Header header) {
-  const auto buffer = std::make_shared<std::string>(std::move(text));
+  if (text.size() > kMostBytes) return inFile({ErrorCode::kLimit, {}, {}, "more than 2 GiB", "a smaller table"}, file);
+  const bool has_mark = text.starts_with("\xEF\xBB\xBF");
+  auto decoded = decodeText(std::move(text));
+  if (!decoded) return inFile(decoded.error(), file);
+  // Another encoding can take more room in UTF-8.
+  if (decoded->text.size() > kMostBytes)
+    return inFile({ErrorCode::kLimit, {}, {}, "more than 2 GiB of text", "a smaller table"}, file);
+  const auto buffer = std::make_shared<std::string>(std::move(decoded->text));
   CsvTable table;
   table.text_ = buffer;
+  table.has_mark_ = has_mark;
   if (auto filled = table.fill(*buffer, header); !filled) return inFile(filled.error(), file);
   table.file_ = std::move(file);
+  if (!decoded->encoding.empty()) {
+    table.read_as_ += (table.read_as_.empty() ? "text in " : ", text in ") + decoded->encoding;
+  }
   return table;
 }
 
@@ -192,9 +152,19 @@ Result<CsvTable> CsvTable::read(const std::string& path, Header header) {
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view name) const {
+  const auto place = [this](auto it) { return static_cast<std::size_t>(it - columns_.begin()); };
   const auto it = std::find(columns_.begin(), columns_.end(), name);
-  if (it == columns_.end()) return std::nullopt;
-  return static_cast<std::size_t>(it - columns_.begin());
+  if (it != columns_.end()) return place(it);
+  const auto is_same = [name](const std::string& column) { return columnKey(column) == name; };
+  const auto like = std::find_if(columns_.begin(), columns_.end(), is_same);
+  if (like == columns_.end() || std::find_if(std::next(like), columns_.end(), is_same) != columns_.end())
+    return std::nullopt;
+  return place(like);
+}
+
+std::optional<std::string> CsvTable::note() const {
+  if (read_as_.empty()) return std::nullopt;
+  return file_ + ": read with " + read_as_;
 }
 
 Result<std::size_t> CsvTable::require(std::string_view name) const {
@@ -207,13 +177,15 @@ Result<std::size_t> CsvTable::require(std::string_view name) const {
       break;
     }
   }
-  return tl::unexpected(Error{ErrorCode::kSchema, file_, "header", "the columns " + names, "a column " + quoted(name)});
+  return tl::unexpected(Error{ErrorCode::kSchema, file_, "header", "the columns " + names,
+                              "a column " + quoted(name) + suggestion(name, columns_)});
 }
 
 Result<double> CsvTable::number(std::size_t row, std::size_t column) const {
   const auto value = parseNumber(trimmed(cell(row, column)));
-  if (!value || !std::isfinite(*value)) return refuse(row, column, ErrorCode::kValue, "a finite number");
-  return *value;
+  if (value && std::isfinite(*value)) return *value;
+  const bool comma = cell(row, column).find(',') != std::string_view::npos;
+  return refuse(row, column, ErrorCode::kValue, comma ? "a finite number with a decimal point" : "a finite number");
 }
 
 Result<long long> CsvTable::integer(std::size_t row, std::size_t column) const {
@@ -251,6 +223,19 @@ std::string guarded(std::string_view cell) {
 std::string_view withoutGuard(std::string_view cell) noexcept {
   const auto behind = cell.substr(std::min(cell.find_first_not_of('\''), cell.size()));
   return cell.starts_with('\'') && looksLikeFormula(behind) ? cell.substr(1) : cell;
+}
+
+std::string columnKey(std::string_view name) {
+  std::string key;
+  for (const char c : lowered(name)) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      key += c;
+    } else if (!key.empty() && key.back() != '_') {
+      key += '_';
+    }
+  }
+  if (key.ends_with('_')) key.pop_back();
+  return key;
 }
 
 CsvWriter::CsvWriter(std::span<const std::string> columns) : columns_(columns.size()) {

@@ -1,4 +1,4 @@
-// CSV tables (RFC 4180): a header, commas, UTF-8 with or without a byte order mark.
+// CSV tables (RFC 4180): a header, commas, UTF-8 with or without a byte order mark; and as spreadsheets save them.
 #pragma once
 
 #include <cstddef>
@@ -24,11 +24,14 @@ class CsvTable {
   };
 
   /// Reads `text`, said to be of `file` in errors. Lines that start with `#` before the first record are
-  /// comments; empty lines are skipped. Refused: no header, a doubled or empty column name, a row with another number
-  /// of cells than the header, an open quote, text that is not UTF-8, a line longer than 1 MiB, more than 2 GiB.
+  /// comments; empty lines, rows of empty cells and empty columns at the end are skipped. Where it is plain, tables of
+  /// other spreadsheets are read too, and `readAs` says so: semicolons or tabs (csv_splitter.h), decimal commas
+  /// (decimal_comma.h; the cells then hold points), other encodings (text_encoding.h).
+  /// Refused: no header, a doubled or empty column name, a row with another number of cells than the header, an open
+  /// quote, text of no known encoding, a line longer than 1 MiB, more than 2 GiB.
   static Result<CsvTable> parse(std::string text, std::string file, Header header = Header::kRequired);
 
-  /// Reads the file `path` of at most 2 GiB.
+  /// Reads the file `path` of at most 2 GiB; from a pipe or device at most kMostPipeBytes (file.h).
   static Result<CsvTable> read(const std::string& path, Header header = Header::kRequired);
 
   const std::string& file() const { return file_; }
@@ -36,9 +39,13 @@ class CsvTable {
   bool hasHeader() const { return has_header_; }
   /// Whether the text began with a byte order mark, as tables for spreadsheet programs do.
   bool hasMark() const { return has_mark_; }
+  /// How the table was read where it is no plain one: `semicolons between the cells, decimal commas`; otherwise empty.
+  const std::string& readAs() const { return read_as_; }
+  /// `file` and `readAs` as a sentence, or nothing.
+  std::optional<std::string> note() const;
   std::size_t rowCount() const { return rows_; }
 
-  /// Index of the column `name`, or nothing.
+  /// Index of the column `name`, or of the only one that columnKey makes it; or nothing.
   std::optional<std::size_t> find(std::string_view name) const;
   /// Index of the column `name`; its absence is an error that lists the columns there are.
   Result<std::size_t> require(std::string_view name) const;
@@ -62,6 +69,7 @@ class CsvTable {
 
  private:
   Result<void> fill(std::string& text, Header header);
+  void readCommas(std::string& text);
   Result<void> takeHeader(const std::vector<std::string_view>& names, std::size_t line);
   Result<void> takeRow(const std::vector<std::string_view>& cells, std::size_t line);
 
@@ -74,6 +82,8 @@ class CsvTable {
   std::string file_;
   std::shared_ptr<const std::string> text_;
   std::vector<std::string> columns_;
+  std::size_t header_cells_ = 0;  // with the empty ones at the end
+  std::string read_as_;
   bool has_header_ = true;
   bool has_mark_ = false;
   // Row by row where each cell starts in *text_, and one more: a cell ends one byte before the next one starts.
@@ -93,6 +103,10 @@ inline constexpr const char* kNoFormula = "a name that does not begin with = + -
 /// looks like a formula. `withoutGuard` gives back what it was.
 std::string guarded(std::string_view cell);
 std::string_view withoutGuard(std::string_view cell) noexcept;
+
+/// A column's name as the formats write it: small letters and digits, everything else one underscore.
+/// `Speed [mm/s]` gives `speed_mm_s`.
+std::string columnKey(std::string_view name);
 
 /// Builds CSV text: rows in, text out; cells are quoted only where they must be.
 class CsvWriter {

@@ -77,12 +77,15 @@ Result<std::string> readFile(const std::string& path, std::size_t most_bytes) {
   if (::fstat(file.number(), &info) != 0) return ioError(path, reason(errno), "a readable file");
   if (S_ISDIR(info.st_mode)) return ioError(path, "a folder", "a file");
 
+  const bool regular = S_ISREG(info.st_mode);
+  if (!regular) most_bytes = std::min(most_bytes, kMostPipeBytes);
   const auto too_large = [&](std::size_t size) {
-    return tl::unexpected(Error{ErrorCode::kLimit,
-                                path,
-                                {},
-                                std::to_string(size) + " bytes or more",
-                                "at most " + std::to_string(most_bytes) + " bytes"});
+    return tl::unexpected(
+        Error{ErrorCode::kLimit,
+              path,
+              {},
+              std::to_string(size) + " bytes or more",
+              "at most " + std::to_string(most_bytes) + " bytes" + (regular ? "" : " of a pipe or device")});
   };
   if (std::cmp_greater(info.st_size, most_bytes)) return too_large(static_cast<std::size_t>(info.st_size));
 

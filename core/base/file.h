@@ -10,9 +10,13 @@
 
 namespace tactus::base {
 
+/// What is read at most of what is piped in, which may never end.
+inline constexpr std::size_t kMostPipeBytes = std::size_t{256} << 20U;
+
 /// The bytes of `path`, or an error where it cannot be read or holds more than `most_bytes`.
 /// The size is looked at before anything is read, so a huge file costs nothing. A pipe or device of this name is
-/// refused: it would be waited for, or never end. What a shell pipes in (`/dev/fd/63`, `/dev/stdin`) is read.
+/// refused: it would be waited for, or never end. What a shell pipes in (`/dev/fd/63`, `/dev/stdin`) is read,
+/// at most kMostPipeBytes of it.
 Result<std::string> readFile(const std::string& path, std::size_t most_bytes);
 
 /// SHA-256 of the file `path`, which may be larger than the memory. Careful with a database that this process has open:

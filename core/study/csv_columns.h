@@ -1,4 +1,4 @@
-// The columns that the tables of a study must have. The order in the file is free.
+// The columns of the tables of a study. The order in the file is free.
 #pragma once
 
 #include <array>
@@ -15,5 +15,20 @@ inline constexpr std::array<std::string_view, 5> kJudgementColumns = {"participa
 inline constexpr std::array<std::string_view, 5> kAnswerColumns = {"participant", "form", "item", "term", "status"};
 /// Besides these, rules.csv has one column per input and, if it likes, `form`.
 inline constexpr std::array<std::string_view, 3> kRuleColumns = {"participant", "then", "weight"};
+
+/// Columns that may be absent, and what their absence means. Inputs of rules.csv may be absent too, but not all.
+struct OptionalColumn {
+  std::string_view table, column, meaning;
+};
+inline constexpr std::array<OptionalColumn, 8> kOptionalColumns = {{
+    {"participants.csv", "years_experience", "not known"},
+    {"participants.csv", "category", "not known"},
+    {"participants.csv", "handedness", "not known"},
+    {"participants.csv", "weight", "not set"},
+    {"participants.csv", "simulated", "the data count as given by persons"},
+    {"judgements.csv", "series", "all judgements count as 'ascending'"},
+    {"answers.csv", "status", "an item with a term counts as answered, others as skipped"},
+    {"rules.csv", "weight", "each rule has the weight 1"},
+}};
 
 }  // namespace tactus::study

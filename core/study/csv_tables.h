@@ -17,9 +17,11 @@ struct StudyTables {
 };
 
 /// Reads the tables of `folder`; the study takes the folder's name, each record keeps its line. `participants.csv` must
-/// be there; each other table may be absent. Refused: a missing column, a value of the wrong kind (with file, line and
-/// column), a step or stroke below 1, a force below 0, a participant, an answer, a judgement or a rule twice, a row of
-/// an unknown participant. Terms and levels are kept as text: elicitation knows which there are. Columns, one table
+/// be there; each other table may be absent. A table may also be called `Speeds.CSV`, `speeds.txt` or `speeds.tsv`
+/// where it is the only one of that name; columns may be written as people do (base::columnKey), and optional ones may
+/// be absent (csv_columns.h), each with a note. Refused: a missing column, a value of the wrong kind (with file, line
+/// and column), a step or stroke below 1, a force below 0, a participant, an answer, a judgement or a rule twice, a row
+/// of an unknown participant. Terms and levels are kept as text: elicitation knows which there are. Columns, one table
 /// each:
 ///   participants.csv  participant,years_experience,category,handedness,weight,simulated
 ///   speeds.csv        participant,level,stroke,time_s,depth_mm,speed_mm_s

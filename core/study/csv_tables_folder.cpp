@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/study/code_key.h"
 #include "core/study/csv_columns.h"
 #include "core/study/csv_tables.h"
 
@@ -27,15 +28,19 @@ class FolderReader {
   template <class Read>
   auto table(std::string_view name, std::span<const std::string_view> known, Read read)
       -> decltype(read(std::declval<const CsvTable&>())) {
-    const fs::path path = folder_ / name;
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) {
+    const auto path = fileOf(name);
+    if (!path) return tl::unexpected(path.error());
+    if (path->empty()) {
       absent_.emplace_back(name);
       return {};
     }
-    const auto csv = CsvTable::read(path.string());
+    if (path->filename() != name) {
+      notes_.push_back(std::string(name) + ": read from " + base::quoted(path->filename().string()) + ".");
+    }
+    const auto csv = CsvTable::read(path->string());
     if (!csv) return tl::unexpected(csv.error());
-    noteIgnoredColumns(name, *csv, known);
+    if (!csv->readAs().empty()) notes_.push_back(std::string(name) + ": read with " + csv->readAs() + ".");
+    noteColumns(name, *csv, known);
     auto records = read(*csv);
     if (!records) return records;
     return checked(*csv, std::move(*records));
@@ -55,13 +60,53 @@ class FolderReader {
   }
 
  private:
-  void noteIgnoredColumns(std::string_view name, const CsvTable& csv, std::span<const std::string_view> known) {
-    if (known.empty()) return;
-    for (const auto& column : csv.columns()) {
-      if (std::find(known.begin(), known.end(), column) == known.end()) {
-        notes_.push_back(std::string(name) + ": the column " + base::quoted(column) + " is ignored.");
-      }
+  /// The file that holds the table `name`, empty where there is none: of this name, or the only one whose name differs
+  /// in capitals or ends in .txt or .tsv.
+  Result<fs::path> fileOf(std::string_view name) const {
+    std::error_code ignored;
+    const fs::path exact = folder_ / name;
+    if (fs::exists(exact, ignored)) return exact;
+    const std::string stem = fs::path(name).stem().string();
+    std::vector<fs::path> like;
+    for (const auto& entry : fs::directory_iterator(folder_, ignored)) {
+      const std::string ending = base::lowered(entry.path().extension().string());
+      const bool is_table = ending == ".csv" || ending == ".txt" || ending == ".tsv";
+      if (is_table && base::lowered(entry.path().stem().string()) == stem) like.push_back(entry.path());
     }
+    if (like.empty()) return fs::path();
+    if (like.size() == 1) return like.front();
+    std::sort(like.begin(), like.end());
+    return tl::unexpected(
+        base::Error{ErrorCode::kSchema,
+                    folder_.string(),
+                    {},
+                    base::quoted(like[0].filename().string()) + " and " + base::quoted(like[1].filename().string()),
+                    "one table " + std::string(name)});
+  }
+
+  /// Columns that are ignored, that are written another way, and optional ones that are absent.
+  void noteColumns(std::string_view name, const CsvTable& csv, std::span<const std::string_view> known) {
+    if (known.empty()) return;
+    std::vector<bool> used(csv.columns().size());
+    std::vector<std::string> other;
+    for (const auto column : known) {
+      const auto at = csv.find(column);
+      if (!at) continue;
+      used[*at] = true;
+      if (csv.columns()[*at] != column)
+        other.push_back(base::quoted(csv.columns()[*at]) + " as " + std::string(column));
+    }
+    const std::string table(name);
+    if (!other.empty()) notes_.push_back(table + ": reads the columns " + base::joined(other, ", ") + ".");
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      if (!used[i]) notes_.push_back(table + ": the column " + base::quoted(csv.columns()[i]) + " is ignored.");
+    }
+    std::vector<std::string> absent;
+    for (const auto& optional : kOptionalColumns) {
+      if (optional.table != name || csv.find(optional.column)) continue;
+      absent.push_back(std::string(optional.column) + " (" + std::string(optional.meaning) + ")");
+    }
+    if (!absent.empty()) notes_.push_back(table + ": without the columns " + base::joined(absent, ", ") + ".");
   }
 
   Result<std::vector<Participant>> checked(const CsvTable&, std::vector<Participant> participants) const {
@@ -77,11 +122,20 @@ class FolderReader {
       // Rows of one participant stand together, so most need no look-up.
       if (last != nullptr && *last == code) continue;
       if (!codes_.contains(code)) {
-        return csv.refuse(row, *csv.find("participant"), ErrorCode::kReference, "a participant of participants.csv");
+        return csv.refuse(row, *csv.find("participant"), ErrorCode::kReference,
+                          "a participant of participants.csv" + meantInstead(code));
       }
       last = &code;
     }
     return records;
+  }
+
+  /// `: 'P1'?` where that participant's code differs only in capitals, spaces, dashes or zeros.
+  std::string meantInstead(const std::string& code) const {
+    for (const auto& known : codes_) {
+      if (codeKey(known) == codeKey(code)) return ": " + base::quoted(known) + "?";
+    }
+    return {};
   }
 
   fs::path folder_;
@@ -98,8 +152,20 @@ Result<void> checkFolder(const std::string& folder) {
   const auto status = fs::status(folder, ignored);
   if (!fs::exists(status)) return refused("nothing of this name");
   if (!fs::is_directory(status)) return refused("a file");
-  if (!fs::exists(fs::path(folder) / kParticipantsTable, ignored)) return refused("no participants.csv in it");
-  return {};
+  std::string spreadsheet;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = base::lowered(entry.path().filename().string());
+    if (name == "participants.csv" || name == "participants.txt" || name == "participants.tsv") return {};
+    if (name.ends_with(".xlsx") || name.ends_with(".xls") || name.ends_with(".ods")) spreadsheet = name;
+  }
+  if (!spreadsheet.empty()) {
+    return tl::unexpected(base::Error{ErrorCode::kIo,
+                                      folder,
+                                      {},
+                                      "no participants.csv in it, but the spreadsheet " + base::quoted(spreadsheet),
+                                      "a folder with participants.csv: save each sheet as CSV"});
+  }
+  return refused("no participants.csv in it");
 }
 
 std::string nameOf(const fs::path& folder) {

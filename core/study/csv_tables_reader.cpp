@@ -1,4 +1,5 @@
 // One table of a study at a time: cells to records.
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <set>
@@ -17,12 +18,25 @@ using base::CsvTable;
 using base::ErrorCode;
 using base::Result;
 
-/// Indices of the columns `names`, in their order, or the error about the first that is missing.
+constexpr std::size_t kAbsent = std::numeric_limits<std::size_t>::max();
+
+bool mayBeAbsent(std::string_view table, std::string_view column) {
+  return std::any_of(kOptionalColumns.begin(), kOptionalColumns.end(), [&](const OptionalColumn& optional) {
+    return optional.table == table && optional.column == column;
+  });
+}
+
+/// Indices of the columns `names` of the table `kind`, in their order, kAbsent for one that may be absent and is; or
+/// the error about the first that is missing.
 template <std::size_t Count>
-Result<std::array<std::size_t, Count>> requireColumns(const CsvTable& table,
-                                                      const std::array<std::string_view, Count>& names) {
+Result<std::array<std::size_t, Count>> findColumns(const CsvTable& table, std::string_view kind,
+                                                   const std::array<std::string_view, Count>& names) {
   std::array<std::size_t, Count> columns{};
   for (std::size_t i = 0; i < Count; ++i) {
+    if (!table.find(names[i]) && mayBeAbsent(kind, names[i])) {
+      columns[i] = kAbsent;
+      continue;
+    }
     const auto column = table.require(names[i]);
     if (!column) return tl::unexpected(column.error());
     columns[i] = *column;
@@ -35,7 +49,9 @@ class RowReader {
  public:
   RowReader(const CsvTable& table, std::size_t row) : table_(table), row_(row) {}
 
+  /// Empty where the column is absent.
   std::string_view text(std::size_t column) const {
+    if (column == kAbsent) return {};
     const auto cell = base::trimmed(table_.cell(row_, column));
     return table_.hasMark() ? base::withoutGuard(cell) : cell;
   }
@@ -135,9 +151,10 @@ std::pair<ForceJudgement::Kind, std::string> judgementOf(std::string_view text) 
   return {Kind::kTerm, std::string(text)};
 }
 
-Answer::Status statusOf(RowReader& cells, std::size_t column) {
+Answer::Status statusOf(RowReader& cells, std::size_t column, bool has_term) {
   using Status = Answer::Status;
-  const auto text = cells.text(column);
+  if (column == kAbsent) return has_term ? Status::kAnswered : Status::kSkipped;
+  const std::string text = base::lowered(cells.text(column));
   if (text == "answered") return Status::kAnswered;
   if (text == "skipped") return Status::kSkipped;
   if (text == "cant_tell") return Status::kCantTell;
@@ -150,10 +167,9 @@ Answer::Status statusOf(RowReader& cells, std::size_t column) {
 Result<std::vector<std::size_t>> inputColumns(const CsvTable& table, const std::vector<std::string>& input_ids) {
   std::vector<std::size_t> columns;
   for (const auto& id : input_ids) {
-    const auto column = table.require(id);
-    if (!column) return tl::unexpected(column.error());
-    columns.push_back(*column);
+    if (const auto column = table.find(id)) columns.push_back(*column);
   }
+  if (columns.empty() && !input_ids.empty()) return tl::unexpected(table.require(input_ids.front()).error());
   if (!input_ids.empty()) return columns;
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
     const std::string& name = table.columns()[i];
@@ -162,10 +178,16 @@ Result<std::vector<std::size_t>> inputColumns(const CsvTable& table, const std::
   return columns;
 }
 
+/// The id of the input that a column called `name` is about.
+const std::string& inputId(const std::string& name, const std::vector<std::string>& input_ids) {
+  const auto id = std::find(input_ids.begin(), input_ids.end(), base::columnKey(name));
+  return id == input_ids.end() ? name : *id;
+}
+
 }  // namespace
 
 Result<std::vector<Participant>> readParticipants(const CsvTable& table) {
-  const auto columns = requireColumns(table, kParticipantColumns);
+  const auto columns = findColumns(table, kParticipantsTable, kParticipantColumns);
   if (!columns) return tl::unexpected(columns.error());
   const auto& column = *columns;
 
@@ -185,7 +207,7 @@ Result<std::vector<Participant>> readParticipants(const CsvTable& table) {
 }
 
 Result<std::vector<SpeedSample>> readSpeeds(const CsvTable& table) {
-  const auto columns = requireColumns(table, kSpeedColumns);
+  const auto columns = findColumns(table, kSpeedsTable, kSpeedColumns);
   if (!columns) return tl::unexpected(columns.error());
   const auto& column = *columns;
 
@@ -202,89 +224,98 @@ Result<std::vector<SpeedSample>> readSpeeds(const CsvTable& table) {
 }
 
 Result<std::vector<ForceJudgement>> readJudgements(const CsvTable& table) {
-  const auto columns = requireColumns(table, kJudgementColumns);
+  const auto columns = findColumns(table, kJudgementsTable, kJudgementColumns);
   if (!columns) return tl::unexpected(columns.error());
   const auto& column = *columns;
 
   std::set<std::tuple<std::string, std::string, int>> seen;
   return readRows<ForceJudgement>(table, [&](RowReader& cells) {
     ForceJudgement judgement;
-    judgement.participant = cells.requiredName(column[0], "the code of a participant");
-    judgement.series = cells.name(column[1]);
-    judgement.step = cells.ordinal(column[2]);
-    judgement.force_n = cells.number(column[3]);
-    if (judgement.force_n < 0) cells.refuse(column[3], ErrorCode::kValue, "a force of 0 N or more");
-    std::tie(judgement.kind, judgement.term) = judgementOf(cells.name(column[4]));
-    if (!seen.emplace(judgement.participant, judgement.series, judgement.step).second) {
-      cells.refuse(column[2], ErrorCode::kValue, "step " + std::to_string(judgement.step) + " of this series again",
-                   "each step of a series once for a participant");
-    }
-    return judgement;
-  });
+    /// Empty where the column is absent.
+    std::string_view text(std::size_t column) const {
+      if (column == kAbsent) return {};
+      const auto cell = base::trimmed(table_.cell(row_, column));
+      return table_.hasMark() ? base::withoutGuard(cell) : cell;
+      judgement.step = cells.ordinal(column[2]);
+      judgement.force_n = cells.number(column[3]);
+      if (judgement.force_n < 0) cells.refuse(column[3], ErrorCode::kValue, "a force of 0 N or more");
+      std::tie(judgement.kind, judgement.term) = judgementOf(cells.name(column[4]));
+      if (!seen.emplace(judgement.participant, judgement.series, judgement.step).second) {
+        cells.refuse(column[2], ErrorCode::kValue, "step " + std::to_string(judgement.step) + " of this series again",
+                     "each step of a series once for a participant");
+      }
+      return judgement;
+    });
 }
 
 Result<std::vector<Answer>> readAnswers(const CsvTable& table) {
-  const auto columns = requireColumns(table, kAnswerColumns);
-  if (!columns) return tl::unexpected(columns.error());
-  const auto& column = *columns;
+    const auto columns = findColumns(table, kAnswersTable, kAnswerColumns);
+    if (!columns) return tl::unexpected(columns.error());
+    const auto& column = *columns;
 
-  std::set<std::tuple<std::string, std::string, int>> seen;
+    std::set<std::tuple<std::string, std::string, int>> seen;
   return readRows<Answer>(table, [&](RowReader& cells) {
-    Answer answer;
-    answer.participant = cells.requiredName(column[0], "the code of a participant");
-    answer.form = cells.requiredName(column[1], "the id of a form");
-    answer.item = cells.integer(column[2]);
-    answer.term = cells.name(column[3]);
-    answer.status = statusOf(cells, column[4]);
-    const bool answered = answer.status == Answer::Status::kAnswered;
-    if (answered && answer.term.empty()) {
-      cells.refuse(column[3], ErrorCode::kValue, "a term, as the status is 'answered'");
-    } else if (!answered && !answer.term.empty()) {
-      cells.refuse(column[3], ErrorCode::kValue,
-                   "an empty cell, as the status is " + base::quoted(cells.text(column[4])));
-    }
-    if (!seen.emplace(answer.participant, answer.form, answer.item).second) {
-      cells.refuse(column[2], ErrorCode::kValue, "item " + std::to_string(answer.item) + " of this form again",
-                   "each item of a form once for a participant");
-    }
-    return answer;
-  });
+      Answer answer;
+      answer.participant = cells.requiredName(column[0], "the code of a participant");
+      answer.form = cells.requiredName(column[1], "the id of a form");
+      answer.item = cells.integer(column[2]);
+      /// Empty where the column is absent.
+      std::string_view text(std::size_t column) const {
+        if (column == kAbsent) return {};
+        const auto cell = base::trimmed(table_.cell(row_, column));
+        return table_.hasMark() ? base::withoutGuard(cell) : cell;
+        const bool answered = answer.status == Answer::Status::kAnswered;
+        if (answered && answer.term.empty()) {
+          cells.refuse(column[3], ErrorCode::kValue, "a term, as the status is 'answered'");
+        } else if (!answered && !answer.term.empty()) {
+          cells.refuse(column[3], ErrorCode::kValue,
+                       "an empty cell, as the status is " + base::quoted(cells.text(column[4])));
+        }
+        if (!seen.emplace(answer.participant, answer.form, answer.item).second) {
+          cells.refuse(column[2], ErrorCode::kValue, "item " + std::to_string(answer.item) + " of this form again",
+                       "each item of a form once for a participant");
+        }
+        return answer;
+      });
 }
 
 Result<std::vector<GivenRule>> readRules(const CsvTable& table, const std::vector<std::string>& input_ids) {
-  const auto columns = requireColumns(table, kRuleColumns);
-  if (!columns) return tl::unexpected(columns.error());
-  const auto& column = *columns;
-  const auto inputs = inputColumns(table, input_ids);
-  if (!inputs) return tl::unexpected(inputs.error());
-  const auto form = table.find("form");
+      const auto columns = findColumns(table, kRulesTable, kRuleColumns);
+      if (!columns) return tl::unexpected(columns.error());
+      const auto& column = *columns;
+      const auto inputs = inputColumns(table, input_ids);
+      if (!inputs) return tl::unexpected(inputs.error());
+      const auto form = table.find("form");
 
-  using Terms = std::vector<std::string>;
-  std::set<std::tuple<std::string, std::string, Terms>> seen;
+      using Terms = std::vector<std::string>;
+      std::set<std::tuple<std::string, std::string, Terms>> seen;
   return readRows<GivenRule>(table, [&](RowReader& cells) {
-    GivenRule rule;
-    rule.participant = cells.requiredName(column[0], "the code of a participant");
-    if (form) rule.form = cells.name(*form);
-    Terms terms;
-    for (const std::size_t input : *inputs) {
-      terms.push_back(cells.name(input));
-      if (!terms.back().empty()) rule.conditions.push_back({table.columns()[input], terms.back()});
-    }
-    if (rule.conditions.empty()) {
-      cells.refuse(inputs->empty() ? column[1] : inputs->front(), ErrorCode::kValue, "a rule without a condition",
-                   "a term for one input or more");
-    }
-    rule.then = cells.requiredName(column[1], "the term that follows");
-    terms.push_back(rule.then);
-    if (!cells.text(column[2]).empty()) rule.weight = cells.number(column[2]);
-    if (!(rule.weight >= 0 && rule.weight <= 1)) {
-      cells.refuse(column[2], ErrorCode::kValue, "a weight from 0 to 1, or an empty cell for 1");
-    }
-    if (!seen.emplace(rule.participant, rule.form, std::move(terms)).second) {
-      cells.refuse(column[1], ErrorCode::kValue, "the same rule twice", "each rule once for a participant");
-    }
-    return rule;
-  });
+        GivenRule rule;
+        rule.participant = cells.requiredName(column[0], "the code of a participant");
+        if (form) rule.form = cells.name(*form);
+        Terms terms;
+        for (const std::size_t input : *inputs) {
+          /// Empty where the column is absent.
+          std::string_view text(std::size_t column) const {
+            if (column == kAbsent) return {};
+            const auto cell = base::trimmed(table_.cell(row_, column));
+            return table_.hasMark() ? base::withoutGuard(cell) : cell;
+          }
+          if (rule.conditions.empty()) {
+            cells.refuse(inputs->empty() ? column[1] : inputs->front(), ErrorCode::kValue, "a rule without a condition",
+                         "a term for one input or more");
+          }
+          rule.then = cells.requiredName(column[1], "the term that follows");
+          terms.push_back(rule.then);
+          if (!cells.text(column[2]).empty()) rule.weight = cells.number(column[2]);
+          if (!(rule.weight >= 0 && rule.weight <= 1)) {
+            cells.refuse(column[2], ErrorCode::kValue, "a weight from 0 to 1, or an empty cell for 1");
+          }
+          if (!seen.emplace(rule.participant, rule.form, std::move(terms)).second) {
+            cells.refuse(column[1], ErrorCode::kValue, "the same rule twice", "each rule once for a participant");
+          }
+          return rule;
+        });
 }
 
 }  // namespace tactus::study

@@ -36,8 +36,8 @@ TEST(Csv, CellsAfterQuotesCommentsAndEmptyLinesStayTheirOwn) {
   ASSERT_TRUE(table.has_value()) << table.error().message();
   EXPECT_EQ(table->columns(), (std::vector<std::string>{"a\"", "b", "c"}));
   const std::vector<std::vector<std::string>> wanted = {
-      {"", "", ""}, {"\"", "1,2", "x"}, {"", "", "y"}, {"ä", "\n", ""}, {"", "", ""}};
-  const std::vector<std::size_t> lines = {3, 5, 8, 9, 11};
+      {"", "", ""}, {"\"", "1,2", "x"}, {"", "", "y"}, {"ä", "\n", ""}};
+  const std::vector<std::size_t> lines = {3, 5, 8, 9};
   ASSERT_EQ(table->rowCount(), wanted.size());
   for (std::size_t row = 0; row < wanted.size(); ++row) {
     for (std::size_t column = 0; column < 3; ++column) EXPECT_EQ(table->cell(row, column), wanted[row][column]);
@@ -77,7 +77,9 @@ TEST(Csv, CopiesShareTheirText) {
 TEST(Csv, NumbersOfACell) {
   const auto table = CsvTable::parse("n\n 0.5 \n1e-3\n-7\n\nnan\n1e999\n0,5\n", "t.csv");
   ASSERT_FALSE(table.has_value());
-  EXPECT_EQ(table.error().message(), "t.csv: line 8: found 2 cells, wanted 1 as in the first line");
+  EXPECT_EQ(table.error().message(),
+            "t.csv: line 8: found 2 cells, wanted 1 as in the first line (decimal commas? then semicolons between the "
+            "cells)");
   const auto good = CsvTable::parse("n,m\n 0.5 ,7\n1e-3,7.5\nnan,\n1e999,x\n", "t.csv");
   ASSERT_TRUE(good.has_value());
   EXPECT_EQ(good->number(0, 0), 0.5);
@@ -100,7 +102,9 @@ TEST(Csv, RefusesWhatIsNotATable) {
   EXPECT_EQ(errorOf("a\n\"open\n\n"), "t.csv: line 2: found an opening quote without its end, wanted a closing quote");
   EXPECT_EQ(errorOf("a\n\"x\"y\n"),
             "t.csv: line 2: found text after a closing quote, wanted a comma or the end of the line");
-  EXPECT_EQ(errorOf("a\ncaf\xE9\n"), "t.csv: found bytes that are not UTF-8 text, wanted a CSV table in UTF-8");
+  EXPECT_EQ(errorOf("a\ncaf\xE9 \x81\n"),
+            "t.csv: found bytes that are not UTF-8 text, nor plainly Windows-1252 or GB 18030, wanted a CSV table in "
+            "UTF-8: save it again as \"CSV UTF-8\"");
   EXPECT_EQ(errorOf("a\n" + std::string(2'000'000, 'x')),
             "t.csv: line 2: found a line of more than 1 MiB, wanted rows of comma-separated cells");
 }

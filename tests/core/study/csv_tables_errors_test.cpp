@@ -35,9 +35,16 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenTable{"ParticipantTwice", "participants.csv",
                     "participant,years_experience,category,handedness,weight,simulated\nP1,,,,,\n\nP1,,,,,\n",
                     "participants.csv: line 4, column 'participant': found 'P1' again, wanted each participant once"},
-        BrokenTable{"MissingColumn", "participants.csv", "participant,category,handedness,weight,simulated\nP1,,,,\n",
-                    "participants.csv: header: found the columns 'participant', 'category', 'handedness', 'weight', "
-                    "'simulated', wanted a column 'years_experience'"},
+        BrokenTable{"MissingColumn", "speeds.csv", "participant,level,stroke,time_s,sped_mm_s\nP1,slow,1,0,0\n",
+                    "speeds.csv: header: found the columns 'participant', 'level', 'stroke', 'time_s', 'sped_mm_s', "
+                    "wanted a column 'depth_mm'"},
+        BrokenTable{"ColumnMisspelled", "judgements.csv", "participant,series,step,force,term\nP1,a,1,0.1,small\n",
+                    "judgements.csv: header: found the columns 'participant', 'series', 'step', 'force', 'term', "
+                    "wanted a column 'force_n' (force?)"},
+        BrokenTable{"CodeInAnotherSpelling", "speeds.csv",
+                    "participant,level,stroke,time_s,depth_mm,speed_mm_s\np-01,slow,1,0,0,0\n",
+                    "speeds.csv: line 2, column 'participant': found 'p-01', wanted a participant of participants.csv: "
+                    "'P1'?"},
         BrokenTable{"Flag", "participants.csv",
                     "participant,years_experience,category,handedness,weight,simulated\nP1,,,,,maybe\n",
                     "participants.csv: line 2, column 'simulated': found 'maybe', wanted 1 or true, 0 or false, or an "
@@ -72,7 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "speeds.csv: line 2, column 'level': found an empty cell, wanted the level that was asked for"},
         BrokenTable{"DecimalComma", "speeds.csv",
                     "participant,level,stroke,time_s,depth_mm,speed_mm_s\nP1,slow,1,0,0,1,5\n",
-                    "speeds.csv: line 2: found 7 cells, wanted 6 as in the first line"},
+                    "speeds.csv: line 2: found 7 cells, wanted 6 as in the first line (decimal commas? then semicolons "
+                    "between the cells)"},
         BrokenTable{"EmptyFile", "speeds.csv", "",
                     "speeds.csv: found an empty table, wanted a header line with the names of the columns"},
         BrokenTable{"StepNotInteger", "judgements.csv", "participant,series,step,force_n,term\nP1,ascending,1.5,.1,\n",

@@ -1,0 +1,113 @@
+#include "app/session/table_words.h"
+
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "core/base/csv.h"
+#include "core/base/text.h"
+#include "core/study/table_line.h"
+#include "elicitation/ngt_variables.h"
+#include "experiments/force_series.h"
+
+namespace tactus::session {
+namespace {
+
+using Kind = study::ForceJudgement::Kind;
+
+/// Ids of one kind, and the words that stood for them.
+class Words {
+ public:
+  explicit Words(std::string_view table) : table_(table) {}
+
+  void add(const std::string& id) { ids_[base::columnKey(id)] = id; }
+  void add(const std::vector<fuzzy::Term>& terms) {
+    for (const auto& term : terms) add(term.id);
+  }
+
+  /// The id that `word` stands for; `word` itself where it is one, or none.
+  std::string read(const std::string& word) {
+    const auto id = ids_.find(base::columnKey(word));
+    if (word.empty() || id == ids_.end() || id->second == word) return word;
+    ++read_[{word, id->second}];
+    return id->second;
+  }
+
+  void addNotes(std::vector<std::string>& notes) const {
+    for (const auto& [word, rows] : read_) {
+      notes.push_back(std::string(table_) + ": " + base::quoted(word.first) + " is read as " + word.second + " in " +
+                      std::to_string(rows) + (rows == 1 ? " row." : " rows."));
+    }
+  }
+
+ private:
+  std::string_view table_;
+  std::map<std::string, std::string> ids_;
+  std::map<std::pair<std::string, std::string>, std::size_t> read_;
+};
+
+std::vector<fuzzy::Term> termsOf(std::string_view input) {
+  for (auto& variable : elicitation::ngtInputs()) {
+    if (variable.id == input) return variable.terms;
+  }
+  return {};
+}
+
+void readJudgements(study::Study& study, std::vector<std::string>& notes) {
+  Words series(study::kJudgementsTable);
+  for (const char* id : {experiments::kAscending, experiments::kDescending, experiments::kRandom}) series.add(id);
+  Words terms(study::kJudgementsTable);
+  terms.add(elicitation::ngtOutput().terms);
+  terms.add("not_felt");
+  terms.add("beyond_practice");
+  for (auto& row : study.judgements) {
+    row.series = series.read(row.series);
+    if (row.kind != Kind::kTerm) continue;
+    row.term = terms.read(row.term);
+    if (row.term == "not_felt") row.kind = Kind::kNotFelt;
+    if (row.term == "beyond_practice") row.kind = Kind::kBeyondPractice;
+    if (row.kind != Kind::kTerm) row.term.clear();
+  }
+  series.addNotes(notes);
+  terms.addNotes(notes);
+}
+
+void readRules(study::Study& study, std::vector<std::string>& notes) {
+  std::map<std::string, Words> conditions;
+  for (const auto& input : elicitation::ngtInputs()) {
+    auto& words = conditions.try_emplace(input.id, study::kRulesTable).first->second;
+    words.add(input.terms);
+    if (input.id != "depth") continue;
+    for (const auto& set : elicitation::depthTermSets()) words.add(set.terms);
+  }
+  Words then(study::kRulesTable);
+  then.add(elicitation::ngtOutput().terms);
+  for (auto& rule : study.rules) {
+    rule.then = then.read(rule.then);
+    for (auto& condition : rule.conditions) {
+      const auto words = conditions.find(condition.input);
+      if (words != conditions.end()) condition.term = words->second.read(condition.term);
+    }
+  }
+  for (const auto& [input, words] : conditions) words.addNotes(notes);
+  then.addNotes(notes);
+}
+
+}  // namespace
+
+std::vector<std::string> readWords(study::Study& study) {
+  std::vector<std::string> notes;
+  Words levels(study::kSpeedsTable);
+  levels.add(termsOf("speed"));
+  for (auto& sample : study.speeds) sample.level = levels.read(sample.level);
+  levels.addNotes(notes);
+  readJudgements(study, notes);
+  Words answers(study::kAnswersTable);
+  answers.add(elicitation::ngtOutput().terms);
+  for (auto& answer : study.answers) answer.term = answers.read(answer.term);
+  answers.addNotes(notes);
+  readRules(study, notes);
+  return notes;
+}
+
+}  // namespace tactus::session
