@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/name_list.h"
 #include "core/base/text.h"
 #include "elicitation/agreement_data.h"
 #include "elicitation/agreement_table.h"
@@ -43,13 +44,12 @@ Result<std::string> chooseForm(std::span<const study::Answer> answers, std::stri
   for (const auto& form : forms) names.push_back(form.form);
   const auto table_line = answers.empty() ? study::TableLine{} : answers.front().line;
   if (forms.empty() || (!asked.empty() && std::find(names.begin(), names.end(), asked) == names.end())) {
-    return study::inTable(
-        {ErrorCode::kData,
-         {},
-         "answers",
-         asked.empty() ? "no row" : "no row of form " + base::quoted(asked),
-         "answers to a form" + (names.empty() ? "" : " (there are: " + base::joined(names, ", ") + ")")},
-        study::kAnswersTable, table_line);
+    return study::inTable({ErrorCode::kData,
+                           {},
+                           "answers",
+                           asked.empty() ? "no row" : "no row of form " + base::quoted(asked),
+                           "answers to a form" + (names.empty() ? "" : " (there are: " + base::listed(names) + ")")},
+                          study::kAnswersTable, table_line);
   }
   std::string chosen(asked);
   if (chosen.empty()) {
@@ -59,11 +59,12 @@ Result<std::string> chooseForm(std::span<const study::Answer> answers, std::stri
   }
   std::vector<std::string> others;
   for (const auto& form : forms) {
-    if (form.form != chosen) others.push_back(form.form + " (" + count(form.ratings, "rating") + ")");
+    if (form.form != chosen) others.push_back(base::quoted(form.form) + " (" + count(form.ratings, "rating") + ")");
   }
   if (!others.empty()) {
-    data.notes.push_back("Only the answers to form " + chosen + " are compared; there are also answers to " +
-                         base::joined(others, ", ") + ". Items of different forms are different questions.");
+    data.notes.push_back("Only the answers to form " + base::quoted(chosen) +
+                         " are compared; there are also answers to " + base::joined(others, ", ") +
+                         ". Items of different forms are different questions.");
   }
   return chosen;
 }
@@ -117,7 +118,8 @@ Result<AgreementData> agreementData(std::span<const study::Answer> answers, std:
     for (const auto& word : form->answers) data.terms.push_back(word.term);
   }
   if (form == nullptr) {
-    data.notes.push_back("Form " + data.form + " is not known here: its items are those that the table names.");
+    data.notes.push_back("Form " + base::quoted(data.form) +
+                         " is not known here: its items are those that the table names.");
   }
 
   const AnswerReader reader{form, data.terms};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/name_list.h"
 #include "core/base/text.h"
 #include "elicitation/agreement_table.h"
 
@@ -24,7 +25,7 @@ void noteSilent(const std::set<std::string>& all, AgreementData& data) {
     if (std::find(data.raters.begin(), data.raters.end(), one) == data.raters.end()) silent.push_back(one);
   }
   if (silent.empty()) return;
-  data.notes.push_back("Left out, because they chose no term: " + base::joined(silent, ", ") + ".");
+  data.notes.push_back("Left out, because they chose no term: " + base::listed(silent) + ".");
 }
 
 base::Result<AgreementData> agreementData(std::span<const study::ForceJudgement> judgements, std::string_view series,

@@ -26,15 +26,22 @@ constexpr double kSpeedScale = 8;   // between the nurses of Table 1 it is 4 at 
 constexpr double kLengthScale = 5;  // all are asked for the same stroke
 constexpr double kShortMm = 8;      // no stroke that counts is shorter than 30 mm (stroke.h)
 constexpr double kSlowMmS = 15;     // half of the slowest mean of Table 1
+constexpr double kVerySlowMmS = 8;  // a quarter of it, where depths say nothing
 constexpr double kSignShare = 0.8;  // of the rows below 0: more than a stroke with its way back has
 
 struct Unit {
   double factor;
   std::string_view name;
 };
-constexpr std::array<Unit, 3> kTimes = {{{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}}};
+constexpr std::array<Unit, 4> kTimes = {{{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {60, "minutes"}}};
 constexpr std::array<Unit, 5> kDepths = {{{1, "mm"}, {10, "cm"}, {1000, "m"}, {1e-3, "µm"}, {25.4, "inches"}}};
-constexpr std::array<Unit, 4> kSpeeds = {{{1, "mm/s"}, {10, "cm/s"}, {1000, "m/s"}, {25.4, "inches/s"}}};
+constexpr std::array<Unit, 7> kSpeeds = {{{1, "mm/s"},
+                                          {10, "cm/s"},
+                                          {1000, "m/s"},
+                                          {25.4, "inches/s"},
+                                          {1000.0 / 60, "m/min"},
+                                          {1e6 / 3600, "km/h"},
+                                          {0.1, "mm/s without their decimal point"}}};
 
 struct Range {
   double least, most;
@@ -43,6 +50,9 @@ struct Range {
 constexpr Range kStrokeS = {0.05, 120};
 constexpr Range kStrokeMm = {3, 1000};
 constexpr Range kStrokeMmS = {1, 2000};
+// Where several units fit, the one that gives a stroke as the experiment asks for it.
+constexpr Range kUsualMm = {20, 250};
+constexpr Range kUsualMmS = {15, 800};
 
 /// What one stroke says of its units. Medians, so that single wrong cells do not count.
 struct Extent {
@@ -111,7 +121,13 @@ std::vector<UnitFactors> otherUnits(const Extent& extent) {
       }
     }
   }
-  return found;
+  if (found.size() < 2) return found;
+  std::vector<UnitFactors> usual;
+  for (const auto& by : found) {
+    if (kUsualMm.holds(extent.depth_mm * by.depth) && kUsualMmS.holds(extent.speed_mm_s * by.speed))
+      usual.push_back(by);
+  }
+  return usual;
 }
 
 template <std::size_t Count>
@@ -122,7 +138,7 @@ std::string_view unitName(const std::array<Unit, Count>& units, double factor) {
 /// `multiply speed_mm_s by 10`, `divide time_s by 1000`.
 std::string conversion(std::string_view column, double factor) {
   if (factor < 1) return "divide " + std::string(column) + " by " + base::formatNumber(std::round(1 / factor));
-  return "multiply " + std::string(column) + " by " + base::formatNumber(factor);
+  return "multiply " + std::string(column) + " by " + base::formatNumber(std::round(factor * 1e3) / 1e3);
 }
 
 struct Column {
@@ -226,14 +242,26 @@ bool standsOut(std::span<const Scale> scales, std::size_t i, double Scale::*valu
   return own > 0 && others >= 2 && (above_all || below_all);
 }
 
+/// What the times alone say where depths cannot: a stroke of minutes is one of milliseconds.
+UnitFit timeFit(const TableStroke& stroke) {
+  const auto& rows = stroke.in_time;
+  if (rows.size() < kFewestRows) return {};
+  const double length_s = rows.back()->time_s - rows.front()->time_s;
+  if (length_s <= kStrokeS.most || !kStrokeS.holds(1e-3 * length_s)) return {};
+  return {UnitFit::Verdict::kOther, {1e-3, 1, 1}, 1};
+}
+
 }  // namespace
 
 UnitFit unitFit(const TableStroke& stroke) {
   const auto extent = extentOf(stroke);
-  if (!extent) return {};
+  if (!extent) return timeFit(stroke);
   UnitFit fit{UnitFit::Verdict::kNeither, {}, extent->ratio};
-  const auto others = fits(*extent, {}) ? std::vector<UnitFactors>{} : otherUnits(*extent);
-  if (fits(*extent, {}) || agrees(extent->ratio)) fit.verdict = UnitFit::Verdict::kFits;
+  if (agrees(extent->ratio)) fit.verdict = UnitFit::Verdict::kFits;
+  // A very short way is no reason to doubt columns that agree.
+  const bool possible = kStrokeS.holds(extent->time_s) && kStrokeMmS.holds(extent->speed_mm_s);
+  if (agrees(extent->ratio) && possible) return fit;
+  const auto others = otherUnits(*extent);
   if (others.size() == 1) {
     fit.verdict = UnitFit::Verdict::kOther;
     fit.factors = others.front();
@@ -290,7 +318,8 @@ std::vector<DataFinding> scaleFindings(std::span<const std::vector<const TableSt
     const auto& strokes = participants[i];
     const auto& own = scales[i];
     const std::string who(strokes.front()->participant);
-    const bool short_and_slow = own.length_mm > 0 && own.length_mm < kShortMm && own.speed_mm_s < kSlowMmS;
+    const bool short_and_slow =
+        own.length_mm > 0 ? own.length_mm < kShortMm && own.speed_mm_s < kSlowMmS : own.speed_mm_s < kVerySlowMmS;
     const auto beyond = [&](double Scale::*value, double factor) { return standsOut(scales, i, value, factor); };
     const bool other_length = beyond(&Scale::length_mm, kLengthScale);
     if (!short_and_slow && !other_length && !beyond(&Scale::speed_mm_s, kSpeedScale)) continue;

@@ -33,15 +33,15 @@ struct UnitFit {
 };
 
 /// A stroke as the tables hold it: 0.05 to 120 s, 3 to 1000 mm, 1 to 2000 mm/s on the median. Another unit is taken
-/// only where these hold with it and do not without, or where the depths contradict the speeds.
+/// only where these hold with it, and time or speed do not without, or the depths contradict the speeds.
 UnitFit unitFit(const TableStroke& stroke);
 
 /// Findings about the units of one participant's strokes: units that cannot be meant are refused.
 std::vector<study::DataFinding> unitFindings(std::span<const TableStroke* const> strokes);
 
 /// Findings about participants whose columns fit each other, and yet are of another scale: strokes under 8 mm and
-/// speeds under 15 mm/s, strokes 5 times as long as those of every other participant, or a fifth, or speeds 8 times
-/// theirs, or an eighth.
+/// speeds under 15 mm/s (under 8 mm/s where depths say nothing), strokes 5 times as long as those of every other
+/// participant, or a fifth, or speeds 8 times theirs, or an eighth.
 std::vector<study::DataFinding> scaleFindings(std::span<const std::vector<const TableStroke*>> participants);
 
 }  // namespace tactus::experiments

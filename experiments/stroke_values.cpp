@@ -23,6 +23,10 @@ constexpr double kOutlier = 5;  // times the 95 % quantile; a plateau with ramps
 constexpr std::size_t kFewestRows = 5;
 constexpr double kBackMm = 5;
 constexpr double kBackMmS = -10;
+constexpr double kSpikeMm = 50;     // between rows a few ms apart
+constexpr double kAcceptedMm = 30;  // a shorter stroke of a session is asked for again (stroke.h)
+constexpr double kGapS = 0.05;      // without a sample; the same
+constexpr double kGapSteps = 5;     // of the table's own steps
 constexpr std::array<double, 6> kMissingCodes = {-99, -999, -9999, 999, 9999, 99999};
 
 DataFinding finding(Kind kind, Severity severity, const study::SpeedSample& row, std::string_view column,
@@ -50,6 +54,14 @@ bool constantDepth(const TableStroke& stroke) {
          });
 }
 
+/// A single depth far from both its neighbors in time.
+bool isSpike(const std::vector<const study::SpeedSample*>& rows, std::size_t i) {
+  if (i == 0 || i + 1 >= rows.size()) return false;
+  const double before = rows[i]->depth_mm - rows[i - 1]->depth_mm;
+  const double after = rows[i]->depth_mm - rows[i + 1]->depth_mm;
+  return std::min(std::abs(before), std::abs(after)) > kSpikeMm && before * after > 0;
+}
+
 /// The depth falls by kBackMm after it has risen, or the speed stays below 0 for a while. Strokes that go backwards as
 /// a whole are of another kind (stroke_units.h).
 bool goesBack(const TableStroke& stroke) {
@@ -60,7 +72,9 @@ bool goesBack(const TableStroke& stroke) {
   double run_sum_mm_s = 0;
   double deepest_mm = rows.front()->depth_mm;
   double back_mm = 0;
-  for (const auto* row : rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto* row = rows[i];
+    if (isSpike(rows, i)) continue;
     const bool is_below = row->speed_mm_s < 0;
     if (is_below) ++below;
     run = is_below ? run + 1 : 0;
@@ -122,6 +136,19 @@ void addOutliers(std::span<const TableStroke* const> strokes, std::vector<DataFi
             " mm/s, where 95 % lie below " + base::formatFixed(usual_mm_s, 0) +
             " mm/s: " + (isMissingCode(row.speed_mm_s) ? "a code for a missing value?" : "a misplaced decimal point?"));
   }
+  for (const auto* stroke : strokes) {
+    for (std::size_t i = 0; i < stroke->in_time.size(); ++i) {
+      if (!isSpike(stroke->in_time, i)) continue;
+      ++count;
+      const auto& row = *stroke->in_time[i];
+      if (!worst) {
+        worst = finding(Kind::kOutliers, Severity::kWarning, row, "depth_mm",
+                        "A depth of " + row.participant + " in " + stroke->name() + " is " +
+                            base::formatNumber(row.depth_mm) + " mm, more than " + base::formatFixed(kSpikeMm, 0) +
+                            " mm from the rows before and after it: a misplaced decimal point?");
+      }
+    }
+  }
   if (!worst) return;
   if (count > 1) worst->sentence += " There are " + std::to_string(count) + " such rows.";
   out.push_back(std::move(*worst));
@@ -153,16 +180,46 @@ void addSwapped(const std::map<std::string_view, Strokes>& found, std::span<cons
   }
 }
 
+/// The way forward, from the first row to the last.
+double lengthOf(const TableStroke& stroke) {
+  return stroke.in_time.back()->depth_mm - stroke.in_time.front()->depth_mm;
+}
+
+/// Whether samples are missing in the middle: a step much longer than the others.
+bool hasGap(const TableStroke& stroke) {
+  const auto& rows = stroke.in_time;
+  if (rows.size() < 2 * kFewestRows) return false;
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < rows.size(); ++i) steps_s.push_back(rows[i]->time_s - rows[i - 1]->time_s);
+  const double longest_s = *std::max_element(steps_s.begin(), steps_s.end());
+  return longest_s > std::max(kGapS, kGapSteps * base::median(std::move(steps_s)));
+}
+
+/// Strokes that a session would not accept because of their length, where the others of the participant are longer.
+Strokes shortStrokes(std::span<const TableStroke* const> strokes) {
+  std::vector<double> lengths;
+  for (const auto* stroke : strokes) lengths.push_back(lengthOf(*stroke));
+  const double usual_mm = base::median(std::move(lengths));
+  Strokes out;
+  for (const auto* stroke : strokes) {
+    const double length_mm = lengthOf(*stroke);
+    if (length_mm > 0 && length_mm < kAcceptedMm && 2 * length_mm < usual_mm) out.push_back(stroke);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<DataFinding> valueFindings(std::span<const TableStroke* const> strokes) {
   Strokes constant;
   Strokes without_depth;
   Strokes back;
+  Strokes gaps;
   for (const auto* stroke : strokes) {
     if (constantSpeed(*stroke)) constant.push_back(stroke);
     if (constantDepth(*stroke)) without_depth.push_back(stroke);
     if (goesBack(*stroke)) back.push_back(stroke);
+    if (hasGap(*stroke)) gaps.push_back(stroke);
   }
   std::vector<DataFinding> out;
   const std::size_t of = strokes.size();
@@ -172,6 +229,10 @@ std::vector<DataFinding> valueFindings(std::span<const TableStroke* const> strok
            "the depth does not change, so whether the speeds fit it cannot be seen.", without_depth, of, out);
   addNamed(Kind::kWithdrawal, Severity::kWarning, "speed_mm_s",
            "the hand goes back: a withdrawal in the stroke, whose speeds below 0 are clustered too.", back, of, out);
+  addNamed(Kind::kStrokeTooShort, Severity::kNote, "depth_mm",
+           "the way is under 30 mm and half of what it is otherwise: stopped early?", shortStrokes(strokes), of, out);
+  addNamed(Kind::kSamplesMissing, Severity::kNote, "time_s",
+           "samples are missing: more than 0.05 s and five steps without one.", gaps, of, out);
   addOutliers(strokes, out);
   return out;
 }

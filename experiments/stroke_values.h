@@ -10,9 +10,10 @@
 
 namespace tactus::experiments {
 
-/// Findings about the values of one participant's strokes: speeds that never change, speeds 5 times above the 95 %
-/// quantile of their level and codes for missing values, ways back (5 mm of depth, or
-/// speeds that stay below 0, -10 mm/s on the mean, for a twentieth of the rows), depths that never change.
+/// Findings about the values of one participant's strokes: strokes under 30 mm and half of the usual length, gaps of
+/// 0.05 s and five steps, single depths 50 mm from their neighbors, speeds that never change, speeds 5 times above the
+/// 95 % quantile of their level and codes for missing values, ways back (5 mm of depth, or speeds that stay below 0,
+/// -10 mm/s on the mean, for a twentieth of the rows), depths that never change.
 std::vector<study::DataFinding> valueFindings(std::span<const TableStroke* const> strokes);
 
 /// Findings about the levels of one participant's strokes. `levels`: the known ids, slowest first. An unknown level is

@@ -5,11 +5,12 @@
 #include "app/cli/commands.h"
 #include "app/cli/wrapped_text.h"
 #include "app/session/known_forms.h"
+#include "app/session/table_words.h"
 #include "core/base/csv.h"
 #include "core/base/json_writer.h"
+#include "core/base/name_list.h"
 #include "core/base/text.h"
 #include "core/study/csv_columns.h"
-#include "core/study/csv_tables.h"
 #include "elicitation/ngt_variables.h"
 
 namespace tactus::cli {
@@ -26,8 +27,9 @@ struct Rated {
   std::vector<std::string> warnings;
 };
 
-Result<Rated> rated(Result<AgreementData> data, std::string source, const std::string& file) {
-  if (data) return Rated{std::move(*data), std::move(source), {}};
+Result<Rated> rated(Result<AgreementData> data, std::string source, const std::string& file,
+                    std::vector<std::string> notes) {
+  if (data) return Rated{std::move(*data), std::move(source), std::move(notes)};
   auto error = data.error();
   error.file = file;
   return tl::unexpected(std::move(error));
@@ -47,19 +49,21 @@ Result<Rated> readTable(const base::CsvTable& table, const AgreementOptions& opt
   std::vector<std::string> terms;
   for (const auto& term : elicitation::ngtOutput().terms) terms.push_back(term.id);
   if (elicitation::isVoteTable(table, terms)) return readCounts(table, terms);
-  if (table.find("item") && table.find("status")) {
-    const auto answers = study::readAnswers(table);
+  std::vector<std::string> notes;
+  if (table.find("item")) {
+    const auto answers = session::readAnswerTable(table, notes);
     if (!answers) return tl::unexpected(answers.error());
     return rated(elicitation::agreementData(*answers, options.form, session::knownForms(), terms), "answers",
-                 options.file);
+                 options.file, std::move(notes));
   }
   if (table.find("series") || table.find("term")) {
-    const auto judgements = study::readJudgements(table);
+    const auto judgements = session::readJudgementTable(table, notes);
     if (!judgements) return tl::unexpected(judgements.error());
-    return rated(elicitation::agreementData(*judgements, options.series, terms), "judgements", options.file);
+    return rated(elicitation::agreementData(*judgements, options.series, terms), "judgements", options.file,
+                 std::move(notes));
   }
   return tl::unexpected(base::Error{
-      base::ErrorCode::kSchema, options.file, "header", "columns " + base::joined(table.columns(), ", "),
+      base::ErrorCode::kSchema, options.file, "header", "the columns " + base::listed(table.columns()),
       "answers (" + base::joined(study::kAnswerColumns, ",") + "), judgements (" +
           base::joined(study::kJudgementColumns, ",") + ") or counts (force_n," + base::joined(terms, ",") + ")"});
 }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/commands.h"
 
@@ -28,6 +31,19 @@ inline CLI::Validator notEmpty() {
   return CLI::Validator(
       [](const std::string& text) { return text.empty() ? std::string("found an empty text") : std::string(); }, "");
 }
+
+/// One of `words`; another one is refused with the closest of them.
+CLI::Validator oneOf(std::vector<std::string> words);
+
+/// A number that `holds`, as the sentence `wanted` says.
+CLI::Validator numberThat(std::string wanted, std::function<bool(double)> holds);
+
+/// A whole number from 0 to `largest`, in digits only.
+CLI::Validator wholeNumberUpTo(std::uint64_t largest);
+
+/// The first word of `arguments` that is neither a command nor an option of `app`, as one line for standard error;
+/// nothing where there is none. CLI11 would pass over an unknown command, or name the option without its command.
+std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<std::string>& arguments);
 
 inline void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
 

@@ -2,6 +2,8 @@
 #include "app/cli/program.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iostream>
 #include <sstream>
@@ -9,8 +11,12 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/device_commands.h"
+#include "app/session/simulated_study.h"
 #include "app/version.h"
+#include "core/base/close_match.h"
 #include "core/base/text.h"
+#include "elicitation/fcm.h"
+#include "questionnaires/published_rules.h"
 
 namespace tactus::cli {
 namespace {
@@ -36,16 +42,36 @@ std::optional<analysis::Sampling> parseMethod(const std::string& text) {
       static_cast<std::size_t>(*count)};
 }
 
+/// A policy of weights, or the name of a file: that has a dot or a slash, or is there.
+CLI::Validator weightsWord() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        const std::vector<std::string> policies = {"equal", "years", "category", "column"};
+        const bool known = std::find(policies.begin(), policies.end(), text) != policies.end();
+        if (known || text.find_first_of("./") != std::string::npos || CLI::ExistingFile(text).empty())
+          return std::string();
+        return "found " + base::quoted(text) + ", wanted one of " + base::joined(policies, ", ") + " or a CSV file" +
+               base::suggestion(text, policies);
+      },
+      "");
+}
+
+std::vector<std::string> readingIds() {
+  std::vector<std::string> ids;
+  for (const auto& reading : questionnaires::s4Readings()) ids.push_back(reading.id);
+  return ids;
+}
+
 void addCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "demo", "The whole main job on the published data: study, models, export and report", demo,
              [](CLI::App& command, DemoOptions& o) {
                command.add_option("DIR", o.folder, "Folder to write into")->required()->check(notEmpty());
-               command.add_option("--seed", o.seed, "Seed of what is simulated, a whole number from 0")
-                   ->check(CLI::NonNegativeNumber);
-               command
-                   .add_option("--reading", o.reading,
-                               "Reading of Table A2: ngt-a2-five-regions (default), ngt-a2-printed, ngt-a2-shifted")
-                   ->check(notEmpty());
+               command.add_option("--seed", o.seed, "Seed of what is simulated, a whole number")
+                   ->check(wholeNumberUpTo(session::kLargestSeed))
+                   ->default_str(std::to_string(session::kDefaultSeed));
+               command.add_option("--reading", o.reading, "Reading of Table A2")
+                   ->check(oneOf(readingIds()))
+                   ->default_str(std::string(questionnaires::kDefaultReading));
                addJson(command, o.json);
              });
   addCommand(
@@ -56,13 +82,14 @@ void addCommands(CLI::App& app, Chosen& chosen) {
             ->check(notEmpty());
         command.add_option("--out", o.out, "Model file to write")->required()->check(notEmpty());
         command
-            .add_option(
-                "--weights", o.weights,
-                "equal (default), years, category (beginner 1, intermediate 2, expert 3), column, or a CSV file "
-                "participant,weight")
-            ->check(notEmpty());
-        command.add_option("--alpha", o.alpha, "Membership at which a cluster's core ends, in (0.5, 1]");
-        command.add_option("--trim", o.trim, "Drop samples below this share of their stroke's peak speed, in [0, 1)");
+            .add_option("--weights", o.weights,
+                        "equal, years, category (beginner 1, intermediate 2, expert 3), column, or a CSV file "
+                        "participant,weight")
+            ->check(weightsWord());
+        command.add_option("--alpha", o.alpha, "Membership at which a cluster's core ends, in (0.5, 1]")
+            ->check(numberThat("a number above 0.5 and at most 1", [](double x) { return x > 0.5 && x <= 1; }));
+        command.add_option("--trim", o.trim, "Drop samples below this share of their stroke's peak speed, in [0, 1)")
+            ->check(numberThat("a share of 0 or more and below 1", [](double x) { return x >= 0 && x < 1; }));
         command
             .add_option_function<std::string>(
                 "--centres",
@@ -70,8 +97,9 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                   using enum elicitation::SpeedCentres;
                   o.centres = word == name(kLevelMeans) ? kLevelMeans : kClusters;
                 },
-                "Middles of a participant's speed terms: clusters (default) or level_means")
-            ->check(CLI::IsMember({"clusters", "level_means"}));
+                "Middles of a participant's speed terms")
+            ->check(oneOf({"clusters", "level_means"}))
+            ->default_str("clusters");
         command
             .add_option_function<std::string>(
                 "--averaging",
@@ -79,8 +107,9 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                   using enum elicitation::Averaging;
                   o.averaging = word == name(kMedian) ? kMedian : word == name(kWeightedMean) ? kWeightedMean : kMean;
                 },
-                "Of the speed terms over the participants: mean (default), weighted_mean (--weights) or median")
-            ->check(CLI::IsMember({"mean", "weighted_mean", "median"}));
+                "Of the speed terms over the participants; weighted_mean goes by --weights")
+            ->check(oneOf({"mean", "weighted_mean", "median"}))
+            ->default_str("mean");
         command
             .add_option_function<std::string>(
                 "--force-terms",
@@ -90,29 +119,36 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                                   : word == name(kThresholds) ? kThresholds
                                                               : kVote;
                 },
-                "Terms of the force from the judgements: vote (default), frequency or thresholds")
-            ->check(CLI::IsMember({"vote", "frequency", "thresholds"}));
+                "Terms of the force from the judgements")
+            ->check(oneOf({"vote", "frequency", "thresholds"}))
+            ->default_str("vote");
         command
             .add_option("--force-end", o.force_end_n,
                         "End of the universe of the force in N (default: the last force that half of the participants "
                         "judged)")
-            ->check(CLI::Range(0.001, 100.0));
+            ->check(numberThat("a number from 0.001 to 100", [](double x) { return x >= 0.001 && x <= 100; }));
         command
             .add_option("--replicates", o.replicates,
                         "Draws of whole strokes for the intervals of the speeds, 0 for none")
-            ->check(CLI::Range(0, 1000000));
+            ->check(wholeNumberUpTo(1000000));
         command
             .add_option_function<std::string>(
                 "--terms", [&o](const std::string& terms) { o.own_terms = terms == "own"; },
-                "Speed terms of the experts: averaged or own")
-            ->check(CLI::IsMember({"averaged", "own"}));
+                "Speed terms of the experts")
+            ->check(oneOf({"averaged", "own"}))
+            ->default_str("averaged");
         addJson(command, o.json);
       });
   addCommand(app, chosen, "cluster", "Fuzzy C-Means of one column of speeds", cluster,
              [](CLI::App& command, ClusterOptions& o) {
                command.add_option("SPEEDS", o.speeds, "CSV file")->required()->check(notEmpty());
-               command.add_option("-c", o.clusters, "Number of clusters");
-               command.add_option("-m", o.m, "Fuzziness, above 1");
+               const auto most = std::to_string(elicitation::kMostClusters);
+               command.add_option("-c", o.clusters, "Number of clusters, 1 to " + most)
+                   ->check(numberThat("a whole number of clusters from 1 to " + most, [](double x) {
+                     return x >= 1 && x <= static_cast<double>(elicitation::kMostClusters) && x == std::floor(x);
+                   }));
+               command.add_option("-m", o.m, "Fuzziness, above 1 and at most 100")
+                   ->check(numberThat("a number above 1 and at most 100", [](double x) { return x > 1 && x <= 100; }));
                command.add_option("--column", o.column, "Column to cluster")->check(notEmpty());
                addJson(command, o.json);
              });
@@ -141,10 +177,12 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                    ->required()
                    ->check(notEmpty());
                command.add_option("--out", o.out, "CSV file to write; without it, to standard output");
-               command.add_option("--expert", o.expert, "One expert instead of the mean")->check(notEmpty());
-               command.add_option_function<std::string>(
-                   "--method", [&o](const std::string& text) { o.sampling = parseMethod(text); },
-                   "exact (default), or sampled like other tools: midpoint:N, linspace:N");
+               command.add_option("--expert", o.expert, "One expert; by default the mean of all")->check(notEmpty());
+               command
+                   .add_option_function<std::string>(
+                       "--method", [&o](const std::string& text) { o.sampling = parseMethod(text); },
+                       "exact, or sampled like other tools: midpoint:N, linspace:N")
+                   ->default_str("exact");
              });
   addCommand(app, chosen, "check", "Validation and lint of a model", check, [](CLI::App& command, CheckOptions& o) {
     command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
@@ -200,6 +238,11 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
 int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out, std::ostream& err) {
   CLI::App app("Tactus turns what experts know by feel into a force model.", "tactus");
   app.set_version_flag("--version", std::string(kGenerator));
+  app.option_defaults()->always_capture_default();
+  app.footer(
+      "Exit status: 0 fine, 1 the input is wrong or a check failed, 2 wrong usage: an unknown word, a value out of its "
+      "range.\nA CSV table may have 2 GiB; of what is piped in, which may never end, at most 256 MiB are read.\n"
+      "How tables may be written: docs/csv-tables.md.");
   app.require_subcommand(1);
   Chosen chosen;
   addCommands(app, chosen);
@@ -207,6 +250,10 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
   addDeviceCommands(app, chosen, {&in, &out}, {&in, &err});
   if (arguments.empty()) {
     err << app.help();
+    return kWrongUsage;
+  }
+  if (const auto unknown = unknownWord(app, arguments)) {
+    err << *unknown << "\nRun with --help for more information.\n";
     return kWrongUsage;
   }
   const std::vector<std::string> typed = arguments;

@@ -30,12 +30,12 @@ void addDeviceCommands(CLI::App& app, Chosen& chosen, const Terminal& terminal, 
   addCommand(devices, chosen, "calibrate", "Guided calibration; stored for this computer", calibrateDevice,
              [&](CLI::App& command, DeviceCalibrateOptions& o) {
                command.add_option("ID", o.id, "Device as `tactus devices` names it")->required()->check(notEmpty());
-               command.add_option("--method", o.method, "How newtons are measured: spring (scale, default) or weight")
-                   ->check(CLI::IsMember({"spring", "weight"}));
+               command.add_option("--method", o.method, "How newtons are measured: with a spring scale or a weight")
+                   ->check(oneOf({"spring", "weight"}));
                command
                    .add_option("--inwards", o.inwards,
                                "Store where the tube goes on a device behind OpenHaptics, x,y,z (right, up, toward "
-                               "you): --inwards=0,0,-1")
+                               "you): --inwards=0,0,-1; by default the calibration runs")
                    ->check(notEmpty());
                o.terminal = terminal;
              });

@@ -1,10 +1,10 @@
 #include <cmath>
 
 #include "app/cli/commands.h"
+#include "app/session/table_words.h"
 #include "core/base/csv.h"
 #include "core/base/json_writer.h"
 #include "core/base/text.h"
-#include "core/study/csv_tables.h"
 #include "elicitation/force_frequency.h"
 #include "elicitation/force_terms.h"
 #include "elicitation/force_voting.h"
@@ -37,7 +37,7 @@ Result<Count> countFile(const VoteOptions& options, const std::vector<std::strin
     }
     return count;
   }
-  const auto judgements = study::readJudgements(*table);
+  auto judgements = session::readJudgementTable(*table, count.warnings);
   if (!judgements) return tl::unexpected(judgements.error());
   auto steps = elicitation::countVotes(*judgements, options.series, terms);
   if (!steps) {

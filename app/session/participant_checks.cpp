@@ -1,5 +1,6 @@
 #include "app/session/participant_checks.h"
 
+#include <cctype>
 #include <map>
 #include <string>
 #include <string_view>
@@ -40,6 +41,30 @@ void addAlike(const study::Study& study, std::vector<DataFinding>& out) {
     out.push_back(finding(Kind::kCodesAlike, Severity::kWarning, participant, "participant",
                           "The codes " + base::quoted(first->second->code) + " and " + base::quoted(participant.code) +
                               " differ only in capitals, spaces, dashes or zeros: one person under two codes?"));
+  }
+}
+
+/// Two words of three letters or more, or an address: a code is random and never a name.
+bool looksLikeName(std::string_view code) {
+  if (code.find('@') != std::string_view::npos) return true;
+  std::size_t words = 0;
+  std::size_t letters = 0;
+  for (const char c : std::string(code) + ' ') {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isdigit(byte) != 0) return false;
+    const bool letter = std::isalpha(byte) != 0 || byte >= 0x80;
+    if (!letter && letters >= 3) ++words;
+    letters = letter ? letters + 1 : 0;
+  }
+  return words >= 2;
+}
+
+void addNames(const study::Study& study, std::vector<DataFinding>& out) {
+  for (const auto& participant : study.participants) {
+    if (!looksLikeName(participant.code)) continue;
+    out.push_back(finding(Kind::kCodeLikeName, Severity::kWarning, participant, "participant",
+                          "The code " + base::quoted(participant.code) +
+                              " looks like a name: give a random code, which every file then shows."));
   }
 }
 
@@ -125,6 +150,7 @@ void addMixed(const study::Study& study, std::vector<DataFinding>& out) {
 std::vector<DataFinding> participantFindings(const study::Study& study) {
   std::vector<DataFinding> out;
   addAlike(study, out);
+  addNames(study, out);
   addYears(study, out);
   addAbsent(study, out);
   addMixed(study, out);

@@ -13,6 +13,8 @@ namespace tactus::session {
 
 /// The seed where nobody asks for another; any other is as good.
 inline constexpr std::uint64_t kDefaultSeed = 2;
+/// A larger seed would begin again with what a smaller one gives: each takes a thousand numbers of 64 bits.
+inline constexpr std::uint64_t kLargestSeed = 10'000'000'000'000'000;
 
 /// Makes the study file `path`, which must not be there yet, and lets four simulated nurses S1 to S4 go through their
 /// sessions (simulated_nurse.h):

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/csv.h"
 #include "core/base/text.h"
+#include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
 #include "elicitation/ngt_variables.h"
 #include "experiments/force_series.h"
@@ -108,6 +108,27 @@ std::vector<std::string> readWords(study::Study& study) {
   answers.addNotes(notes);
   readRules(study, notes);
   return notes;
+}
+
+base::Result<std::vector<study::ForceJudgement>> readJudgementTable(const base::CsvTable& table,
+                                                                    std::vector<std::string>& notes) {
+  study::Study study;
+  auto rows = study::readJudgements(table);
+  if (!rows) return rows;
+  study.judgements = std::move(*rows);
+  const auto read = readWords(study);
+  notes.insert(notes.end(), read.begin(), read.end());
+  return std::move(study.judgements);
+}
+
+base::Result<std::vector<study::Answer>> readAnswerTable(const base::CsvTable& table, std::vector<std::string>& notes) {
+  study::Study study;
+  auto rows = study::readAnswers(table);
+  if (!rows) return rows;
+  study.answers = std::move(*rows);
+  const auto read = readWords(study);
+  notes.insert(notes.end(), read.begin(), read.end());
+  return std::move(study.answers);
 }
 
 }  // namespace tactus::session

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/csv.h"
+#include "core/base/error.h"
 #include "core/study/records.h"
 
 namespace tactus::session {
@@ -12,5 +14,10 @@ namespace tactus::session {
 /// only in capitals, spaces, dashes and underscores, `not felt` and `beyond practice` among them. Returns one sentence
 /// for each word that was changed: `speeds.csv: 'Slow' is read as slow in 240 rows.` Other words stay as they are.
 std::vector<std::string> readWords(study::Study& study);
+
+/// The judgements, or the answers, of one table, in the words of the study; adds what readWords says to `notes`.
+base::Result<std::vector<study::ForceJudgement>> readJudgementTable(const base::CsvTable& table,
+                                                                    std::vector<std::string>& notes);
+base::Result<std::vector<study::Answer>> readAnswerTable(const base::CsvTable& table, std::vector<std::string>& notes);
 
 }  // namespace tactus::session

@@ -11,6 +11,7 @@
 #include "core/base/csv_splitter.h"
 #include "core/base/decimal_comma.h"
 #include "core/base/file.h"
+#include "core/base/name_list.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 
@@ -169,15 +170,7 @@ std::optional<std::string> CsvTable::note() const {
 
 Result<std::size_t> CsvTable::require(std::string_view name) const {
   if (const auto column = find(name)) return *column;
-  std::string names;
-  for (const auto& column : columns_) {
-    names += (names.empty() ? "" : ", ") + quoted(column);
-    if (names.size() > 200) {
-      names += ", …";
-      break;
-    }
-  }
-  return tl::unexpected(Error{ErrorCode::kSchema, file_, "header", "the columns " + names,
+  return tl::unexpected(Error{ErrorCode::kSchema, file_, "header", "the columns " + listed(columns_),
                               "a column " + quoted(name) + suggestion(name, columns_)});
 }
 

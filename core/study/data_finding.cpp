@@ -14,6 +14,7 @@ using Severity = DataFinding::Severity;
 constexpr std::size_t kKinds = static_cast<std::size_t>(Kind::kAnswersCopied) + 1;
 
 constexpr std::array<std::string_view, kKinds> kNames = {"codes_alike",
+                                                         "code_like_name",
                                                          "years_unlikely",
                                                          "without_strokes",
                                                          "without_judgements",
@@ -22,6 +23,8 @@ constexpr std::array<std::string_view, kKinds> kNames = {"codes_alike",
                                                          "unknown_level",
                                                          "level_without_strokes",
                                                          "strokes_missing",
+                                                         "stroke_too_short",
+                                                         "samples_missing",
                                                          "speed_unit",
                                                          "depth_unit",
                                                          "time_unit",

@@ -20,6 +20,7 @@ struct DataFinding {
   enum class Kind {
     // participants
     kCodesAlike,
+    kCodeLikeName,
     kYearsUnlikely,
     kWithoutStrokes,
     kWithoutJudgements,
@@ -29,6 +30,8 @@ struct DataFinding {
     kUnknownLevel,
     kLevelWithoutStrokes,
     kStrokesMissing,
+    kStrokeTooShort,
+    kSamplesMissing,
     kSpeedUnit,
     kDepthUnit,
     kTimeUnit,

@@ -66,7 +66,7 @@ TEST(Agreement, OfTheSplitFromItsJudgements) {
   EXPECT_NEAR(result.kendall_w->w, 0.8938, 5e-5);  // scipy, the same place
   EXPECT_EQ(data->raters, (std::vector<std::string>{"P1", "P2", "P3", "P4"}));
   EXPECT_EQ(data->notes, (std::vector<std::string>{"Left out, because nobody chose a term: 1.2 N.",
-                                                   "Left out, because they chose no term: P5."}));
+                                                   "Left out, because they chose no term: 'P5'."}));
 }
 
 TEST(Agreement, OneRaterHasNoneAndNeverNaN) {
@@ -109,7 +109,7 @@ TEST(AgreementData, OnlyAnsweredItemsAreRatings) {
   EXPECT_EQ(data->counts.units, (std::vector<std::vector<int>>{{1, 0}, {1, 1}}));
   EXPECT_EQ(data->ratings->at(1, 0), 1U);
   EXPECT_EQ(data->notes, (std::vector<std::string>{"Left out, because nobody chose a term: item 3.",
-                                                   "Left out, because they chose no term: C."}));
+                                                   "Left out, because they chose no term: 'C'."}));
 }
 
 TEST(AgreementData, TakesOneFormAndNamesTheOthers) {
@@ -120,12 +120,12 @@ TEST(AgreementData, TakesOneFormAndNamesTheOthers) {
   ASSERT_TRUE(most);
   EXPECT_EQ(most->form, "form-1");
   ASSERT_FALSE(most->notes.empty());
-  EXPECT_NE(most->notes[0].find("other (1 rating)"), std::string::npos) << most->notes[0];
+  EXPECT_NE(most->notes[0].find("'other' (1 rating)"), std::string::npos) << most->notes[0];
   const auto other = agreementData(answers, "other", forms, kTerms);
   ASSERT_TRUE(other);
   EXPECT_EQ(other->terms, kTerms);
   EXPECT_EQ(other->units[0].name, "item 7");
-  EXPECT_NE(other->notes[1].find("other is not known here"), std::string::npos);
+  EXPECT_NE(other->notes[1].find("'other' is not known here"), std::string::npos);
 }
 
 TEST(AgreementData, RefusesWhatCannotBeCompared) {
@@ -136,7 +136,7 @@ TEST(AgreementData, RefusesWhatCannotBeCompared) {
   };
   EXPECT_EQ(message({}), "answers: found no row, wanted answers to a form");
   EXPECT_EQ(message({answered("A", "form-1", 1, "low")}, "x"),
-            "answers: found no row of form 'x', wanted answers to a form (there are: form-1)");
+            "answers: found no row of form 'x', wanted answers to a form (there are: 'form-1')");
   EXPECT_EQ(message({answered("A", "form-1", 1, "medium")}),
             "answer of participant A to item 1 of form form-1: found 'medium', wanted one of low, high");
   EXPECT_EQ(message({answered("A", "form-1", 9, "low")}),

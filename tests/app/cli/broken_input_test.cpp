@@ -99,9 +99,6 @@ TEST_F(BrokenInput, SpeedsOfCluster) {
   expect("speed\n1\n", "'speed_mm_s'");
   expect("speed_mm_s\n1\n2\nnan\n", "line 4");
   expect("speed_mm_s\n1\n2\n", "distinct");
-  expect("speed_mm_s\n1\n2\n3\n", "wanted", {"-m", "1"});
-  expect("speed_mm_s\n1\n2\n3\n", "wanted", {"-c", "0"});
-  expect("speed_mm_s\n1\n2\n3\n", "wanted", {"-c", "-2"});
 }
 
 TEST_F(BrokenInput, JudgementsOfVote) {

@@ -139,7 +139,7 @@ TEST_F(Demo, TheReadingOfTableA2IsAChoice) {
   EXPECT_NE(unwrapped(check.out).find("hole: 1 S4: no rule fires: depth 125 to 138 mm"), std::string::npos)
       << check.out;
   const ProgramRun unknown({"demo", folder_->file("unknown"), "--reading", "guess"});
-  EXPECT_EQ(unknown.status, 1);
+  EXPECT_EQ(unknown.status, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_->file("unknown")));
 }
 

@@ -88,7 +88,18 @@ std::vector<Mistake> unitMistakes() {
       {"DepthsInCm", scaled(1, 0.1, 1), "depth_unit", Severity::kRefused},
       {"MetersAndMPerS", scaled(1, 1e-3, 1e-3), "several_units", Severity::kRefused},
       {"MsAndMmPerMs", scaled(1000, 1, 1e-3), "several_units", Severity::kRefused},
+      {"MsWithoutDepths",
+       [](Study& study) {
+         eachSample(study, [](SpeedSample& row) {
+           row.time_s *= 1000;
+           row.depth_mm = 0;
+         });
+       },
+       "time_unit", Severity::kRefused},
       {"CmAndCmPerS", scaled(1, 0.1, 0.1), "speed_scale"},
+      {"SpeedsInKmPerH", scaled(1, 1, 3.6e-3), "speed_unit", Severity::kRefused},
+      {"SpeedsWithoutTheirPoint", scaled(1, 1, 10), "speed_unit", Severity::kRefused},
+      {"TimesInMinutes", scaled(1.0 / 60, 1, 1), "time_unit", Severity::kRefused},
       {"SpeedsTimesThree", scaled(1, 1, 3), "speed_against_depth"},
       {"SpeedsBelowZero", scaled(1, 1, -1), "speed_sign", Severity::kRefused},
       {"DepthsFromTheOtherEnd",
@@ -203,6 +214,26 @@ std::vector<Mistake> rowMistakes() {
          eachSample(study, [&count](SpeedSample& row) { row.speed_mm_s *= ++count == 40 ? 1000 : 1; });
        },
        "outliers"},
+      {"ADepthTimesThousand",
+       [](Study& study) {
+         int count = 0;
+         eachSample(study, [&count](SpeedSample& row) { row.depth_mm *= ++count == 40 ? 1000 : 1; });
+       },
+       "outliers"},
+      {"AStrokeThatStopsEarly",
+       [](Study& study) {
+         removeRows<SpeedSample>(study.speeds, [](const auto& row) {
+           return row.level == "medium" && row.stroke == 4 && row.depth_mm > 20;
+         });
+       },
+       "stroke_too_short", Severity::kNote},
+      {"SamplesMissing",
+       [](Study& study) {
+         removeRows<SpeedSample>(study.speeds, [](const auto& row) {
+           return row.level == "slow" && row.stroke == 4 && row.depth_mm > 20 && row.depth_mm < 35;
+         });
+       },
+       "samples_missing", Severity::kNote},
       {"ACodeForMissing",
        [](Study& study) {
          int count = 0;
@@ -415,6 +446,18 @@ TEST(DataChecks, CodesThatAPersonTakesForOne) {
 TEST(DataChecks, CodesWithOtherNumbersAreNotAlike) {
   Study study = support::tableStudy(4, {.nurses = 12});
   for (const auto& finding : dataFindings(study)) EXPECT_NE(name(finding.kind), "codes_alike") << text(finding);
+}
+
+TEST(DataChecks, CodesThatLookLikeNames) {
+  Study study;
+  for (const char* code :
+       {"Anna Schmidt", "anna.schmidt", "a.s@clinic.example", "S1", "NURSE A", "Nurse 12", "expert-one2"})
+    study.participants.emplace_back().code = code;
+  std::vector<std::string> named;
+  for (const auto& finding : dataFindings(study)) {
+    if (name(finding.kind) == "code_like_name") named.push_back(finding.participant);
+  }
+  EXPECT_EQ(named, (std::vector<std::string>{"Anna Schmidt", "anna.schmidt", "a.s@clinic.example"}));
 }
 
 TEST(DataChecks, SimulatedBesideReal) {
