@@ -18,6 +18,26 @@ using simulation::RunSummary;
 
 std::string count(std::uint64_t number) { return std::to_string(number); }
 
+/// A hand that does not hold the device is no limit that acts.
+bool acted(const RunSummary& run, std::size_t bit) {
+  return run.limits[bit].times > 0 && 1U << bit != haptics::kLimitedByRelease;
+}
+
+double secondsOf(const simulation::LimitSeen& seen) { return static_cast<double>(seen.ticks) / 1000; }
+
+/// `fade_in once, 1.000 s; cap 3 times, 0.412 s`, or `none`.
+std::string limitsOf(const RunSummary& run) {
+  std::string text;
+  for (std::size_t bit = 0; bit < run.limits.size(); ++bit) {
+    if (!acted(run, bit)) continue;
+    const auto& seen = run.limits[bit];
+    text += (text.empty() ? "" : "; ") + std::string(haptics::kLimitNames[bit]) + ' ' +
+            (seen.times == 1 ? "once" : std::to_string(seen.times) + " times") + ", " +
+            formatFixed(secondsOf(seen), 3) + " s";
+  }
+  return text.empty() ? "none" : text;
+}
+
 std::string asText(const SimulateOptions& options, const RunSummary& run) {
   std::string text = base::oneLine(options.out) + ": simulated, " + base::formatNumber(run.duration_s) + " s, " +
                      count(run.ticks) + " ticks\n";
@@ -31,6 +51,7 @@ std::string asText(const SimulateOptions& options, const RunSummary& run) {
           count(run.held_ticks) + '\n';
   text += "  model asked in " + count(run.scene.asked) + " ticks; not needed in " + count(run.scene.released) +
           " released and " + count(run.scene.unchanged) + " unchanged\n";
+  text += wrapped(limitsOf(run), "  limits that acted: ", 4);
   for (const auto& seen : run.trips) {
     text += wrapped("at " + base::formatNumber(seen.at_s) + " s: " + haptics::sentence(seen.trip), "  trip: ", 8);
   }
@@ -57,7 +78,13 @@ std::string asJson(const SimulateOptions& options, const RunSummary& run) {
   for (const auto& seen : run.trips) {
     json.beginObject(base::JsonWriter::Layout::kInline).key("at_s").value(seen.at_s);
     json.key("cause").value(haptics::describe(seen.trip.cause)).key("value").value(seen.trip.value);
-    json.key("limit").value(seen.trip.limit).endObject();
+    json.key("limit").value(seen.trip.limit).key("sentence").value(haptics::sentence(seen.trip)).endObject();
+  }
+  json.endArray().key("limits").beginArray();
+  for (std::size_t bit = 0; bit < run.limits.size(); ++bit) {
+    if (!acted(run, bit)) continue;
+    json.beginObject(base::JsonWriter::Layout::kInline).key("limit").value(haptics::kLimitNames[bit]);
+    json.key("times").value(run.limits[bit].times).key("seconds").value(secondsOf(run.limits[bit])).endObject();
   }
   return json.endArray().endObject().text();
 }

@@ -111,6 +111,11 @@ class Watch {
     if (tick.wish.button && wished_.button) summary.planned_mm += tick.wish.position_mm - wished_.position_mm;
     if (trip && !tripped_) summary.trips.push_back({static_cast<double>(sample.time_ns) / 1e9, trip});
     tripped_ = static_cast<bool>(trip);
+    for (std::size_t bit = 0; bit < summary.limits.size(); ++bit) {
+      if ((sample.limited >> bit & 1U) == 0) continue;
+      summary.limits[bit].times += (last_.limited >> bit & 1U) == 0 ? 1 : 0;
+      ++summary.limits[bit].ticks;
+    }
     wished_ = tick.wish;
     last_ = sample;
   }

@@ -1,6 +1,7 @@
 // Runs a scenario: the servo's own tick on a simulated device, in simulated time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -30,6 +31,12 @@ struct TripSeen {
   haptics::Trip trip;
 };
 
+/// How often a limit began to act, and for how long it acted in all.
+struct LimitSeen {
+  int times = 0;
+  std::uint64_t ticks = 0;  ///< of 1 ms
+};
+
 /// What came out of a run.
 struct RunSummary {
   double duration_s = 0;
@@ -45,6 +52,7 @@ struct RunSummary {
   std::uint64_t held_ticks = 0;  ///< no rule fired, the last force was held
   haptics::SceneCounters scene;
   std::vector<TripSeen> trips;
+  std::array<LimitSeen, haptics::kLimitNames.size()> limits;  ///< in the order of haptics::kLimitNames
 };
 
 /// A model file as an event names it.

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "core/base/csv.h"
 #include "core/model_io/model_file.h"
@@ -50,6 +53,48 @@ TEST_F(Simulate, WritesATraceThatSaysItIsSimulatedAndPrintsWhatCameOut) {
   EXPECT_EQ(trace->cell(1234, *trace->find("simulated")), "1");
   EXPECT_EQ(trace->cell(1234, *trace->find("neck_flexion")), "45");
   EXPECT_EQ(trace->number(2999, *trace->find("depth_mm")), json.at("depth_mm").get<double>());
+}
+
+/// The trace is what the summary is counted against: ticks of 1 ms, and beginnings.
+TEST_F(Simulate, SaysWhichLimitsActedHowOftenAndHowLong) {
+  writeText(scenario_, R"({ "format": "tactus-scenario", "version": 1,
+      "conditions": { "lubrication": 1, "neck_flexion": 45 }, "device": { "max_force_n": 0.2 },
+      "motion": [ { "do": "rest", "duration_s": 1 }, { "do": "strokes" } ],
+      "events": [ { "at_s": 2.5, "fault": "warm_motors", "duration_s": 0.1 } ] })");
+  const ProgramRun run({"simulate", model_, "--scenario", scenario_, "--out", trace_, "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto trace = base::CsvTable::read(trace_);
+  ASSERT_TRUE(trace) << trace.error().message();
+  const auto column = *trace->find("limited");
+  std::map<std::string, std::pair<int, double>> seen;
+  for (std::size_t row = 0; row < trace->rowCount(); ++row) {
+    const auto namesIn = [&](std::size_t at) {
+      std::set<std::string> names;
+      std::istringstream parts{std::string(trace->cell(at, column))};
+      for (std::string name; std::getline(parts, name, '+');) names.insert(name);
+      return names;
+    };
+    const auto before = row > 0 ? namesIn(row - 1) : std::set<std::string>();
+    for (const auto& name : namesIn(row)) {
+      seen[name].first += before.count(name) == 0 ? 1 : 0;
+      seen[name].second += 1;
+    }
+  }
+  EXPECT_EQ(seen.erase("release"), 1u);
+  EXPECT_TRUE(seen.count("fade_in") == 1 && seen.count("cap") == 1 && seen.count("trip") == 1);
+  const auto json = nlohmann::json::parse(run.out);
+  ASSERT_EQ(json.at("limits").size(), seen.size());
+  for (const auto& limit : json.at("limits")) {
+    const auto& [times, ticks] = seen.at(limit.at("limit").get<std::string>());
+    EXPECT_EQ(limit.at("times"), times);
+    EXPECT_DOUBLE_EQ(limit.at("seconds").get<double>(), ticks / 1000);
+  }
+  EXPECT_EQ(json.at("trips").at(0).at("sentence"), "the motors are too warm");
+
+  const ProgramRun text({"simulate", model_, "--scenario", scenario_, "--out", trace_});
+  EXPECT_NE(text.out.find("  limits that acted: "), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("fade_in "), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("trip: at 2.5 s: the motors are too warm\n"), std::string::npos) << text.out;
 }
 
 TEST_F(Simulate, TheSameFilesGiveTheSameBytes) {
