@@ -102,10 +102,17 @@ void SteppedFeel::advance(workbench::FeelController& feel, int milliseconds) {
   }
 }
 
-void SteppedFeel::stall(int milliseconds) {
+void SteppedFeel::hang(int milliseconds) {
   for (int ms = 0; ms < milliseconds; ++ms) {
     now_ns_ += kTickNs;
     if (loop_ != nullptr) loop_->tick();
+  }
+}
+
+void SteppedFeel::stall(workbench::FeelController& feel, int milliseconds) {
+  for (int ms = 1; ms <= milliseconds; ++ms) {
+    now_ns_ += kTickNs;
+    if (ms % kBeatMs == 0 || ms == milliseconds) feel.beat();
   }
 }
 

@@ -23,7 +23,11 @@ class SteppedFeel {
   /// Ticks once per millisecond; `feel` gets a beat every 16 ms and one at the end.
   void advance(workbench::FeelController& feel, int milliseconds);
   /// Ticks without a beat: the program stands still.
-  void stall(int milliseconds);
+  void hang(int milliseconds);
+  /// Time goes on and `feel` gets its beats, but nothing calls the servo.
+  void stall(workbench::FeelController& feel, int milliseconds);
+  /// Time goes on while nothing is felt.
+  void pass(int milliseconds) { now_ns_ += std::int64_t{1'000'000} * milliseconds; }
   /// The wish of the hand goes to `position_mm` with `speed_mm_s`, and rests there for 0.1 s.
   void moveTo(workbench::FeelController& feel, double position_mm, double speed_mm_s);
 

@@ -35,8 +35,11 @@ QString sentenceCase(QString sentence) {
 
 FeelSettings realFeel() {
   // A device behind a driver may take seconds; the virtual one is there at once.
-  return {[](const std::string& id) { return devices::open(id, devices::settingsOfProcess()); }, threadedLoop,
-          [](const std::string& id) { return id != "virtual"; }};
+  FeelSettings settings;
+  settings.open_device = [](const std::string& id) { return devices::open(id, devices::settingsOfProcess()); };
+  settings.make_loop = threadedLoop;
+  settings.is_slow = [](const std::string& id) { return id != "virtual"; };
+  return settings;
 }
 
 FeelController::FeelController(SceneController& scene, FeelSettings settings, QObject* parent)
@@ -117,12 +120,13 @@ void FeelController::startOn(Beginning beginning) {
   orders.placement = ++placements_;
   depth_offset_mm_ = orders.scene->renderer().depth_offset_mm;
   slow_ = beginning.slow;
-  const auto open = [open_device = beginning.open, make_loop = settings_.make_loop, grip = grip_,
-                     replay = beginning.replay](haptics::ServoOrders given) -> base::Result<std::unique_ptr<FeelRun>> {
+  const auto open =
+      [open_device = beginning.open, make_loop = settings_.make_loop, grip = grip_, replay = beginning.replay,
+       thermal = settings_.thermal](haptics::ServoOrders given) -> base::Result<std::unique_ptr<FeelRun>> {
     auto opened = open_device();
     if (!opened) return tl::unexpected(opened.error());
     given.enable = replay ? enableOfReplay() : enableOf(opened->device->info(), grip);
-    return FeelRun::begin(std::move(*opened), make_loop, std::move(given));
+    return FeelRun::begin(std::move(*opened), make_loop, std::move(given), thermal);
   };
   if (!slow_) {
     begin(open(std::move(orders)), beginning.replay, std::move(beginning.recorded));
@@ -147,6 +151,7 @@ void FeelController::begin(base::Result<std::unique_ptr<FeelRun>> run, bool repl
   history_.clear();
   history_.setRecorded(std::move(recorded));
   latency_ = {};
+  loop_watch_ = {};
   conditions_new_ = false;
   trip_.reset();
   held_ = false;
@@ -277,6 +282,7 @@ void FeelController::beat() {
   const double speed_before_mm_s = speedOf(latest_);
   const auto samples = run_->drain();
   takeAll(samples);
+  if (!watchLoop()) return;
   watchTrip();
   watchRelease();
   if (samples.empty()) return;
@@ -356,6 +362,17 @@ void FeelController::watchTrip() {
     if (uncalibrated) trip_->sentence += QStringLiteral("; ") + text(run_->calibrationAdvice());
     emit tripChanged();
   }
+}
+
+/// A servo that is not called cannot trip, and nothing that is asked for arrives: false ends the run.
+bool FeelController::watchLoop() {
+  const haptics::Trip silent = loop_watch_.look(run_->servo().ticks(), run_->loop().nowNs());
+  if (!silent) return true;
+  stop();
+  emit failed(
+      tr("The loop of the device's driver has ended: %1. Look at cable and supply of the device, then start again.")
+          .arg(text(haptics::sentence(silent))));
+  return false;
 }
 
 void FeelController::watchRelease() {

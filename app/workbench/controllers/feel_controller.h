@@ -21,7 +21,9 @@
 #include "app/workbench/controllers/placement.h"
 #include "core/haptics/device.h"
 #include "core/haptics/loop_statistics.h"
+#include "core/haptics/loop_watch.h"
 #include "core/haptics/sample.h"
+#include "core/haptics/thermal_ledger.h"
 #include "core/haptics/trip.h"
 
 namespace tactus::workbench {
@@ -51,6 +53,8 @@ struct FeelSettings {
   /// Whether the device `id` may take its time to start and to stop. It then does so in the background, and the window
   /// stays alive. Without it no device does.
   std::function<bool(const std::string& id)> is_slow;
+  /// What the motors of each device have given, from one run to the next. Never null.
+  std::shared_ptr<haptics::ThermalLedger> thermal = std::make_shared<haptics::ThermalLedger>();
 };
 /// Devices of this computer under a thread of their own.
 FeelSettings realFeel();
@@ -158,6 +162,7 @@ class FeelController : public QObject {
   bool postScene(double fade_s);
   void take(const haptics::Sample& sample);
   void watchTrip();
+  bool watchLoop();
   void watchRelease();
   void endPlacement();
   void enter(FeelState state);
@@ -192,6 +197,7 @@ class FeelController : public QObject {
   PlacementMeter meter_;
   std::optional<PlacementSummary> last_placement_;
 
+  haptics::LoopWatch loop_watch_;
   FeelLatency latency_;
   std::uint64_t arming_ = 0;  ///< number of the orders that disarm, while re-arming; then of those that arm
 };

@@ -24,8 +24,10 @@ class FeelRun {
  public:
   /// Starts the device and hands `orders` to a servo on it, with the axis of the device and the limits that fit it.
   /// The first sign of life is given. Refused: the device or the loop does not start.
+  /// `thermal`, where there is one, knows what the motors of the device have given in the runs before.
   static base::Result<std::unique_ptr<FeelRun>> begin(devices::OpenedDevice opened, const MakeFeelLoop& make_loop,
-                                                      haptics::ServoOrders orders);
+                                                      haptics::ServoOrders orders,
+                                                      std::shared_ptr<haptics::ThermalLedger> thermal = nullptr);
   ~FeelRun();
   FeelRun(const FeelRun&) = delete;
   FeelRun& operator=(const FeelRun&) = delete;
@@ -50,9 +52,11 @@ class FeelRun {
   void end() noexcept;
 
  private:
-  FeelRun(devices::OpenedDevice opened, const MakeFeelLoop& make_loop, haptics::ServoOrders orders);
+  FeelRun(devices::OpenedDevice opened, const MakeFeelLoop& make_loop, haptics::ServoOrders orders,
+          std::shared_ptr<haptics::ThermalLedger> thermal);
 
   // In this order, so that the loop ends before the servo, and the servo before the device.
+  std::shared_ptr<haptics::ThermalLedger> thermal_;
   std::unique_ptr<haptics::HapticDevice> device_;
   haptics::VirtualDevice* live_hand_;
   std::string calibration_advice_;

@@ -263,7 +263,9 @@ QString DeviceBar::stateText() const {
   if (const auto latency = feel_.editLatency())
     parts << tr("edit felt after %1 (longest %2)")
                  .arg(ticksText(latency->last_ticks), numberText(static_cast<double>(latency->longest_ticks)));
-  if (const auto missed = feel_.statistics().missed; missed > 0) parts << tr("%1 ticks late").arg(missed);
+  const haptics::LoopStatistics statistics = feel_.statistics();
+  if (statistics.missed > 0) parts << tr("%1 ticks late").arg(statistics.missed);
+  if (statistics.restarts > 0) parts << tr("force begun anew after %1 stalls").arg(statistics.restarts);
   return parts.join(QStringLiteral(" · "));
 }
 

@@ -300,7 +300,8 @@ QString FeelPanel::limitText() const {
         Limit{haptics::kLimitedByStaleDevice, tr("the device is silent")},
         Limit{haptics::kLimitedByGui, tr("the program was silent")},
         Limit{haptics::kLimitedByPassivity, tr("vibration damped")},
-        Limit{haptics::kLimitedByCap, tr("at the force cap")}, Limit{haptics::kLimitedByFadeIn, tr("fading in")},
+        Limit{haptics::kLimitedByCap, tr("at the force cap")},
+        Limit{haptics::kLimitedByGap, tr("fading in after a stall")}, Limit{haptics::kLimitedByFadeIn, tr("fading in")},
         Limit{haptics::kLimitedByStiffness,
               tr("spring softened to %1 N/mm").arg(numberText(feel_.latest().stiffness_n_mm))}}) {
     if ((limited & limit.bit) != 0) return limit.text;

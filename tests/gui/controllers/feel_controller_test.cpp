@@ -405,5 +405,70 @@ TEST(FeelThread, RunsBesideTheProgram) {
   EXPECT_FALSE(feel.isRunning());
 }
 
+TEST_F(FeelControllerTest, ALoopThatStopsCallingIsNoticedAndSaidAfterASecond) {
+  feel.start(QStringLiteral("virtual"));
+  push();
+  const QSignalSpy failures(&feel, &FeelController::failed);
+  time.stall(feel, 990);
+  EXPECT_TRUE(feel.isRunning());
+  time.stall(feel, 40);
+  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  ASSERT_EQ(failures.count(), 1);
+  const QString sentence = failures.front().front().toString();
+  EXPECT_TRUE(sentence.startsWith(
+      QStringLiteral("The loop of the device's driver has ended: the servo missed ticks for too long: 1.0")))
+      << sentence.toStdString();
+  EXPECT_EQ(feel.latest().force_n, 0);
+}
+
+TEST_F(FeelControllerTest, AStallThatTheDeviceDoesNotBridgeBeginsANewFadeIn) {
+  haptics::VirtualDeviceSettings device;
+  device.quiet_after_s = 0.05;
+  tests::SteppedFeel stalling(device);
+  FeelController felt{scene, stalling.settings()};
+  felt.start(QStringLiteral("virtual"));
+  stalling.advance(felt, 20);
+  felt.setHeld(true);
+  stalling.advance(felt, 1200);
+  stalling.moveTo(felt, 5, 5);
+  const double before_n = felt.latest().force_n;
+  ASSERT_GT(before_n, 0.1);
+  stalling.stall(felt, 70);
+  stalling.advance(felt, 2);
+  EXPECT_EQ(felt.state(), FeelState::kRunning);
+  EXPECT_LT(felt.latest().force_n, 0.01 * before_n);
+  EXPECT_TRUE(felt.latest().limited & haptics::kLimitedByGap);
+  EXPECT_EQ(felt.statistics().restarts, 1u);
+}
+
+/// The rating of this device is so low that a push of half a minute uses its budget.
+TEST_F(FeelControllerTest, TheMotorsAreAsWarmAfterStopAndStartAsBefore) {
+  haptics::VirtualDeviceSettings device;
+  device.continuous_force_n = 0.05;
+  tests::SteppedFeel warm(device);
+  FeelController felt{scene, warm.settings()};
+  const auto hold = [&] {
+    felt.start(QStringLiteral("virtual"));
+    warm.advance(felt, 20);
+    felt.setHeld(true);
+    warm.advance(felt, 1200);
+    warm.moveTo(felt, 10, 20);
+  };
+  hold();
+  const double fresh_n = felt.latest().force_n;
+  warm.advance(felt, 20'000);
+  const double tired_n = felt.latest().force_n;
+  ASSERT_TRUE(felt.latest().limited & haptics::kLimitedByThermal);
+  ASSERT_LT(tired_n, 0.5 * fresh_n);
+  felt.stop();
+  hold();
+  EXPECT_TRUE(felt.latest().limited & haptics::kLimitedByThermal);
+  EXPECT_LT(felt.latest().force_n, 0.5 * fresh_n);
+  felt.stop();
+  warm.pass(65'000);
+  hold();
+  EXPECT_NEAR(felt.latest().force_n, fresh_n, 1e-6) << "the time in between was rest";
+}
+
 }  // namespace
 }  // namespace tactus::workbench

@@ -247,7 +247,7 @@ TEST_F(FeelStoreTest, ARecordingWithAGapEndsItsPieceAndSaysSo) {
   store.setRecording(true);
   time.advance(feel, 500);
   constexpr int kLostMs = 250;
-  time.stall(static_cast<int>(haptics::SampleRing::kDefaultCapacity) + kLostMs);
+  time.hang(static_cast<int>(haptics::SampleRing::kDefaultCapacity) + kLostMs);
   time.advance(feel, 500);
   store.setRecording(false);
   feel.stop();
