@@ -1,6 +1,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/haptics/servo.h"
+
 #include "tests/core/haptics/openhaptics/loaded_stand_in.h"
 
 namespace tactus::haptics {
@@ -221,6 +223,31 @@ TEST_F(OpenHaptics, ARequestFromBeforeTheStartCalibratesNothing) {
   steps(3);
   EXPECT_FALSE(device->calibrated());
   EXPECT_TRUE(standIn().calibration_updates.empty());
+}
+
+/// A scheduler that stands still for 70 ms: what the driver does with the last force meanwhile is not known.
+TEST_F(OpenHaptics, AStallOfTheDriverEndsInAFadeIn) {
+  const auto device = open();
+  ASSERT_TRUE(device->start());
+  Servo servo(*device);
+  ServoOrders orders;
+  orders.source = ForceSource::kStimulus;
+  orders.armed = true;
+  orders.stimulus = {1, 0.8, 0.15, {}, {}};
+  servo.post(orders);
+  ASSERT_TRUE(device->ownLoop()->run(servo));
+  steps(20);
+  standIn().buttons = 1;
+  steps(1300);
+  EXPECT_DOUBLE_EQ(standIn().force_n[2], 0.8);
+  now_ns_ += 69'000'000;
+  steps(3);
+  // By hand: 0.8 N come back within 1 s, 2 ms of it in the first step.
+  EXPECT_LE(standIn().force_n[2], 0.8 * 0.004 + 1e-12);
+  EXPECT_EQ(servo.statistics().restarts, 1u);
+  steps(1000);
+  EXPECT_DOUBLE_EQ(standIn().force_n[2], 0.8);
+  device->ownLoop()->end();
 }
 
 }  // namespace
