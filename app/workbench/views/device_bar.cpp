@@ -1,7 +1,6 @@
 #include "app/workbench/views/device_bar.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -17,6 +16,7 @@
 #include "app/workbench/theme.h"
 #include "app/workbench/views/card.h"
 #include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/number_box.h"
 #include "app/workbench/views/wrapped_label.h"
 
 namespace tactus::workbench {
@@ -46,7 +46,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
       look_(new QToolButton(this)),
       start_(new QPushButton(tr("Start"), this)),
       grip_(new QComboBox(this)),
-      zone_(new QDoubleSpinBox(this)),
+      zone_(new NumberBox({"release zone", {}, "mm", kFarthestZoneMm, kNearestZoneMm, {}}, 1, this)),
       simulated_(new QLabel(tr("SIMULATED"), this)),
       state_(new ElidedLabel(this)),
       message_card_(new Card(this)),
@@ -66,12 +66,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
                      Qt::ToolTipRole);
   grip_->setItemData(1, tr("One press takes the tube and the next one lets go: nothing has to be squeezed"),
                      Qt::ToolTipRole);
-  zone_->setRange(kFarthestZoneMm, kNearestZoneMm);
-  zone_->setDecimals(0);
-  zone_->setLocale(QLocale::c());
-  zone_->setSuffix(tr(" mm"));
-  zone_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  zone_->setKeyboardTracking(false);
+  zone_->setWhole();
   zone_->setFixedWidth(zone_->fontMetrics().horizontalAdvance(QStringLiteral("-100 mm")) + 2 * theme::kGrid);
   zone_->setAccessibleName(tr("Release zone of the latch"));
   zone_->setToolTip(tr("Release zone: a hand that is drawn out further than this lets go"));
@@ -111,7 +106,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   connect(start_, &QPushButton::clicked, this, &DeviceBar::toggle);
   connect(rearm_, &QPushButton::clicked, &feel_, &FeelController::rearm);
   connect(grip_, &QComboBox::activated, this, &DeviceBar::chooseGrip);
-  connect(zone_, &QDoubleSpinBox::valueChanged, this, &DeviceBar::chooseGrip);
+  connect(zone_, &NumberBox::valueChanged, this, &DeviceBar::chooseGrip);
   connect(&search_, &DeviceSearch::searching, this, &DeviceBar::showState);
   connect(&search_, &DeviceSearch::found, this, &DeviceBar::listDevices);
   connect(&feel_, &FeelController::stateChanged, this, &DeviceBar::showState);

@@ -6,7 +6,6 @@
 
 class QBoxLayout;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -17,6 +16,7 @@ class Card;
 class DeviceSearch;
 class ElidedLabel;
 class FeelController;
+class NumberBox;
 
 class DeviceBar : public QWidget {
   Q_OBJECT
@@ -54,7 +54,7 @@ class DeviceBar : public QWidget {
   QToolButton* look_;
   QPushButton* start_;
   QComboBox* grip_;
-  QDoubleSpinBox* zone_;
+  NumberBox* zone_;
   QLabel* simulated_;
   ElidedLabel* state_;
   Card* message_card_;

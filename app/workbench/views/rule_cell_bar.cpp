@@ -40,11 +40,11 @@ RuleCellBar::RuleCellBar(RuleController& rules, QWidget* parent)
 
   connect(words_, &WordBar::chosen, &rules_, &RuleController::answerAndGoOn);
   connect(words_, &WordBar::cleared, &rules_, [this] { rules_.answer(std::nullopt); });
-  connect(weight_, &QDoubleSpinBox::valueChanged, this, [this](double weight) {
+  connect(weight_, &NumberBox::valueChanged, this, [this](double weight) {
     const auto cell = rules_.selected();
     if (cell && rules_.cell(*cell).rule) rules_.weigh(*rules_.cell(*cell).rule, weight);
   });
-  connect(weight_, &QDoubleSpinBox::editingFinished, this, [this] {
+  connect(weight_, &NumberBox::editingFinished, this, [this] {
     rules_.endWeighing();
     if (weight_->hasFocus()) emit done();
   });

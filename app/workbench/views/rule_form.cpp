@@ -181,7 +181,10 @@ fuzzy::Rule RuleForm::typed() const {
 }
 
 void RuleForm::accept() {
-  weight_->interpretText();
+  if (!weight_->commit()) {
+    say(weight_->refusal(), true);
+    return;
+  }
   const fuzzy::Rule rule = typed();
   const auto target = target_;
   const auto ok = target ? rules_.replace(*target, rule) : rules_.add(rule);

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QPainter>
 
 #include "app/workbench/controllers/rule_controller.h"
@@ -101,11 +102,21 @@ void RuleListDelegate::setEditorData(QWidget* editor, const QModelIndex& index) 
 
 void RuleListDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {
   if (auto* box = qobject_cast<NumberBox*>(editor)) {
-    box->interpretText();
-    model->setData(index, box->exact());
+    if (box->commit()) model->setData(index, box->exact());
   } else if (auto* words = qobject_cast<QComboBox*>(editor)) {
     model->setData(index, words->currentIndex());
   }
+}
+
+bool RuleListDelegate::eventFilter(QObject* editor, QEvent* event) {
+  auto* const box = qobject_cast<NumberBox*>(editor);
+  if (box != nullptr && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool leaves = key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Backtab;
+    // What is no weight stays to be mended; the box says why.
+    if (leaves && !box->commit()) return true;
+  }
+  return QStyledItemDelegate::eventFilter(editor, event);
 }
 
 }  // namespace tactus::workbench

@@ -2,17 +2,16 @@
 
 #include <QCoreApplication>
 #include <QLineEdit>
-#include <QSpinBox>
 #include <QStringList>
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "app/editing/edit_text.h"
 #include "app/workbench/controllers/term_controller.h"
 #include "app/workbench/display_text.h"
+#include "app/workbench/typed_number.h"
+#include "app/workbench/views/number_box.h"
 #include "app/workbench/views/popup_form.h"
-#include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
@@ -27,7 +26,7 @@ QString tr(const char* text) { return QCoreApplication::translate("TermForms", t
 QString cutsText(const std::vector<double>& cuts, const fuzzy::Variable& variable) {
   QStringList parts;
   for (const double cut : cuts) parts << text(editing::numberText(variable, cut));
-  return parts.join(QStringLiteral(", "));
+  return parts.join(QStringLiteral("; "));
 }
 
 // Places that cut the part of the core inside the universe into equal parts.
@@ -37,16 +36,6 @@ std::vector<double> equalCuts(const fuzzy::Variable& variable, const Term& term,
   const double to = std::min(shape.c, variable.max);
   std::vector<double> cuts;
   for (int i = 1; i < parts; ++i) cuts.push_back(roundedPlace(variable, from + (to - from) * i / parts));
-  return cuts;
-}
-
-std::optional<std::vector<double>> parsedCuts(const QString& typed) {
-  std::vector<double> cuts;
-  for (const QString& part : typed.split(QLatin1Char(','))) {
-    const auto number = base::parseNumber(part.trimmed().toStdString());
-    if (!number) return std::nullopt;
-    cuts.push_back(*number);
-  }
   return cuts;
 }
 
@@ -67,22 +56,27 @@ void askSplit(TermController& terms, const std::string& term, const QWidget& anc
                            "a part.")
                             .arg(rules));
   }
-  auto* parts = new QSpinBox(form);
-  parts->setRange(2, kMostParts);
+  auto* parts = new NumberBox({"parts", {}, "1", 2, kMostParts, {}}, 1, form);
+  parts->setWhole();
+  parts->setButtonSymbols(QAbstractSpinBox::UpDownArrows);
+  parts->setFixedWidth(parts->sizeHint().width());
   parts->setAccessibleName(tr("Number of parts"));
   auto* cuts = new QLineEdit(cutsText(equalCuts(variable, whole, 2), variable), form);
   cuts->setAccessibleName(tr("Cuts"));
   form->addField(tr("Parts:"), parts);
   const QString unit = unitText(variable.unit);
   form->addField(unit.isEmpty() ? tr("Cuts:") : tr("Cuts (%1):").arg(unit), cuts);
-  QObject::connect(parts, &QSpinBox::valueChanged, form, [variable, whole, cuts](int count) {
-    cuts->setText(cutsText(equalCuts(variable, whole, count), variable));
+  QObject::connect(parts, &NumberBox::valueChanged, form, [variable, whole, cuts](double count) {
+    cuts->setText(cutsText(equalCuts(variable, whole, static_cast<int>(count)), variable));
   });
-  QObject::connect(form, &PopupForm::accepted, form, [&terms, term, cuts, form] {
-    const auto places = parsedCuts(cuts->text());
+  QObject::connect(form, &PopupForm::accepted, form, [&terms, term, cuts, parts, unit, form] {
+    if (!parts->commit()) {
+      form->setNote(parts->refusal());
+      return;
+    }
+    const auto places = typedNumbers(cuts->text(), unit);
     if (!places) {
-      form->setNote(tr("“%1” is no list of numbers: type the cuts with commas between them, such as 290, 365.")
-                        .arg(cuts->text()));
+      form->setNote(tr("%1 Type the cuts with semicolons between them, such as 290; 365.").arg(places.error()));
       return;
     }
     form->close();
