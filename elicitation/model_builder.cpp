@@ -262,7 +262,9 @@ Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::
   for (const auto& term : out.model.output.terms) answer_terms.push_back(term.id);
 
   if (auto ok = buildSpeed(study, settings, out); !ok) return tl::unexpected(ok.error());
+  out.note_subjects.resize(out.notes.size(), "speed");
   if (auto ok = buildForce(study, settings, out); !ok) return tl::unexpected(ok.error());
+  out.note_subjects.resize(out.notes.size(), out.model.output.id);
   auto rules = studyRules(study, forms, answer_terms);
   if (!rules) return tl::unexpected(rules.error());
   out.experts = std::move(rules->experts);
@@ -281,6 +283,7 @@ Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::
   if (!influences) return tl::unexpected(influences.error());
   out.influences = std::move(*influences);
   append(out.notes, influenceNotes(out.model, out.influences));
+  out.note_subjects.resize(out.notes.size());
   return out;
 }
 

@@ -53,6 +53,8 @@ struct BuiltModel {
   std::vector<ExpertRules> experts;       ///< in the order of the model's experts
   ExpertInfluences influences;            ///< of each expert on the averaged force
   std::vector<std::string> notes;         ///< one sentence each: defaults, warnings, what is simulated
+  /// For each note the id of the variable whose terms it is about; empty where it is about no variable.
+  std::vector<std::string> note_subjects;
 };
 
 /// Builds the averaged model of `study` (paper, Section 3). The experts are the participants with rules, in the

@@ -31,6 +31,8 @@ std::string_view name(RuleFinding::Kind kind) noexcept {
       return "hole";
     case Kind::kAbstentionJump:
       return "abstention_jump";
+    case Kind::kForceStep:
+      return "force_step";
     case Kind::kRegionWithoutRule:
       return "region_without_rule";
     case Kind::kMissingItem:

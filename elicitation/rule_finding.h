@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/analysis/finding_place.h"
 #include "elicitation/rules_from_answers.h"
 
 namespace tactus::elicitation {
@@ -16,6 +17,8 @@ struct RuleFinding {
     kHole,               ///< a region where no rule of the expert, or of any, fires; newtons: the jump of that force at
                          ///< its boundary to the default force
     kAbstentionJump,     ///< an expert abstains while others go on; newtons: the jump of the mean at the boundary
+    kForceStep,          ///< the force of the mean or an expert steps along an input: more than one just-noticeable
+                         ///< difference within 1 mm, or steeper than the renderer's stiffness; newtons: the change
     kRegionWithoutRule,  ///< a region of the expert that no rule mentions; newtons: of a hole inside it
     kMissingItem,        ///< an item without an answer; newtons: how far the expert's force at a point where the item
                          ///< applies in full depends on which answer it would be
@@ -41,7 +44,8 @@ struct RuleFinding {
   std::vector<std::string> experts;  ///< ids; empty where the averaged model is meant
   std::vector<Source> sources;       ///< of the first expert (kExpertsApart: one of each); empty where no rules are to
                                      ///< blame
-  std::string place;                 ///< a region, conditions, a step or an input
+  analysis::FindingPlace where;      ///< a hole, conditions, a term, a step or an input
+  std::string place;                 ///< the same in words; nothing reads them back
   std::string text;                  ///< one sentence, with the sources
   std::optional<double> newtons;     ///< the force at stake, where it has a meaning
   bool at_least = false;             ///< the largest one of the settings looked at; elsewhere it may be larger

@@ -31,7 +31,7 @@ std::vector<RuleFinding> findingsOfMissingItems(const RuleContext& context, cons
       finding.kind = RuleFinding::Kind::kMissingItem;
       finding.experts = {context.model.experts[e].id};
       finding.sources = {{{}, item.origin}};
-      finding.place = analysis::describe(item.conditions);
+      setPlace(finding, analysis::ConditionPlace{item.conditions}, context.model);
       finding.text =
           "no rule for " + finding.place + ": " + describe(finding.sources) + ", " + std::string(name(item.reason));
       const auto stake = answerStake(probe, e, item.conditions, samples);
@@ -45,6 +45,11 @@ std::vector<RuleFinding> findingsOfMissingItems(const RuleContext& context, cons
 }
 
 }  // namespace
+
+void setPlace(RuleFinding& finding, analysis::FindingPlace where, const fuzzy::ForceModel& model) {
+  finding.place = analysis::describe(where, model);
+  finding.where = std::move(where);
+}
 
 std::string newtonsText(double force_n) { return base::formatFixed(force_n, 3) + " N"; }
 
@@ -71,6 +76,9 @@ RuleLint ruleLint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& co
   out.model = analysis::lint(model, compiled, stop);
   add(findingsOfModel(context, out.model, told));
   add(findingsOfMissingItems(context, probe));
+  // Of its own: the newtons of the other findings do not suffer.
+  analysis::ForceProbe cliffs(model, compiled, kAllowance, stop);
+  add(findingsOfCliffs(context, cliffs));
   out.newtons_complete = out.model.newtons_complete && probe.affords();
   std::stable_sort(out.findings.begin(), out.findings.end(), [](const RuleFinding& x, const RuleFinding& y) {
     return std::pair{x.kind, -x.newtons.value_or(-1)} < std::pair{y.kind, -y.newtons.value_or(-1)};

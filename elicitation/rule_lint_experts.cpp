@@ -54,7 +54,9 @@ std::vector<RuleFinding> findingsOfExperts(const RuleContext& context, analysis:
     finding.kind = RuleFinding::Kind::kExpertsApart;
     finding.experts = {low, high};
     finding.sources = strongestRules(context, spread);
-    finding.place = spread.region.empty() ? "everywhere" : context.settings.region_input + " is " + spread.region;
+    analysis::ConditionPlace where;
+    if (!spread.region.empty()) where.conditions = {{context.settings.region_input, spread.region}};
+    setPlace(finding, std::move(where), context.model);
     finding.text = low + " gives " + newtonsText(spread.low_n) + " by " + describe({finding.sources.front()});
     finding.text += " and " + high + ' ' + newtonsText(spread.high_n) + " by " + describe({finding.sources.back()});
     finding.text += (spread.region.empty() ? "" : " where " + finding.place) + "; ";

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <map>
 
-#include "core/analysis/coverage.h"
 #include "core/fuzzy/membership.h"
 #include "elicitation/rule_lint_parts.h"
 #include "elicitation/rule_missing.h"
@@ -54,6 +52,7 @@ class ModelFindings {
   void add(const analysis::Finding& from) {
     RuleFinding finding;
     finding.kind = kindOf(from.kind);
+    finding.where = from.where;
     finding.place = from.place;
     finding.text = from.text;
     finding.newtons = from.newtons;
@@ -83,7 +82,7 @@ class ModelFindings {
                         ", without " + newtonsText(context_.compiled.evaluate(finding.to).force_n);
         [[fallthrough]];
       case Kind::kHole:
-        finding.sources = missingIn(expert, finding.place);
+        finding.sources = missingIn(expert, std::get<analysis::Hole>(finding.where));
         break;
       case Kind::kDirectionChange:
         if (finding.newtons == 0.0) finding.from = finding.to = {};
@@ -96,30 +95,21 @@ class ModelFindings {
     }
   }
 
-  /// Items without an answer that would have given a rule inside the hole called `place`.
-  std::vector<Source> missingIn(std::size_t expert, const std::string& place) {
+  /// Items without an answer that would have given a rule inside `hole`.
+  std::vector<Source> missingIn(std::size_t expert, const analysis::Hole& hole) const {
     std::vector<Source> out;
-    if (context_.missing(expert).empty()) return out;
-    auto holes = holes_.find(expert);
-    if (holes == holes_.end()) {
-      holes = holes_.emplace(expert, analysis::coverage(model_, std::span(&expert, 1)).holes).first;
-    }
-    for (const auto& hole : holes->second) {
-      if (analysis::describe(hole, model_) != place) continue;
-      for (const auto& item : context_.missing(expert)) {
-        if (wouldFireIn(hole, model_, model_.experts[expert], item.conditions)) out.push_back({{}, item.origin});
-      }
+    for (const auto& item : context_.missing(expert)) {
+      if (wouldFireIn(hole, model_, model_.experts[expert], item.conditions)) out.push_back({{}, item.origin});
     }
     return out;
   }
 
   /// A term of the region input without a rule is a region without a rule: with the largest jump at a hole inside it.
   void linkRegion(RuleFinding& finding, std::size_t expert) const {
-    if (!context_.region_input) return;
-    const auto& input = model_.inputs[*context_.region_input];
-    const std::string start = input.id + ' ';
-    if (!finding.place.starts_with(start)) return;
-    const std::string region = finding.place.substr(start.size());
+    const auto& place = std::get<analysis::TermPlace>(finding.where);
+    if (!context_.region_input || place.variable != *context_.region_input) return;
+    const auto& input = model_.inputs[place.variable];
+    const std::string& region = place.term;
     finding.kind = Kind::kRegionWithoutRule;
     finding.text = "no rule in the " + region;
     for (const auto& item : context_.missing(expert)) {
@@ -146,7 +136,6 @@ class ModelFindings {
   const analysis::Lint& lint_;
   const ToldSteps& told_;
   std::vector<RuleFinding> out_;
-  std::map<std::size_t, std::vector<analysis::Hole>> holes_;  ///< of experts with missing items
 };
 
 }  // namespace

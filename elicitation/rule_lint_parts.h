@@ -40,9 +40,15 @@ std::vector<RuleFinding> findingsOfModel(const RuleContext& context, const analy
 // rule_lint_steps.cpp
 /// Steps against a declared direction, and jumps of levels between neighbouring answers; adds the former to `told`.
 std::vector<RuleFinding> findingsOfSteps(const RuleContext& context, analysis::ForceProbe& probe, ToldSteps& told);
+// rule_lint_cliffs.cpp
+/// Steps of the force along an input, of the mean and of each expert. Nothing where the force is not in newtons.
+std::vector<RuleFinding> findingsOfCliffs(const RuleContext& context, analysis::ForceProbe& probe);
 // rule_lint_experts.cpp
 /// Experts too far apart, by region. Nothing where the force is not in newtons.
 std::vector<RuleFinding> findingsOfExperts(const RuleContext& context, analysis::ForceProbe& probe);
+
+/// Says where a finding is, in both ways.
+void setPlace(RuleFinding& finding, analysis::FindingPlace where, const fuzzy::ForceModel& model);
 
 /// `0.525 N`
 std::string newtonsText(double force_n);

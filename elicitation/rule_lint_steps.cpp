@@ -46,11 +46,10 @@ std::vector<RuleFinding> findingsOfSteps(const RuleContext& context, analysis::F
   std::vector<RuleFinding> out;
   for (const auto& [e, step] : steps) {
     const fuzzy::Expert& who = context.model.experts[e];
-    const std::string in_words = describe(step, context.model, who);
     RuleFinding finding;
+    setPlace(finding, analysis::StepPlace{e, step}, context.model);
     finding.experts = {who.id};
     finding.sources = {context.source(e, step.before), context.source(e, step.after)};
-    finding.place = in_words;
     if (const auto change = analysis::changeAlong(probe, e, step, samples)) {
       finding.newtons = change->newtons;
       finding.at_least = true;
@@ -62,7 +61,7 @@ std::vector<RuleFinding> findingsOfSteps(const RuleContext& context, analysis::F
     }
     const auto add = [&](RuleFinding::Kind kind, const std::string& says) {
       finding.kind = kind;
-      finding.text = says + ": " + in_words + "; " + describe(finding.sources);
+      finding.text = says + ": " + finding.place + "; " + describe(finding.sources);
       out.push_back(finding);
     };
     if (isAgainst(context, step)) {

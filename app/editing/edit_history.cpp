@@ -171,6 +171,10 @@ std::optional<EditImpact> EditHistory::impact(StateId state) {
   return states_[state].impact;
 }
 
+bool EditHistory::include(StateId state, const GhostCurve& curve, std::size_t input, std::span<const double> point) {
+  return impact(state) && editing::include(*states_[state].impact, curve, input, point);
+}
+
 Result<EditImpact> EditHistory::compare(StateId before, StateId after) const {
   const auto one = modelOf(before);
   if (!one) return tl::unexpected(one.error());

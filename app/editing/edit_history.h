@@ -11,6 +11,7 @@
 #include "app/editing/edit.h"
 #include "app/editing/edit_impact.h"
 #include "app/editing/kept_model.h"
+#include "app/editing/model_ghost.h"
 #include "core/study/record_id.h"
 
 namespace tactus::editing {
@@ -116,6 +117,9 @@ class EditHistory {
   /// How much the edit that made `state` changed the force, computed when first asked for (editImpact says how long
   /// that takes). Nothing for a model that was opened, or where a model is not in memory.
   std::optional<EditImpact> impact(StateId state);
+  /// Takes into the impact of `state` what was seen along a curve on the screen (model_ghost.h). Returns whether it
+  /// grew; false where there is no impact.
+  bool include(StateId state, const GhostCurve& curve, std::size_t input, std::span<const double> point);
   /// The same of any two states.
   base::Result<EditImpact> compare(StateId before, StateId after) const;
 

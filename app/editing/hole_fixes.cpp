@@ -139,21 +139,20 @@ Result<Edit> withoutAcceptance(Edit edit, const std::string& name) {
 }  // namespace
 
 std::vector<std::pair<std::string, Result<Edit>>> closeHole(const ForceModel& model, const std::string& expert,
-                                                            const std::string& name, const std::stop_token& stop) {
+                                                            const Hole& hole, const std::stop_token& stop) {
   std::vector<std::pair<std::string, Result<Edit>>> out;
   const auto holes = holesOf(model, expert);
-  const auto hole =
-      std::find_if(holes.begin(), holes.end(), [&](const Hole& one) { return analysis::describe(one, model) == name; });
-  if (hole == holes.end()) return out;
+  if (std::find(holes.begin(), holes.end(), hole) == holes.end()) return out;
+  const std::string name = analysis::describe(hole, model);
   const auto offer = [&](std::size_t reader, bool own, const InputRange& gap, bool to_the_right) {
     std::string text;
     auto edit = stretched(model, reader, own, gap, to_the_right, text);
     if (!edit || !*edit) return;
     const auto left = holesOf((*edit)->model, expert);
-    if (std::any_of(left.begin(), left.end(), [&](const Hole& one) { return overlap(one, *hole); })) return;
+    if (std::any_of(left.begin(), left.end(), [&](const Hole& one) { return overlap(one, hole); })) return;
     out.emplace_back(std::move(text), withoutAcceptance(std::move(**edit), name));
   };
-  for (const InputRange& gap : hole->ranges) {
+  for (const InputRange& gap : hole.ranges) {
     if (gap.whole_universe || stop.stop_requested()) continue;
     std::vector<TermListId> tried;
     for (const std::size_t reader : expertsOf(model, expert)) {

@@ -10,8 +10,10 @@
 #include "app/editing/hole_fixes.h"
 #include "app/editing/partition.h"
 #include "app/editing/rule_edits.h"
+#include "app/editing/step_fixes.h"
 #include "app/editing/term_edits.h"
 #include "core/analysis/coverage.h"
+#include "core/analysis/finding_place.h"
 
 namespace tactus::editing {
 namespace {
@@ -34,9 +36,7 @@ class Fixes {
     switch (finding_.kind) {
       case Kind::kHole:
       case Kind::kAbstentionJump:
-        for (auto& [text, edit] : closeHole(model_, finding_.expert, finding_.place, stop_)) {
-          add(text, std::move(edit));
-        }
+        addHole();
         break;
       case Kind::kConflict:
         addConflict();
@@ -63,6 +63,12 @@ class Fixes {
     out_.push_back({std::move(text), std::move(*edit), impact});
   }
 
+  void addHole() {
+    const auto* const hole = std::get_if<analysis::Hole>(&finding_.where);
+    if (hole == nullptr) return;
+    for (auto& [text, edit] : closeHole(model_, finding_.expert, *hole, stop_)) add(text, std::move(edit));
+  }
+
   void disable(std::size_t rule, std::string text) {
     add(std::move(text), enableRules(model_, finding_.expert, std::span(&rule, 1), false));
   }
@@ -76,30 +82,16 @@ class Fixes {
     }
   }
 
-  /// The place of the finding is `variable term`.
-  std::optional<TermPlace> termOfFinding() const {
-    if (expert_ == nullptr) return std::nullopt;
-    const auto look = [&](const fuzzy::Variable& variable) -> std::optional<TermPlace> {
-      for (const auto& term : termsFor(*expert_, variable)) {
-        if (finding_.place == variable.id + ' ' + term.id) return TermPlace{listOf(*expert_, variable.id), term.id};
-      }
-      return std::nullopt;
-    };
-    for (const auto& input : model_.inputs) {
-      if (auto place = look(input)) return place;
-    }
-    return look(model_.output);
-  }
-
   void addTerm() {
-    const auto place = termOfFinding();
-    if (!place) return;
-    const auto& variable = **findVariable(model_, place->list.variable);
-    const auto& terms = termsFor(*expert_, variable);
-    const std::string name = labelOf(*findTerm(terms, place->term));
-    add("Remove " + name, removeTerm(model_, *place, {RulesOfTerm::kRefuse, false}));
-    if (&variable == &model_.output || !partitionOrder(variable, terms)) return;
-    add("Remove " + name + ", its neighbors close up", removeTerm(model_, *place, {RulesOfTerm::kRefuse, true}));
+    const auto* const where = std::get_if<analysis::TermPlace>(&finding_.where);
+    const auto* const term = expert_ == nullptr ? nullptr : analysis::termAt(finding_.where, model_, *expert_);
+    if (where == nullptr || term == nullptr) return;
+    const auto& variable = analysis::variableAt(model_, where->variable);
+    const TermPlace place{listOf(*expert_, variable.id), where->term};
+    const std::string name = labelOf(*term);
+    add("Remove " + name, removeTerm(model_, place, {RulesOfTerm::kRefuse, false}));
+    if (&variable == &model_.output || !partitionOrder(variable, termsFor(*expert_, variable))) return;
+    add("Remove " + name + ", its neighbors close up", removeTerm(model_, place, {RulesOfTerm::kRefuse, true}));
   }
 
   const ForceModel& model_;
@@ -110,8 +102,9 @@ class Fixes {
   std::vector<Fix> out_;
 };
 
-/// The name of the expert's hole that holds `point`, or empty.
-std::string holeAt(const ForceModel& model, const std::string& expert, const std::vector<double>& point) {
+/// The expert's hole that holds `point`.
+std::optional<analysis::Hole> holeAt(const ForceModel& model, const std::string& expert,
+                                     const std::vector<double>& point) {
   for (std::size_t e = 0; e < model.experts.size(); ++e) {
     if (model.experts[e].id != expert) continue;
     for (const auto& hole : analysis::coverage(model, std::span(&e, 1)).holes) {
@@ -119,10 +112,10 @@ std::string holeAt(const ForceModel& model, const std::string& expert, const std
       for (std::size_t i = 0; i < point.size(); ++i) {
         inside = inside && point[i] >= hole.ranges[i].low && point[i] <= hole.ranges[i].high;
       }
-      if (inside) return analysis::describe(hole, model);
+      if (inside) return hole;
     }
   }
-  return {};
+  return std::nullopt;
 }
 
 std::optional<Kind> kindOf(elicitation::RuleFinding::Kind kind) {
@@ -148,6 +141,28 @@ std::optional<Kind> kindOf(elicitation::RuleFinding::Kind kind) {
   }
 }
 
+std::vector<Fix> fixesForStep(const ForceModel& model, const CompiledModel& compiled,
+                              const elicitation::RuleFinding& finding, const std::stop_token& stop) {
+  const auto* const where = std::get_if<analysis::CliffPlace>(&finding.where);
+  const std::size_t inputs = model.inputs.size();
+  std::vector<Fix> out;
+  if (where == nullptr || where->input >= inputs || finding.from.size() != inputs || finding.to.size() != inputs) {
+    return out;
+  }
+  const bool of_mean = finding.experts.empty();
+  std::vector<std::size_t> experts;
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    const auto& expert = model.experts[e];
+    if (of_mean ? expert.weight > 0 : expert.id == finding.experts.front()) experts.push_back(e);
+  }
+  for (auto& [text, edit] : widenStep(model, experts, of_mean, {where->input, finding.from, finding.to}, stop)) {
+    if (!edit || stop.stop_requested()) continue;
+    const auto impact = editImpact(model, compiled, edit->model, edit->compiled);
+    out.push_back({std::move(text), std::move(*edit), impact});
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled, const analysis::Finding& finding,
@@ -157,12 +172,13 @@ std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled
 
 std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled,
                           const elicitation::RuleFinding& finding, const std::stop_token& stop) {
+  if (finding.kind == elicitation::RuleFinding::Kind::kForceStep) return fixesForStep(model, compiled, finding, stop);
   const auto kind = kindOf(finding.kind);
   if (!kind) return {};
   analysis::Finding plain;
   plain.kind = *kind;
   if (!finding.experts.empty()) plain.expert = finding.experts.front();
-  plain.place = finding.place;
+  plain.where = finding.where;
   for (const auto& source : finding.sources) {
     if (source.rule) plain.rules.push_back(*source.rule);
   }
@@ -170,7 +186,9 @@ std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled
   if (finding.kind == elicitation::RuleFinding::Kind::kRegionWithoutRule && finding.to.size() == model.inputs.size()) {
     // Its newtons are those of the hole that it leaves.
     plain.kind = Kind::kHole;
-    plain.place = holeAt(model, plain.expert, finding.to);
+    auto hole = holeAt(model, plain.expert, finding.to);
+    if (!hole) return out;
+    plain.where = std::move(*hole);
     auto of_hole = fixesFor(model, compiled, plain, stop);
     std::move(of_hole.begin(), of_hole.end(), std::back_inserter(out));
   }

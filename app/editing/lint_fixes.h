@@ -23,6 +23,7 @@ struct Fix {
 ///   hole                stretch the term of either side over the gap, or accept the hole (hole_fixes.h); one that is
 ///                       accepted: stretch, or take the acceptance back
 ///   abstention jump     those of the expert's hole behind it
+///   force step          widen the flanks at the step (step_fixes.h)
 ///   conflict            keep the one rule, disable the other; either way round
 ///   redundant rule, unreachable rule    disable it
 ///   unused or unreachable term          remove it; where the terms sum to one also so that its neighbours close up

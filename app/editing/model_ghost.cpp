@@ -65,8 +65,27 @@ base::Result<GhostCurve> ghostCurve(const fuzzy::CompiledModel& compiled_before,
     if (newtons <= out.largest_n) continue;
     out.largest_n = newtons;
     out.largest_at = here.at;
+    out.before_n = here.before_n;
+    out.after_n = here.after_n;
   }
   return out;
+}
+
+bool include(EditImpact& impact, const GhostCurve& curve, std::size_t input, std::span<const double> point) {
+  bool grew = false;
+  if (curve.largest_at && curve.largest_n > impact.largest_n) {
+    impact.largest_n = curve.largest_n;
+    impact.at.assign(point.begin(), point.end());
+    impact.at[input] = *curve.largest_at;
+    impact.before_n = curve.before_n;
+    impact.after_n = curve.after_n;
+    grew = true;
+  }
+  grew = grew || curve.noticeable > impact.noticeable || curve.opened > impact.opened || curve.closed > impact.closed;
+  impact.noticeable = std::max(impact.noticeable, curve.noticeable);
+  impact.opened = std::max(impact.opened, curve.opened);
+  impact.closed = std::max(impact.closed, curve.closed);
+  return grew;
 }
 
 ModelGhost::ModelGhost(const fuzzy::ForceModel& before, const fuzzy::CompiledModel& compiled_before,

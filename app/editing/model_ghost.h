@@ -23,6 +23,8 @@ struct GhostCurve {
   std::vector<Point> points;
   double largest_n = 0;  ///< largest |difference| on the curve where both fire
   std::optional<double> largest_at;
+  double before_n = 0;  ///< the forces there
+  double after_n = 0;
   double noticeable = 0;  ///< largest one in just-noticeable differences around the force before
   std::optional<double> noticeable_at;
   std::size_t opened = 0;  ///< places that had a force before and have none now
@@ -33,6 +35,11 @@ struct GhostCurve {
 /// input of both models, which have the same ones). Refused: a value that is not finite, no place.
 base::Result<GhostCurve> ghostCurve(const fuzzy::CompiledModel& before, const fuzzy::CompiledModel& after,
                                     std::size_t input, std::span<const double> point, std::span<const double> places);
+
+/// Takes into `impact` what was seen along a curve of the same two models, input number `input` varying and the others
+/// as in `point`: what an edit does is at least what the curve on the screen shows.
+/// Returns whether `impact` grew.
+bool include(EditImpact& impact, const GhostCurve& curve, std::size_t input, std::span<const double> point);
 
 /// Two states of one model, over the same inputs. Copies share what they hold.
 class ModelGhost {

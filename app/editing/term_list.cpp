@@ -44,7 +44,7 @@ auto expertIn(Model& model, std::string_view id) -> Result<decltype(model.expert
 }  // namespace
 
 std::string OpenList::title() const {
-  return expert == nullptr ? labelOf(*variable) : labelOf(*expert) + ", " + labelOf(*variable);
+  return expert == nullptr ? labelOf(*variable) + scope : labelOf(*expert) + ", " + labelOf(*variable);
 }
 
 Result<const fuzzy::Variable*> findVariable(const ForceModel& model, std::string_view id) {
@@ -67,6 +67,11 @@ Result<OpenList> openList(ForceModel& model, const TermListId& list) {
     const bool output = *variable == &model.output;
     out.terms =
         output ? &model.output.terms : &model.inputs[static_cast<std::size_t>(*variable - model.inputs.data())].terms;
+    // Of one expert alone nobody asks for whom.
+    if (model.experts.size() > 1) {
+      const std::string readers = readersText(model, list);
+      if (!readers.empty()) out.scope = " (" + readers + ')';
+    }
     return out;
   }
   const auto expert = findExpert(model, list.expert);
@@ -91,6 +96,27 @@ TermListId listOf(const Expert& expert, std::string_view variable) {
   const bool own = std::any_of(expert.overrides.begin(), expert.overrides.end(),
                                [variable](const fuzzy::TermOverride& entry) { return entry.variable == variable; });
   return {std::string(variable), own ? expert.id : std::string()};
+}
+
+std::vector<std::size_t> readersOf(const ForceModel& model, const TermListId& list) {
+  std::vector<std::size_t> out;
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    if (reads(model.experts[e], list)) out.push_back(e);
+  }
+  return out;
+}
+
+std::string readersText(const ForceModel& model, const TermListId& list) {
+  // More would not fit into a line of the history.
+  constexpr std::size_t kMostNamed = 4;
+  const auto readers = readersOf(model, list);
+  if (readers.size() > kMostNamed) {
+    const std::string all = std::to_string(model.experts.size()) + " experts";
+    return readers.size() == model.experts.size() ? "all " + all : std::to_string(readers.size()) + " of " + all;
+  }
+  std::string text;
+  for (const std::size_t e : readers) text += (text.empty() ? "" : ", ") + model.experts[e].id;
+  return text;
 }
 
 bool reads(const Expert& expert, const TermListId& list) { return listOf(expert, list.variable) == list; }

@@ -36,7 +36,10 @@ struct OpenList {
   fuzzy::Expert* expert = nullptr;  ///< null where the list is shared
   std::vector<fuzzy::Term>* terms = nullptr;
 
-  /// `Insertion depth`, or `S4, Insertion depth` for an own list.
+  std::string scope;  ///< of a list that several experts read: ` (S1, S2, S3)`, ` (5 of 12 experts)`
+
+  /// What an edit of the list is about, and for whom: `S4, Insertion depth` for an own list, `Insertion depth (S1, S2)`
+  /// for one that several experts read, `Insertion depth` where there is nobody else.
   std::string title() const;
 };
 
@@ -53,6 +56,11 @@ base::Result<std::size_t> findTermIn(const OpenList& list, std::string_view term
 
 /// The list that the rules of `expert` resolve against for `variable`: its own or the shared one.
 TermListId listOf(const fuzzy::Expert& expert, std::string_view variable);
+
+/// The experts whose rules resolve against the list, as indices.
+std::vector<std::size_t> readersOf(const fuzzy::ForceModel& model, const TermListId& list);
+/// Their ids for a person: `S1, S2, S3`, `all 12 experts`, `5 of 12 experts`; empty for nobody.
+std::string readersText(const fuzzy::ForceModel& model, const TermListId& list);
 
 /// Whether the rules of `expert` resolve against the list.
 bool reads(const fuzzy::Expert& expert, const TermListId& list);

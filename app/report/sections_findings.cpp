@@ -23,6 +23,8 @@ std::string_view words(RuleFinding::Kind kind) {
       return "Hole";
     case Kind::kAbstentionJump:
       return "Jump of the mean";
+    case Kind::kForceStep:
+      return "Step of the force";
     case Kind::kRegionWithoutRule:
       return "Region without a rule";
     case Kind::kMissingItem:

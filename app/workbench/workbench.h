@@ -21,6 +21,7 @@
 #include "app/workbench/views/finding_parts.h"
 #include "app/workbench/views/history_parts.h"
 #include "app/workbench/views/main_window.h"
+#include "app/workbench/views/membership_editor.h"
 #include "app/workbench/views/rule_parts.h"
 #include "app/workbench/views/study_parts.h"
 
@@ -55,6 +56,13 @@ struct Workbench {
         history_parts(window, edit_parts.menu(), edits, compare, scene, feel, author) {
     history_parts.addRecovery(autosave, recovery, study);
     history_parts.addGhost(ghost);
+    QObject::connect(&study, &StudyController::notesChanged, &edit_parts.editor(), [this] {
+      edit_parts.editor().setNotes(study.notes());
+      window.showNotes(study.notes());
+    });
+    compare.setCurve([this] {
+      return scene.model() == nullptr ? CurveSetting() : CurveSetting{scene.xInput(), scene.values()};
+    });
   }
 
   ModelController models;

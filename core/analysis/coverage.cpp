@@ -202,13 +202,36 @@ Coverage coverage(const ForceModel& model, std::span<const std::size_t> experts,
   return Search(model, liveRules(model, experts), allowance).run();
 }
 
+namespace {
+
+/// `id`, in quotes where it begins as the range of another input would, `depth 3 to` beside `depth`: only then could
+/// two holes have one name. A quote inside is doubled.
+std::string unmistakable(const std::string& id, const ForceModel& model) {
+  const auto reads_like = [&id](const fuzzy::Variable& other) {
+    const std::size_t start = other.id.size() + 1;
+    return id.size() > start && id.starts_with(other.id + ' ') &&
+           std::string_view("-0123456789").find(id[start]) != std::string_view::npos;
+  };
+  if (id.front() != '"' && std::none_of(model.inputs.begin(), model.inputs.end(), reads_like)) return id;
+  std::string quoted = "\"";
+  for (const char c : id) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+}  // namespace
+
 std::string describe(const Hole& hole, const ForceModel& model) {
+  return describe(hole, model, [&model](const fuzzy::Variable& input) { return unmistakable(input.id, model); });
+}
+
+std::string describe(const Hole& hole, const ForceModel& model,
+                     const std::function<std::string(const fuzzy::Variable&)>& name_of) {
   std::string text;
   for (std::size_t i = 0; i < hole.ranges.size(); ++i) {
     const auto& range = hole.ranges[i];
     if (range.whole_universe) continue;
     if (!text.empty()) text += ", ";
-    text += range.input + ' ' + base::formatNumber(range.low);
+    text += name_of(model.inputs[i]) + ' ' + base::formatNumber(range.low);
     if (range.high != range.low) text += " to " + base::formatNumber(range.high);
     if (model.inputs[i].unit != "1") text += ' ' + model.inputs[i].unit;
   }

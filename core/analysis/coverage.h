@@ -1,6 +1,7 @@
 // Coverage: the regions of the input space where no rule fires, with exact boundaries.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -46,7 +47,11 @@ inline constexpr std::size_t kCoverageAllowance = 20'000'000;
 Coverage coverage(const fuzzy::ForceModel& model, std::span<const std::size_t> experts,
                   std::size_t allowance = kCoverageAllowance);
 
-/// `depth 125 to 138 mm`, the ranges that are not whole universes; `everywhere` where all are.
+/// The name of a hole: `depth 125 to 138 mm`, the ranges that are not whole universes; `everywhere` where all are. Two
+/// holes of one model never have the same name, whatever the ids of its inputs.
 std::string describe(const Hole& hole, const fuzzy::ForceModel& model);
+/// The same with another name for each input, `Insertion depth 125 to 138 mm`.
+std::string describe(const Hole& hole, const fuzzy::ForceModel& model,
+                     const std::function<std::string(const fuzzy::Variable&)>& name_of);
 
 }  // namespace tactus::analysis

@@ -8,6 +8,7 @@
 
 #include "core/analysis/sample_points.h"
 #include "core/fuzzy/compiled_model.h"
+#include "core/fuzzy/every_expert.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::analysis {
@@ -36,6 +37,8 @@ class ForceProbe {
   std::vector<double> values(std::size_t input) const {
     return values(input, model_.inputs[input].min, model_.inputs[input].max);
   }
+  /// The vertices of all terms of an input inside its universe, ascending.
+  std::span<const double> vertices(std::size_t input) const noexcept { return vertices_[input]; }
   /// Cost of one averaged force.
   std::size_t costOfMean() const noexcept { return all_rules_; }
   /// False once the allowance is spent; callers stop looking then.
@@ -43,6 +46,12 @@ class ForceProbe {
 
   fuzzy::Evaluation mean(std::span<const double> point) {
     spend(all_rules_);
+    return compiled_.evaluate(point);
+  }
+  /// The averaged force, and into `experts` (one place for each) those of all experts.
+  fuzzy::Evaluation everyExpert(std::span<const double> point, std::span<fuzzy::Evaluation> experts) {
+    spend(2 * all_rules_);
+    fuzzy::evaluateEveryExpert(compiled_, point, experts);
     return compiled_.evaluate(point);
   }
   fuzzy::Evaluation expert(std::size_t expert, std::span<const double> point) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "core/analysis/boundary_jumps.h"
 #include "core/analysis/directions.h"
@@ -54,20 +55,29 @@ class Linter {
   }
 
  private:
-  void add(Kind kind, const std::string& who, std::string place, std::string text,
-           std::optional<double> newtons = std::nullopt, std::vector<std::size_t> rules = {}) {
-    out_.findings.push_back({kind, who, std::move(place), std::move(text), newtons, {}, {}, std::move(rules)});
+  /// Appends a finding; `says` is its sentence from the place in words.
+  template <class Says>
+  Finding& add(Kind kind, const std::string& who, FindingPlace where, const Says& says,
+               std::optional<double> newtons = std::nullopt, std::vector<std::size_t> rules = {}) {
+    std::string place = describe(where, model_);
+    std::string text = says(place);
+    return out_.findings.emplace_back(
+        Finding{kind, who, std::move(where), std::move(place), std::move(text), newtons, {}, {}, std::move(rules)});
+  }
+  /// A sentence that ends with the place.
+  static auto before(std::string start) {
+    return [start = std::move(start)](const std::string& place) { return start + place; };
+  }
+  /// A sentence that says everything itself.
+  static auto whole(std::string sentence) {
+    return [sentence = std::move(sentence)](const std::string& /*place*/) { return sentence; };
   }
 
   template <class Change>
-  void addWithPoints(Kind kind, const std::string& who, std::string place, std::string text,
-                     const std::optional<Change>& change, std::vector<std::size_t> rules = {}) {
-    add(kind, who, std::move(place), std::move(text), std::nullopt, std::move(rules));
+  static void setPoints(Finding& finding, const std::optional<Change>& change) {
     if (!change) return;
-    auto& finding = out_.findings.back();
     finding.newtons = change->newtons;
-    finding.from = pointsOf(*change).first;
-    finding.to = pointsOf(*change).second;
+    std::tie(finding.from, finding.to) = pointsOf(*change);
   }
   static auto pointsOf(const BoundaryJump& jump) { return std::pair{jump.outside, jump.inside}; }
   static auto pointsOf(const ForceChange& change) { return std::pair{change.from, change.to}; }
@@ -108,20 +118,19 @@ class Linter {
   void addHoles() {
     const std::size_t samples = settings(hole_count_);
     for (const auto& hole : common_) {
-      const std::string place = describe(hole, model_);
-      addWithPoints(Kind::kHole, "", place, "every expert abstains: " + place,
-                    jumpToDefault(probe_, hole, std::nullopt, samples));
+      setPoints(add(Kind::kHole, "", hole, before("every expert abstains: ")),
+                jumpToDefault(probe_, hole, std::nullopt, samples));
     }
     for (std::size_t e = 0; e < own_.size(); ++e) {
       const auto& who = model_.experts[e];
       for (const auto& hole : own_[e]) {
-        const std::string place = describe(hole, model_);
-        addWithPoints(Kind::kHole, who.id, place, "no rule fires: " + place, jumpToDefault(probe_, hole, e, samples));
+        setPoints(add(Kind::kHole, who.id, hole, before("no rule fires: ")), jumpToDefault(probe_, hole, e, samples));
         if (who.weight == 0) continue;
         const auto jump = jumpOfMean(probe_, hole, e, samples);
         if (!jump || jump->newtons <= kNoJump * (model_.output.max - model_.output.min)) continue;
-        addWithPoints(Kind::kAbstentionJump, who.id, place,
-                      "the mean jumps where this expert starts to abstain: " + place, jump);
+        setPoints(
+            add(Kind::kAbstentionJump, who.id, hole, before("the mean jumps where this expert starts to abstain: ")),
+            jump);
       }
     }
   }
@@ -139,31 +148,34 @@ class Linter {
       return forceOfTerm(model_, consequent(expert, rule), strength);
     };
     for (const auto& [rule, other] : conflicts(rules)) {
-      const std::string key = describe(expert.rules[rule].conditions);
       const auto one = force_alone(other);
       const auto two = force_alone(rule);
-      add(Kind::kConflict, expert.id, key,
-          "two rules for " + key + ": " + expert.rules[other].then + " and " + expert.rules[rule].then,
+      const auto& said = expert.rules;
+      add(Kind::kConflict, expert.id, ConditionPlace{said[rule].conditions},
+          [&said, rule = rule, other = other](const std::string& key) {
+            return "two rules for " + key + ": " + said[other].then + " and " + said[rule].then;
+          },
           one && two ? std::optional(std::abs(*one - *two)) : std::nullopt, {other, rule});
     }
   }
 
   void addRedundantRules(const Expert& expert, const std::vector<ResolvedRule>& rules) {
     for (const auto& [rule, other] : redundantRules(rules, model_.inputs.size())) {
-      const std::string key = describe(expert.rules[rule].conditions);
-      std::string text = "the rule for ";
-      text.append(key).append(" can be removed: ").append(describe(expert.rules[other].conditions));
-      text.append(" already gives ").append(expert.rules[rule].then);
-      add(Kind::kRedundantRule, expert.id, key, std::move(text), 0.0, {rule});
+      const auto& said = expert.rules;
+      add(Kind::kRedundantRule, expert.id, ConditionPlace{said[rule].conditions},
+          [&said, rule = rule, other = other](const std::string& key) {
+            return "the rule for " + key + " can be removed: " + describe(said[other].conditions) + " already gives " +
+                   said[rule].then;
+          },
+          0.0, {rule});
     }
   }
 
   void addUnreachableRules(const Expert& expert, const std::vector<ResolvedRule>& rules) {
     for (const auto& rule : rules) {
       if (largestStrength(model_, expert, rule) > 0) continue;
-      const std::string key = describe(expert.rules[rule.index].conditions);
-      add(Kind::kUnreachableRule, expert.id, key, "no input inside the universes makes it fire: " + key, std::nullopt,
-          {rule.index});
+      add(Kind::kUnreachableRule, expert.id, ConditionPlace{expert.rules[rule.index].conditions},
+          before("no input inside the universes makes it fire: "), std::nullopt, {rule.index});
     }
   }
 
@@ -173,22 +185,23 @@ class Linter {
       if (!rule.enabled) continue;
       for (const auto& condition : rule.conditions) used.emplace(condition.input, condition.term);
     }
-    for (const Variable& input : model_.inputs) {
+    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+      const Variable& input = model_.inputs[i];
       for (const auto& term : termsFor(expert, input)) {
-        const std::string place = input.id + ' ' + term.id;
+        const TermPlace where{i, term.id};
         if (!used.contains({input.id, term.id})) {
-          add(Kind::kUnusedTerm, expert.id, place, "no rule mentions " + input.id + " is " + term.id);
+          add(Kind::kUnusedTerm, expert.id, where, whole("no rule mentions " + input.id + " is " + term.id));
         }
         if (fuzzy::MembershipFunction::of(term)(peakPosition(term, input.min, input.max)) > 0) continue;
-        add(Kind::kUnreachableTerm, expert.id, place, "the term lies outside the universe: " + place);
+        add(Kind::kUnreachableTerm, expert.id, where, before("the term lies outside the universe: "));
       }
     }
     const auto strengths = largestStrengths(model_, expert, rules);
     const auto& terms = termsFor(expert, model_.output);
     for (std::size_t t = 0; t < terms.size(); ++t) {
       if (strengths[t] > 0) continue;
-      add(Kind::kUnreachableTerm, expert.id, model_.output.id + ' ' + terms[t].id,
-          "no rule that can fire concludes " + model_.output.id + " is " + terms[t].id);
+      add(Kind::kUnreachableTerm, expert.id, TermPlace{model_.inputs.size(), terms[t].id},
+          whole("no rule that can fire concludes " + model_.output.id + " is " + terms[t].id));
     }
   }
 
@@ -217,17 +230,18 @@ class Linter {
       const auto& [prevailing, steps_with, steps_against] = directions[e];
       const std::string& who = model_.experts[e].id;
       for (const auto& step : steps_against) {
-        const std::string place = describe(step, model_, model_.experts[e]);
-        addWithPoints(Kind::kDirectionChange, who, place,
-                      "against the direction of most steps over " + input.id + ": " + place,
-                      changeAlong(probe_, e, step, settings(steps)), {step.before, step.after});
+        setPoints(add(Kind::kDirectionChange, who, StepPlace{e, step},
+                      before("against the direction of most steps over " + input.id + ": "), std::nullopt,
+                      {step.before, step.after}),
+                  changeAlong(probe_, e, step, settings(steps)));
       }
       const bool falls = prevailing == Direction::kFalls;
       if (static_cast<int>(prevailing) * votes < 0) {
-        addWithPoints(Kind::kDisagreement, who, input.id,
-                      std::string("the force ") + (falls ? "falls" : "rises") + " with " + input.id +
-                          ", for most experts it " + (falls ? "rises" : "falls"),
-                      differences[e], rulesOf(steps_with));
+        setPoints(add(Kind::kDisagreement, who, InputPlace{input_index},
+                      whole(std::string("the force ") + (falls ? "falls" : "rises") + " with " + input.id +
+                            ", for most experts it " + (falls ? "rises" : "falls")),
+                      std::nullopt, rulesOf(steps_with)),
+                  differences[e]);
       }
     }
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/coverage.h"
+#include "core/analysis/finding_place.h"
 #include "core/analysis/force_bounds.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
@@ -29,7 +29,8 @@ struct Finding {
   };
   Kind kind = Kind::kHole;
   std::string expert;  ///< expert id; empty where the averaged model is meant
-  std::string place;   ///< what it is about: a region, a rule, an input
+  FindingPlace where;  ///< what it is about: a hole, conditions, a term, a step, an input
+  std::string place;   ///< the same in words, by `describe`; nothing reads them back
   std::string text;    ///< one sentence
   /// The force at stake. Where it comes from looking at settings of further inputs, the largest one seen. Nothing where
   /// a force has no meaning, or where no such setting was found.

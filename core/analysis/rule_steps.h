@@ -15,6 +15,8 @@ struct NeighbourStep {
   std::size_t after = 0;
   int levels = 0;  ///< places from the first consequent to the second in the order of the output terms; may be < 0
   bool adjacent = false;  ///< no term of the expert lies between; otherwise the rule of one is missing
+
+  bool operator==(const NeighbourStep&) const = default;
 };
 
 /// All steps of `expert` along input number `input`. Terms, of the input and of the output, are taken in the order of

@@ -197,7 +197,7 @@ std::string BenchGestures::editTerm() {
 }
 
 std::string BenchGestures::editMode() {
-  switch (random_.below(6)) {
+  switch (random_.below(7)) {
     case 0:
       terms_.setLocked(termId(), below(4), oneIn(2));
       return "lock";
@@ -210,6 +210,9 @@ std::string BenchGestures::editMode() {
     case 3:
       terms_.setExpert(oneIn(2) ? std::string() : someExpert());
       return "another expert";
+    case 4:
+      terms_.chooseScope(oneIn(2));
+      return "whose terms are edited";
     default:
       terms_.setVariable(someVariable().id);
       return "another variable";

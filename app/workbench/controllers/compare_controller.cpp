@@ -44,20 +44,14 @@ bool sameInputs(const fuzzy::ForceModel& one, const fuzzy::ForceModel& other) {
 }
 
 // Nothing where it was told to stop.
-std::optional<CompareResult> differenceOf(const OpenModel& a, const OpenModel& b, const std::stop_token& stop) {
+std::optional<CompareResult> differenceOf(const OpenModel& a, const OpenModel& b, const CurveSetting& curve,
+                                          const std::stop_token& stop) {
   const auto whole = analysis::forceDifference(a.model, a.compiled, b.model, b.compiled);
   if (stop.stop_requested()) return std::nullopt;
-  const auto near = editing::editImpact(a.model, a.compiled, b.model, b.compiled);
-  CompareResult out{whole.largest_n, whole.at,    whole.first_n,       whole.second_n,
-                    near.noticeable, whole.rms_n, whole.only_one_fires};
-  // Both look at samples, the second one only where something changed, and there more closely.
-  if (near.largest_n > out.largest_n) {
-    out.largest_n = near.largest_n;
-    out.at = near.at;
-    out.a_n = near.before_n;
-    out.b_n = near.after_n;
-  }
-  return out;
+  // The same number as everywhere else; the even points are for the rest.
+  const auto impact = shownImpact(a.model, a.compiled, b.model, b.compiled, curve);
+  return CompareResult{impact.largest_n,  impact.at,   impact.before_n,     impact.after_n,
+                       impact.noticeable, whole.rms_n, whole.only_one_fires};
 }
 
 }  // namespace
@@ -185,14 +179,29 @@ void CompareController::compute() {
     if (error.code != base::ErrorCode::kIo) emit refused(text(error.message()));
     return;
   }
-  worker_.run([this, a = *a, b = *b](const std::stop_token& stop) -> Background::Deliver {
-    const auto result = differenceOf(*a, *b, stop);
+  worker_.run([this, a = *a, b = *b,
+               curve = curve_ ? curve_() : CurveSetting()](const std::stop_token& stop) -> Background::Deliver {
+    const auto result = differenceOf(*a, *b, curve, stop);
     if (!result) return {};
     return [this, result = *result] {
       result_ = result;
+      include(*result_);
       emit resultChanged();
     };
   });
+}
+
+// The last edit has one largest change, wherever it was seen.
+void CompareController::include(CompareResult& result) {
+  const Kind a = choice(CompareSide::kA).kind;
+  const Kind b = choice(CompareSide::kB).kind;
+  if ((a != Kind::kOpen || b != Kind::kPrevious) && (a != Kind::kPrevious || b != Kind::kOpen)) return;
+  const auto impact = edits_.impactOf(edits_.history().current());
+  if (!impact || impact->largest_n <= result.largest_n) return;
+  result.largest_n = impact->largest_n;
+  result.at = impact->at;
+  result.a_n = a == Kind::kOpen ? impact->after_n : impact->before_n;
+  result.b_n = a == Kind::kOpen ? impact->before_n : impact->after_n;
 }
 
 void CompareController::show(CompareSide side) {

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "app/editing/edit_history.h"
 #include "app/workbench/controllers/background.h"
 #include "app/workbench/controllers/open_model.h"
+#include "app/workbench/controllers/shown_impact.h"
 
 namespace tactus::workbench {
 
@@ -76,6 +78,8 @@ class CompareController : public QObject {
 
   /// Of the sides as they are, once it is known.
   const std::optional<CompareResult>& result() const { return result_; }
+  /// What the screen shows as a curve: the result is at least what it shows.
+  void setCurve(std::function<CurveSetting()> curve) { curve_ = std::move(curve); }
   /// Has the result computed where it is not known and no gesture goes on; ends with `resultChanged`.
   void compute();
 
@@ -101,6 +105,7 @@ class CompareController : public QObject {
   void reset();
   void onEdited();
   void forget();
+  void include(CompareResult& result);
   base::Result<std::shared_ptr<const OpenModel>> make(const CompareChoice& choice);
 
   ModelController& models_;
@@ -108,6 +113,7 @@ class CompareController : public QObject {
   CompareChoice sides_[2];
   std::optional<CompareSide> shown_;
   std::optional<CompareResult> result_;
+  std::function<CurveSetting()> curve_;
   Background worker_;
 };
 

@@ -228,6 +228,7 @@ void EditController::settle(const base::Result<void>& moved, const QString& sent
 }
 
 void EditController::report() {
+  emit reporting();
   const editing::StateId state = history_->current();
   const QString effect = effectOf(state);
   const QString label = text(history_->labelOf(state));
@@ -243,11 +244,22 @@ editing::Stamp EditController::stamp() const {
 }
 
 QString EditController::effectOf(editing::StateId state) {
+  const auto impact = impactOf(state);
+  return impact ? impactText(*impact, model().output.unit) : QString();
+}
+
+std::optional<editing::EditImpact> EditController::impactOf(editing::StateId state) {
   // Both models have to be in memory; a list of states asks again when one was read.
   if (!history_->states()[state].impact && (!fetch(state) || !fetch(history_->states()[state].parent))) return {};
-  const auto impact = history_->impact(state);
-  if (!impact) return {};
-  return impactText(*impact, model().output.unit);
+  return history_->impact(state);
+}
+
+void EditController::include(const editing::GhostCurve& curve, std::size_t input, std::span<const double> point) {
+  if (!history_ || inGesture()) return;
+  if (history_->include(history_->current(), curve, input, point)) {
+    // The curve may be computed while the screen is painted.
+    QMetaObject::invokeMethod(this, &EditController::effectsChanged, Qt::QueuedConnection);
+  }
 }
 
 }  // namespace tactus::workbench

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "app/editing/edit_history.h"
@@ -82,6 +83,12 @@ class EditController : public QObject {
   /// for the model that was opened, and until a state that is not in memory has been read.
   QString effectOf(editing::StateId state);
 
+  /// The same in numbers; nothing where it is not known.
+  std::optional<editing::EditImpact> impactOf(editing::StateId state);
+  /// The curve on the screen showed this of the edit that made the current state: no number of it is smaller from now
+  /// on.
+  void include(const editing::GhostCurve& curve, std::size_t input, std::span<const double> point);
+
   /// Names the current state. Without a name nothing happens.
   void snapshot(const QString& name);
   /// `who`, an expert's name or code, says of the current state: this feels right.
@@ -104,6 +111,10 @@ class EditController : public QObject {
   void historyChanged();
   /// An event was marked as stored.
   void stored();
+  /// What an edit did is about to be said: the curve on the screen has to be looked at.
+  void reporting();
+  /// What the edits did is known better.
+  void effectsChanged();
   /// After an edit: what changed and what it does to the force.
   void reported(const QString& sentence);
   void refused(const QString& sentence);

@@ -3,9 +3,11 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/workbench/display_text.h"
+#include "elicitation/noticeable_force.h"
 
 namespace tactus::workbench {
 namespace {
@@ -33,10 +35,11 @@ class Words {
   QString sentence() const {
     switch (finding_.kind) {
       case Kind::kHole:
-        return (expert_ == nullptr ? tr("No rule of any expert fires: %1") : tr("No rule fires: %1"))
-            .arg(holeText(model_, finding_.place));
+        return (expert_ == nullptr ? tr("No rule of any expert fires: %1") : tr("No rule fires: %1")).arg(where());
       case Kind::kAbstentionJump:
         return jump();
+      case Kind::kForceStep:
+        return cliff();
       case Kind::kRegionWithoutRule:
       case Kind::kUnusedTerm:
         return tr("No rule mentions %1").arg(term());
@@ -104,17 +107,34 @@ class Words {
   }
   QString force(double force_n) const { return forceText(force_n, model_.output.unit); }
 
+  QString where() const {
+    const auto* const hole = std::get_if<analysis::Hole>(&finding_.where);
+    return hole == nullptr ? text(finding_.place) : holeText(model_, *hole);
+  }
+
   QString term() const {
-    if (expert_ == nullptr) return text(finding_.place);
-    const auto [input, found] = termOfPlace(model_, *expert_, finding_.place);
+    const auto [input, found] = termOfFinding(model_, finding_);
     return found == nullptr ? text(finding_.place) : tr("%1 of %2").arg(labelOf(*found), labelOf(*input));
   }
 
   QString jump() const {
-    const QString where = holeText(model_, finding_.place);
-    if (finding_.from.empty()) return tr("The mean jumps where this expert abstains: %1").arg(where);
+    if (finding_.from.empty()) return tr("The mean jumps where this expert abstains: %1").arg(where());
     return tr("The mean jumps from %1 to %2 where this expert abstains: %3")
-        .arg(force(compiled_.evaluate(finding_.from).force_n), force(compiled_.evaluate(finding_.to).force_n), where);
+        .arg(force(compiled_.evaluate(finding_.from).force_n), force(compiled_.evaluate(finding_.to).force_n), where());
+  }
+
+  QString cliff() const {
+    const auto* const place = std::get_if<analysis::CliffPlace>(&finding_.where);
+    if (place == nullptr || finding_.from.empty()) return text(finding_.text);
+    const Variable& input = model_.inputs[place->input];
+    const auto at = [&](const std::vector<double>& point) {
+      if (expert_ == nullptr) return force(compiled_.evaluate(point).force_n);
+      return force(compiled_.evaluateExpert(static_cast<std::size_t>(expert_ - model_.experts.data()), point).force_n);
+    };
+    return tr("The force steps from %1 to %2 within %3: %4 %5")
+        .arg(at(finding_.from), at(finding_.to), quantityText(place->high - place->low, input.unit), labelOf(input),
+             placeText(input, place->low) == placeText(input, place->high) ? placeText(input, place->low)
+                                                                           : rangeText(input, place->low, place->high));
   }
 
   QString conflict() const {
@@ -125,7 +145,7 @@ class Words {
            numbers();
   }
 
-  // Two experts, and the place is a condition or `everywhere`.
+  // Two experts, and the place is one condition or none.
   QString apart() const {
     QStringList forces;
     for (const std::string& id : finding_.experts) {
@@ -138,9 +158,9 @@ class Words {
     if (forces.size() != 2) return text(finding_.text);
     QString out =
         tr("%1 against %2, the mean %3").arg(forces[0], forces[1], force(compiled_.evaluate(finding_.from).force_n));
-    const auto is = finding_.place.find(" is ");
-    if (is == std::string::npos) return out;
-    Condition where{finding_.place.substr(0, is), finding_.place.substr(is + 4)};
+    const auto* const place = std::get_if<analysis::ConditionPlace>(&finding_.where);
+    if (place == nullptr || place->conditions.empty()) return out + nearMean();
+    const Condition& where = place->conditions.front();
     QString region = text(where.term);
     const Variable* const input = inputOf(model_, where.input);
     // One of the two may not have been asked about the region.
@@ -149,7 +169,39 @@ class Words {
           input == nullptr ? nullptr : fuzzy::findTerm(termsFor(expert, *input), where.term);
       if (found != nullptr) region = labelOf(*found);
     }
-    return out + tr(" where %1 is %2").arg(inputText(where.input), region);
+    return out + tr(" where %1 is %2").arg(inputText(where.input), region) + nearMean() + notAsked(where);
+  }
+
+  // Whether somebody's own force is near the mean of those who are apart: if not, nobody feels the mean.
+  QString nearMean() const {
+    const double mean = compiled_.evaluate(finding_.from).force_n;
+    const double noticeable = elicitation::justNoticeableDifference(std::abs(mean));
+    const Expert* nearest = nullptr;
+    double distance = 0;
+    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
+      if (compiled_.weight(e) == 0) continue;
+      const auto own = compiled_.evaluateExpert(e, finding_.from);
+      const double apart = std::abs(own.force_n - mean);
+      if (!own.fired || (nearest != nullptr && apart >= distance)) continue;
+      nearest = &model_.experts[e];
+      distance = apart;
+    }
+    if (nearest == nullptr) return {};
+    return distance > noticeable ? tr("; nobody's force is near their mean")
+                                 : tr("; the mean is near the force of %1").arg(labelOf(*nearest));
+  }
+
+  // An expert without a term for the region gives the force of another region's rules there.
+  QString notAsked(const Condition& where) const {
+    QString out;
+    const Variable* const input = inputOf(model_, where.input);
+    for (const Expert& expert : model_.experts) {
+      const bool named =
+          std::find(finding_.experts.begin(), finding_.experts.end(), expert.id) != finding_.experts.end();
+      if (input == nullptr || !named || fuzzy::findTerm(termsFor(expert, *input), where.term) != nullptr) continue;
+      out += tr("; %1 was not asked about this region").arg(labelOf(expert));
+    }
+    return out;
   }
 
   // The two rules differ in the term of one input.
@@ -175,7 +227,8 @@ class Words {
   }
 
   QString disagreement() const {
-    const QString input = inputText(finding_.place);
+    const auto* const place = std::get_if<analysis::InputPlace>(&finding_.where);
+    const QString input = place == nullptr ? text(finding_.place) : labelOf(analysis::variableAt(model_, place->input));
     if (expert_ == nullptr || finding_.from.empty()) {
       return tr("The force goes the other way with %1 than for most experts").arg(input) + numbers();
     }
@@ -198,14 +251,10 @@ class Words {
   }
 
   QString unreachableTerm() const {
-    if (expert_ != nullptr) {
-      const auto [input, found] = termOfPlace(model_, *expert_, finding_.place);
-      if (found != nullptr) return tr("%1 lies outside the universe of %2").arg(labelOf(*found), labelOf(*input));
-      for (const fuzzy::Term& one : termsFor(*expert_, model_.output)) {
-        if (finding_.place == model_.output.id + ' ' + one.id) return tr("No rule concludes %1").arg(labelOf(one));
-      }
-    }
-    return text(finding_.text);
+    const auto [variable, found] = termOfFinding(model_, finding_);
+    if (found == nullptr) return text(finding_.text);
+    if (variable == &model_.output) return tr("No rule concludes %1").arg(labelOf(*found));
+    return tr("%1 lies outside the universe of %2").arg(labelOf(*found), labelOf(*variable));
   }
 
   const ForceModel& model_;
@@ -230,17 +279,8 @@ QString findingWho(const ForceModel& model, const RuleFinding& finding) {
   return out.isEmpty() ? tr("Mean") : out.join(tr(" and "));
 }
 
-QString holeText(const ForceModel& model, const std::string& name) {
-  QStringList parts = text(name).split(QStringLiteral(", "));
-  for (QString& part : parts) {
-    for (const Variable& input : model.inputs) {
-      const QString start = text(input.id) + QLatin1Char(' ');
-      if (!part.startsWith(start)) continue;
-      part = labelOf(input) + QLatin1Char(' ') + part.mid(start.size());
-      break;
-    }
-  }
-  return parts.join(QStringLiteral(", "));
+QString holeText(const ForceModel& model, const analysis::Hole& hole) {
+  return text(analysis::describe(hole, model, [](const Variable& input) { return labelOf(input).toStdString(); }));
 }
 
 const Expert* expertOf(const ForceModel& model, const RuleFinding& finding) {
@@ -250,13 +290,12 @@ const Expert* expertOf(const ForceModel& model, const RuleFinding& finding) {
   return it == model.experts.end() ? nullptr : &*it;
 }
 
-PlacedTerm termOfPlace(const ForceModel& model, const Expert& expert, const std::string& place) {
-  for (const Variable& input : model.inputs) {
-    for (const fuzzy::Term& term : termsFor(expert, input)) {
-      if (place == input.id + ' ' + term.id) return {&input, &term};
-    }
-  }
-  return {};
+PlacedTerm termOfFinding(const ForceModel& model, const RuleFinding& finding) {
+  const auto* const place = std::get_if<analysis::TermPlace>(&finding.where);
+  const Expert* const expert = expertOf(model, finding);
+  if (place == nullptr || expert == nullptr) return {};
+  const fuzzy::Term* const term = analysis::termAt(finding.where, model, *expert);
+  return term == nullptr ? PlacedTerm{} : PlacedTerm{&analysis::variableAt(model, place->variable), term};
 }
 
 }  // namespace tactus::workbench

@@ -16,17 +16,17 @@ QString findingSentence(const fuzzy::ForceModel& model, const fuzzy::CompiledMod
 /// Whom the finding is about: `S1 and S4`, or `Mean`.
 QString findingWho(const fuzzy::ForceModel& model, const elicitation::RuleFinding& finding);
 
-/// The name of a hole, `depth 125 to 138 mm`, with the labels of the inputs in the place of their ids.
-QString holeText(const fuzzy::ForceModel& model, const std::string& name);
+/// A hole with the labels of its inputs: `Insertion depth 125 to 138 mm`.
+QString holeText(const fuzzy::ForceModel& model, const analysis::Hole& hole);
 
 /// The expert that the finding names first, or null where the mean is meant.
 const fuzzy::Expert* expertOf(const fuzzy::ForceModel& model, const elicitation::RuleFinding& finding);
 
-/// The input and the term of a place `depth oropharynx`; null where the place is no term of an input.
+/// The variable and the term that a finding is about; null where it is about no term of its first expert.
 struct PlacedTerm {
-  const fuzzy::Variable* input = nullptr;
+  const fuzzy::Variable* variable = nullptr;
   const fuzzy::Term* term = nullptr;
 };
-PlacedTerm termOfPlace(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, const std::string& place);
+PlacedTerm termOfFinding(const fuzzy::ForceModel& model, const elicitation::RuleFinding& finding);
 
 }  // namespace tactus::workbench

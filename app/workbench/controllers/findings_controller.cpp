@@ -1,6 +1,7 @@
 #include "app/workbench/controllers/findings_controller.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "app/editing/hole_acceptance.h"
@@ -10,6 +11,7 @@
 #include "app/workbench/controllers/finding_words.h"
 #include "app/workbench/controllers/impact_text.h"
 #include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/controllers/shown_impact.h"
 #include "app/workbench/display_text.h"
 #include "core/base/check.h"
 
@@ -27,11 +29,36 @@ namespace {
 
 bool sameFinding(const ShownFinding& one, const ShownFinding& other) {
   return one.finding.kind == other.finding.kind && one.finding.experts == other.finding.experts &&
-         one.finding.place == other.finding.place && one.acceptance == other.acceptance;
+         one.finding.where == other.finding.where && one.finding.place == other.finding.place &&
+         one.acceptance == other.acceptance;
+}
+
+// What the curve on the screen would show of a fix.
+std::optional<editing::GhostCurve> curveOf(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+                                           const editing::Edit& edit, const CurveSetting& curve) {
+  if (curve.values.size() != model.inputs.size()) return std::nullopt;
+  return curveBetween(model, compiled, edit.model, edit.compiled, curve);
+}
+
+// Findings of `now` that none of `before` can have become: an edit that moves a hole makes no new one.
+std::size_t addedTo(const std::vector<ShownFinding>& before, const std::vector<ShownFinding>& now) {
+  using Kind = std::pair<elicitation::RuleFinding::Kind, std::vector<std::string>>;
+  std::map<Kind, std::ptrdiff_t> more;
+  const auto count = [&more](const std::vector<ShownFinding>& findings, std::ptrdiff_t by) {
+    for (const ShownFinding& shown : findings) {
+      if (shown.acceptance != Acceptance::kLapsed) more[{shown.finding.kind, shown.finding.experts}] += by;
+    }
+  };
+  count(now, 1);
+  count(before, -1);
+  std::size_t added = 0;
+  for (const auto& [kind, difference] : more)
+    added += static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, difference));
+  return added;
 }
 
 std::vector<FixOffer> offersFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-                                const ShownFinding& shown, const std::stop_token& stop) {
+                                const ShownFinding& shown, const CurveSetting& curve, const std::stop_token& stop) {
   std::vector<FixOffer> out;
   if (shown.acceptance == Acceptance::kLapsed) {
     if (auto edit = editing::forgetLapsed(model)) {
@@ -42,17 +69,17 @@ std::vector<FixOffer> offersFor(const fuzzy::ForceModel& model, const fuzzy::Com
   }
   for (editing::Fix& fix : editing::fixesFor(model, compiled, shown.finding, stop)) {
     const QString what = text(fix.edit.label);
+    const auto seen = curveOf(model, compiled, fix.edit, curve);
+    if (seen) editing::include(fix.impact, *seen, curve.x_input, curve.values);
     out.push_back({text(fix.text), impactText(fix.impact, model.output.unit), what, std::move(fix.edit)});
   }
   return out;
 }
 
-/// The input that a finding is about most.
+/// The id of the input that a finding is about most.
 QString inputOf(const fuzzy::ForceModel& model, const elicitation::RuleFinding& finding) {
-  for (const fuzzy::Variable& input : model.inputs) {
-    if (finding.place == input.id || finding.place.starts_with(input.id + ' ')) return text(input.id);
-  }
-  return {};
+  const auto input = analysis::inputOf(finding.where, model);
+  return input ? text(model.inputs[*input].id) : QString();
 }
 
 }  // namespace
@@ -69,9 +96,7 @@ void FindingsController::setWatched(bool watched) {
     refresh();
     return;
   }
-  lint_worker_.drop();
   fix_worker_.drop();
-  begun_ = false;
 }
 
 std::shared_ptr<const std::vector<ShownFinding>> FindingsController::shared() const {
@@ -126,6 +151,7 @@ bool FindingsController::apply(std::size_t fix) {
 
 void FindingsController::adoptModel() {
   report_.reset();
+  added_ = 0;
   chosen_.reset();
   onModel();
   emit chosenChanged();
@@ -142,9 +168,9 @@ void FindingsController::onModel() {
 }
 
 void FindingsController::refresh() {
-  if (!watched_ || !edits_.isOpen() || edits_.inGesture() || begun_) return;
+  if (!edits_.isOpen() || edits_.inGesture() || begun_) return;
   if (isCurrent()) {
-    if (chosen_ && fixes_.empty() && !isLookingForFixes()) findFixes();
+    if (watched_ && chosen_ && fixes_.empty() && !isLookingForFixes()) findFixes();
     return;
   }
   if (report_ && editing::sameBits(report_->model, edits_.model())) {
@@ -171,6 +197,7 @@ void FindingsController::take(std::shared_ptr<const Report> report, quint64 revi
   if (revision != revision_) return;
   const auto before = std::exchange(report_, std::move(report));
   linted_ = revision;
+  if (before != nullptr && before != report_) added_ = addedTo(before->findings, report_->findings);
   if (chosen_ && before) {
     const ShownFinding& was = before->findings[*chosen_];
     const auto& now = report_->findings;
@@ -190,16 +217,17 @@ void FindingsController::dropFixes() {
 
 void FindingsController::findFixes() {
   if (!watched_ || !chosen_ || !isCurrent()) return;
-  fix_worker_.run([this, report = report_, index = *chosen_,
-                   revision = revision_](const std::stop_token& stop) -> Background::Deliver {
-    auto offers = std::make_shared<std::vector<FixOffer>>(
-        offersFor(report->model, report->compiled, report->findings[index], stop));
-    return [this, offers, index, revision] {
-      if (revision != revision_ || chosen_ != index) return;
-      fixes_ = std::move(*offers);
-      emit fixesChanged();
-    };
-  });
+  fix_worker_.run(
+      [this, report = report_, index = *chosen_, revision = revision_,
+       curve = CurveSetting{scene_.xInput(), scene_.values()}](const std::stop_token& stop) -> Background::Deliver {
+        auto offers = std::make_shared<std::vector<FixOffer>>(
+            offersFor(report->model, report->compiled, report->findings[index], curve, stop));
+        return [this, offers, index, revision] {
+          if (revision != revision_ || chosen_ != index) return;
+          fixes_ = std::move(*offers);
+          emit fixesChanged();
+        };
+      });
   emit fixesChanged();
 }
 

@@ -1,5 +1,6 @@
 // What the lint finds in the open model, kept up to date after each edit on a thread of its own, and the edits that
-// would settle the chosen finding. Nothing is computed while nobody looks.
+// would settle the chosen finding. How many findings the last edit added is known whether the panel is seen or not;
+// fixes are computed while it is.
 #pragma once
 
 #include <QObject>
@@ -33,15 +34,17 @@ class FindingsController : public QObject {
   /// Lints the model of `edits`; a chosen finding moves the operating point of `scene`. Both outlive this.
   FindingsController(EditController& edits, SceneController& scene, QObject* parent = nullptr);
 
-  /// Somebody looks at the findings. While nobody does, edits only make them old.
+  /// Enable while the panel is visible: fixes of the chosen finding are computed only then.
   void setWatched(bool watched);
 
   /// The findings of the model as it was linted last.
   const std::vector<ShownFinding>& findings() const { return *shared(); }
   /// The same, to keep; other findings are another list.
   std::shared_ptr<const std::vector<ShownFinding>> shared() const;
-  /// Whether they are of the model as it stands. Otherwise they are being refreshed, or nobody looks.
+  /// Whether they are of the model as it stands. Otherwise they are being refreshed.
   bool isCurrent() const { return report_ != nullptr && linted_ == revision_; }
+  /// How many findings the last edit added; 0 for a model that was opened, and until the edit was linted.
+  std::size_t added() const { return isCurrent() ? added_ : 0; }
   /// The reachable range, the completeness and the rest of the lint; null before the first one.
   const elicitation::RuleLint* lint() const;
   /// The model that was linted.
@@ -89,6 +92,7 @@ class FindingsController : public QObject {
   quint64 linted_ = 0;    ///< of the report
   bool begun_ = false;    ///< the lint of the present revision was asked for
   std::shared_ptr<const Report> report_;
+  std::size_t added_ = 0;
   std::optional<std::size_t> chosen_;
   std::vector<FixOffer> fixes_;
   Background lint_worker_;

@@ -1,12 +1,13 @@
 #include "app/workbench/controllers/ghost_controller.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
+#include "app/editing/same_bits.h"
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/impact_text.h"
 #include "app/workbench/controllers/scene_controller.h"
+#include "app/workbench/controllers/shown_impact.h"
 #include "app/workbench/display_text.h"
 #include "core/base/check.h"
 
@@ -40,11 +41,12 @@ std::vector<std::vector<fuzzy::Evaluation>> inOrderOf(const fuzzy::ForceModel& n
 
 }  // namespace
 
-GhostController::GhostController(const EditController& edits, const SceneController& scene, QObject* parent)
+GhostController::GhostController(EditController& edits, const SceneController& scene, QObject* parent)
     : QObject(parent), edits_(edits), scene_(scene) {
   connect(&edits_, &EditController::modelReset, this, &GhostController::reset);
   connect(&edits_, &EditController::changed, this, &GhostController::follow);
   connect(&edits_, &EditController::historyChanged, this, &GhostController::follow);
+  connect(&edits_, &EditController::reporting, this, [this] { curves(); });
   if (edits_.isOpen()) follow();
 }
 
@@ -141,23 +143,42 @@ void GhostController::compute() const {
     curves_setting_ = setting;
     curves_input_ = scene_.xInput();
   }
-  // The largest difference of lines that bend at vertices lies at one of them, in most cases.
-  const std::vector<double>& now_x = scene_.curves().x;
-  std::vector<double> places;
-  std::set_union(curves_->x.begin(), curves_->x.end(), now_x.begin(), now_x.end(), std::back_inserter(places));
-  auto compared = editing::ghostCurve(past.compiled, now.compiled, scene_.xInput(), setting, places);
-  TACTUS_CHECK(compared.has_value());
-  scene_.countEvaluations(places.size() * (2 + past.model.experts.size() + now.model.experts.size()));
-  curves_->difference = std::move(*compared);
+  curves_->difference = curveBetween(past.model, past.compiled, now.model, now.compiled, {scene_.xInput(), setting});
+  scene_.countEvaluations(curves_->difference.points.size() *
+                          (2 + past.model.experts.size() + now.model.experts.size()));
   curves_->difference.points.clear();
   curves_after_ = scene_.shared();
+  // A version that is compared is no state of the open model.
+  const bool is_state = !reference_ && !scene_.showsAnother() && editing::sameBits(now.model, edits_.model());
+  if (is_state) edits_.include(curves_->difference, scene_.xInput(), setting);
 }
 
 QString GhostController::differenceText() const {
   const GhostCurves* ghost = curves();
   if (!ghost) return {};
+  const QString curve = curveText();
+  const auto impact = reference_ || edits_.inGesture() || scene_.showsAnother()
+                          ? std::nullopt
+                          : edits_.impactOf(edits_.history().current());
+  if (!impact) return ghost->difference.largest_at ? tr("max ΔF on this curve %1").arg(curve) : curve;
+  const QString whole = impactText(*impact, scene_.model()->model.output.unit);
+  const bool shown_here = ghost->difference.largest_at && ghost->difference.largest_n >= impact->largest_n;
+  const bool same_place = ghost->difference.noticeable_at == ghost->difference.largest_at;
+  if (shown_here && same_place && ghost->difference.noticeable >= impact->noticeable) {
+    // It is on the screen: the place is all that is to be added.
+    const QString place = placeText(scene_.xVariable(), *ghost->difference.largest_at);
+    const qsizetype end = whole.indexOf(QStringLiteral(" · "));
+    const QString rest = end < 0 ? QString() : whole.mid(end);
+    return tr("%1 at %2").arg(end < 0 ? whole : whole.left(end), place) + rest;
+  }
+  if (ghost->difference.largest_at) return tr("%1 · on this curve %2").arg(whole, curve);
+  return impact->at.empty() ? curve : whole + QStringLiteral(" · ") + curve;
+}
+
+// `0.116 N (1.4 JND) at 215 mm`
+QString GhostController::curveText() const {
   const fuzzy::Variable& x = scene_.xVariable();
-  const editing::GhostCurve& difference = ghost->difference;
+  const editing::GhostCurve& difference = curves()->difference;
   const bool newtons = scene_.model()->model.output.unit == "N";
   QStringList parts;
   if (difference.largest_at) {
@@ -165,11 +186,11 @@ QString GhostController::differenceText() const {
     const QString at = placeText(x, *difference.largest_at);
     const QString noticeable = tr("%1 JND").arg(numberText(difference.noticeable, 1));
     if (!newtons) {
-      parts << tr("max ΔF %1 at %2").arg(force, at);
+      parts << tr("%1 at %2").arg(force, at);
     } else if (difference.noticeable_at == difference.largest_at) {
-      parts << tr("max ΔF %1 (%2) at %3").arg(force, noticeable, at);
+      parts << tr("%1 (%2) at %3").arg(force, noticeable, at);
     } else {
-      parts << tr("max ΔF %1 at %2, %3 at %4").arg(force, at, noticeable, placeText(x, *difference.noticeable_at));
+      parts << tr("%1 at %2, %3 at %4").arg(force, at, noticeable, placeText(x, *difference.noticeable_at));
     }
   }
   if (difference.closed > 0) parts << tr("fills a hole");

@@ -32,7 +32,7 @@ class GhostController : public QObject {
   Q_OBJECT
 
  public:
-  GhostController(const EditController& edits, const SceneController& scene, QObject* parent = nullptr);
+  GhostController(EditController& edits, const SceneController& scene, QObject* parent = nullptr);
 
   /// The model that stands for "before": the reference where one was set; in a gesture the model at its beginning;
   /// otherwise the one that the present state was made from. Null where there is none, or while this is off.
@@ -52,9 +52,10 @@ class GhostController : public QObject {
   /// The curves of `before`, computed when asked for and only after something they depend on changed; null where there
   /// is none. A model must be open.
   const GhostCurves* curves() const;
-  /// `max ΔF 0.032 N (0.4 JND) at 215 mm` along the present curves, or that there is none; whether places got or lost
-  /// a force. Just-noticeable differences only where the unit of the force is newtons; where the largest of them is at
-  /// another place, both places.
+  /// What the last edit did, as the history says it, and where along the present curves it is largest: `max ΔF at least
+  /// 0.032 N (0.4 JND) · on this curve 0.021 N (0.3 JND) at 215 mm`. Against a reference, and while a gesture goes on,
+  /// that of the curve alone: `max ΔF on this curve …`. Just-noticeable differences only where the unit of the force is
+  /// newtons; where the largest of them is at another place, both places.
   QString differenceText() const;
 
  public slots:
@@ -70,8 +71,9 @@ class GhostController : public QObject {
   void reset();
   std::optional<editing::StateId> stateBefore() const;
   void compute() const;
+  QString curveText() const;
 
-  const EditController& edits_;
+  EditController& edits_;
   const SceneController& scene_;
   bool on_ = true;
   std::shared_ptr<const OpenModel> before_;

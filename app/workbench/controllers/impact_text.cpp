@@ -22,7 +22,7 @@ QString impactText(const editing::EditImpact& impact, const std::string& unit) {
   QStringList parts;
   // Less is rounding.
   if (impact.largest_n > 1e-12 * std::abs(impact.before_n)) {
-    QString change = tr("max ΔF %1").arg(forceChangeText(impact.largest_n, unit));
+    QString change = tr("max ΔF at least %1").arg(forceChangeText(impact.largest_n, unit));
     if (unit == "N") change += tr(" (%1 JND)").arg(numberText(impact.noticeable, 1));
     parts << change;
   }

@@ -40,6 +40,8 @@ class SceneController : public QObject {
   std::size_t xInput() const { return x_input_; }
   const fuzzy::Variable& xVariable() const { return model_->model.inputs[x_input_]; }
   double value(std::size_t input) const { return values_[input]; }
+  /// One value per input.
+  const std::vector<double>& values() const { return values_; }
 
   /// The expert whose own terms are shown; nothing: the shared terms.
   std::optional<std::size_t> termsOf() const { return terms_of_; }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/workbench/controllers/finding_words.h"
+#include "app/workbench/display_text.h"
 #include "core/analysis/rule_findings.h"
 #include "core/analysis/rule_table.h"
 #include "elicitation/noticeable_force.h"
@@ -54,6 +55,8 @@ class Shower {
       return compiled_.evaluateExpert(static_cast<std::size_t>(expert - model_.experts.data()), point);
     };
     const auto here = force(finding.from);
+    // The hand goes over a step either way.
+    if (finding.kind == Kind::kForceStep) return std::min(here.force_n, force(finding.to).force_n);
     return here.fired ? here.force_n : force(finding.to).force_n;
   }
 
@@ -91,9 +94,9 @@ class Shower {
         any = true;
       }
     };
-    const auto [input, term] = termOfPlace(model_, *expert, finding.place);
+    const auto [variable, term] = termOfFinding(model_, finding);
     if (term != nullptr) {
-      set(input->id, term->id);
+      set(variable->id, term->id);
     } else if (!finding.sources.empty() && finding.sources.front().rule &&
                *finding.sources.front().rule < expert->rules.size()) {
       for (const auto& condition : expert->rules[*finding.sources.front().rule].conditions) {
@@ -141,7 +144,8 @@ void addLapsed(std::vector<ShownFinding>& findings, const ForceModel& model, boo
     shown.finding.place = name;
     shown.kind = tr("Acceptance");
     shown.who = tr("Model");
-    shown.sentence = tr("Accepted, but there is no such hole any more: %1").arg(holeText(model, name));
+    // All that is left of the hole is its name.
+    shown.sentence = tr("Accepted, but there is no such hole any more: %1").arg(text(name));
     shown.acceptance = Acceptance::kLapsed;
     findings.push_back(std::move(shown));
   }
@@ -163,6 +167,7 @@ FindingGroup groupOf(Kind kind) {
     case Kind::kAgainstDeclaration:
     case Kind::kLevelJump:
     case Kind::kDirectionChange:
+    case Kind::kForceStep:
       return FindingGroup::kDirection;
     case Kind::kRedundantRule:
     case Kind::kUnreachableRule:
@@ -179,6 +184,8 @@ QString kindText(Kind kind) {
       return tr("Hole");
     case Kind::kAbstentionJump:
       return tr("Mean jumps");
+    case Kind::kForceStep:
+      return tr("Force steps");
     case Kind::kRegionWithoutRule:
       return tr("Region without a rule");
     case Kind::kMissingItem:

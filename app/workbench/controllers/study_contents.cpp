@@ -66,13 +66,15 @@ void addBuilt(const store::StudyFile& file, const editing::Stamp& stamp, StudyCo
                    .arg(name);
     return;
   }
-  auto history = buildFromStudy(file, stamp, out.note);
-  if (!history) {
+  auto built = buildFromStudy(file, stamp);
+  if (!built) {
     out.note =
-        tr("%1 holds no model, and none can be built from its answers: %2").arg(name, text(history.error().message()));
+        tr("%1 holds no model, and none can be built from its answers: %2").arg(name, text(built.error().message()));
     return;
   }
-  out.history = std::move(*history);
+  out.note = std::move(built->sentence);
+  out.build_notes = std::move(built->notes);
+  out.history = std::move(built->history);
   out.built = true;
 }
 
@@ -104,7 +106,7 @@ Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file) {
   return out;
 }
 
-Result<editing::EditHistory> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp, QString& note) {
+Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp) {
   const auto view = session::studyForElicitation(file);
   if (!view) return tl::unexpected(view.error());
   elicitation::BuildSettings settings;
@@ -114,14 +116,22 @@ Result<editing::EditHistory> buildFromStudy(const store::StudyFile& file, const 
   const auto built = elicitation::buildModel(view->study, session::knownForms(), settings);
   if (!built) return base::inFile(built.error(), file.path());
   const QString experts = expertsText(built->model, view->study.participants);
-  note = tr("Built from the answers in %1: %2.").arg(fileName(text(file.path())), experts);
-  const auto notes = view->notes.size() + built->notes.size();
-  if (notes > 0) {
-    note += QLatin1Char(' ') + (notes == 1 ? tr("tactus build has a note about it.")
-                                           : tr("tactus build has %1 notes about it.").arg(notes));
+  auto history = editing::EditHistory::open(built->model, tr("Built from the study: %1").arg(experts).toStdString(),
+                                            stamp, study::RecordIds());
+  if (!history) return tl::unexpected(history.error());
+  BuiltFromStudy out{
+      std::move(*history), tr("Built from the answers in %1: %2.").arg(fileName(text(file.path())), experts), {}};
+  for (const std::string& note : view->notes) out.notes.push_back({text(note), {}});
+  for (std::size_t i = 0; i < built->notes.size(); ++i) {
+    out.notes.push_back({text(built->notes[i]), built->note_subjects[i]});
   }
-  return editing::EditHistory::open(built->model, tr("Built from the study: %1").arg(experts).toStdString(), stamp,
-                                    study::RecordIds());
+  if (!out.notes.empty()) {
+    out.sentence +=
+        QLatin1Char(' ') + (out.notes.size() == 1
+                                ? tr("There is a note about it beside the heading.")
+                                : tr("There are %1 notes about it beside the heading.").arg(out.notes.size()));
+  }
+  return out;
 }
 
 Result<StudyContents> readContents(const store::StudyFile& file, const editing::Stamp& stamp) {

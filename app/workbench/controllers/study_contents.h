@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/editing/edit_history.h"
+#include "app/workbench/controllers/build_note.h"
 #include "core/store/feel_records.h"
 #include "core/store/study_file.h"
 #include "core/store/study_info.h"
@@ -35,14 +36,20 @@ struct StudyContents {
   std::optional<editing::EditHistory> history;  ///< of the model; nothing: there is none
   bool built = false;                           ///< the model was built just now and is no version yet
   QString note;                                 ///< one or two sentences for the person; may be empty
+  std::vector<BuildNote> build_notes;           ///< of the model that was built
 };
 
 /// Reads the study. `stamp`: of a model that is built. Thread: that of `file`.
 base::Result<StudyContents> readContents(const store::StudyFile& file, const editing::Stamp& stamp);
 
-/// Builds the averaged model of the study anew, as a history of its own; `note` says of what.
-base::Result<editing::EditHistory> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp,
-                                                  QString& note);
+/// A model that was built from a study's answers.
+struct BuiltFromStudy {
+  editing::EditHistory history;  ///< of its own
+  QString sentence;              ///< of what it was built
+  std::vector<BuildNote> notes;
+};
+/// Builds the averaged model of the study anew. Thread: that of `file`.
+base::Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp);
 
 /// The participants of the study. Thread: that of `file`.
 base::Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file);

@@ -149,17 +149,15 @@ void StudyController::buildModel() {
     if (!written) return;
     opening_ = true;
     post([this, stamp = edits_.stamp()](StudyWorker::Desk& desk) {
-      QString note;
-      auto built = buildFromStudy(*desk.file, stamp, note);
-      const QString sentence = built ? note : text(built.error().message());
-      const auto history = built ? std::make_shared<editing::EditHistory>(std::move(*built)) : nullptr;
-      answer([this, history, sentence] {
+      auto made = std::make_shared<base::Result<BuiltFromStudy>>(buildFromStudy(*desk.file, stamp));
+      answer([this, made] {
         opening_ = false;
-        if (history) {
-          show(std::move(*history));
-          emit said(sentence);
+        if (*made) {
+          show(std::move((*made)->history));
+          setNotes(std::move((*made)->notes));
+          emit said((*made)->sentence);
         } else {
-          emit failed(path_, sentence);
+          emit failed(path_, text(made->error().message()));
         }
         emit savedChanged();
       });
@@ -277,8 +275,15 @@ void StudyController::adopt(StudyContents& contents) {
   has_model_ = contents.history.has_value();
   texts_.begin(contents.versions);
   if (contents.history) show(std::move(*contents.history));
+  setNotes(std::move(contents.build_notes));
   emit contentsChanged();
   if (!contents.note.isEmpty()) emit said(contents.note);
+}
+
+void StudyController::setNotes(std::vector<BuildNote> notes) {
+  if (notes == notes_) return;
+  notes_ = std::move(notes);
+  emit notesChanged();
 }
 
 void StudyController::show(editing::EditHistory history) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/workbench/controllers/build_note.h"
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/mailbox.h"
 #include "app/workbench/controllers/model_controller.h"
@@ -44,6 +45,8 @@ class StudyController : public QObject {
   bool hasModel() const { return has_model_; }
   const std::vector<StudyPerson>& people() const { return people_; }
   const std::vector<store::FeelSummary>& recordings() const { return recordings_; }
+  /// What the build has about the model that was built last from the answers of this study, until another is opened.
+  const std::vector<BuildNote>& notes() const { return notes_; }
 
   /// Something that was ordered is not written yet.
   bool isBusy() const { return orders_.isBusy(); }
@@ -93,6 +96,7 @@ class StudyController : public QObject {
   /// What `savedText` says, `isBusy` or `failure` changed.
   void savedChanged();
   void contentsChanged();
+  void notesChanged();
 
  private:
   void post(StudyWorker::Task task) { worker_.post(std::move(task)); }
@@ -104,6 +108,7 @@ class StudyController : public QObject {
   void changeOver(std::shared_ptr<StudyContents> contents);
   void adopt(StudyContents& contents);
   void show(editing::EditHistory history);
+  void setNotes(std::vector<BuildNote> notes);
   void storeEvents();
   void moveOut();
   void letGo();
@@ -117,6 +122,7 @@ class StudyController : public QObject {
   bool has_model_ = false;
   std::vector<StudyPerson> people_;
   std::vector<store::FeelSummary> recordings_;
+  std::vector<BuildNote> notes_;
   std::size_t events_ordered_ = 0;  ///< events of the history that are stored or ordered to be
   QString refused_;                 ///< why a version was refused for another reason than the disk
   Mailbox answers_;

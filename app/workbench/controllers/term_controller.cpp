@@ -72,10 +72,38 @@ const std::vector<Term>& TermController::termsIn(const fuzzy::ForceModel& model)
 
 std::vector<std::string> TermController::readers() const {
   std::vector<std::string> out;
-  for (const fuzzy::Expert& expert : model().experts) {
-    if (editing::reads(expert, list_)) out.push_back(expert.id);
-  }
+  for (const std::size_t e : editing::readersOf(model(), list_)) out.push_back(model().experts[e].id);
   return out;
+}
+
+bool TermController::isSharedWithOthers() const {
+  return isOpen() && !expert_.empty() && list_.expert.empty() && editing::readersOf(model(), list_).size() > 1;
+}
+
+bool TermController::editsForAll() const {
+  return std::find(for_all_.begin(), for_all_.end(), TermListId{list_.variable, expert_}) != for_all_.end();
+}
+
+void TermController::chooseScope(bool for_all) {
+  const auto edit = std::exchange(pending_, nullptr);
+  if (!isSharedWithOthers()) return;
+  const TermListId of_expert{list_.variable, expert_};
+  std::erase(for_all_, of_expert);
+  if (for_all) {
+    for_all_.push_back(of_expert);
+  } else {
+    setOwnList(true);
+  }
+  emit scopeChosen();
+  if (edit && (for_all || !isSharedWithOthers())) edit();
+}
+
+// Nobody may move the terms of three experts who meant those of one.
+bool TermController::waitsForScope(std::function<void()> edit) {
+  if (!isSharedWithOthers() || editsForAll()) return false;
+  pending_ = std::move(edit);
+  emit scopeAsked();
+  return true;
 }
 
 std::size_t TermController::rulesOf(const std::string& term) const {
@@ -136,6 +164,7 @@ bool TermController::keepsSum() const {
 void TermController::setVariable(std::string id) {
   if (id == list_.variable) return;
   edits_.commit();
+  pending_ = nullptr;
   list_.variable = std::move(id);
   resolveList();
   selected_.reset();
@@ -145,6 +174,7 @@ void TermController::setVariable(std::string id) {
 void TermController::setExpert(std::string id) {
   if (id == expert_) return;
   edits_.commit();
+  pending_ = nullptr;
   expert_ = std::move(id);
   resolveList();
   selected_.reset();
@@ -188,6 +218,11 @@ void TermController::setLocked(std::string term, std::size_t point, bool locked)
 }
 
 void TermController::setKeepsSum(bool keeps) {
+  const bool edits = keeps && !editing::partitionOrder(variable(), terms());
+  if (edits && waitsForScope([this, keeps] { setKeepsSum(keeps); })) {
+    emit termsChanged();
+    return;
+  }
   std::erase(sum_not_kept_, list_);
   if (!keeps) sum_not_kept_.push_back(list_);
   if (keeps && !editing::partitionOrder(variable(), terms())) edits_.apply(editing::makeSumToOne(model(), list_));
@@ -196,8 +231,10 @@ void TermController::setKeepsSum(bool keeps) {
 
 void TermController::beginMove(const Grip& grip) {
   endSteps();
-  edits_.begin();
   select(grip);
+  // The drag begins anew once it is known for whom it is.
+  if (waitsForScope(nullptr)) return;
+  edits_.begin();
   moving_ = grip;
 }
 
@@ -240,6 +277,11 @@ base::Result<editing::Edit> TermController::moved(const Grip& grip, double by) c
 }
 
 void TermController::step(int count, bool coarse) {
+  const auto again = [this, count, coarse] {
+    step(count, coarse);
+    endSteps();
+  };
+  if (selected_ && waitsForScope(again)) return;
   if (!selected_ || (moving_ && !stepping_ && edits_.inGesture())) return;
   if (!stepping_ || !edits_.inGesture()) {
     edits_.begin();
@@ -266,11 +308,13 @@ void TermController::endSteps() {
 
 void TermController::setPoint(std::string term, std::size_t point, double value) {
   endSteps();
+  if (waitsForScope([=, this] { setPoint(term, point, value); })) return;
   edits_.apply(editing::moveVertex(model(), {list_, term, point}, value, options()));
 }
 
 void TermController::convert(std::string term, Shape shape) {
   endSteps();
+  if (waitsForScope([=, this] { convert(term, shape); })) return;
   if (edits_.apply(editing::convertShape(model(), placeOf(term), shape))) {
     unlock(locked_, list_, term);
     emit locksChanged();
@@ -279,6 +323,7 @@ void TermController::convert(std::string term, Shape shape) {
 
 void TermController::add(const QString& label, double at) {
   endSteps();
+  if (waitsForScope([=, this] { add(label, at); })) return;
   const std::string id = editing::freeTermId(terms(), idFrom(label));
   const std::string name = label.trimmed().toStdString();
   if (!keepsSum()) {
@@ -312,11 +357,13 @@ void TermController::add(const QString& label, double at) {
 
 void TermController::rename(std::string term, const QString& label) {
   endSteps();
+  if (waitsForScope([=, this] { rename(term, label); })) return;
   edits_.apply(editing::renameTerm(model(), placeOf(term), term, label.trimmed().toStdString()));
 }
 
 void TermController::remove(std::string term, bool with_rules) {
   endSteps();
+  if (waitsForScope([=, this] { remove(term, with_rules); })) return;
   editing::RemoveOptions options;
   options.rules = with_rules ? editing::RulesOfTerm::kRemove : editing::RulesOfTerm::kRefuse;
   options.sum_to_one = keepsSum();
@@ -325,6 +372,7 @@ void TermController::remove(std::string term, bool with_rules) {
 
 void TermController::split(std::string term, const std::vector<double>& cuts) {
   endSteps();
+  if (waitsForScope([=, this] { split(term, cuts); })) return;
   editing::SplitOptions options;
   options.cuts = cuts;
   edits_.apply(editing::splitTerm(model(), placeOf(term), options));
@@ -344,6 +392,8 @@ void TermController::adoptModel() {
   expert_.clear();
   locked_.clear();
   sum_not_kept_.clear();
+  for_all_.clear();
+  pending_ = nullptr;
   moving_.reset();
   stepping_ = false;
   selected_.reset();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,6 +35,11 @@ class TermController : public QObject {
   const std::string& expert() const { return expert_; }
   /// The experts whose rules resolve against the list.
   std::vector<std::string> readers() const;
+  /// Whether the list is that of an expert who was chosen, but others read it too: then edits are for all of them.
+  bool isSharedWithOthers() const;
+  /// Whether it was said that edits of such a list are for all its readers.
+  bool editsForAll() const;
+
   /// How many rules name the term, of all experts that resolve against the list.
   std::size_t rulesOf(const std::string& term) const;
 
@@ -78,10 +84,17 @@ class TermController : public QObject {
   void remove(std::string term, bool with_rules);
   /// Splits a term into parts at `cuts`; rules are copied to the parts.
   void split(std::string term, const std::vector<double>& cuts);
+  /// Edits of a list that others read too go to all of them, or to the chosen expert alone, who gets an own list. What
+  /// waits for this choice is carried out. The choice stays until another model is opened.
+  void chooseScope(bool for_all);
   /// Gives the chosen expert an own list, or takes it back to the shared one.
   void setOwnList(bool own);
 
  signals:
+  /// An edit waits for `chooseScope`.
+  void scopeAsked();
+  /// It was chosen.
+  void scopeChosen();
   /// Other terms are shown: another model, variable or list.
   void listChanged();
   /// The same list with other values, terms or modes.
@@ -91,6 +104,7 @@ class TermController : public QObject {
 
  private:
   void adoptModel();
+  bool waitsForScope(std::function<void()> edit);
   void follow();
   void resolveList();
   const std::vector<fuzzy::Term>& termsIn(const fuzzy::ForceModel& model) const;
@@ -107,6 +121,8 @@ class TermController : public QObject {
   bool stepping_ = false;
   std::vector<editing::VertexPlace> locked_;
   std::vector<editing::TermListId> sum_not_kept_;
+  std::vector<editing::TermListId> for_all_;  ///< experts, by variable, whose edits are for all readers
+  std::function<void()> pending_;             ///< what waits for the choice
 };
 
 }  // namespace tactus::workbench

@@ -49,4 +49,10 @@ LegendEntry rangeLook(const QString& name) {
 
 LegendEntry deviationLook(const QString& name) { return {name, QPen(faded(theme::mean()), 1.2, Qt::DotLine)}; }
 
+LegendEntry stepLook(const QString& name) {
+  QPen pen(theme::errorInk(), 4);
+  pen.setCapStyle(Qt::RoundCap);
+  return {name, pen};
+}
+
 }  // namespace tactus::workbench

@@ -15,6 +15,8 @@ QPen referencePen(std::size_t index);
 LegendEntry ghostLook(const QString& name);
 LegendEntry rangeLook(const QString& name);
 LegendEntry deviationLook(const QString& name);
+/// A step of the force: a thick piece in the color of errors.
+LegendEntry stepLook(const QString& name);
 
 /// Which parts of a spread are shown.
 struct SpreadShown {

@@ -46,6 +46,8 @@ void CurveOverlays::removeLines(std::vector<QCPGraph*>& lines) {
 
 void CurveOverlays::clear() {
   for (auto* lines : {&band_, &ghosts_, &family_, &references_}) removeLines(*lines);
+  if (steps_ != nullptr) plot_.removePlottable(steps_);
+  steps_ = nullptr;
 }
 
 void CurveOverlays::setSpread(const std::vector<double>& x, const ForceSpread& spread, SpreadShown shown) {
@@ -69,6 +71,7 @@ void CurveOverlays::setSpread(const std::vector<double>& x, const ForceSpread& s
 
 void CurveOverlays::takeLook() {
   for (std::size_t i = 0; i < family_.size(); ++i) family_[i]->setPen(familyPen(i, family_.size(), fast_));
+  if (steps_ != nullptr) steps_->setPen(stepLook({}).pen);
   if (band_.empty()) return;
   band_[1]->setBrush(rangeLook({}).fill);
   band_[2]->setPen(deviationLook({}).pen);
@@ -130,6 +133,30 @@ void CurveOverlays::setReferences(const std::vector<ReferenceCurve>& references)
   }
 }
 
+void CurveOverlays::setSteps(const std::vector<analysis::ForceStep>& steps) {
+  if (steps_ == nullptr) {
+    if (steps.empty()) return;
+    steps_ = new QCPCurve(plot_.xAxis, plot_.yAxis);
+    steps_->setLayer(QLatin1String(kOver));
+    steps_->setPen(stepLook({}).pen);
+  }
+  steps_->setVisible(!steps.empty());
+  QVector<double> order;
+  QVector<double> x;
+  QVector<double> y;
+  const auto add = [&](double at, double force_n) {
+    order << static_cast<double>(order.size());
+    x << at;
+    y << force_n;
+  };
+  for (const analysis::ForceStep& step : steps) {
+    add(step.from[step.input], step.from_n);
+    add(step.to[step.input], step.to_n);
+    add(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN());
+  }
+  steps_->setData(order, x, y, true);
+}
+
 void CurveOverlays::setFast(bool fast) {
   fast_ = fast;
   for (QCPGraph* line : ghosts_) {
@@ -151,6 +178,7 @@ std::vector<LegendEntry> CurveOverlays::legend(const QString& ghost_name) const 
   }
   const auto ghost = std::find_if(ghosts_.begin(), ghosts_.end(), [](const QCPGraph* line) { return line->visible(); });
   if (ghost != ghosts_.end()) entries.push_back({ghost_name, (*ghost)->pen()});
+  if (hasSteps()) entries.push_back(stepLook(tr("Step that a hand feels")));
   for (const QCPGraph* line : references_) entries.push_back({line->name(), line->pen(), Qt::NoBrush, true});
   return entries;
 }

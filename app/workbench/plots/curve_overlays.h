@@ -12,6 +12,7 @@
 #include "app/workbench/plots/curve_looks.h"
 #include "app/workbench/plots/plot_source.h"
 #include "app/workbench/plots/plot_style.h"
+#include "core/analysis/force_steps.h"
 
 namespace tactus::workbench {
 
@@ -37,6 +38,9 @@ class CurveOverlays {
   LegendEntry familyLine(std::size_t line) const;
   std::size_t familySize() const { return family_.size(); }
   void setReferences(const std::vector<ReferenceCurve>& references);
+  /// Steps of the force, each a thick piece from one side to the other.
+  void setSteps(const std::vector<analysis::ForceStep>& steps);
+  bool hasSteps() const { return steps_ != nullptr && steps_->visible(); }
   /// While the hand moves: thin lines.
   void setFast(bool fast);
 
@@ -55,6 +59,7 @@ class CurveOverlays {
   std::vector<QCPGraph*> ghosts_;
   std::vector<QCPGraph*> family_;
   std::vector<QCPGraph*> references_;
+  QCPCurve* steps_ = nullptr;
   SpreadShown shown_;
   bool fast_ = false;
 };

@@ -157,6 +157,16 @@ void CurvePlot::setGhost(const GhostCurves* ghost, const QString& name) {
   redraw(*plot_);
 }
 
+void CurvePlot::setSteps(const std::vector<analysis::ForceStep>& steps) {
+  std::vector<analysis::ForceStep> marked;
+  for (const analysis::ForceStep& step : steps) {
+    if (shown(step.expert ? *step.expert + 1 : 0)) marked.push_back(step);
+  }
+  steps_marked_ = marked.size();
+  overlays_->setSteps(marked);
+  redraw(*plot_);
+}
+
 void CurvePlot::setReferences(const std::vector<ReferenceCurve>& references) {
   overlays_->setReferences(references);
   double lowest = output_.min;

@@ -13,6 +13,7 @@
 #include "app/workbench/controllers/reference_curve.h"
 #include "app/workbench/plots/curve_looks.h"
 #include "app/workbench/plots/plot_source.h"
+#include "core/analysis/force_steps.h"
 #include "core/fuzzy/force_model.h"
 
 class QCustomPlot;
@@ -62,6 +63,10 @@ class CurvePlot : public QWidget, public PlotSource {
   LegendEntry familyLine(std::size_t line) const;
   /// Curves for the present x axis. The axis of the force grows where they reach farther than the output.
   void setReferences(const std::vector<ReferenceCurve>& references);
+  /// Marks the steps of the curves that are shown (expert numbers as in `setAxes`).
+  void setSteps(const std::vector<analysis::ForceStep>& steps);
+  /// How many of them are marked.
+  std::size_t stepsMarked() const { return steps_marked_; }
   /// While the hand moves: thin lines without smoothing, which are drawn in half the time.
   void setFast(bool fast);
   /// How the line of an expert, or of the mean, looks in a legend.
@@ -102,6 +107,7 @@ class CurvePlot : public QWidget, public PlotSource {
   SpreadShown spread_;
   QString ghost_name_;
   bool fast_ = false;
+  std::size_t steps_marked_ = 0;
 };
 
 }  // namespace tactus::workbench

@@ -54,7 +54,8 @@ BenchView::BenchView(SceneController& scene, FeelController& feel, QSettings& se
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(theme::kGrid);
-  layout->addWidget(new ModelHeader(scene, this));
+  header_ = new ModelHeader(scene, this);
+  layout->addWidget(header_);
   layout->addWidget(panels_, 1);
 }
 

@@ -13,6 +13,7 @@ class CurvesPanel;
 class FeelController;
 class FeelPanel;
 class MapPanel;
+class ModelHeader;
 class PanelArea;
 class PlotMenu;
 class SceneController;
@@ -25,6 +26,7 @@ class BenchView : public QWidget {
 
   PanelArea& panels() { return *panels_; }
   FeelPanel& feelPanel() { return *feel_panel_; }
+  ModelHeader& header() { return *header_; }
 
   /// Starts feeling on the chosen device, or stops.
   void toggleFeel();
@@ -36,6 +38,7 @@ class BenchView : public QWidget {
  private:
   void place();
 
+  ModelHeader* header_ = nullptr;
   PanelArea* panels_;
   CurvesPanel* curves_;
   MapPanel* map_;

@@ -9,9 +9,11 @@
 #include <QSignalBlocker>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "app/workbench/controllers/curve_table.h"
+#include "app/workbench/controllers/force_curves.h"
 #include "app/workbench/controllers/force_spread.h"
 #include "app/workbench/controllers/ghost_controller.h"
 #include "app/workbench/controllers/reference_controller.h"
@@ -26,9 +28,12 @@
 #include "app/workbench/views/curve_legend.h"
 #include "app/workbench/views/elided_label.h"
 #include "app/workbench/views/figure_button.h"
+#include "app/workbench/views/ink.h"
 #include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/reference_bar.h"
 #include "app/workbench/views/say.h"
+#include "core/analysis/force_steps.h"
+#include "elicitation/force_step_limits.h"
 
 namespace tactus::workbench {
 namespace {
@@ -55,6 +60,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
       legend_(new CurveLegend(this)),
       ghost_chip_(new LegendChip(ghostLook(tr("Before the last edit")), {}, this)),
       difference_(new ElidedLabel(this)),
+      step_(new ElidedLabel(this)),
       draw_curves_(new Refresh(this, [this] { drawCurves(); })),
       draw_ghost_(new Refresh(this, [this] { drawGhost(); })),
       draw_references_(new Refresh(this, [this] { drawReferences(); })),
@@ -67,11 +73,16 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
 
   difference_->setFont(theme::smallFont());
   ghost_chip_->setChecked(true);
+  step_->setFont(theme::smallFont());
+  setInk(*step_, theme::errorInk());
+  step_->hide();
 
   auto* head = new QHBoxLayout;
   head->setSpacing(theme::kGrid);
   head->addWidget(title_);
   head->addWidget(x_input_);
+  // A hidden label takes no room; then the stretch does.
+  head->addWidget(step_, 100);
   head->addStretch(1);
   head->addWidget(new FigureButton(scene, this));
   head->addWidget(menu_);
@@ -130,6 +141,7 @@ void CurvesPanel::changeEvent(QEvent* event) {
   if (event->type() != QEvent::PaletteChange || !scene_.model()) return;
   // What lines and swatches took from the other look.
   ghost_chip_->setLook(ghostLook(ghost_chip_->text()));
+  setInk(*step_, theme::errorInk());
   showLegend();
   draw_ghost_->request();
   draw_references_->request();
@@ -148,8 +160,32 @@ void CurvesPanel::dropEvent(QDropEvent* event) {
 
 void CurvesPanel::drawCurves() {
   plot_->setCurves(scene_.curves());
+  drawSteps();
   if (scene_.family()) plot_->setFamilyCurves(scene_.familyCurves());
   if (reference_bar_) reference_bar_->showDifferences();
+}
+
+// Also while a vertex is dragged: a cliff is seen before it is felt.
+void CurvesPanel::drawSteps() {
+  const OpenModel& open = *scene_.model();
+  std::vector<analysis::ForceStep> steps;
+  if (open.model.output.unit == "N" && open.model.experts.size() <= kManyExperts) {
+    steps = analysis::forceStepsAlong(open.model, open.compiled, scene_.xInput(), scene_.values(),
+                                      elicitation::forceStepLimits(open.model));
+  }
+  plot_->setSteps(steps);
+  std::erase_if(steps, [&](const analysis::ForceStep& step) {
+    return step.expert ? !plot_->isExpertShown(*step.expert) : !plot_->isMeanShown();
+  });
+  step_->setVisible(!steps.empty());
+  if (steps.empty()) return;
+  const auto largest = std::max_element(
+      steps.begin(), steps.end(), [](const auto& one, const auto& other) { return one.noticeable < other.noticeable; });
+  const QString who = largest->expert ? text(open.model.experts[*largest->expert].id) : tr("Mean");
+  step_->setFullText(tr("%1: step %2 to %3 (%4 JND) at %5")
+                         .arg(who, forceText(largest->from_n, open.model.output.unit),
+                              forceText(largest->to_n, open.model.output.unit), numberText(largest->noticeable, 1),
+                              placeText(scene_.xVariable(), largest->from[largest->input])));
 }
 
 void CurvesPanel::drawGhost() {
@@ -232,6 +268,7 @@ void CurvesPanel::onXInputChosen(int index) { scene_.setXInput(static_cast<std::
 
 void CurvesPanel::onRowShown(int row) {
   showLine(row);
+  draw_curves_->request();
   if (const auto item = curveItemOf(scene_, row)) legend_->setShown(*item, readings_.isShown(row));
   draw_ghost_->request();
   draw_reading_->request();

@@ -58,6 +58,7 @@ class CurvesPanel : public Card {
   void showLine(int row);
   void showLegend();
   void drawCurves();
+  void drawSteps();
   void drawGhost();
   void drawReferences();
   PlotTable table();
@@ -74,6 +75,7 @@ class CurvesPanel : public Card {
   CurveLegend* legend_;
   LegendChip* ghost_chip_;
   ElidedLabel* difference_;
+  ElidedLabel* step_;
   ReferenceBar* reference_bar_ = nullptr;
   Refresh* draw_curves_;
   Refresh* draw_ghost_;

@@ -57,8 +57,8 @@ void EditParts::buildMenu() {
 
 void EditParts::addPanels(TermController& terms, SceneController& scene) {
   PanelArea& panels = window_.panels();
-  panels.addPanel(QStringLiteral("membership_editor"), tr("Membership function editor"),
-                  new MembershipEditor(edits_, terms, scene));
+  editor_ = new MembershipEditor(edits_, terms, scene);
+  panels.addPanel(QStringLiteral("membership_editor"), tr("Membership function editor"), editor_);
 }
 
 void EditParts::showUndo() {

@@ -12,6 +12,7 @@ namespace tactus::workbench {
 class EditController;
 class FrameClock;
 class MainWindow;
+class MembershipEditor;
 class SceneController;
 class TermController;
 
@@ -22,6 +23,7 @@ class EditParts : public QObject {
   /// Before a model is opened: a stage takes its layout when it is entered first.
   EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene);
 
+  MembershipEditor& editor() { return *editor_; }
   /// The menu Edit.
   QMenu& menu() { return *menu_; }
 
@@ -34,6 +36,7 @@ class EditParts : public QObject {
   MainWindow& window_;
   EditController& edits_;
   FrameClock* clock_;
+  MembershipEditor* editor_ = nullptr;
   QMenu* menu_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;

@@ -270,6 +270,8 @@ void FeelPanel::showFelt() {
   reading.live = feel_.isHandLive();
   reading.latch = feel_.grip().latch;
   reading.held = sample.phase != render::Phase::kReleased;
+  reading.armed = armed_;
+  reading.recorded_s = recorded_s_;
   pad_->setReading(reading);
   sagittal_->setDepth(depth_mm);
   procedure_->setDepth(depth_mm);
@@ -277,6 +279,12 @@ void FeelPanel::showFelt() {
   device_->showProgress();
   trace_due_ = !trace_due_;
   if (trace_due_ || !feel_.isRunning()) trace_->setHistory(feel_.history());
+}
+
+void FeelPanel::showRecording(bool armed, std::optional<int> recorded_s) {
+  armed_ = armed;
+  recorded_s_ = recorded_s;
+  showFelt();
 }
 
 void FeelPanel::showForce() {

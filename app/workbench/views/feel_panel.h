@@ -37,6 +37,8 @@ class FeelPanel : public QWidget {
   void addCard(QWidget* card);
   /// Starts on the chosen device, or stops.
   void toggle();
+  /// A recording waits for the next start, or is in progress and so long, s. The pad shows it.
+  void showRecording(bool armed, std::optional<int> recorded_s);
   /// There is room for more than what is needed to feel.
   bool isRoomy() const { return roomy_; }
 
@@ -78,6 +80,8 @@ class FeelPanel : public QWidget {
   QLabel* legend_;
   ForceTracePlot* trace_;
   bool roomy_ = false;
+  bool armed_ = false;
+  std::optional<int> recorded_s_;
   std::optional<haptics::DeviceInfo> traced_on_;  ///< what the trace was felt on
   SagittalView* sagittal_;
   ProcedurePanel* procedure_;

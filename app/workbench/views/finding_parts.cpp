@@ -1,6 +1,7 @@
 #include "app/workbench/views/finding_parts.h"
 
 #include <QCoreApplication>
+#include <QDockWidget>
 
 #include "app/workbench/controllers/findings_controller.h"
 #include "app/workbench/controllers/rule_controller.h"
@@ -13,8 +14,15 @@ namespace tactus::workbench {
 
 FindingParts::FindingParts(MainWindow& window, FindingsController& findings, TermController& terms,
                            RuleController& rules) {
-  window.panels().addPanel(QStringLiteral("findings"), QCoreApplication::translate("FindingParts", "Findings"),
-                           new FindingsPanel(findings));
+  QDockWidget* const dock = window.panels().addPanel(
+      QStringLiteral("findings"), QCoreApplication::translate("FindingParts", "Findings"), new FindingsPanel(findings));
+  // The tab says what the last edit added, also while another panel lies on top.
+  QObject::connect(&findings, &FindingsController::changed, dock, [dock, &findings] {
+    const QString title = findings.added() == 0
+                              ? QCoreApplication::translate("FindingParts", "Findings")
+                              : QCoreApplication::translate("FindingParts", "Findings (+%1)").arg(findings.added());
+    if (findings.isCurrent() && title != dock->windowTitle()) dock->setWindowTitle(title);
+  });
   // The editors behind the findings then stand at what the finding is about.
   QObject::connect(&findings, &FindingsController::lookedAt, &terms,
                    [&terms, &rules](const QString& expert, const QString& input) {

@@ -84,6 +84,7 @@ HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, Sc
   layout->addLayout(both, 1);
 
   connect(&edits_, &EditController::historyChanged, refresh_, &Refresh::request);
+  connect(&edits_, &EditController::effectsChanged, refresh_, &Refresh::request);
   connect(&edits_, &EditController::modelReset, this, &HistoryPanel::listExperts);
   connect(view_, &QListView::clicked, this,
           [this](const QModelIndex& index) { edits_.returnTo(model_->row(index.row()).state); });

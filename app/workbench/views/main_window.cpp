@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QStatusTipEvent>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -25,6 +26,7 @@
 #include "app/workbench/views/feel_status.h"
 #include "app/workbench/views/file_drop.h"
 #include "app/workbench/views/message_banner.h"
+#include "app/workbench/views/model_header.h"
 #include "app/workbench/views/operating_strip.h"
 #include "app/workbench/views/panel_area.h"
 #include "app/workbench/views/plot_menu.h"
@@ -204,6 +206,13 @@ void MainWindow::restorePlace() {
   restoreGeometry(settings_.value(QLatin1String(kGeometryKey)).toByteArray());
 }
 
+// A field that refuses what was typed says so in a status tip.
+bool MainWindow::event(QEvent* event) {
+  if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
+  if (const QString tip = static_cast<QStatusTipEvent*>(event)->tip(); !tip.isEmpty()) say(tip);
+  return true;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayLoseChanges()) {
     event->ignore();
@@ -317,9 +326,28 @@ void MainWindow::showModel() {
   }
 }
 
+void MainWindow::showStudy(const QString& name) {
+  const QString shown = harmless(name);
+  if (shown == study_) return;
+  study_ = shown;
+  bench_->header().showStudy(shown);
+  showTitle();
+}
+
+void MainWindow::showNotes(const std::vector<BuildNote>& notes) { bench_->header().showNotes(notes); }
+
 void MainWindow::showTitle() {
+  const QString study = study_.isEmpty() ? QString() : tr(" – study %1").arg(study_);
+  if (!models_.current()) {
+    setWindowTitle(tr("Tactus Workbench") + study);
+    return;
+  }
   const OpenModel& open = *models_.current();
-  setWindowTitle(QStringLiteral("%1 – %2[*]").arg(harmless(text(open.model.name)), shownFileName(open.path)));
+  const QString file = shownFileName(open.path);
+  const QString name = harmless(text(open.model.name));
+  // Of a model that the study keeps the file is the study's.
+  setWindowTitle(file == study_ ? name + study + QStringLiteral("[*]")
+                                : QStringLiteral("%1 – %2%3[*]").arg(name, file, study));
   // One that was left by its study has no file yet.
   if (QFileInfo::exists(open.path)) recent_.add(open.path);
 }

@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 
+#include "app/workbench/controllers/build_note.h"
 #include "app/workbench/views/stage.h"
 
 class QAction;
@@ -41,6 +42,10 @@ class MainWindow : public QMainWindow {
   MessageBanner& banner() { return *banner_; }
   /// Says one sentence in the strip, for a while: what was done, or why something was not. Errors go to the banner.
   void say(const QString& sentence);
+  /// What the build from the answers says about the model.
+  void showNotes(const std::vector<BuildNote>& notes);
+  /// The study that is open, by its file's name, in the title and beside the heading; empty: none.
+  void showStudy(const QString& name);
   /// Adds a line over the screen, below the messages.
   void addStrip(QWidget* strip);
   /// Asks what to do with changes that are not saved, where there are some. Whether another model may be opened.
@@ -56,6 +61,7 @@ class MainWindow : public QMainWindow {
   void studyChosen(const QString& path);
 
  protected:
+  bool event(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   bool focusNextPrevChild(bool next) override;
@@ -89,6 +95,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* screens_;
   StartView* start_;
   BenchView* bench_;
+  QString study_;  ///< name of the file of the study that is open
   StageRail* rail_;
   OperatingStrip* strip_;
   QMenu* recent_menu_ = nullptr;

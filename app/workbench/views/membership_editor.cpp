@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "app/editing/edit_steps.h"
+#include "app/editing/term_list.h"
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/ghost_controller.h"
 #include "app/workbench/controllers/plot_caption.h"
@@ -21,6 +22,8 @@
 #include "app/workbench/plots/membership_editor_plot.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/ink.h"
+#include "app/workbench/views/notes_button.h"
 #include "app/workbench/views/number_box.h"
 #include "app/workbench/views/plot_menu.h"
 #include "app/workbench/views/popup_form.h"
@@ -32,12 +35,6 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kRefusalMs = 8000;  // long enough to read two sentences
-
-void setInk(QWidget& widget, const QColor& ink) {
-  QPalette colors = widget.palette();
-  colors.setColor(QPalette::WindowText, ink);
-  widget.setPalette(colors);
-}
 
 // The terms of `variable` in `model`, those of the expert where the list is its own; none where there is no such list.
 std::vector<fuzzy::Term> termsBefore(const fuzzy::ForceModel& model, const editing::TermListId& list,
@@ -64,8 +61,12 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
       variables_(new QTabBar(this)),
       whose_(new QComboBox(this)),
       own_(new QCheckBox(tr("Own terms"), this)),
+      scope_(new QLabel(tr("For"), this)),
+      for_one_(new QToolButton(this)),
+      for_all_(new QToolButton(this)),
       keeps_sum_(new QCheckBox(tr("Terms sum to one"), this)),
       add_(new QToolButton(this)),
+      notes_button_(new NotesButton(this)),
       plot_(new MembershipEditorPlot(this)),
       hint_(new ElidedLabel(this)),
       hint_time_(new QTimer(this)),
@@ -82,6 +83,13 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
   whose_->setToolTip(tr("The terms that experts share, or those of one expert"));
   own_->setToolTip(tr("The expert has terms of its own for this variable; otherwise the shared ones hold"));
   keeps_sum_->setToolTip(tr("The memberships sum to one everywhere: a vertex takes that of its neighbor along"));
+  for (QToolButton* button : {for_one_, for_all_}) {
+    button->setCheckable(true);
+    button->setFont(theme::smallFont());
+  }
+  scope_->setFont(theme::smallFont());
+  for_one_->setToolTip(tr("The expert gets own terms for this variable; those of the others stay as they are"));
+  for_all_->setToolTip(tr("Edits change the terms of all experts who share them"));
   add_->setText(tr("Add term…"));
   hint_->setFont(theme::smallFont());
   hint_time_->setSingleShot(true);
@@ -97,8 +105,12 @@ void MembershipEditor::buildPlace() {
   modes->setSpacing(theme::kGrid);
   modes->addWidget(whose_);
   modes->addWidget(own_);
+  modes->addWidget(scope_);
+  modes->addWidget(for_one_);
+  modes->addWidget(for_all_);
   modes->addWidget(keeps_sum_);
   modes->addStretch(1);
+  modes->addWidget(notes_button_);
   modes->addWidget(add_);
   modes->addWidget(new PlotMenu(
       *plot_, [this] { return table(); }, this));
@@ -123,6 +135,13 @@ void MembershipEditor::connectAll() {
   connect(own_, &QCheckBox::clicked, this, [this](bool own) {
     terms_.setOwnList(own);
     showModes();
+  });
+  connect(for_one_, &QToolButton::clicked, this, [this] { terms_.chooseScope(false); });
+  connect(for_all_, &QToolButton::clicked, this, [this] { terms_.chooseScope(true); });
+  connect(&terms_, &TermController::scopeAsked, this, &MembershipEditor::askScope);
+  connect(&terms_, &TermController::scopeChosen, this, [this] {
+    showModes();
+    showHint();
   });
   connect(keeps_sum_, &QCheckBox::clicked, &terms_, &TermController::setKeepsSum);
   connect(add_, &QToolButton::clicked, this, &MembershipEditor::askAdd);
@@ -193,9 +212,16 @@ void MembershipEditor::showModel() {
 void MembershipEditor::showExperts() {
   const QSignalBlocker no_signal(whose_);
   whose_->clear();
-  whose_->addItem(tr("Shared terms"), QString());
-  for (const fuzzy::Expert& expert : terms_.model().experts) {
-    whose_->addItem(tr("Terms of %1").arg(labelOf(expert)), text(expert.id));
+  const fuzzy::ForceModel& model = terms_.model();
+  const std::string& variable = terms_.list().variable;
+  const QString readers = text(editing::readersText(model, {variable, {}}));
+  whose_->addItem(readers.isEmpty() ? tr("Shared terms") : tr("Shared terms (%1)").arg(readers), QString());
+  for (const fuzzy::Expert& expert : model.experts) {
+    const bool own = !editing::listOf(expert, variable).expert.empty();
+    const bool alone = !own && editing::readersOf(model, {variable, {}}).size() == 1;
+    whose_->addItem(own || alone ? tr("Terms of %1").arg(labelOf(expert))
+                                 : tr("%1: shared terms (%2)").arg(text(expert.id), readers),
+                    text(expert.id));
   }
   whose_->setCurrentIndex(std::max(0, whose_->findData(text(terms_.expert()))));
 }
@@ -231,10 +257,58 @@ void MembershipEditor::showGhost() {
 
 void MembershipEditor::showModes() {
   const bool of_expert = !terms_.expert().empty();
-  own_->setVisible(of_expert);
+  own_->setVisible(of_expert && !terms_.isSharedWithOthers());
   own_->setChecked(!terms_.list().expert.empty());
   keeps_sum_->setChecked(terms_.keepsSum());
   plot_->setSumToOne(terms_.keepsSum());
+  showScope();
+  showNotes();
+}
+
+void MembershipEditor::setNotes(std::vector<BuildNote> notes) {
+  notes_ = std::move(notes);
+  showNotes();
+}
+
+void MembershipEditor::showNotes() {
+  QStringList sentences;
+  for (const BuildNote& note : notes_) {
+    if (terms_.isOpen() && note.subject == terms_.list().variable) sentences << note.sentence;
+  }
+  notes_button_->setNotes(terms_.isOpen() ? tr("Notes about %1").arg(labelOf(terms_.variable())) : QString(),
+                          sentences);
+}
+
+void MembershipEditor::showScope() {
+  const bool asks = terms_.isSharedWithOthers();
+  for (QWidget* part :
+       {static_cast<QWidget*>(scope_), static_cast<QWidget*>(for_one_), static_cast<QWidget*>(for_all_)}) {
+    part->setVisible(asks);
+  }
+  if (!asks) return;
+  const auto expert = editing::findExpert(terms_.model(), terms_.expert());
+  if (!expert) return;
+  const qsizetype count = static_cast<qsizetype>(terms_.readers().size());
+  for_one_->setText(tr("%1 only").arg(text((*expert)->id)));
+  for_all_->setText(count == 2 ? tr("Both") : tr("All %1").arg(count));
+  for_one_->setAccessibleName(tr("Edit for %1 only").arg(labelOf(**expert)));
+  for_all_->setAccessibleName(tr("Edit for all who share the terms"));
+  for_one_->setChecked(false);
+  for_all_->setChecked(terms_.editsForAll());
+  setInk(*scope_, terms_.editsForAll() ? theme::mutedInk() : theme::ink());
+}
+
+// The first edit of terms that others share asks for whom it is; the answer stays visible.
+void MembershipEditor::askScope() {
+  const auto expert = editing::findExpert(terms_.model(), terms_.expert());
+  if (!expert) return;
+  hint_time_->stop();
+  setInk(*scope_, theme::warningInk());
+  setInk(*hint_, theme::warningInk());
+  hint_->setFullText(tr("%1 share these terms. Edit for %2 only, or for all of them? Choose above.")
+                         .arg(text(editing::readersText(terms_.model(), terms_.list())), text((*expert)->id)),
+                     tr("Shared terms: edit for %1 only, or for all? Choose above.").arg(text((*expert)->id)));
+  for_one_->setFocus();
 }
 
 void MembershipEditor::showLocks() {
@@ -291,6 +365,10 @@ void MembershipEditor::askAdd() {
       name->setFocus();
       return;
     }
+    if (!place->commit()) {
+      form->setNote(place->refusal());
+      return;
+    }
     form->close();
     terms_.add(name->text(), place->value());
   });
@@ -299,7 +377,9 @@ void MembershipEditor::askAdd() {
 
 PlotTable MembershipEditor::table() {
   const std::string& expert = terms_.list().expert;
-  const QString whose = expert.empty() ? tr("shared terms") : tr("terms of %1").arg(text(expert));
+  const QString whose = expert.empty()
+                            ? tr("shared terms (%1)").arg(text(editing::readersText(terms_.model(), terms_.list())))
+                            : tr("terms of %1").arg(text(expert));
   PlotTable out = captionedTerms(scene_, terms_.variable(), whose);
   plot_->fillTable(out);
   return out;

@@ -1,6 +1,7 @@
 // The membership function editor: one variable of the model, its terms to be moved by hand and typed as numbers.
 #pragma once
 
+#include "app/workbench/controllers/build_note.h"
 #include "app/workbench/plot_table.h"
 #include "app/workbench/views/card.h"
 
@@ -17,6 +18,7 @@ class EditController;
 class ElidedLabel;
 class GhostController;
 class MembershipEditorPlot;
+class NotesButton;
 class SceneController;
 class TermController;
 class TermSliders;
@@ -28,6 +30,8 @@ class MembershipEditor : public Card {
  public:
   MembershipEditor(EditController& edits, TermController& terms, SceneController& scene, QWidget* parent = nullptr);
 
+  /// What the build from the answers says about terms: shown beside those of the variable.
+  void setNotes(std::vector<BuildNote> notes);
   /// Draws the shapes that `ghost` has as "before" as thin outlines. Once.
   void setGhost(const GhostController& ghost);
 
@@ -45,6 +49,9 @@ class MembershipEditor : public Card {
   void showTerms();
   void showGhost();
   void showModes();
+  void showScope();
+  void showNotes();
+  void askScope();
   void showLocks();
   void showSelection();
   void showValue();
@@ -60,8 +67,13 @@ class MembershipEditor : public Card {
   QTabBar* variables_;
   QComboBox* whose_;
   QCheckBox* own_;
+  QLabel* scope_;
+  QToolButton* for_one_;
+  QToolButton* for_all_;
   QCheckBox* keeps_sum_;
   QToolButton* add_;
+  NotesButton* notes_button_;
+  std::vector<BuildNote> notes_;
   MembershipEditorPlot* plot_;
   ElidedLabel* hint_;
   QTimer* hint_time_;

@@ -9,29 +9,25 @@
 #include "app/workbench/theme.h"
 #include "app/workbench/views/card.h"
 #include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/ink.h"
+#include "app/workbench/views/notes_button.h"
 
 namespace tactus::workbench {
-namespace {
-
-void setInk(QLabel& label, const QColor& ink) {
-  QPalette colors = label.palette();
-  colors.setColor(QPalette::WindowText, ink);
-  label.setPalette(colors);
-}
-
-}  // namespace
 
 ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
     : QWidget(parent),
       scene_(scene),
       name_(new ElidedLabel(this)),
       summary_(new QLabel(this)),
+      study_(new ElidedLabel(this)),
+      notes_(new NotesButton(this)),
       simulated_(new Card(this)),
       terms_label_(new QLabel(tr("Te&rms:"), this)),
       terms_of_(new QComboBox(this)) {
   name_->setFont(theme::titleFont());
   summary_->setTextFormat(Qt::PlainText);
   setInk(*summary_, theme::mutedInk());
+  study_->hide();
   terms_label_->setBuddy(terms_of_);
   terms_of_->setAccessibleName(tr("Whose terms are shown"));
   terms_of_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -52,6 +48,8 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   layout->addWidget(name_);
   layout->addWidget(simulated_, 0, Qt::AlignVCenter);
   layout->addWidget(summary_);
+  layout->addWidget(study_);
+  layout->addWidget(notes_);
   layout->addStretch(1);
   layout->addWidget(terms_label_);
   layout->addWidget(terms_of_);
@@ -59,6 +57,18 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   connect(&scene_, &SceneController::modelChanged, this, &ModelHeader::adoptModel);
   connect(&scene_, &SceneController::modelEdited, this, &ModelHeader::countRules);
   connect(terms_of_, &QComboBox::activated, this, &ModelHeader::onTermsChosen);
+}
+
+void ModelHeader::showNotes(const std::vector<BuildNote>& notes) {
+  QStringList sentences;
+  for (const BuildNote& note : notes) sentences << note.sentence;
+  notes_->setNotes(tr("Notes of the build"), sentences);
+}
+
+void ModelHeader::showStudy(const QString& name) {
+  study_->setVisible(!name.isEmpty());
+  study_->setFullText(tr("Study %1").arg(name));
+  study_->setToolTip(tr("The study that is open: placements, recordings and versions of its model go there"));
 }
 
 void ModelHeader::adoptModel() {

@@ -1,9 +1,12 @@
-// The line above everything: name of the model, a plain label where it holds simulated data, and whose terms are shown.
+// The line above everything: name of the model, the study that is open, a plain label where it holds simulated data,
+// and whose terms are shown.
 #pragma once
 
 #include <QWidget>
 #include <optional>
 #include <vector>
+
+#include "app/workbench/controllers/build_note.h"
 
 class QComboBox;
 class QLabel;
@@ -12,6 +15,7 @@ namespace tactus::workbench {
 
 class Card;
 class ElidedLabel;
+class NotesButton;
 class SceneController;
 
 class ModelHeader : public QWidget {
@@ -19,6 +23,11 @@ class ModelHeader : public QWidget {
 
  public:
   explicit ModelHeader(SceneController& scene, QWidget* parent = nullptr);
+
+  /// What the build from the answers says about the model.
+  void showNotes(const std::vector<BuildNote>& notes);
+  /// Which study is open; empty: none.
+  void showStudy(const QString& name);
 
  private:
   void adoptModel();
@@ -28,6 +37,8 @@ class ModelHeader : public QWidget {
   SceneController& scene_;
   ElidedLabel* name_;
   QLabel* summary_;
+  ElidedLabel* study_;
+  NotesButton* notes_;
   Card* simulated_;
   QLabel* terms_label_;
   QComboBox* terms_of_;

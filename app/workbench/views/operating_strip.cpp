@@ -11,6 +11,7 @@
 #include "app/workbench/display_text.h"
 #include "app/workbench/theme.h"
 #include "app/workbench/views/elided_label.h"
+#include "app/workbench/views/ink.h"
 #include "app/workbench/views/number_box.h"
 
 namespace tactus::workbench {
@@ -20,12 +21,6 @@ constexpr int kMessageMs = 15'000;  // long enough to read two sentences
 constexpr int kSavedShare = 6;      // at most this part of the strip for where edits are kept
 constexpr int kLeastSaved = 160;    // px
 constexpr int kRoomy = 1600;        // px: from this width on the labels of the model fit beside everything else
-
-void setInk(QLabel& label, const QColor& ink) {
-  QPalette colors = label.palette();
-  colors.setColor(QPalette::WindowText, ink);
-  label.setPalette(colors);
-}
 
 }  // namespace
 

@@ -68,6 +68,7 @@ PanelTitle::PanelTitle(QDockWidget& panel)
   layout->addWidget(close_);
   showFloating(panel.isFloating());
   connect(&panel_, &QDockWidget::topLevelChanged, this, &PanelTitle::showFloating);
+  connect(&panel_, &QDockWidget::windowTitleChanged, this, [this](const QString& title) { name_->setFullText(title); });
   connect(float_, &QToolButton::clicked, this, [this] { panel_.setFloating(!panel_.isFloating()); });
   connect(close_, &QToolButton::clicked, &panel_, &QDockWidget::close);
 }

@@ -3,7 +3,9 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QGridLayout>
+#include <QIcon>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -46,6 +48,19 @@ QString recordingText(const store::FeelSummary& recording, bool goes_on) {
   return parts.join(QStringLiteral(" · "));
 }
 
+// A red dot for a recording in progress, a ring for one that waits for Start.
+QIcon recordIcon(bool in_progress) {
+  constexpr int kSide = 16;
+  QPixmap picture(kSide, kSide);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(theme::errorInk(), 2));
+  painter.setBrush(in_progress ? QBrush(theme::errorInk()) : QBrush(Qt::NoBrush));
+  painter.drawEllipse(QRectF(3, 3, kSide - 6, kSide - 6));
+  return picture;
+}
+
 }  // namespace
 
 RecordingsCard::RecordingsCard(FeelStore& store, StudyController& study, FeelController& feel, QWidget* parent)
@@ -54,6 +69,7 @@ RecordingsCard::RecordingsCard(FeelStore& store, StudyController& study, FeelCon
       study_(study),
       feel_(feel),
       hint_(new QLabel(tr("Open or make a study (menu Study) to keep placements and recordings."), this)),
+      where_(new QLabel(this)),
       content_(new QWidget(this)),
       who_(new QComboBox(content_)),
       record_(new QPushButton(tr("Record"), content_)),
@@ -67,6 +83,7 @@ RecordingsCard::RecordingsCard(FeelStore& store, StudyController& study, FeelCon
   connect(&study_, &StudyController::contentsChanged, this, &RecordingsCard::listPeople);
   connect(&study_, &StudyController::contentsChanged, this, &RecordingsCard::listRecordings);
   connect(&study_, &StudyController::closed, this, &RecordingsCard::showState);
+  connect(&feel_, &FeelController::stateChanged, this, &RecordingsCard::showState);
   listPeople();
   listRecordings();
 }
@@ -75,6 +92,9 @@ void RecordingsCard::build() {
   setMuted(*hint_);
   hint_->setTextFormat(Qt::PlainText);
   hint_->setWordWrap(true);
+  where_->setTextFormat(Qt::PlainText);
+  where_->setFont(theme::smallFont());
+  setMuted(*where_);
   auto* who_label = new QLabel(tr("Who feels"), content_);
   auto* list_label = new QLabel(tr("Recordings"), content_);
   who_->setAccessibleName(tr("Who feels"));
@@ -87,7 +107,7 @@ void RecordingsCard::build() {
   for (QPushButton* button : {record_, replay_}) {
     button->setFocusPolicy(Qt::TabFocus);
     // Wide enough for every word and number that comes on it.
-    button->setMinimumWidth(button->fontMetrics().horizontalAdvance(tr("End · %1 s").arg(999)) + 3 * theme::kGrid);
+    button->setMinimumWidth(button->fontMetrics().horizontalAdvance(tr("End · %1 s").arg(999)) + 5 * theme::kGrid);
   }
   auto* grid = new QGridLayout(content_);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -103,6 +123,7 @@ void RecordingsCard::build() {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid);
   layout->addWidget(hint_);
+  layout->addWidget(where_);
   layout->addWidget(content_);
 }
 
@@ -150,6 +171,8 @@ void RecordingsCard::showState() {
   const bool open = study_.isOpen();
   hint_->setVisible(!open);
   content_->setVisible(open);
+  where_->setVisible(open);
+  if (open) where_->setText(tr("Into the study %1").arg(study_.fileName()));
   setVisible(open || roomy_);
   const bool replaying = store_.replayed().has_value();
   const bool recording = store_.isRecording();
@@ -163,15 +186,19 @@ void RecordingsCard::showState() {
   replay_->setToolTip(replaying ? tr("End the replay")
                                 : tr("The recorded hand moves the tube through the present model, by calculation; the "
                                      "recorded force stands beside the present one in the trace"));
+  record_->setIcon(recording ? recordIcon(feel_.isRunning()) : QIcon());
   if (!recording) {
     record_->setText(tr("Record"));
-    record_->setToolTip(tr("Record hand and force into the study, from a new placement on"));
+    record_->setToolTip(
+        feel_.isRunning()
+            ? tr("Record hand and force into the study, from a new placement on")
+            : tr("Arm a recording: it begins with Start, and goes into the study %1").arg(study_.fileName()));
   } else if (feel_.isRunning()) {
     record_->setText(tr("End · %1 s").arg(static_cast<int>(store_.recordedS())));
     record_->setToolTip(tr("End the recording"));
   } else {
-    record_->setText(tr("Cancel"));
-    record_->setToolTip(tr("The recording begins with Start; a click takes it back"));
+    record_->setText(tr("Armed"));
+    record_->setToolTip(tr("Armed: the recording begins with Start; a click takes it back"));
   }
 }
 

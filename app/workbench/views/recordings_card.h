@@ -37,6 +37,7 @@ class RecordingsCard : public Card {
   StudyController& study_;
   FeelController& feel_;
   QLabel* hint_;
+  QLabel* where_;  ///< the study that is recorded into
   QWidget* content_;
   QComboBox* who_;
   QPushButton* record_;

@@ -31,6 +31,14 @@ StudyParts::StudyParts(MainWindow& window, StudyController& study, FeelControlle
   panel.addCard(recordings);
   recordings->setRoomy(panel.isRoomy());
   connect(&panel, &FeelPanel::roomChanged, recordings, &RecordingsCard::setRoomy);
+  const auto show_recording = [&panel, &store, &feel] {
+    const bool runs = feel.isRunning();
+    panel.showRecording(store.isRecording() && !runs, store.isRecording() && runs
+                                                          ? std::optional(static_cast<int>(store.recordedS()))
+                                                          : std::nullopt);
+  };
+  connect(&store, &FeelStore::changed, &panel, show_recording);
+  connect(&feel, &FeelController::stateChanged, &panel, show_recording);
   window_.installEventFilter(this);
   connectAll();
   showState();
@@ -63,6 +71,7 @@ void StudyParts::connectAll() {
   connect(&window_, &MainWindow::studyChosen, &study_, &StudyController::open);
   connect(&study_, &StudyController::savedChanged, this, &StudyParts::showState);
   connect(&study_, &StudyController::contentsChanged, this, &StudyParts::showState);
+  connect(&study_, &StudyController::closed, this, &StudyParts::showState);
   connect(&study_, &StudyController::opened, this, &StudyParts::onOpened);
   connect(&study_, &StudyController::failed, this, &StudyParts::onFailed);
   connect(&study_, &StudyController::said, this,
@@ -88,6 +97,7 @@ void StudyParts::showState() {
   show_->setEnabled(open && study_.hasModel() && !kept);
   build_->setEnabled(open);
   close_->setEnabled(open);
+  window_.showStudy(study_.isOpen() ? study_.fileName() : QString());
   window_.strip().showStored(study_.savedText(), !study_.failure().isEmpty());
   // The end is asked for anew: what comes up then may take it back.
   if (ending_ && (!study_.isBusy() || !study_.failure().isEmpty())) {

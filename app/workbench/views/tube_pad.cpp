@@ -22,6 +22,7 @@ constexpr int kMargin = 14;  // px, left and right
 constexpr double kTubeY = 24;
 constexpr double kTubeHeight = 8;
 constexpr double kHandRadius = 7;
+constexpr double kDotSide = 9;
 
 QColor lagColor() { return theme::expert(1); }
 
@@ -58,6 +59,7 @@ double TubePad::positionAt(double x) const {
 }
 
 QString TubePad::hint() const {
+  if (!reading_.running && reading_.armed) return tr("Armed: the recording begins with Start.");
   if (!reading_.running) return tr("Start, hold the button, push right.");
   if (reading_.replay) return tr("The recorded hand moves the tube.");
   if (!reading_.live && reading_.latch) return tr("Press once, push the device away.");
@@ -119,9 +121,22 @@ void TubePad::paintEvent(QPaintEvent* /*event*/) {
       painter.drawText(QRectF(x, 2, room, line), Qt::AlignLeft | Qt::AlignTop, lag);
     }
   }
+  if (reading_.recorded_s || reading_.armed) paintRecording(painter);
   painter.setPen(theme::mutedInk());
   painter.drawText(QRectF(kMargin, height() - line - 4, width() - 2 * kMargin, line), Qt::AlignLeft | Qt::AlignVCenter,
                    painter.fontMetrics().elidedText(hint(), Qt::ElideRight, width() - 2 * kMargin));
+}
+
+// A red dot while a recording is in progress, a ring while one waits for Start.
+void TubePad::paintRecording(QPainter& painter) const {
+  const double line = painter.fontMetrics().height();
+  const QString words = reading_.recorded_s ? tr("Recording %1 s").arg(*reading_.recorded_s) : tr("Armed");
+  const QRectF dot(kMargin - 4, 2 + (line - kDotSide) / 2, kDotSide, kDotSide);
+  painter.setPen(QPen(theme::errorInk(), 2));
+  painter.setBrush(reading_.recorded_s ? QBrush(theme::errorInk()) : QBrush(Qt::NoBrush));
+  painter.drawEllipse(dot);
+  painter.setPen(theme::errorInk());
+  painter.drawText(QPointF(dot.right() + 6, 2 + painter.fontMetrics().ascent()), words);
 }
 
 void TubePad::mouseMoveEvent(QMouseEvent* event) {

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
+
+class QPainter;
 
 namespace tactus::workbench {
 
@@ -20,7 +23,9 @@ class TubePad : public QWidget {
     bool held = false;     ///< the hand holds the tube
     bool latch = false;    ///< a press takes the tube, the next one lets go
     bool running = false;
-    bool replay = false;  ///< a recording moves the tube
+    bool replay = false;            ///< a recording moves the tube
+    bool armed = false;             ///< a recording begins with the next start
+    std::optional<int> recorded_s;  ///< length of the recording in progress, s
 
     bool operator==(const Reading&) const = default;
   };
@@ -45,6 +50,7 @@ class TubePad : public QWidget {
   double xOf(double position_mm) const;
   double positionAt(double x) const;
   QString hint() const;
+  void paintRecording(QPainter& painter) const;
 
   Reading reading_;
   bool pressed_ = false;  ///< with the mouse

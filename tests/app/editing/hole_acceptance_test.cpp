@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <span>
 
 #include "app/editing/hole_fixes.h"
 #include "app/editing/same_bits.h"
@@ -15,6 +16,12 @@ using Names = std::vector<std::string>;
 using Points = std::vector<double>;
 
 const std::string kHole = "depth 125 to 138 mm";  // Table A2 has no oropharynx
+
+/// The hole of its first expert.
+analysis::Hole holeOf(const fuzzy::ForceModel& model) {
+  const std::size_t first = 0;
+  return analysis::coverage(model, std::span(&first, 1)).holes.at(0);
+}
 
 fuzzy::ForceModel accepted() { return must(acceptHole(support::s4AsPrinted(), kHole)).model; }
 
@@ -55,7 +62,7 @@ TEST(HoleAcceptance, WhatLapsedIsForgottenOnRequest) {
 }
 
 TEST(HoleAcceptance, AFixThatClosesTheHoleTakesItAlong) {
-  const auto ways = closeHole(accepted(), "S4", kHole);
+  const auto ways = closeHole(accepted(), "S4", holeOf(accepted()));
   ASSERT_EQ(ways.size(), 3);
   EXPECT_TRUE(must(ways[0].second).model.accepted_holes.empty());
   EXPECT_EQ(ways[2].first, "Take the acceptance back");
@@ -65,7 +72,7 @@ TEST(HoleAcceptance, StaysWhileAnotherExpertHasTheHole) {
   auto model = accepted();
   model.experts.push_back(model.experts[0]);
   model.experts[1].id = "S5";
-  const auto ways = closeHole(model, "S4", kHole);
+  const auto ways = closeHole(model, "S4", holeOf(model));
   ASSERT_EQ(ways.size(), 3);
   EXPECT_EQ(ways[0].first, "Stretch S4's nasopharynx over the gap");
   EXPECT_EQ(must(ways[0].second).model.accepted_holes, Names{kHole});
@@ -78,7 +85,7 @@ TEST(HoleAcceptance, OfferedWaysStayFewWhereEveryExpertHasAListOfHisOwn) {
     model.experts.back().id = "E" + std::to_string(i);
     model.experts.back().overrides = {{"depth", model.inputs[2].terms}};
   }
-  const auto ways = closeHole(model, "", kHole);
+  const auto ways = closeHole(model, "", holeOf(model));
   EXPECT_GE(ways.size(), 3);
   EXPECT_LE(ways.size(), kMostStretches + 2);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "app/editing/rule_edits.h"
@@ -131,6 +132,62 @@ TEST(LintFixes, FindingsOfTheRuleLintHaveTheSame) {
     }
   }
   EXPECT_EQ(fixed, 2);  // of S4, and of all
+}
+
+using Rules = elicitation::RuleFinding;
+
+std::vector<Rules> stepsOf(const fuzzy::ForceModel& model) {
+  std::vector<Rules> out;
+  for (auto& finding : elicitation::ruleLint(model, fuzzy::compile(model).value()).findings) {
+    if (finding.kind == Rules::Kind::kForceStep) out.push_back(finding);
+  }
+  return out;
+}
+
+// The nasopharynx ends at 105 mm with a vertical edge, where the laryngopharynx has hardly begun.
+TEST(LintFixes, AVerticalEdgeIsWidened) {
+  auto model = support::s4FiveRegions();
+  EXPECT_TRUE(stepsOf(model).empty());
+  auto& terms = model.inputs[2].terms;
+  ASSERT_EQ(terms[1].id, "nasopharynx");
+  terms[1].points = {60, 80, 105, 105};
+  const auto compiled = fuzzy::compile(model).value();
+  const auto steps = stepsOf(model);
+  ASSERT_EQ(steps.size(), 2);  // the mean of one expert is that expert
+  for (const auto& step : steps) {
+    EXPECT_NEAR(step.from[2], 105, 1);
+    EXPECT_NEAR(step.to[2], 105, 1);
+    ASSERT_TRUE(step.newtons.has_value());
+    const auto force = [&](const Points& at) { return compiled.evaluate(at).force_n; };
+    EXPECT_NEAR(*step.newtons, std::abs(force(step.to) - force(step.from)), 1e-12);
+    EXPECT_NE(step.text.find("the force steps from "), std::string::npos) << step.text;
+    const auto fixes = fixesFor(model, compiled, step);
+    ASSERT_FALSE(fixes.empty());
+    EXPECT_EQ(fixes[0].text, "Widen to 5 mm");
+    EXPECT_EQ(pointsOf(fixes[0].edit.model, "depth", "nasopharynx"), (Points{60, 80, 102.5, 107.5}));
+    EXPECT_EQ(pointsOf(fixes[0].edit.model, "depth", "laryngopharynx"), (Points{102.5, 125, 185, 215}));
+    EXPECT_EQ(fixes[0].edit.label, "Depth / nasopharynx, laryngopharynx: step widened to 5 mm around 105 mm");
+    // The last of them leaves none.
+    EXPECT_TRUE(stepsOf(fixes.back().edit.model).empty()) << fixes.back().text;
+  }
+}
+
+TEST(LintFixes, RegionsThatOnlyMeetAreMadeToOverlap) {
+  auto model = support::s4FiveRegions();
+  auto& terms = model.inputs[2].terms;
+  ASSERT_EQ(terms[2].id, "laryngopharynx");
+  terms[1].points = {60, 80, 85, 105};
+  terms[2].points[0] = 105 - 1e-6;
+  const auto compiled = fuzzy::compile(model).value();
+  const auto steps = stepsOf(model);
+  ASSERT_FALSE(steps.empty());
+  const auto fixes = fixesFor(model, compiled, steps[0]);
+  ASSERT_FALSE(fixes.empty());
+  const auto first = pointsOf(fixes[0].edit.model, "depth", "nasopharynx");
+  const auto second = pointsOf(fixes[0].edit.model, "depth", "laryngopharynx");
+  EXPECT_NEAR(first[3] - second[0], 5, 1e-5);
+  EXPECT_EQ(first[2], 85);
+  EXPECT_EQ(second[1], 125);
 }
 
 }  // namespace

@@ -61,18 +61,34 @@ class FindingsControllerTest : public testing::Test {
   FindingsController findings{edits, scene};
 };
 
-TEST_F(FindingsControllerTest, NothingIsComputedWhileNobodyLooks) {
+TEST_F(FindingsControllerTest, FixesAreComputedOnlyWhileThePanelIsVisible) {
   moveBoundary(5.5);
-  EXPECT_FALSE(findings.isCurrent());
-  EXPECT_EQ(findings.lint(), nullptr);
-  findings.setWatched(true);
   ASSERT_TRUE(waitForFindings());
   EXPECT_EQ(*findings.lintedModel(), edits.model());
-  const auto* const before = findings.lint();
-  findings.setWatched(false);
-  moveBoundary(5.2);
-  EXPECT_FALSE(findings.isCurrent());
-  EXPECT_EQ(findings.lint(), before);
+  ASSERT_FALSE(findings.findings().empty());
+  findings.choose(0);
+  EXPECT_FALSE(findings.isLookingForFixes());
+  EXPECT_TRUE(findings.fixes().empty());
+  findings.setWatched(true);
+  ASSERT_TRUE(waitForFixes());
+}
+
+// A vertical edge is a step of the force that was not there before; a move of the boundary makes nothing new.
+TEST_F(FindingsControllerTest, CountsWhatTheLastEditAdded) {
+  ASSERT_TRUE(waitForFindings());
+  EXPECT_EQ(findings.added(), 0U);
+  const auto before = findings.findings().size();
+  moveBoundary(5.5);
+  ASSERT_TRUE(waitForFindings());
+  EXPECT_EQ(findings.added(), findings.findings().size() - before);
+  const auto with_edit = findings.findings().size();
+  moveBoundary(5.4);
+  ASSERT_TRUE(waitForFindings());
+  EXPECT_EQ(findings.added(), 0U) << findings.findings().size() << " after " << with_edit;
+  edits.undo();
+  edits.undo();
+  ASSERT_TRUE(waitForFindings());
+  EXPECT_EQ(findings.added(), 0U);
 }
 
 TEST_F(FindingsControllerTest, MostNewtonsFirst) {
@@ -219,7 +235,7 @@ TEST_F(FindingsControllerTest, AnAcceptanceLapsesWithItsBoundary) {
   ASSERT_TRUE(waitForFindings());
   EXPECT_EQ(findings.findings()[indexOf(Kind::kHole, QStringLiteral("A"))].acceptance, Acceptance::kNone);
   ASSERT_EQ(findings.findings().back().acceptance, Acceptance::kLapsed);
-  EXPECT_TRUE(findings.findings().back().sentence.contains(QStringLiteral("Depth 5 to 6 mm")));
+  EXPECT_TRUE(findings.findings().back().sentence.contains(QStringLiteral("depth 5 to 6 mm")));
 
   findings.choose(findings.findings().size() - 1);
   ASSERT_TRUE(waitForFixes());

@@ -6,8 +6,11 @@
 #include <memory>
 #include <utility>
 
+#include "app/editing/membership_edits.h"
+#include "app/workbench/controllers/compare_controller.h"
 #include "app/workbench/controllers/edit_controller.h"
 #include "app/workbench/controllers/scene_controller.h"
+#include "core/base/random.h"
 
 #include "tests/gui/sample_models.h"
 
@@ -50,7 +53,7 @@ TEST_F(GhostControllerTest, StandsForTheModelBeforeTheLastEdit) {
   EXPECT_NEAR(curves->difference.largest_n, 0.25, 1e-12);
   EXPECT_NEAR(curves->difference.noticeable, 0.25 / std::sqrt(0.0016 + 0.0036), 1e-9);
   EXPECT_GE(*curves->difference.largest_at, 6);
-  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF 0.250 N (3.5 JND) at ")))
+  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF at least 0.250 N (3.5 JND) at ")))
       << ghost.differenceText().toStdString();
 }
 
@@ -115,7 +118,7 @@ TEST_F(GhostControllerTest, FollowsTheSetting) {
   ASSERT_TRUE(edits.apply(farSays(edits.model(), "low")));
   scene.setXInput(0);  // along speed, at a depth of "near" the edit does nothing
   scene.setValue(1, 2);
-  EXPECT_EQ(ghost.differenceText(), QStringLiteral("no change of this curve"));
+  EXPECT_EQ(ghost.differenceText(), QStringLiteral("max ΔF at least 0.250 N (3.5 JND) · no change of this curve"));
   scene.setValue(1, 8);
   EXPECT_NEAR(ghost.curves()->difference.largest_n, 0.25, 1e-12);
 }
@@ -143,8 +146,46 @@ TEST_F(GhostControllerTest, TheMostNoticeableChangeMayBeAtAnotherPlace) {
   ASSERT_TRUE(edits.apply(editing::finished(model, "both")));
   scene.setValue(0, 20);
   // Near: 0.2 N from 0.25 N, 0.2 / sqrt(0.0016 + 0.0009) = 4 JND. Far: 0.22 N from 0.5 N, 3.1 JND.
-  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF 0.220 N at ")));
+  EXPECT_TRUE(
+      ghost.differenceText().startsWith(QStringLiteral("max ΔF at least 0.220 N (4 JND) · on this curve 0.220 N at ")));
   EXPECT_TRUE(ghost.differenceText().contains(QStringLiteral(", 4 JND at "))) << ghost.differenceText().toStdString();
+}
+
+// One number for one edit: the history, the legend and the comparison never say less than the curve on the screen
+// shows.
+TEST_F(GhostControllerTest, NoNumberIsSmallerThanTheCurveShows) {
+  base::Random random(3);
+  CompareController compare(models, edits);
+  compare.setCurve([this] { return CurveSetting{scene.xInput(), scene.values()}; });
+  for (int i = 0; i < 40; ++i) {
+    const fuzzy::ForceModel now = edits.model();
+    const double to = now.inputs[1].terms[1].points[0] + random.uniform(-0.7, 0.7);
+    edits.apply(editing::moveVertex(now, {{"depth", ""}, "far", 0}, to));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return scene.model()->model == edits.model(); }, 10'000));
+    scene.setXInput(static_cast<std::size_t>(random.below(2)));
+    for (std::size_t k = 0; k < now.inputs.size(); ++k) {
+      scene.setValue(k, random.uniform(now.inputs[k].min, now.inputs[k].max));
+    }
+    const GhostCurves* curves = ghost.curves();
+    if (curves == nullptr) continue;
+    const auto state = edits.history().current();
+    const auto impact = edits.impactOf(state);
+    ASSERT_TRUE(impact.has_value());
+    EXPECT_GE(impact->largest_n, curves->difference.largest_n);
+    EXPECT_GE(impact->noticeable, curves->difference.noticeable);
+    if (curves->difference.largest_n == 0) continue;
+    // What begins the legend is what the history says.
+    const QString effect = edits.effectOf(state);
+    EXPECT_TRUE(ghost.differenceText().startsWith(effect.section(QStringLiteral(" · "), 0, 0)))
+        << ghost.differenceText().toStdString() << " against " << effect.toStdString();
+    // A report of the edit makes the result unknown again.
+    const auto known = [&] {
+      compare.compute();
+      return compare.result().has_value();
+    };
+    ASSERT_TRUE(QTest::qWaitFor(known, 10'000));
+    EXPECT_DOUBLE_EQ(compare.result()->largest_n, impact->largest_n);
+  }
 }
 
 TEST_F(GhostControllerTest, NewtonsAloneAreNoticed) {
@@ -153,7 +194,7 @@ TEST_F(GhostControllerTest, NewtonsAloneAreNoticed) {
   models.open(folder.write(model, QStringLiteral("other.tactus.json")));
   model.experts[0].rules[2].then = "low";
   ASSERT_TRUE(edits.apply(editing::finished(model, "far is low")));
-  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF 0.250 mN at ")))
+  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF at least 0.250 mN at ")))
       << ghost.differenceText().toStdString();
   EXPECT_FALSE(ghost.differenceText().contains(QStringLiteral("JND")));
 }

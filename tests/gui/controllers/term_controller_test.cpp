@@ -202,6 +202,71 @@ TEST_F(TermControllerTest, AnExpertCanHaveOwnTerms) {
   EXPECT_EQ(edits.model(), tests::twoExperts());
 }
 
+// Terms that A and B share, looked at as those of A: the first edit asks for whom it is.
+TEST_F(TermControllerTest, AnEditOfSharedTermsAsksForWhom) {
+  terms.setExpert("A");
+  ASSERT_TRUE(terms.isSharedWithOthers());
+  const QSignalSpy asked(&terms, &TermController::scopeAsked);
+  drag(kNearRightFoot, 0.5);
+  EXPECT_EQ(asked.count(), 1);
+  EXPECT_EQ(edits.model(), tests::twoExperts());
+  EXPECT_FALSE(edits.canUndo());
+
+  terms.chooseScope(true);
+  drag(kNearRightFoot, 0.5);
+  EXPECT_EQ(asked.count(), 1);
+  EXPECT_EQ(edits.model().inputs[1].terms[0].points[3], 5.5);
+  EXPECT_TRUE(edits.model().experts[0].overrides.empty());
+  EXPECT_EQ(edits.undoText(), QStringLiteral("Depth (A, B) / Near: right foot 5 to 5.5 mm"));
+}
+
+TEST_F(TermControllerTest, AnEditForOneExpertLeavesTheOthersAlone) {
+  terms.setExpert("A");
+  terms.setPoint("near", 3, 5.5);
+  EXPECT_EQ(edits.model(), tests::twoExperts());
+  terms.chooseScope(false);  // what waited is carried out
+  EXPECT_EQ(terms.list().expert, "A");
+  EXPECT_EQ(points(0)[3], 5.5);
+  EXPECT_EQ(edits.model().inputs, tests::twoExperts().inputs);
+  EXPECT_FALSE(terms.isSharedWithOthers());
+  EXPECT_EQ(edits.undoText(), QStringLiteral("A, Depth / Near: right foot 5 to 5.5 mm"));
+}
+
+TEST_F(TermControllerTest, EveryWayToEditAsksForWhom) {
+  const std::vector<std::function<void()>> ways = {
+      [&] { drag(kNearRightFoot, 0.5); },
+      [&] {
+        terms.select(kNearRightFoot);
+        terms.step(1, false);
+        terms.endSteps();
+      },
+      [&] { terms.setPoint("near", 3, 5.5); },
+      [&] { terms.convert("far", fuzzy::Shape::kTriangle); },
+      [&] { terms.add(QStringLiteral("New"), 2); },
+      [&] { terms.rename("near", QStringLiteral("Other")); },
+      [&] { terms.remove("near", true); },
+      [&] { terms.split("far", {8.5}); },
+      [&] { terms.setKeepsSum(true); },
+  };
+  for (std::size_t way = 0; way < ways.size(); ++way) {
+    terms.setExpert("");
+    terms.setExpert("A");
+    const QSignalSpy asked(&terms, &TermController::scopeAsked);
+    ways[way]();
+    EXPECT_EQ(edits.model(), tests::twoExperts()) << way;
+    EXPECT_EQ(asked.count(), 1) << way;
+  }
+  // Another expert or variable forgets what waited.
+  terms.setPoint("near", 3, 5.5);
+  terms.setExpert("B");
+  terms.chooseScope(true);
+  EXPECT_EQ(edits.model(), tests::twoExperts());
+  // The list of all says in its name that it is for all.
+  terms.setExpert("");
+  terms.setPoint("near", 3, 5.5);
+  EXPECT_EQ(points(0)[3], 5.5);
+}
+
 TEST_F(TermControllerTest, HandlesFollowEachOther) {
   terms.selectNext(1);
   EXPECT_EQ(terms.selected(), (Grip{0, Part::kVertex, 0, false}));
@@ -232,6 +297,7 @@ class RandomHand {
       }
       case 1:
         terms_.setExpert(pick(2) == 0 ? "" : terms_.model().experts[pick(2)].id);
+        terms_.chooseScope(pick(2) == 0);
         break;
       case 2:
         terms_.setKeepsSum(pick(2) == 0);

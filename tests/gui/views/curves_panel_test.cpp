@@ -97,7 +97,7 @@ TEST_F(CurvesPanelTest, AnEditLeavesAGhostAndSaysHowFarItWent) {
   model.experts[0].rules[2].then = "low";
   ASSERT_TRUE(bench.edits.apply(editing::finished(model, "far is low")));
   settle();
-  EXPECT_TRUE(says(panel, QStringLiteral("max ΔF 0.250 N (3.5 JND) at")));
+  EXPECT_TRUE(says(panel, QStringLiteral("max ΔF at least 0.250 N (3.5 JND) at")));
   EXPECT_TRUE(legend().contains(QStringLiteral("Before the last edit")));
   const QImage with_ghost = picture();
   QTest::mouseClick(chip(QStringLiteral("Before the last edit")), Qt::LeftButton);

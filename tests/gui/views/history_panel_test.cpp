@@ -96,7 +96,7 @@ TEST_F(HistoryPanelTest, ARowSaysWhatTheEditDid) {
   bench.edits.apply(editing::moveEdge(bench.edits.model(), {{"force", ""}, "high"}, editing::Side::kLeft, 0.1));
   ASSERT_TRUE(waitForRows(2));
   EXPECT_TRUE(cell(1).contains(QStringLiteral("High")));
-  EXPECT_TRUE(cell(1, HistoryModel::kEffectRole).startsWith(QStringLiteral("max ΔF 0.050 N (0.5 JND) · ")));
+  EXPECT_TRUE(cell(1, HistoryModel::kEffectRole).startsWith(QStringLiteral("max ΔF at least 0.050 N (0.5 JND) · ")));
 }
 
 TEST_F(HistoryPanelTest, TheAuthorIsTypedOnceAndKept) {

@@ -14,13 +14,16 @@
 #include <QSettings>
 #include <QTimer>
 #include <QUrl>
+#include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
 
 #include "app/editing/membership_edits.h"
 #include "app/workbench/views/message_banner.h"
+#include "app/workbench/views/model_header.h"
 #include "app/workbench/views/operating_strip.h"
 #include "app/workbench/views/recordings_card.h"
+#include "app/workbench/views/tube_pad.h"
 #include "app/workbench/workbench.h"
 #include "core/store/model_versions.h"
 
@@ -181,6 +184,52 @@ TEST_F(StudyPartsTest, TheRecordingsStandInTheFeelPanel) {
   for (const QPushButton* button : card->findChildren<QPushButton*>()) {
     EXPECT_EQ(button->isEnabled(), button->text() == QStringLiteral("Record")) << button->text().toStdString();
   }
+}
+
+TEST_F(StudyPartsTest, WhichStudyIsOpenIsSaidWhereItMatters) {
+  EXPECT_FALSE(window.windowTitle().contains(QStringLiteral("sample.tactus")));
+  ASSERT_TRUE(open());
+  EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("study sample.tactus")))
+      << window.windowTitle().toStdString();
+  const auto says = [](const QWidget& part, const QString& words) {
+    const auto labels = part.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->isVisibleTo(&part) && label->text() == words; });
+  };
+  EXPECT_TRUE(says(*window.findChild<RecordingsCard*>(), QStringLiteral("Into the study sample.tactus")));
+  auto* header = window.findChild<ModelHeader*>();
+  ASSERT_NE(header, nullptr);
+  const auto labels = header->findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return !label->isHidden() && label->toolTip().startsWith(QStringLiteral("The study that is open"));
+  }));
+  bench.study.close();
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
+  EXPECT_FALSE(window.windowTitle().contains(QStringLiteral("sample.tactus")));
+}
+
+// Stopped, a recording waits for Start, and says so on the button and on the pad.
+TEST_F(StudyPartsTest, RecordWhileStoppedSaysThatItIsArmed) {
+  bench.models.open(folder.write(tests::twoExperts()));
+  ASSERT_TRUE(open());
+  auto* card = window.findChild<RecordingsCard*>();
+  auto* pad = window.findChild<TubePad*>();
+  ASSERT_NE(pad, nullptr);
+  QPushButton* record = nullptr;
+  for (auto* button : card->findChildren<QPushButton*>()) {
+    if (button->text() == QStringLiteral("Record")) record = button;
+  }
+  ASSERT_NE(record, nullptr);
+  ASSERT_TRUE(comesTrue([&] { return record->isEnabled(); }));
+  EXPECT_TRUE(record->icon().isNull());
+  record->click();
+  EXPECT_EQ(record->text(), QStringLiteral("Armed"));
+  EXPECT_FALSE(record->icon().isNull());
+  EXPECT_TRUE(record->toolTip().contains(QStringLiteral("begins with Start")));
+  EXPECT_EQ(pad->toolTip(), QStringLiteral("Armed: the recording begins with Start."));
+  record->click();
+  EXPECT_EQ(record->text(), QStringLiteral("Record"));
+  EXPECT_NE(pad->toolTip(), QStringLiteral("Armed: the recording begins with Start."));
 }
 
 }  // namespace
