@@ -231,91 +231,82 @@ Result<std::vector<ForceJudgement>> readJudgements(const CsvTable& table) {
   std::set<std::tuple<std::string, std::string, int>> seen;
   return readRows<ForceJudgement>(table, [&](RowReader& cells) {
     ForceJudgement judgement;
-    /// Empty where the column is absent.
-    std::string_view text(std::size_t column) const {
-      if (column == kAbsent) return {};
-      const auto cell = base::trimmed(table_.cell(row_, column));
-      return table_.hasMark() ? base::withoutGuard(cell) : cell;
-      judgement.step = cells.ordinal(column[2]);
-      judgement.force_n = cells.number(column[3]);
-      if (judgement.force_n < 0) cells.refuse(column[3], ErrorCode::kValue, "a force of 0 N or more");
-      std::tie(judgement.kind, judgement.term) = judgementOf(cells.name(column[4]));
-      if (!seen.emplace(judgement.participant, judgement.series, judgement.step).second) {
-        cells.refuse(column[2], ErrorCode::kValue, "step " + std::to_string(judgement.step) + " of this series again",
-                     "each step of a series once for a participant");
-      }
-      return judgement;
-    });
+    judgement.participant = cells.requiredName(column[0], "the code of a participant");
+    judgement.series = column[1] == kAbsent ? "ascending" : cells.name(column[1]);
+    judgement.step = cells.ordinal(column[2]);
+    judgement.force_n = cells.number(column[3]);
+    if (judgement.force_n < 0) cells.refuse(column[3], ErrorCode::kValue, "a force of 0 N or more");
+    std::tie(judgement.kind, judgement.term) = judgementOf(cells.name(column[4]));
+    if (!seen.emplace(judgement.participant, judgement.series, judgement.step).second) {
+      cells.refuse(column[2], ErrorCode::kValue, "step " + std::to_string(judgement.step) + " of this series again",
+                   "each step of a series once for a participant");
+    }
+    return judgement;
+  });
 }
 
 Result<std::vector<Answer>> readAnswers(const CsvTable& table) {
-    const auto columns = findColumns(table, kAnswersTable, kAnswerColumns);
-    if (!columns) return tl::unexpected(columns.error());
-    const auto& column = *columns;
+  const auto columns = findColumns(table, kAnswersTable, kAnswerColumns);
+  if (!columns) return tl::unexpected(columns.error());
+  const auto& column = *columns;
 
-    std::set<std::tuple<std::string, std::string, int>> seen;
+  std::set<std::tuple<std::string, std::string, int>> seen;
   return readRows<Answer>(table, [&](RowReader& cells) {
-      Answer answer;
-      answer.participant = cells.requiredName(column[0], "the code of a participant");
-      answer.form = cells.requiredName(column[1], "the id of a form");
-      answer.item = cells.integer(column[2]);
-      /// Empty where the column is absent.
-      std::string_view text(std::size_t column) const {
-        if (column == kAbsent) return {};
-        const auto cell = base::trimmed(table_.cell(row_, column));
-        return table_.hasMark() ? base::withoutGuard(cell) : cell;
-        const bool answered = answer.status == Answer::Status::kAnswered;
-        if (answered && answer.term.empty()) {
-          cells.refuse(column[3], ErrorCode::kValue, "a term, as the status is 'answered'");
-        } else if (!answered && !answer.term.empty()) {
-          cells.refuse(column[3], ErrorCode::kValue,
-                       "an empty cell, as the status is " + base::quoted(cells.text(column[4])));
-        }
-        if (!seen.emplace(answer.participant, answer.form, answer.item).second) {
-          cells.refuse(column[2], ErrorCode::kValue, "item " + std::to_string(answer.item) + " of this form again",
-                       "each item of a form once for a participant");
-        }
-        return answer;
-      });
+    Answer answer;
+    answer.participant = cells.requiredName(column[0], "the code of a participant");
+    answer.form = cells.requiredName(column[1], "the id of a form");
+    answer.item = cells.integer(column[2]);
+    answer.term = cells.name(column[3]);
+    answer.status = statusOf(cells, column[4], !answer.term.empty());
+    const bool answered = answer.status == Answer::Status::kAnswered;
+    if (answered && answer.term.empty()) {
+      cells.refuse(column[3], ErrorCode::kValue, "a term, as the status is 'answered'");
+    } else if (!answered && !answer.term.empty()) {
+      cells.refuse(column[3], ErrorCode::kValue,
+                   "an empty cell, as the status is " + base::quoted(cells.text(column[4])));
+    }
+    if (!seen.emplace(answer.participant, answer.form, answer.item).second) {
+      cells.refuse(column[2], ErrorCode::kValue, "item " + std::to_string(answer.item) + " of this form again",
+                   "each item of a form once for a participant");
+    }
+    return answer;
+  });
 }
 
 Result<std::vector<GivenRule>> readRules(const CsvTable& table, const std::vector<std::string>& input_ids) {
-      const auto columns = findColumns(table, kRulesTable, kRuleColumns);
-      if (!columns) return tl::unexpected(columns.error());
-      const auto& column = *columns;
-      const auto inputs = inputColumns(table, input_ids);
-      if (!inputs) return tl::unexpected(inputs.error());
-      const auto form = table.find("form");
+  const auto columns = findColumns(table, kRulesTable, kRuleColumns);
+  if (!columns) return tl::unexpected(columns.error());
+  const auto& column = *columns;
+  const auto inputs = inputColumns(table, input_ids);
+  if (!inputs) return tl::unexpected(inputs.error());
+  const auto form = table.find("form");
 
-      using Terms = std::vector<std::string>;
-      std::set<std::tuple<std::string, std::string, Terms>> seen;
+  using Terms = std::vector<std::string>;
+  std::set<std::tuple<std::string, std::string, Terms>> seen;
   return readRows<GivenRule>(table, [&](RowReader& cells) {
-        GivenRule rule;
-        rule.participant = cells.requiredName(column[0], "the code of a participant");
-        if (form) rule.form = cells.name(*form);
-        Terms terms;
-        for (const std::size_t input : *inputs) {
-          /// Empty where the column is absent.
-          std::string_view text(std::size_t column) const {
-            if (column == kAbsent) return {};
-            const auto cell = base::trimmed(table_.cell(row_, column));
-            return table_.hasMark() ? base::withoutGuard(cell) : cell;
-          }
-          if (rule.conditions.empty()) {
-            cells.refuse(inputs->empty() ? column[1] : inputs->front(), ErrorCode::kValue, "a rule without a condition",
-                         "a term for one input or more");
-          }
-          rule.then = cells.requiredName(column[1], "the term that follows");
-          terms.push_back(rule.then);
-          if (!cells.text(column[2]).empty()) rule.weight = cells.number(column[2]);
-          if (!(rule.weight >= 0 && rule.weight <= 1)) {
-            cells.refuse(column[2], ErrorCode::kValue, "a weight from 0 to 1, or an empty cell for 1");
-          }
-          if (!seen.emplace(rule.participant, rule.form, std::move(terms)).second) {
-            cells.refuse(column[1], ErrorCode::kValue, "the same rule twice", "each rule once for a participant");
-          }
-          return rule;
-        });
+    GivenRule rule;
+    rule.participant = cells.requiredName(column[0], "the code of a participant");
+    if (form) rule.form = cells.name(*form);
+    Terms terms;
+    for (const std::size_t input : *inputs) {
+      terms.push_back(cells.name(input));
+      if (!terms.back().empty()) rule.conditions.push_back({inputId(table.columns()[input], input_ids), terms.back()});
+    }
+    if (rule.conditions.empty()) {
+      cells.refuse(inputs->empty() ? column[1] : inputs->front(), ErrorCode::kValue, "a rule without a condition",
+                   "a term for one input or more");
+    }
+    rule.then = cells.requiredName(column[1], "the term that follows");
+    terms.push_back(rule.then);
+    if (!cells.text(column[2]).empty()) rule.weight = cells.number(column[2]);
+    if (!(rule.weight >= 0 && rule.weight <= 1)) {
+      cells.refuse(column[2], ErrorCode::kValue, "a weight from 0 to 1, or an empty cell for 1");
+    }
+    if (!seen.emplace(rule.participant, rule.form, std::move(terms)).second) {
+      cells.refuse(column[1], ErrorCode::kValue, "the same rule twice", "each rule once for a participant");
+    }
+    return rule;
+  });
 }
 
 }  // namespace tactus::study
