@@ -105,7 +105,7 @@ TEST(AgreementCommand, TheTextLeadsWithOrdinalAlphaAndWarnsOfKappa) {
 }
 
 TEST(AgreementCommand, RefusesInOneSentence) {
-  EXPECT_EQ(errorOf("a,b\n1,2\n").find(": header: found columns a, b, wanted answers ("), 0U);
+  EXPECT_EQ(errorOf("a,b\n1,2\n").find(": header: found the columns 'a', 'b', wanted answers ("), 0U);
   EXPECT_EQ(errorOf(kAnswers + "B,ngt-force-v1,3,huge,answered\n").find(": line 7, column 'term': found 'huge'"), 0U);
   EXPECT_EQ(errorOf(kAnswers, {"--form", "x"}).find(": answers: found no row of form 'x'"), 0U);
   EXPECT_EQ(errorOf(kJudgements, {"--series", "x"}).find(": judgements: found no row of series 'x'"), 0U);
