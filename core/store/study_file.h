@@ -66,7 +66,7 @@ class StudyFile {
   int version() const { return version_; }
 
   /// What happened to the study before or while it was opened and a person should know, one sentence each: records
-  /// that were lost with a damaged journal.
+  /// that were lost with a damaged journal; where it is open for writing, an erasure that was interrupted.
   const std::vector<std::string>& notices() const { return notices_; }
 
   /// For core/store only.

@@ -9,6 +9,7 @@
 #include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"
+#include "core/store/withdrawn_codes.h"
 
 namespace tactus::store {
 namespace {
@@ -43,8 +44,10 @@ void checkIncidents(Connection& connection, Findings& findings) {
   while (query.next()) findings.push_back("incident: " + query.text());
 }
 
-/// What the opening for reading only said and could not note in the file.
+/// What is not finished, and what the opening for reading only said and could not note in the file.
 void addNotices(const StudyFile& file, Findings& findings) {
+  const std::string unfinished = unfinishedErasure(file.connection());
+  if (!unfinished.empty()) findings.push_back("erasure: " + unfinished);
   if (file.access() != Access::kReadOnly) return;
   for (const auto& notice : file.notices()) findings.push_back("incident: " + notice);
 }

@@ -14,6 +14,7 @@
 #include "core/store/record_checksum.h"
 #include "core/store/schema.h"
 #include "core/store/schema_check.h"
+#include "core/store/withdrawn_codes.h"
 
 namespace tactus::store {
 namespace {
@@ -266,6 +267,11 @@ Result<OpenedStudy> openAs(const std::string& path, const OpenOptions& options, 
     if (!ready) return tl::unexpected(ready.error());
   }
   if (incident) study.notices.push_back(incident->detail);
+  if (mode == Mode::kReadWrite) {
+    auto unfinished = guarded(db, [&] { return unfinishedErasure(db); });
+    if (!unfinished) return tl::unexpected(unfinished.error());
+    if (!unfinished->empty()) study.notices.push_back(std::move(*unfinished));
+  }
   return study;
 }
 

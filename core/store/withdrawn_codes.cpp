@@ -6,6 +6,7 @@
 #include "core/base/clock.h"
 #include "core/base/sha256.h"
 #include "core/store/query.h"
+#include "core/store/recoding.h"
 #include "core/store/record_checksum.h"
 
 namespace tactus::store {
@@ -116,6 +117,15 @@ void leaveTombstone(Connection& connection, const TombstoneRow& tombstone) {
   putBytes(change, both.code_salt);
   putBytes(change, both.code_hashes);
   change.run();
+}
+
+std::string unfinishedErasure(Connection& connection) {
+  Query count(connection, "SELECT count(*) FROM erasure");
+  count.next();
+  const auto persons = count.integer();
+  if (persons == 0) return {};
+  return "the erasure of " + std::to_string(persons) + (persons == 1 ? " participant" : " participants") +
+         " who withdrew was interrupted; finish it: tactus study erase " + shellWord(connection.path());
 }
 
 const TombstoneRow* withdrawnWith(const std::vector<TombstoneRow>& tombstones, std::string_view code) {

@@ -35,6 +35,9 @@ void noteErasure(Connection& connection, const study::RecordId& person, std::int
 /// Adds the tombstone, or joins it with the one that is there, and notes the erasure where it changes anything.
 void leaveTombstone(Connection& connection, const TombstoneRow& tombstone);
 
+/// `the erasure of 1 participant who withdrew was interrupted; finish it: tactus study erase FILE`, or an empty text.
+std::string unfinishedErasure(Connection& connection);
+
 /// The one of `tombstones` whose person had `code`, or null.
 const TombstoneRow* withdrawnWith(const std::vector<TombstoneRow>& tombstones, std::string_view code);
 

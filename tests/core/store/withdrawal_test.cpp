@@ -232,6 +232,10 @@ TEST_F(Withdrawals, AnErasureThatIsNotFinishedIsKnownAndCanBeFinished) {
   auto file = StudyFile::open(path_);
   ASSERT_TRUE(file);
   EXPECT_EQ(*unfinishedErasures(*file), std::vector{study_.person.id});
+  const std::string notice =
+      "the erasure of 1 participant who withdrew was interrupted; finish it: tactus study erase " + path_;
+  EXPECT_EQ(file->notices(), std::vector{notice});
+  EXPECT_EQ(*checkStudy(*file), std::vector{"erasure: " + notice});
   const auto erasure = erase(*file);
   ASSERT_TRUE(erasure) << erasure.error().message();
   EXPECT_EQ(erasure->unfinished, std::vector{study_.person.id});
@@ -239,6 +243,9 @@ TEST_F(Withdrawals, AnErasureThatIsNotFinishedIsKnownAndCanBeFinished) {
   EXPECT_TRUE(unfinishedErasures(*file)->empty());
   EXPECT_EQ(allBytes().find("velvet-otter"), std::string::npos);
   EXPECT_EQ(erase(*file)->models, 0);
+  EXPECT_TRUE(checkStudy(*file)->empty());
+  ASSERT_TRUE(file->close());
+  EXPECT_TRUE(StudyFile::open(path_)->notices().empty());
 }
 
 TEST_F(Withdrawals, WithoutAnErasureNothingIsChanged) {
