@@ -107,7 +107,8 @@ TEST_F(StudyCommands, AnImportThatIsStoppedBlocksNothing) {
   // Enough rows that the signal falls into the middle.
   std::string speeds = "participant,level,stroke,time_s,depth_mm,speed_mm_s\n";
   for (int i = 0; i < 20'000; ++i) {
-    speeds += "S1,slow," + std::to_string(1 + i / 1000) + ',' + std::to_string(i % 1000) + ",1,1\n";
+    // A sample each 0.1 ms: a stroke of 999 s would be refused as one of milliseconds.
+    speeds += "S1,slow," + std::to_string(1 + i / 1000) + ",0." + std::to_string(1000 + i % 1000) + ",1,1\n";
   }
   writeText(path("tables/speeds.csv"), speeds);
   for (const int wait_ms : {0, 2, 5, 10, 20, 40, 80}) {
