@@ -6,6 +6,7 @@
 
 #include "core/base/check.h"
 #include "core/fuzzy/every_expert.h"
+#include "elicitation/force_step_limits.h"
 
 namespace tactus::workbench {
 namespace {
@@ -66,6 +67,12 @@ ForceCurves computeCurves(const fuzzy::ForceModel& model, const fuzzy::CompiledM
     for (std::size_t expert = 0; expert < here.size(); ++expert) curves.experts[expert].push_back(here[expert]);
   }
   return curves;
+}
+
+std::vector<analysis::ForceStep> noticeableSteps(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+                                                 std::size_t x_input, std::span<const double> values) {
+  if (model.output.unit != "N" || model.experts.size() > kManyExperts) return {};
+  return analysis::forceStepsAlong(model, compiled, x_input, values, elicitation::forceStepLimits(model));
 }
 
 std::vector<Interval> silentIntervals(std::span<const double> x, std::span<const fuzzy::Evaluation> curve) {

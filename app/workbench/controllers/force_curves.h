@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/analysis/force_steps.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 
@@ -35,6 +36,11 @@ std::vector<double> samplePositions(const fuzzy::ForceModel& model, std::size_t 
 /// The curves along `x_input`; `values` holds one value per input, that of `x_input` is not used.
 ForceCurves computeCurves(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t x_input,
                           std::span<const double> values);
+
+/// Steps of the force along `x_input` that a hand on a device notices or that are steeper than the renderer's spring;
+/// none where the output is no force in newtons, or for a model of more than `kManyExperts`.
+std::vector<analysis::ForceStep> noticeableSteps(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+                                                 std::size_t x_input, std::span<const double> values);
 
 /// Where no rule fires: the intervals of positive width between samples that did not fire.
 std::vector<Interval> silentIntervals(std::span<const double> x, std::span<const fuzzy::Evaluation> curve);

@@ -33,7 +33,6 @@
 #include "app/workbench/views/reference_bar.h"
 #include "app/workbench/views/say.h"
 #include "core/analysis/force_steps.h"
-#include "elicitation/force_step_limits.h"
 
 namespace tactus::workbench {
 namespace {
@@ -168,11 +167,7 @@ void CurvesPanel::drawCurves() {
 // Also while a vertex is dragged: a cliff is seen before it is felt.
 void CurvesPanel::drawSteps() {
   const OpenModel& open = *scene_.model();
-  std::vector<analysis::ForceStep> steps;
-  if (open.model.output.unit == "N" && open.model.experts.size() <= kManyExperts) {
-    steps = analysis::forceStepsAlong(open.model, open.compiled, scene_.xInput(), scene_.values(),
-                                      elicitation::forceStepLimits(open.model));
-  }
+  auto steps = noticeableSteps(open.model, open.compiled, scene_.xInput(), scene_.values());
   plot_->setSteps(steps);
   std::erase_if(steps, [&](const analysis::ForceStep& step) {
     return step.expert ? !plot_->isExpertShown(*step.expert) : !plot_->isMeanShown();
