@@ -14,8 +14,8 @@ inline constexpr std::string_view kFeelStartKind = "recording_started";
 inline constexpr std::string_view kFeelEndKind = "recording_finished";
 inline constexpr std::string_view kFeelLevel = "feel";
 inline constexpr std::string_view kFeelVerdict = "recorded";
-inline constexpr std::string_view kFeelGapVerdict =
-    "recorded_until_gap";  ///< of a piece behind which samples were lost
+/// Of a piece behind which samples were lost.
+inline constexpr std::string_view kFeelGapVerdict = "recorded_until_gap";
 
 study::EventRecord eventOf(const study::PlacementRecord& record);
 study::EventRecord eventOf(const study::FeelStart& record);

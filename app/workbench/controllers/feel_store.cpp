@@ -126,15 +126,17 @@ void FeelStore::onSampled(std::span<const haptics::Sample> samples) {
       placement_orders_ = feel_.placementOrders();
       ++placement_;
     }
+    // A piece is stored only when its next sample is there, so that it can say whether samples were lost in between.
     if (recorder_->isGapBefore(sample)) {
       storePiece(true);
       emit failed(
           tr("Samples of the recording were lost, because this program came to a standstill. The recording says "
              "where."));
+    } else if (recorder_->pieceS() >= kPieceS) {
+      storePiece();
     }
     recorder_->add(sample, sample.depth_mm + feel_.depthOffsetMm(), placement_);
   }
-  if (recorder_->pieceS() >= kPieceS) storePiece();
 }
 
 // A recording has a channel for each condition; a model of other inputs has others.
