@@ -102,7 +102,8 @@ std::vector<std::size_t> conflictingRules(const Expert& expert) {
     if (rule.enabled && rule.weight > 0) alike[sortedConditions(rule)].push_back(r);
   }
   std::vector<std::size_t> out;
-  for (const auto& [conditions, rules] : alike) {
+  for (const auto& same : alike) {
+    const auto& rules = same.second;
     const bool agree = std::all_of(rules.begin(), rules.end(),
                                    [&](std::size_t r) { return expert.rules[r].then == expert.rules[rules[0]].then; });
     if (!agree) out.insert(out.end(), rules.begin(), rules.end());
