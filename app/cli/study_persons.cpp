@@ -36,7 +36,7 @@ void addCopies(const std::string& file, const study::RecordId& person, const std
   }
 }
 
-/// What is left to do for somebody who withdrew already.
+/// What is left to do for a participant who withdrew already.
 Result<Output> finishWithdrawal(store::StudyFile& file, const StudyWithdrawOptions& options,
                                 const store::Tombstone& tombstone) {
   const auto unfinished = store::unfinishedErasures(file);

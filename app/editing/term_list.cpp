@@ -67,7 +67,7 @@ Result<OpenList> openList(ForceModel& model, const TermListId& list) {
     const bool output = *variable == &model.output;
     out.terms =
         output ? &model.output.terms : &model.inputs[static_cast<std::size_t>(*variable - model.inputs.data())].terms;
-    // Of one expert alone nobody asks for whom.
+    // A model of one expert has one scope, so there is nothing to ask.
     if (model.experts.size() > 1) {
       const std::string readers = readersText(model, list);
       if (!readers.empty()) out.scope = " (" + readers + ')';

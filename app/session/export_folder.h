@@ -37,7 +37,7 @@ class ExportFolder {
 
   std::filesystem::path target_;
   std::filesystem::path temporary_;
-  base::Descriptor in_use_;  ///< after a crash nobody has it
+  base::Descriptor in_use_;  ///< a crash releases it
 };
 
 /// Whether `folder` holds files, and none but those of an export.

@@ -113,7 +113,7 @@ std::vector<Leftover> leftoversOfExport(const std::string& folder) {
 std::vector<std::string> removeOurs(const std::vector<Leftover>& leftovers) {
   std::vector<std::string> removed;
   for (const Leftover& leftover : leftovers) {
-    // Kept until it is gone, so that nobody takes it meanwhile.
+    // Kept until the file is gone, so that no other program takes it meanwhile.
     const auto taken = base::takeUnused(leftover.path);
     const bool is_journal = withoutTail(leftover.path) != leftover.path;
     if (!leftover.is_ours || !taken.isOpen() || (is_journal && !isUnused(leftover.path))) continue;

@@ -32,7 +32,7 @@ class FreshFile {
 
   std::string path_;
   std::string temporary_;
-  base::Descriptor in_use_;  ///< after a crash nobody has it
+  base::Descriptor in_use_;  ///< a crash releases it
 };
 
 }  // namespace tactus::store
