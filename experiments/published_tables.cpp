@@ -1,7 +1,7 @@
 #include "experiments/published_tables.h"
 
 #include "core/base/check.h"
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 
 namespace tactus::experiments {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/base/json_pointer.h"
+#include "core/base/json/json_pointer.h"
 
 namespace tactus::questionnaires {
 

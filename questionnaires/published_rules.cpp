@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/check.h"
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "questionnaires/aliases.h"
 #include "questionnaires/embedded_data.h"

@@ -1,5 +1,5 @@
 #include "core/base/check.h"
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 #include "questionnaires/embedded_data.h"
 #include "questionnaires/scale_summary.h"
 

@@ -1,4 +1,4 @@
-#include "elicitation/agreement.h"
+#include "elicitation/agreement/agreement.h"
 
 #include <algorithm>
 
@@ -6,12 +6,12 @@
 #include "app/cli/wrapped_text.h"
 #include "app/session/known_forms.h"
 #include "app/session/table_words.h"
-#include "core/base/csv.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
 #include "core/base/name_list.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "core/study/csv_columns.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {

@@ -11,17 +11,17 @@
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/clock.h"
-#include "core/base/csv.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/rounded_number.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 #include "core/study/table_line.h"
-#include "elicitation/expert_weights_compared.h"
-#include "elicitation/model_builder.h"
-#include "elicitation/ngt_variables.h"
-#include "elicitation/rounded_number.h"
-#include "elicitation/rule_lint.h"
+#include "elicitation/model/expert_weights_compared.h"
+#include "elicitation/model/model_builder.h"
+#include "elicitation/rules/rule_lint.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
@@ -77,11 +77,11 @@ std::string forceAsText(const elicitation::BuiltModel& built, elicitation::Force
   std::vector<std::string> terms;
   for (const auto& term : built.model.output.terms) {
     std::string text = term.id;
-    for (const double point : term.points) text += ' ' + elicitation::roundedNumber(point);
+    for (const double point : term.points) text += ' ' + base::roundedNumber(point);
     terms.push_back(std::move(text));
   }
   return "force terms from the " + std::string(name(from)) + ": " + base::joined(terms, "; ") +
-         " N; the universe ends at " + elicitation::roundedNumber(built.model.output.max) + " N\n";
+         " N; the universe ends at " + base::roundedNumber(built.model.output.max) + " N\n";
 }
 
 void writeForce(const elicitation::BuiltModel& built, elicitation::ForceTermsFrom from, base::JsonWriter& json) {

@@ -1,10 +1,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/findings_text.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
-#include "elicitation/rule_lint.h"
+#include "elicitation/rules/rule_lint.h"
 
 namespace tactus::cli {
 namespace {

@@ -1,9 +1,9 @@
 #include "app/cli/commands.h"
-#include "core/base/csv.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
-#include "elicitation/fcm.h"
-#include "elicitation/fcm_validity.h"
+#include "elicitation/clustering/fcm.h"
+#include "elicitation/clustering/fcm_validity.h"
 
 namespace tactus::cli {
 namespace {

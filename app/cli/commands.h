@@ -8,8 +8,8 @@
 
 #include "core/analysis/sampled_centroid.h"
 #include "core/base/error.h"
-#include "elicitation/force_terms.h"
-#include "elicitation/speed_terms.h"
+#include "elicitation/force/force_terms.h"
+#include "elicitation/speed/speed_terms.h"
 
 namespace tactus::cli {
 

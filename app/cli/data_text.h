@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
 #include "core/study/data_finding.h"
 
 namespace tactus::cli {

@@ -11,13 +11,13 @@
 #include "app/simulation/scenario.h"
 #include "app/version.h"
 #include "core/base/clock.h"
-#include "core/base/csv.h"
-#include "core/base/file.h"
-#include "core/base/json_writer.h"
+#include "core/base/files/file.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
 #include "core/store/study_file.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/variables/ngt_variables.h"
 #include "questionnaires/published_rules.h"
 
 namespace tactus::cli {

@@ -2,7 +2,7 @@
 #include "app/cli/device_commands.h"
 #include "app/cli/wrapped_text.h"
 #include "app/devices/device_list.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
 
 namespace tactus::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/cli/wrapped_text.h"
 #include "app/devices/open_device.h"
 #include "app/devices/self_test_run.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 
 namespace tactus::cli {

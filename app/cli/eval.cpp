@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "app/cli/commands.h"
-#include "core/base/csv.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
+#include "core/base/tables/csv.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 

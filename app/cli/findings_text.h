@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "core/base/json_writer.h"
-#include "elicitation/rule_finding.h"
+#include "core/base/json/json_writer.h"
+#include "elicitation/rules/rule_finding.h"
 
 namespace tactus::cli {
 

@@ -15,7 +15,7 @@
 #include "app/version.h"
 #include "core/base/close_match.h"
 #include "core/base/text.h"
-#include "elicitation/fcm.h"
+#include "elicitation/clustering/fcm.h"
 #include "questionnaires/published_rules.h"
 
 namespace tactus::cli {

@@ -4,8 +4,8 @@
 #include "app/cli/wrapped_text.h"
 #include "app/simulation/scenario_run.h"
 #include "app/simulation/trace_table.h"
-#include "core/base/file.h"
-#include "core/base/json_writer.h"
+#include "core/base/files/file.h"
+#include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/model_io/model_file.h"
 

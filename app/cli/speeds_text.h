@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "core/base/json_writer.h"
-#include "elicitation/model_builder.h"
-#include "elicitation/speed_bootstrap.h"
+#include "core/base/json/json_writer.h"
+#include "elicitation/model/model_builder.h"
+#include "elicitation/model/speed_bootstrap.h"
 
 namespace tactus::cli {
 

@@ -8,10 +8,10 @@
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/clock.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
 #include "core/store/merge.h"
 #include "core/store/study_info.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "app/cli/study_commands.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
 
 namespace tactus::cli {
 namespace {

@@ -8,14 +8,14 @@
 #include "app/session/data_checks.h"
 #include "app/session/leftovers.h"
 #include "app/session/study_source.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/store/backup.h"
 #include "core/store/record_import.h"
 #include "core/store/study_info.h"
 #include "core/store/work_folder.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {

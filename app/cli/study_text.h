@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
 #include "core/store/merge.h"
 #include "core/store/study_file.h"
 

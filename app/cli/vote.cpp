@@ -2,13 +2,13 @@
 
 #include "app/cli/commands.h"
 #include "app/session/table_words.h"
-#include "core/base/csv.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
-#include "elicitation/force_frequency.h"
-#include "elicitation/force_terms.h"
-#include "elicitation/force_voting.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/force/force_frequency.h"
+#include "elicitation/force/force_terms.h"
+#include "elicitation/force/force_voting.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/haptics/openhaptics/openhaptics_device.h"
-#include "core/haptics/servo_clock.h"
+#include "core/haptics/servo/servo_clock.h"
 
 namespace tactus::devices {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/haptics/calibration_procedure.h"
-#include "core/haptics/device.h"
+#include "core/haptics/device/calibration_procedure.h"
+#include "core/haptics/device/device.h"
 
 namespace tactus::devices {
 

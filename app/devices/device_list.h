@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/haptics/calibration_file.h"
-#include "core/haptics/device.h"
+#include "core/haptics/device/calibration_file.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/hid/hid_devices.h"
 
 namespace tactus::devices {

@@ -6,8 +6,8 @@
 
 #include "app/devices/device_list.h"
 #include "core/base/error.h"
-#include "core/haptics/axis_mapping.h"
-#include "core/haptics/device.h"
+#include "core/haptics/device/axis_mapping.h"
+#include "core/haptics/device/device.h"
 
 namespace tactus::devices {
 

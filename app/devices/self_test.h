@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/haptics/sample.h"
-#include "core/haptics/servo_orders.h"
-#include "core/haptics/trip.h"
+#include "core/haptics/safety/trip.h"
+#include "core/haptics/servo/sample.h"
+#include "core/haptics/servo/servo_orders.h"
 
 namespace tactus::devices {
 

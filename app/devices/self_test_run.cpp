@@ -6,10 +6,10 @@
 #include <cmath>
 #include <thread>
 
-#include "core/haptics/loop_watch.h"
-#include "core/haptics/servo.h"
-#include "core/haptics/servo_clock.h"
-#include "core/haptics/servo_thread.h"
+#include "core/haptics/servo/loop_watch.h"
+#include "core/haptics/servo/servo.h"
+#include "core/haptics/servo/servo_clock.h"
+#include "core/haptics/servo/servo_thread.h"
 
 namespace tactus::devices {
 namespace {

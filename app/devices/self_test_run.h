@@ -5,7 +5,7 @@
 
 #include "app/devices/self_test.h"
 #include "core/base/error.h"
-#include "core/haptics/device.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::devices {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/json_document.h"
-#include "core/base/json_writer.h"
-#include "core/base/sha256.h"
+#include "core/base/files/sha256.h"
+#include "core/base/json/json_document.h"
+#include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/model_io/model_file.h"
 

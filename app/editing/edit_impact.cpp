@@ -9,7 +9,7 @@
 #include "core/analysis/sample_points.h"
 #include "core/base/check.h"
 #include "core/fuzzy/batch.h"
-#include "elicitation/noticeable_force.h"
+#include "elicitation/force/noticeable_force.h"
 
 namespace tactus::editing {
 namespace {

@@ -16,8 +16,8 @@ struct EditImpact {
   std::vector<double> at;  ///< where, one value per input; empty where no difference was seen
   double before_n = 0;     ///< the forces there
   double after_n = 0;
-  /// Largest difference in just-noticeable ones around the force before (elicitation/noticeable_force.h); it may be
-  /// seen at another point. Below 1 nobody feels the edit.
+  /// Largest difference in just-noticeable ones around the force before (elicitation/force/noticeable_force.h); it may
+  /// be seen at another point. Below 1 nobody feels the edit.
   double noticeable = 0;
   std::size_t points = 0;  ///< looked at
   std::size_t opened = 0;  ///< points at which some expert had a force before and none has one now

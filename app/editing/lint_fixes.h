@@ -8,7 +8,7 @@
 #include "app/editing/edit.h"
 #include "app/editing/edit_impact.h"
 #include "core/analysis/lint.h"
-#include "elicitation/rule_finding.h"
+#include "elicitation/rules/rule_finding.h"
 
 namespace tactus::editing {
 

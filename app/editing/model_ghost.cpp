@@ -7,7 +7,7 @@
 #include "core/base/check.h"
 #include "core/fuzzy/batch.h"
 #include "core/fuzzy/scene.h"
-#include "elicitation/noticeable_force.h"
+#include "elicitation/force/noticeable_force.h"
 
 namespace tactus::editing {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/analysis/force_steps.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
-#include "elicitation/force_step_limits.h"
+#include "elicitation/force/force_step_limits.h"
 
 namespace tactus::editing {
 namespace {

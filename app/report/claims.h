@@ -8,7 +8,7 @@
 #include "app/report/force_curves.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
-#include "elicitation/noticeable_force.h"
+#include "elicitation/force/noticeable_force.h"
 
 namespace tactus::report {
 

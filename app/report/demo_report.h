@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
 #include "core/study/records.h"
-#include "elicitation/model_builder.h"
+#include "elicitation/model/model_builder.h"
 #include "experiments/published_tables.h"
 
 namespace tactus::report {

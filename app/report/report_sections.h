@@ -9,7 +9,7 @@
 #include "app/report/force_curves.h"
 #include "app/report/html.h"
 #include "app/report/regions.h"
-#include "elicitation/speed_bootstrap.h"
+#include "elicitation/model/speed_bootstrap.h"
 
 namespace tactus::report {
 

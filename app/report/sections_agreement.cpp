@@ -6,7 +6,7 @@
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
-#include "elicitation/agreement.h"
+#include "elicitation/agreement/agreement.h"
 
 namespace tactus::report {
 

@@ -4,8 +4,8 @@
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
-#include "elicitation/expert_weights_compared.h"
-#include "elicitation/rule_lint.h"
+#include "elicitation/model/expert_weights_compared.h"
+#include "elicitation/rules/rule_lint.h"
 
 namespace tactus::report {
 

@@ -5,8 +5,8 @@
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
-#include "elicitation/force_frequency.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/force/force_frequency.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::report {
 

@@ -5,8 +5,8 @@
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
-#include "elicitation/expert_influence.h"
-#include "elicitation/noticeable_force.h"
+#include "elicitation/agreement/expert_influence.h"
+#include "elicitation/force/noticeable_force.h"
 
 namespace tactus::report {
 

@@ -1,6 +1,6 @@
 #include "app/session/codebook.h"
 
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
 #include "core/study/table_line.h"
 
 namespace tactus::session {

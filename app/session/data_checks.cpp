@@ -8,7 +8,7 @@
 
 #include "app/session/known_forms.h"
 #include "app/session/participant_checks.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/variables/ngt_variables.h"
 #include "experiments/judgement_tables.h"
 #include "experiments/stroke_copies.h"
 #include "experiments/stroke_rows.h"

@@ -11,7 +11,7 @@ namespace tactus::session {
 
 /// What to look at in `study`, participant after participant in the order of the study, what is refused before what is
 /// doubtful. At most one finding of a kind for a participant; none for a study without ordinary mistakes. Terms and
-/// items are those of the nasogastric tube study (elicitation/ngt_variables.h, known_forms.h).
+/// items are those of the nasogastric tube study (elicitation/variables/ngt_variables.h, known_forms.h).
 /// 200 participants with 12 strokes of 2000 rows each take seconds. Thread: any.
 std::vector<study::DataFinding> dataFindings(const study::Study& study);
 

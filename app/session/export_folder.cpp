@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "app/session/codebook.h"
-#include "core/base/file.h"
-#include "core/base/unfinished.h"
+#include "core/base/files/file.h"
+#include "core/base/files/unfinished.h"
 #include "core/study/record_id.h"
 #include "core/study/table_line.h"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "app/session/export_folder.h"
-#include "core/base/unfinished.h"
+#include "core/base/files/unfinished.h"
 #include "core/store/work_folder.h"
 
 namespace tactus::session {

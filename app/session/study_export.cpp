@@ -9,10 +9,10 @@
 #include "app/session/leftovers.h"
 #include "app/session/shareable.h"
 #include "app/session/study_view.h"
-#include "core/base/csv.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
+#include "core/base/tables/csv.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::session {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/session/session_order.h"
 #include "app/session/session_state.h"
-#include "core/base/sha256.h"
+#include "core/base/files/sha256.h"
 #include "core/base/text.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"

@@ -7,7 +7,7 @@
 #include "core/base/text.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/variables/ngt_variables.h"
 #include "experiments/force_series.h"
 
 namespace tactus::session {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/csv.h"
 #include "core/base/error.h"
+#include "core/base/tables/csv.h"
 #include "core/study/records.h"
 
 namespace tactus::session {

@@ -2,8 +2,8 @@
 #include <string_view>
 
 #include "app/simulation/scenario.h"
-#include "core/base/file.h"
-#include "core/base/json_members.h"
+#include "core/base/files/file.h"
+#include "core/base/json/json_members.h"
 #include "core/base/text.h"
 
 namespace tactus::simulation {

@@ -11,8 +11,8 @@
 #include "app/simulation/scenario.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
-#include "core/haptics/sample.h"
-#include "core/haptics/servo_core.h"
+#include "core/haptics/servo/sample.h"
+#include "core/haptics/servo/servo_core.h"
 
 namespace tactus::simulation {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/simulation/scenario_run.h"
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 
 namespace tactus::simulation {
 

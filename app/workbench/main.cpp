@@ -6,7 +6,7 @@
 #include <csignal>
 
 #include "app/version.h"
-#include "app/workbench/theme.h"
+#include "app/workbench/base/theme.h"
 #include "app/workbench/workbench.h"
 
 int main(int argc, char** argv) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/json_pointer.h"
+#include "core/base/json/json_pointer.h"
 
 namespace tactus::fuzzy {
 

@@ -4,9 +4,9 @@
 #include <iterator>
 #include <utility>
 
-#include "core/base/json_document.h"
-#include "core/base/json_writer.h"
-#include "core/base/name_removal.h"
+#include "core/base/files/name_removal.h"
+#include "core/base/json/json_document.h"
+#include "core/base/json/json_writer.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 #include "core/model_io/removed_model.h"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/file.h"
-#include "core/base/json_document.h"
+#include "core/base/files/file.h"
+#include "core/base/json/json_document.h"
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"

@@ -1,5 +1,5 @@
-#include "core/base/file.h"
-#include "core/base/json_writer.h"
+#include "core/base/files/file.h"
+#include "core/base/json/json_writer.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"
 

@@ -6,7 +6,7 @@
 #include <sqlite3.h>
 #include <string_view>
 
-#include "core/base/system_reason.h"
+#include "core/base/files/system_reason.h"
 #include "core/base/text.h"
 #include "core/store/journal_file.h"
 #include "core/store/opening.h"

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/csv.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "core/store/words.h"
 

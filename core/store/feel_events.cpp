@@ -3,8 +3,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/json_members.h"
-#include "core/base/json_writer.h"
+#include "core/base/json/json_members.h"
+#include "core/base/json/json_writer.h"
 
 namespace tactus::store {
 namespace {

@@ -7,8 +7,8 @@
 #include <unistd.h>
 #include <utility>
 
-#include "core/base/system_reason.h"
-#include "core/base/unfinished.h"
+#include "core/base/files/system_reason.h"
+#include "core/base/files/unfinished.h"
 
 namespace tactus::store {
 namespace {

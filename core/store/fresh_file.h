@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "core/base/descriptor.h"
 #include "core/base/error.h"
+#include "core/base/files/descriptor.h"
 
 namespace tactus::store {
 

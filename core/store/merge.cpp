@@ -7,9 +7,9 @@
 #include <optional>
 #include <sqlite3.h>
 
-#include "core/base/file.h"
-#include "core/base/json_writer.h"
-#include "core/base/sha256.h"
+#include "core/base/files/file.h"
+#include "core/base/files/sha256.h"
+#include "core/base/json/json_writer.h"
 #include "core/store/conflicts.h"
 #include "core/store/entry_tables.h"
 #include "core/store/merged_withdrawals.h"

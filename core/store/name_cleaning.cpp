@@ -4,9 +4,9 @@
 #include <set>
 #include <utility>
 
-#include "core/base/json_writer.h"
-#include "core/base/name_removal.h"
-#include "core/base/sha256.h"
+#include "core/base/files/name_removal.h"
+#include "core/base/files/sha256.h"
+#include "core/base/json/json_writer.h"
 #include "core/model_io/expert_removal.h"
 #include "core/store/entry_tables.h"
 #include "core/store/query.h"

@@ -1,6 +1,6 @@
 #include "core/store/persons.h"
 
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 #include "core/store/query.h"
 #include "core/store/recoding.h"
 #include "core/store/record_checksum.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 #include "core/store/persons.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"

@@ -4,10 +4,10 @@
 #include <set>
 #include <utility>
 
-#include "core/base/csv.h"
-#include "core/base/file.h"
-#include "core/base/json_writer.h"
-#include "core/base/sha256.h"
+#include "core/base/files/file.h"
+#include "core/base/files/sha256.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/store/backup.h"
 #include "core/store/record_rows.h"
 #include "core/store/schema.h"

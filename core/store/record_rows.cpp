@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/base/file.h"
-#include "core/base/sha256.h"
+#include "core/base/files/file.h"
+#include "core/base/files/sha256.h"
 #include "core/base/text.h"
 #include "core/store/record_checksum.h"
 #include "core/store/recording_codec.h"

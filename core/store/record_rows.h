@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 #include "core/store/connection.h"
 #include "core/store/query.h"
 #include "core/store/record_tables.h"

@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "core/base/system_reason.h"
+#include "core/base/files/system_reason.h"
 
 namespace tactus::store {
 namespace {

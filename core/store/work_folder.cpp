@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/unfinished.h"
+#include "core/base/files/unfinished.h"
 
 namespace tactus::store {
 

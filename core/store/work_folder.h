@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/descriptor.h"
 #include "core/base/error.h"
+#include "core/base/files/descriptor.h"
 
 namespace tactus::store {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/study/csv_tables.h"
 
 namespace tactus::study {

@@ -109,8 +109,9 @@ struct Form {
   std::string id;
   int version = 1;
   std::string title;
-  std::string source;       ///< where the wording comes from
-  std::string depth_terms;  ///< name of the set of depth terms that the form knows (elicitation/ngt_variables.h)
+  std::string source;  ///< where the wording comes from
+  std::string
+      depth_terms;  ///< name of the set of depth terms that the form knows (elicitation/variables/ngt_variables.h)
   std::vector<AnswerWord> answers;  ///< from the least force to the largest
   std::vector<FormItem> items;
 

@@ -23,61 +23,103 @@ const std::string kOutcome = "tl/expected.hpp";
 
 /// Every source folder must be listed: a new one has to say where it stands.
 const std::map<std::string, Permission>& permissions() {
-  static const std::set<std::string> core = {"core/base", "core/fuzzy", "core/analysis", "core/study", "core/model_io"};
+  // What every core folder above it may use.
+  const std::set<std::string> base = {"core/base", "core/base/json", "core/base/tables", "core/base/files"};
+  const std::set<std::string> haptics = {"core/haptics/device", "core/haptics/safety", "core/haptics/sources",
+                                         "core/haptics/servo"};
+  const std::set<std::string> elicitation = {"elicitation/clustering", "elicitation/speed",     "elicitation/force",
+                                             "elicitation/rules",      "elicitation/agreement", "elicitation/model",
+                                             "elicitation/variables"};
+  const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/study"};
+  const auto joined = [](std::set<std::string> folders, std::initializer_list<std::set<std::string>> more) {
+    for (const auto& set : more) folders.insert(set.begin(), set.end());
+    return folders;
+  };
+
+  // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
+  const std::set<std::string> below =
+      joined({"app", "app/editing", "app/session", "app/devices", "core/analysis/gradient", "core/render",
+              "core/haptics/simulated", "core/store", "core/model_io", "experiments", "questionnaires"},
+             {base, haptics, elicitation, model});
+  const auto room = [&](const std::set<std::string>& names, bool plots = false) {
+    std::set<std::string> folders = below;
+    for (const std::string& name : names) folders.insert("app/workbench/" + name);
+    std::set<std::string> libraries = {"Q"};
+    if (plots) libraries.insert("qcustomplot.h");
+    return Permission{folders, libraries};
+  };
+  const std::set<std::string> shared = {"base", "kit", "model", "plot"};
+
   static const std::map<std::string, Permission> table = {
-      {"core/base", {{}, {kOutcome, kJson}}},
-      {"core/fuzzy", {{"core/base"}, {}}},
+      {"core/base", {{}, {kOutcome}}},
+      {"core/base/json", {{"core/base"}, {kOutcome, kJson}}},
+      {"core/base/files", {{"core/base"}, {}}},
+      {"core/base/tables", {{"core/base", "core/base/files"}, {}}},
+      {"core/fuzzy", {{"core/base", "core/base/json"}, {}}},
       {"core/analysis", {{"core/base", "core/fuzzy"}, {}}},
+      {"core/analysis/gradient", {{"core/base", "core/fuzzy", "core/analysis"}, {}}},
       {"core/render", {{"core/base", "core/fuzzy"}, {}}},
-      {"core/study", {{"core/base"}, {}}},
-      {"core/haptics", {{"core/base", "core/fuzzy", "core/render", "core/study"}, {}}},
-      {"core/haptics/simulated", {{"core/base", "core/haptics", "core/study"}, {}}},
-      {"core/haptics/hid", {{"core/base", "core/haptics"}, {"hidapi/", "linux/"}}},
-      {"core/haptics/openhaptics", {{"core/base", "core/haptics"}, {}}},
-      {"core/store", {{"core/base", "core/model_io", "core/study"}, {kJson, "SQLiteCpp/", "sqlite3.h"}}},
-      {"core/model_io", {{"core/base", "core/fuzzy"}, {}}},
-      {"experiments", {{"core/base", "core/study"}, {}}},
-      {"elicitation", {{"core/base", "core/fuzzy", "core/analysis", "core/study"}, {kJson}}},
-      {"questionnaires", {{"core/base", "core/study"}, {kJson}}},
-      {"app/session",
-       {{"core/base", "core/fuzzy", "core/study", "core/store", "experiments", "elicitation", "questionnaires"},
-        {kJson}}},
-      {"app/simulation", {{"core/base", "core/fuzzy", "core/render", "core/haptics", "core/haptics/simulated"}, {}}},
-      {"app/devices",
-       {{"core/base", "core/haptics", "core/haptics/simulated", "core/haptics/hid", "core/haptics/openhaptics"}, {}}},
-      {"app/report",
-       {{"app/simulation", "core/render", "core/haptics", "core/haptics/simulated", "core/base", "core/fuzzy",
-         "core/analysis", "core/study", "experiments", "elicitation"},
+      {"core/study", {base, {}}},
+      {"core/haptics/device", {joined({"core/render"}, {base}), {}}},
+      {"core/haptics/safety", {{"core/base", "core/render", "core/haptics/device"}, {}}},
+      {"core/haptics/sources",
+       {{"core/base", "core/fuzzy", "core/render", "core/haptics/device", "core/haptics/safety"}, {}}},
+      {"core/haptics/servo",
+       {{"core/base", "core/fuzzy", "core/render", "core/haptics/device", "core/haptics/safety",
+         "core/haptics/sources"},
         {}}},
-      {"app/editing", {{"core/base", "core/fuzzy", "core/analysis", "core/study", "core/model_io", "elicitation"}, {}}},
+      {"core/haptics/simulated", {{"core/base", "core/haptics/device", "core/study"}, {}}},
+      {"core/haptics/hid", {{"core/base", "core/base/files", "core/haptics/device"}, {"hidapi/", "linux/"}}},
+      {"core/haptics/openhaptics", {{"core/base", "core/base/files", "core/haptics/device"}, {}}},
+      {"core/store", {joined({"core/model_io", "core/study"}, {base}), {kJson, "SQLiteCpp/", "sqlite3.h"}}},
+      {"core/model_io", {{"core/base", "core/base/json", "core/base/files", "core/fuzzy"}, {}}},
+      {"experiments", {joined({"core/study"}, {base}), {}}},
+      {"elicitation/clustering", {{"core/base"}, {}}},
+      {"elicitation/variables", {joined(model, {base}), {kJson}}},
+      {"elicitation/speed", {joined({"elicitation/clustering"}, {base, model}), {}}},
+      {"elicitation/force", {joined(model, {base}), {}}},
+      {"elicitation/rules", {joined({"elicitation/force", "elicitation/variables"}, {base, model}), {kJson}}},
+      {"elicitation/agreement", {joined({"elicitation/force"}, {base, model}), {kJson}}},
+      {"elicitation/model", {joined(elicitation, {base, model}), {kJson}}},
+      {"questionnaires", {joined({"core/study"}, {base}), {kJson}}},
+      {"app/session", {joined({"core/store", "experiments", "questionnaires"}, {base, model, elicitation}), {kJson}}},
+      {"app/simulation", {joined({"core/fuzzy", "core/render", "core/haptics/simulated"}, {base, haptics}), {}}},
+      {"app/devices",
+       {joined({"core/haptics/simulated", "core/haptics/hid", "core/haptics/openhaptics"}, {base, haptics}), {}}},
+      {"app/report",
+       {joined({"app/simulation", "core/render", "core/haptics/simulated", "experiments"},
+               {base, haptics, model, elicitation}),
+        {}}},
+      {"app/editing", {joined({"core/model_io"}, {base, model, elicitation}), {}}},
       {"app/cli",
-       {{"app", "app/session", "app/simulation", "app/devices", "app/report", "experiments", "elicitation",
-         "questionnaires", "core/base", "core/fuzzy", "core/analysis", "core/study", "core/store", "core/model_io"},
+       {joined({"app", "app/session", "app/simulation", "app/devices", "app/report", "experiments", "questionnaires",
+                "core/store", "core/model_io"},
+               {base, model, elicitation}),
         {"CLI/"}}},
-      {"app/workbench",
-       {{"app", "app/workbench/controllers", "app/workbench/views", "core/base", "core/fuzzy"}, {"Q"}}},
-      {"app/workbench/controllers",
-       {{"app", "app/workbench", "app/devices", "app/editing", "app/session", "core/base", "core/fuzzy",
-         "core/analysis", "core/haptics", "core/haptics/simulated", "core/model_io", "core/store", "core/study",
-         "elicitation"},
-        {"Q"}}},
-      {"app/workbench/models",
-       {{"app/editing", "app/workbench", "app/workbench/controllers", "core/base", "core/fuzzy"}, {"Q"}}},
-      {"app/workbench/plots",
-       {{"app/workbench", "app/workbench/controllers", "core/base", "core/fuzzy", "core/analysis"},
-        {"Q", "qcustomplot.h"}}},
-      {"app/workbench/views",
-       {{"app", "app/editing", "app/workbench", "app/workbench/controllers", "app/workbench/models",
-         "app/workbench/plots", "core/base", "core/fuzzy", "core/analysis", "core/haptics", "core/study"},
-        {"Q"}}},
+      {"app/workbench/base", room({})},
+      {"app/workbench/kit", room({"base"})},
+      {"app/workbench/model", room({"base"})},
+      {"app/workbench/plot", room({"base", "kit", "model"}, true)},
+      {"app/workbench/tune/terms", room(shared, true)},
+      {"app/workbench/tune/rules", room(shared, true)},
+      {"app/workbench/tune/findings", room(shared, true)},
+      {"app/workbench/tune/history", room(shared, true)},
+      {"app/workbench/understand/curves", room(shared, true)},
+      {"app/workbench/understand/map", room(shared, true)},
+      {"app/workbench/understand/here", room(shared, true)},
+      {"app/workbench/device", room({"base"})},
+      {"app/workbench/feel", room({"base", "kit", "model", "plot", "device"}, true)},
+      {"app/workbench/feel/recordings", room({"base", "kit", "model", "plot", "device", "feel", "study"}, true)},
+      {"app/workbench/study", room({"base", "model"})},
+      {"app/workbench/shell", room({"base", "kit", "model"})},
+      // The root composes them.
+      {"app/workbench", room({"base", "kit", "model", "plot", "tune/terms", "tune/rules", "tune/findings",
+                              "tune/history", "understand/curves", "understand/map", "understand/here", "device",
+                              "feel", "feel/recordings", "study", "shell"})},
       {"app", {{}, {}}},
   };
   return table;
 }
-
-/// Toolkit widgets have no place in controllers.
-const std::set<std::string> kWidgetHeaders = {"QWidget", "QMainWindow", "QLabel",      "QPushButton",
-                                              "QSlider", "QDialog",     "QMessageBox", "QFileDialog"};
 
 bool isSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
 
@@ -118,9 +160,6 @@ class IncludeLines : public testing::Test {
     if (header.starts_with(kJson)) {
       EXPECT_TRUE(file.extension() == ".cpp" || file.filename() == "json_reading.h")
           << file << ": JSON stays out of headers";
-    }
-    if (here == "app/workbench/controllers") {
-      EXPECT_FALSE(kWidgetHeaders.contains(header)) << file << ": controllers know no widget";
     }
   }
 };

@@ -7,12 +7,12 @@
 #include <iostream>
 
 #include "core/base/check.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/text.h"
-#include "elicitation/fcm.h"
-#include "elicitation/fcm_data.h"
-#include "elicitation/fcm_descent.h"
-#include "elicitation/fcm_kernels.h"
+#include "elicitation/clustering/fcm.h"
+#include "elicitation/clustering/fcm_data.h"
+#include "elicitation/clustering/fcm_descent.h"
+#include "elicitation/clustering/fcm_kernels.h"
 
 #include "tests/bench/fcm_peers.h"
 #include "tests/bench/fcm_results.h"

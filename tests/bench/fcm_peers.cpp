@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/base/csv.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 
 #include "tests/support/temp_folder.h"

@@ -1,6 +1,6 @@
 #include "tests/bench/fcm_results.h"
 
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 
 #include "tests/bench/text_table.h"

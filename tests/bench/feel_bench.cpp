@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 
 #include "tests/bench/feel_economy.h"
 #include "tests/bench/feel_edits.h"

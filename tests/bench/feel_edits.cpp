@@ -10,8 +10,8 @@
 #include "core/base/check.h"
 #include "core/base/random.h"
 #include "core/base/statistics.h"
-#include "core/haptics/servo.h"
-#include "core/haptics/servo_thread.h"
+#include "core/haptics/servo/servo.h"
+#include "core/haptics/servo/servo_thread.h"
 #include "core/haptics/simulated/virtual_device.h"
 
 #include "tests/bench/cases.h"

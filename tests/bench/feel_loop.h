@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/fuzzy/force_model.h"
-#include "core/haptics/sample.h"
-#include "core/haptics/servo_core.h"
+#include "core/haptics/servo/sample.h"
+#include "core/haptics/servo/servo_core.h"
 #include "core/haptics/simulated/virtual_device_settings.h"
 
 namespace tactus::bench {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 
 #include "tests/bench/text_table.h"
 

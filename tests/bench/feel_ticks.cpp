@@ -8,7 +8,7 @@
 #include "core/base/check.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
-#include "core/haptics/servo.h"
+#include "core/haptics/servo/servo.h"
 #include "core/render/insertion_renderer.h"
 
 #include "tests/bench/cases.h"

@@ -7,7 +7,7 @@
 
 #include "core/base/check.h"
 #include "core/base/statistics.h"
-#include "core/haptics/velocity_estimator.h"
+#include "core/haptics/device/velocity_estimator.h"
 
 #include "tests/bench/cases.h"
 #include "tests/bench/feel_loop.h"

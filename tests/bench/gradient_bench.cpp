@@ -7,7 +7,7 @@
 #include <memory>
 #include <sstream>
 
-#include "core/analysis/gradient.h"
+#include "core/analysis/gradient/gradient.h"
 #include "core/base/check.h"
 
 #include "tests/bench/cases.h"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "core/base/check.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/text.h"
 
 #include "tests/bench/cases.h"

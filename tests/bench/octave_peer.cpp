@@ -3,8 +3,8 @@
 #include <cstdlib>
 
 #include "core/base/check.h"
-#include "core/base/csv.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 
 #include "tests/support/temp_folder.h"

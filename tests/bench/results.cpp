@@ -4,7 +4,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 
 #include "tests/bench/text_table.h"
 

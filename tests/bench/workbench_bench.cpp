@@ -7,8 +7,8 @@
 #include <map>
 #include <sstream>
 
-#include "app/workbench/theme.h"
-#include "core/base/file.h"
+#include "app/workbench/base/theme.h"
+#include "core/base/files/file.h"
 
 #include "tests/bench/cases.h"
 #include "tests/bench/machine.h"

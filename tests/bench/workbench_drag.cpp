@@ -15,8 +15,8 @@
 #include "core/model_io/model_file.h"
 
 // The window of earlier versions measures nothing itself.
-#if __has_include("app/workbench/views/frame_clock.h")
-#include "app/workbench/views/frame_clock.h"
+#if __has_include("app/workbench/shell/frame_clock.h")
+#include "app/workbench/shell/frame_clock.h"
 #define TACTUS_FRAME_CLOCK
 #endif
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/views/stage.h"
+#include "app/workbench/shell/stage.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::bench {

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "app/editing/membership_edits.h"
-#include "app/workbench/controllers/contour_lines.h"
-#include "app/workbench/controllers/force_curves.h"
-#include "app/workbench/controllers/force_map.h"
+#include "app/workbench/model/force_curves.h"
+#include "app/workbench/understand/map/contour_lines.h"
+#include "app/workbench/understand/map/force_map.h"
 #include "core/analysis/explain.h"
 #include "core/base/check.h"
 #include "core/fuzzy/scene.h"

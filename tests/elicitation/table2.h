@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "elicitation/force_voting.h"
+#include "elicitation/force/force_voting.h"
 
 namespace tactus::elicitation {
 

@@ -1,13 +1,13 @@
 // The controllers of the tuning bench that change a model or look at it, as the program puts them together.
 #pragma once
 
-#include "app/workbench/controllers/compare_controller.h"
-#include "app/workbench/controllers/edit_controller.h"
-#include "app/workbench/controllers/findings_controller.h"
-#include "app/workbench/controllers/model_controller.h"
-#include "app/workbench/controllers/rule_controller.h"
-#include "app/workbench/controllers/scene_controller.h"
-#include "app/workbench/controllers/term_controller.h"
+#include "app/workbench/model/edit_controller.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/model/scene_controller.h"
+#include "app/workbench/tune/findings/findings_controller.h"
+#include "app/workbench/tune/history/compare_controller.h"
+#include "app/workbench/tune/rules/rule_controller.h"
+#include "app/workbench/tune/terms/term_controller.h"
 
 namespace tactus::tests {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-#include "app/workbench/theme.h"
+#include "app/workbench/base/theme.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/workbench/controllers/rule_controller.h"
+#include "app/workbench/tune/rules/rule_controller.h"
 
 #include "tests/gui/sample_models.h"
 #include "tests/support/ngt_model.h"

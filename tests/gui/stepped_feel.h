@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "app/workbench/controllers/feel_controller.h"
+#include "app/workbench/feel/feel_controller.h"
 #include "core/haptics/simulated/virtual_device_settings.h"
 
 namespace tactus::tests {

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "app/editing/membership_edits.h"
-#include "app/workbench/controllers/study_controller.h"
+#include "app/workbench/study/study_controller.h"
 
 int main(int argc, char** argv) {
   using namespace tactus;

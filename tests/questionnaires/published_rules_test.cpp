@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 #include "questionnaires/embedded_data.h"
 
 #include "tests/questionnaires/paper_table.h"

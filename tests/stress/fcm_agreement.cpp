@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "elicitation/fcm.h"
+#include "elicitation/clustering/fcm.h"
 
 #include "tests/reference/fcm_reference.h"
 

@@ -11,7 +11,7 @@
 #include "core/base/check.h"
 #include "core/base/random.h"
 #include "core/base/text.h"
-#include "core/haptics/servo_core.h"
+#include "core/haptics/servo/servo_core.h"
 #include "core/haptics/simulated/virtual_device.h"
 
 #include "tests/support/loop_measures.h"

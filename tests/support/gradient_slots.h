@@ -1,7 +1,7 @@
 // Parameters of the exact reference and slots of the gradient: the same numbers by two names.
 #pragma once
 
-#include "core/analysis/gradient.h"
+#include "core/analysis/gradient/gradient.h"
 
 #include "tests/reference/exact_gradient.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/haptics/servo_clock.h"
+#include "core/haptics/servo/servo_clock.h"
 
 namespace tactus::vm {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/haptics/device.h"
+#include "core/haptics/device/device.h"
 
 #include "tests/vm/device_process.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/haptics/servo_clock.h"
+#include "core/haptics/servo/servo_clock.h"
 
 namespace tactus::vm {
 namespace {

@@ -1,8 +1,8 @@
 // Plays the person in the guided calibration: puts the handle where it is asked for, reads ruler and spring scale.
 #pragma once
 
-#include "core/haptics/calibration_procedure.h"
-#include "core/haptics/device.h"
+#include "core/haptics/device/calibration_procedure.h"
+#include "core/haptics/device/device.h"
 
 #include "tests/vm/device_process.h"
 #include "tests/vm/true_handle.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/haptics/hid/hidapi_transport.h"
-#include "core/haptics/servo_clock.h"
+#include "core/haptics/servo/servo_clock.h"
 
 namespace tactus::vm {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/device_calibration.h"
+#include "core/haptics/device/device_calibration.h"
 #include "core/haptics/hid/hid_devices.h"
-#include "core/haptics/servo.h"
-#include "core/haptics/servo_thread.h"
+#include "core/haptics/servo/servo.h"
+#include "core/haptics/servo/servo_thread.h"
 
 namespace tactus::vm {
 

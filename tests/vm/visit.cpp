@@ -1,6 +1,6 @@
 #include "tests/vm/visit.h"
 
-#include "core/haptics/servo_clock.h"
+#include "core/haptics/servo/servo_clock.h"
 
 #include "tests/vm/force_stream.h"
 #include "tests/vm/guided_calibration.h"

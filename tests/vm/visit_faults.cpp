@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/haptics/servo_clock.h"
+#include "core/haptics/servo/servo_clock.h"
 
 #include "tests/vm/visit.h"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <unistd.h>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/text.h"
 #include "core/haptics/hid/hidapi_transport.h"
 #include "core/haptics/hid/known_devices.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/haptics/driven_axes.h"
+#include "core/haptics/device/driven_axes.h"
 
 namespace tactus::haptics {
 namespace {

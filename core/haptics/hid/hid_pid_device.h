@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/haptics/device.h"
-#include "core/haptics/device_calibration.h"
+#include "core/haptics/device/device.h"
+#include "core/haptics/device/device_calibration.h"
 #include "core/haptics/hid/hid_transport.h"
 #include "core/haptics/hid/newest_value.h"
 #include "core/haptics/hid/pid_input.h"

@@ -9,7 +9,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/haptics/hid/report_descriptor.h"
 
 namespace tactus::haptics {

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/text.h"
 
 namespace tactus::haptics {

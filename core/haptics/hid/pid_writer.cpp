@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/haptics/seconds.h"
+#include "core/haptics/device/seconds.h"
 
 namespace tactus::haptics {
 

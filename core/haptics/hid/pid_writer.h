@@ -5,10 +5,10 @@
 #include <atomic>
 #include <cstdint>
 
-#include "core/haptics/device_calibration.h"
+#include "core/haptics/device/device_calibration.h"
+#include "core/haptics/device/vector3.h"
 #include "core/haptics/hid/newest_value.h"
 #include "core/haptics/hid/pid_session.h"
-#include "core/haptics/vector3.h"
 
 namespace tactus::haptics {
 

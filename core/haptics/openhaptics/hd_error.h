@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/haptics/device.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/openhaptics/hd_api.h"
 
 namespace tactus::haptics {

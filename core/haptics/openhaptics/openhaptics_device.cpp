@@ -5,8 +5,8 @@
 #include <cmath>
 #include <thread>
 
+#include "core/haptics/device/seconds.h"
 #include "core/haptics/openhaptics/openhaptics_info.h"
-#include "core/haptics/seconds.h"
 
 namespace tactus::haptics {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "core/haptics/device.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/openhaptics/hd_calibration.h"
 #include "core/haptics/openhaptics/hd_error.h"
 #include "core/haptics/openhaptics/hd_library.h"

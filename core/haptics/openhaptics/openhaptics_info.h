@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/haptics/device.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/openhaptics/hd_api.h"
 
 namespace tactus::haptics {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/random.h"
-#include "core/haptics/device.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/simulated/force_queue.h"
 #include "core/haptics/simulated/simulated_body.h"
 #include "core/haptics/simulated/virtual_device_settings.h"

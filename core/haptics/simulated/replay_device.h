@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/haptics/device.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/simulated/hand_plan.h"
 #include "core/haptics/simulated/pausing_clock.h"
 #include "core/study/session_records.h"

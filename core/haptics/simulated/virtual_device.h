@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/haptics/device.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/simulated/device_simulation.h"
 #include "core/haptics/simulated/live_hand.h"
 #include "core/haptics/simulated/pausing_clock.h"

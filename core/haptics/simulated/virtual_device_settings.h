@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/haptics/device/vector3.h"
 #include "core/haptics/simulated/hand_plan.h"
 #include "core/haptics/simulated/simulated_body.h"
-#include "core/haptics/vector3.h"
 
 namespace tactus::haptics {
 

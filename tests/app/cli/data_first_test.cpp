@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/study/csv_tables.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/support/table_study.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
 #include "core/store/study_file.h"
 

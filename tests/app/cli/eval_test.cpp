@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/base/csv.h"
 #include "core/base/random.h"
+#include "core/base/tables/csv.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 

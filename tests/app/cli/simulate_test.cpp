@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/base/csv.h"
+#include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
 
 #include "tests/app/cli/run_program.h"

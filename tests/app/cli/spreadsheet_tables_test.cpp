@@ -6,7 +6,7 @@
 
 #include "core/model_io/model_file.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/ngt_variables.h"
+#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/support/table_study.h"

@@ -8,7 +8,7 @@
 
 #include "app/cli/study_text.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/text.h"
 #include "core/store/import_log.h"
 #include "core/store/persons.h"

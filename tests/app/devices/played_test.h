@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/devices/self_test.h"
-#include "core/haptics/servo.h"
+#include "core/haptics/servo/servo.h"
 #include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::devices {

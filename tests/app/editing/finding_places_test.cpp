@@ -8,7 +8,7 @@
 #include "app/editing/lint_fixes.h"
 #include "core/analysis/lint.h"
 #include "core/base/random.h"
-#include "elicitation/rule_lint.h"
+#include "elicitation/rules/rule_lint.h"
 
 #include "tests/app/editing/sample_models.h"
 #include "tests/support/random_model.h"

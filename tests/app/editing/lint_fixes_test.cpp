@@ -7,7 +7,7 @@
 
 #include "app/editing/rule_edits.h"
 #include "app/editing/term_edits.h"
-#include "elicitation/rule_lint.h"
+#include "elicitation/rules/rule_lint.h"
 
 #include "tests/app/editing/sample_models.h"
 

@@ -8,7 +8,7 @@
 #include "app/editing/same_bits.h"
 #include "app/session/known_forms.h"
 #include "core/base/random.h"
-#include "elicitation/model_builder.h"
+#include "elicitation/model/model_builder.h"
 #include "questionnaires/form_file.h"
 #include "questionnaires/published_rules.h"
 

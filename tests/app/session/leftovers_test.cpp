@@ -12,8 +12,8 @@
 
 #include "app/session/export_folder.h"
 #include "app/session/study_export.h"
-#include "core/base/file.h"
-#include "core/base/unfinished.h"
+#include "core/base/files/file.h"
+#include "core/base/files/unfinished.h"
 #include "core/store/backup.h"
 
 #include "tests/core/store/sample_records.h"

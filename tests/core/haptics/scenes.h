@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/haptics/servo_scene.h"
+#include "core/haptics/sources/servo_scene.h"
 
 #include "tests/support/ngt_model.h"
 

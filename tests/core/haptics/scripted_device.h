@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "core/haptics/device.h"
+#include "core/haptics/device/device.h"
 
 namespace tactus::haptics {
 

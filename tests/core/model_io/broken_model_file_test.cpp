@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/random.h"
 #include "core/model_io/model_file.h"
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/fuzzy/compiled_model.h"
 
 #include "tests/support/ngt_model.h"

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/haptics/hid/hid_devices.h"
 
 #include "tests/support/temp_folder.h"

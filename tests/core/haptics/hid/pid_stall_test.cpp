@@ -5,7 +5,7 @@
 
 #include "core/base/random.h"
 #include "core/haptics/hid/pid_writer.h"
-#include "core/haptics/servo_core.h"
+#include "core/haptics/servo/servo_core.h"
 
 #include "tests/core/haptics/hid/pid_run.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/haptics/servo.h"
+#include "core/haptics/servo/servo.h"
 
 #include "tests/core/haptics/openhaptics/loaded_stand_in.h"
 

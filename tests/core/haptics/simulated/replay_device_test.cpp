@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/haptics/axis_mapping.h"
+#include "core/haptics/device/axis_mapping.h"
 
 #include "tests/core/haptics/simulated/virtual_clock.h"
 #include "tests/support/real_time_trap.h"

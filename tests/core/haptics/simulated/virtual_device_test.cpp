@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/haptics/axis_mapping.h"
+#include "core/haptics/device/axis_mapping.h"
 
 #include "tests/core/haptics/simulated/virtual_clock.h"
 #include "tests/support/real_time_trap.h"

@@ -1,0 +1,104 @@
+#include "app/workbench/curve_parts.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSettings>
+
+#include "app/workbench/main_window.h"
+#include "app/workbench/model/edit_controller.h"
+#include "app/workbench/model/ghost_controller.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/tune/terms/membership_editor.h"
+#include "app/workbench/understand/curves/curves_panel.h"
+#include "app/workbench/understand/curves/reference_controller.h"
+
+namespace tactus::workbench {
+namespace {
+
+// Names in the settings.
+constexpr auto kGhost = "curves/ghost";
+constexpr auto kRange = "curves/range";
+constexpr auto kDeviation = "curves/deviation";
+constexpr auto kReferenceFiles = "curves/reference_files";
+constexpr auto kReferenceNames = "curves/reference_names";
+
+}  // namespace
+
+CurveParts::CurveParts(MainWindow& window, const ModelController& models, EditController& edits, GhostController& ghost,
+                       ReferenceController& references, QSettings& settings)
+    : window_(window),
+      models_(models),
+      references_(references),
+      settings_(settings),
+      curves_(*window.findChild<CurvesPanel*>()) {
+  keepChoices(ghost);
+  curves_.setGhost(ghost);
+  curves_.setReferences(references);
+  const auto show_pace = [this, &edits] { curves_.setFast(edits.inGesture()); };
+  connect(&edits, &EditController::changed, &curves_, show_pace);
+  connect(&edits, &EditController::historyChanged, &curves_, show_pace);
+  window_.findChild<MembershipEditor*>()->setGhost(ghost);
+
+  open_reference_ = window_.addReferenceAction();
+  open_reference_->setEnabled(false);
+  connect(open_reference_, &QAction::triggered, this, &CurveParts::chooseReference);
+  connect(&models_, &ModelController::opened, open_reference_, [this] { open_reference_->setEnabled(true); });
+}
+
+void CurveParts::keepChoices(GhostController& ghost) {
+  const auto chosen = [this](const char* key, bool otherwise) {
+    return settings_.value(QLatin1String(key), otherwise).toBool();
+  };
+  const SpreadShown standard;
+  curves_.setSpreadShown({chosen(kRange, standard.range), chosen(kDeviation, standard.deviation)});
+  ghost.setOn(chosen(kGhost, true));
+  connect(&curves_, &CurvesPanel::spreadChosen, this, [this](SpreadShown shown) {
+    settings_.setValue(QLatin1String(kRange), shown.range);
+    settings_.setValue(QLatin1String(kDeviation), shown.deviation);
+  });
+  // Every edit changes the ghost, and few the choice.
+  connect(&ghost, &GhostController::changed, this, [this, &ghost, chosen] {
+    if (ghost.isOn() != chosen(kGhost, true)) settings_.setValue(QLatin1String(kGhost), ghost.isOn());
+  });
+  connect(&models_, &ModelController::opened, this, &CurveParts::openReferences, Qt::SingleShotConnection);
+}
+
+// Files that are gone are said once, and forgotten.
+void CurveParts::openReferences() {
+  const QStringList files = settings_.value(QLatin1String(kReferenceFiles)).toStringList();
+  const QStringList names = settings_.value(QLatin1String(kReferenceNames)).toStringList();
+  QStringList unique = files;
+  unique.removeDuplicates();
+  for (const QString& file : unique) {
+    references_.open(file);
+    // Of a file with several curves some may have been taken away.
+    QStringList others;
+    for (const ReferenceCurve& curve : references_.all()) {
+      if (!names.contains(curve.name)) others << curve.name;
+    }
+    for (const QString& name : others) references_.remove(name);
+  }
+  storeReferences();
+  connect(&references_, &ReferenceController::changed, this, &CurveParts::storeReferences);
+}
+
+void CurveParts::storeReferences() {
+  QStringList files;
+  QStringList names;
+  for (const ReferenceCurve& curve : references_.all()) {
+    files << curve.file;
+    names << curve.name;
+  }
+  settings_.setValue(QLatin1String(kReferenceFiles), files);
+  settings_.setValue(QLatin1String(kReferenceNames), names);
+}
+
+void CurveParts::chooseReference() {
+  const QString folder = QFileInfo(models_.current()->path).absolutePath();
+  const QString path = QFileDialog::getOpenFileName(&window_, tr("Lay a reference curve over the plot"), folder,
+                                                    tr("Tables (*.csv);;All files (*)"));
+  if (!path.isEmpty()) references_.open(path);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,276 @@
+#include "app/workbench/feel/device_bar.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/device/device_search.h"
+#include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/number_box.h"
+#include "app/workbench/kit/wrapped_label.h"
+
+namespace tactus::workbench {
+namespace {
+
+void setInk(QLabel* label, const QColor& ink) {
+  QPalette colors = label->palette();
+  colors.setColor(QPalette::WindowText, ink);
+  label->setPalette(colors);
+}
+
+constexpr double kFarthestZoneMm = -100;
+constexpr double kNearestZoneMm = -5;  // nearer, the end of a stroke would let go
+constexpr int kOneLine = 560;          // px: below it the state has a line of its own
+
+QString ticksText(std::uint64_t ticks) {
+  return ticks == 1 ? DeviceBar::tr("1 tick") : DeviceBar::tr("%1 ticks").arg(ticks);
+}
+
+}  // namespace
+
+DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent)
+    : QWidget(parent),
+      feel_(feel),
+      search_(search),
+      devices_(new QComboBox(this)),
+      look_(new QToolButton(this)),
+      start_(new QPushButton(tr("Start"), this)),
+      grip_(new QComboBox(this)),
+      zone_(new NumberBox({"release zone", {}, "mm", kFarthestZoneMm, kNearestZoneMm, {}}, 1, this)),
+      simulated_(new QLabel(tr("SIMULATED"), this)),
+      state_(new ElidedLabel(this)),
+      message_card_(new Card(this)),
+      message_(new WrappedLabel(message_card_)),
+      rearm_(new QPushButton(tr("Arm again"), message_card_)) {
+  devices_->setAccessibleName(tr("Device"));
+  devices_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  look_->setText(tr("Search"));
+  look_->setToolTip(tr("Look for haptic devices on this computer"));
+  start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Stopping…")) + 2 * theme::kGrid);
+  start_->setFocusPolicy(Qt::TabFocus);
+  grip_->setAccessibleName(tr("How the hand takes the tube"));
+  grip_->setFocusPolicy(Qt::TabFocus);
+  grip_->addItem(tr("Hold"));
+  grip_->addItem(tr("Latch"));
+  grip_->setItemData(0, tr("The tube is in the hand while the button of the device, the mouse button or Space is down"),
+                     Qt::ToolTipRole);
+  grip_->setItemData(1, tr("One press takes the tube and the next one lets go: nothing has to be squeezed"),
+                     Qt::ToolTipRole);
+  zone_->setWhole();
+  zone_->setFixedWidth(zone_->fontMetrics().horizontalAdvance(QStringLiteral("-100 mm")) + 2 * theme::kGrid);
+  zone_->setAccessibleName(tr("Release zone of the latch"));
+  zone_->setToolTip(tr("Release zone: a hand that is drawn out further than this lets go"));
+  QFont bold = theme::smallFont();
+  bold.setBold(true);
+  simulated_->setFont(bold);
+  simulated_->setToolTip(tr("No hardware: hand, device and force are calculated"));
+  setInk(simulated_, theme::warningInk());
+  state_->setFont(theme::smallFont());
+
+  auto* message_row = new QHBoxLayout(message_card_);
+  message_row->setContentsMargins(theme::kGrid, 4, theme::kGrid, 4);
+  message_row->addWidget(message_, 1);
+  message_row->addWidget(rearm_);
+  auto* choice = new QHBoxLayout;
+  choice->setSpacing(theme::kGrid);
+  for (QWidget* part : {static_cast<QWidget*>(devices_), static_cast<QWidget*>(look_), static_cast<QWidget*>(start_),
+                        static_cast<QWidget*>(grip_), static_cast<QWidget*>(zone_)}) {
+    choice->addWidget(part);
+  }
+  auto* state_row = new QHBoxLayout;
+  state_row->setSpacing(theme::kGrid);
+  state_row->addWidget(simulated_);
+  state_row->addWidget(state_, 1);
+  line_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  line_->setSpacing(theme::kGrid);
+  line_->addLayout(choice);
+  line_->addLayout(state_row, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addLayout(line_);
+  layout->addWidget(message_card_);
+
+  connect(devices_, &QComboBox::currentIndexChanged, this, &DeviceBar::showState);
+  connect(look_, &QToolButton::clicked, &search_, &DeviceSearch::search);
+  connect(start_, &QPushButton::clicked, this, &DeviceBar::toggle);
+  connect(rearm_, &QPushButton::clicked, &feel_, &FeelController::rearm);
+  connect(grip_, &QComboBox::activated, this, &DeviceBar::chooseGrip);
+  connect(zone_, &NumberBox::valueChanged, this, &DeviceBar::chooseGrip);
+  connect(&search_, &DeviceSearch::searching, this, &DeviceBar::showState);
+  connect(&search_, &DeviceSearch::found, this, &DeviceBar::listDevices);
+  connect(&feel_, &FeelController::stateChanged, this, &DeviceBar::showState);
+  connect(&feel_, &FeelController::tripChanged, this, &DeviceBar::showState);
+  listDevices();
+}
+
+void DeviceBar::chooseGrip() { feel_.setGrip({grip_->currentIndex() == 1, zone_->value()}); }
+
+void DeviceBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const auto direction = width() < kOneLine ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (line_->direction() != direction) line_->setDirection(direction);
+  fitMessage();
+}
+
+void DeviceBar::setModelOpen(bool open) {
+  model_open_ = open;
+  showState();
+}
+
+void DeviceBar::showFailure(const QString& sentence) {
+  failure_ = sentence;
+  showState();
+}
+
+void DeviceBar::showProgress() {
+  state_->setFullText(stateText(), stateWord());
+  // Advice for the first stroke.
+  if (advises_ && feel_.strokes() > 0) showMessage();
+}
+
+void DeviceBar::listDevices() {
+  const QSignalBlocker no_signal(devices_);
+  const QString chosen = devices_->currentData().toString();
+  devices_->clear();
+  auto* items = qobject_cast<QStandardItemModel*>(devices_->model());
+  for (const devices::ListedDevice& device : search_.list().devices) {
+    devices_->addItem(text(device.name), text(device.id));
+    const int row = devices_->count() - 1;
+    QString reason = text(device.reason);
+    if (!device.advice.empty()) reason += (reason.isEmpty() ? QString() : QStringLiteral("; ")) + text(device.advice);
+    devices_->setItemData(row, reason, Qt::ToolTipRole);
+    if (!device.usable) items->item(row)->setEnabled(false);
+  }
+  const int again = devices_->findData(chosen);
+  // The virtual device is the last one, and always usable.
+  devices_->setCurrentIndex(again >= 0 ? again : devices_->count() - 1);
+  showState();
+}
+
+void DeviceBar::showState() {
+  const bool running = feel_.isRunning();
+  const bool opening = feel_.state() == FeelState::kOpening;
+  const bool stopping = feel_.state() == FeelState::kStopping;
+  const bool busy = running || opening || stopping;
+  devices_->setEnabled(!busy);
+  look_->setEnabled(!busy && !search_.isSearching());
+  look_->setText(search_.isSearching() ? tr("Searching…") : tr("Search"));
+  start_->setText(stopping ? tr("Stopping…") : running || opening ? tr("Stop") : tr("Start"));
+  start_->setEnabled(!stopping && (busy || model_open_));
+  start_->setToolTip(running ? tr("No force from the next tick on (F12, or Esc)") : tr("Feel the open model (F9)"));
+  {
+    const QSignalBlocker no_grip(grip_);
+    const QSignalBlocker no_zone(zone_);
+    grip_->setCurrentIndex(feel_.grip().latch ? 1 : 0);
+    zone_->setValue(feel_.grip().release_zone_mm);
+    zone_->setVisible(feel_.grip().latch);
+  }
+  grip_->setToolTip(grip_->currentData(Qt::ToolTipRole).toString());
+  const auto& list = search_.list().devices;
+  const auto chosen = static_cast<std::size_t>(devices_->currentIndex());
+  simulated_->setVisible(feel_.isReplay() || (chosen < list.size() && list[chosen].simulated));
+  showProgress();
+  showMessage();
+}
+
+void DeviceBar::showMessage() {
+  const bool running = feel_.isRunning();
+  advises_ = false;
+  rearm_->setVisible(running && feel_.trip());
+  rearm_->setEnabled(feel_.state() == FeelState::kTripped);
+  if (const auto trip = feel_.trip()) {
+    // Of a run that has ended the cause stays said.
+    const QString what = running ? tr("%1 (%2). No force until you arm again.") : tr("%1 (%2).");
+    setMessage(what.arg(trip->sentence, trip->at.toString(QStringLiteral("HH:mm:ss"))), true);
+  } else if (!failure_.isEmpty()) {
+    setMessage(failure_, true);
+  } else if (const QString advice = feel_.axisAdvice(); !advice.isEmpty() && feel_.strokes() == 0) {
+    advises_ = true;
+    setMessage(tr("If pushing in pulls out: %1").arg(advice), false);
+  } else {
+    QStringList notes;
+    for (const std::string& note : search_.list().notes) notes << text(note);
+    setMessage(running ? QString() : notes.join(QLatin1Char('\n')), false);
+  }
+}
+
+void DeviceBar::fitMessage() {
+  const int room =
+      width() - 2 * theme::kGrid - (rearm_->isVisibleTo(this) ? rearm_->sizeHint().width() + theme::kGrid : 0);
+  message_->setFixedHeight(std::max(message_->heightForWidth(std::max(100, room)), message_->fontMetrics().height()));
+}
+
+void DeviceBar::setMessage(const QString& sentence, bool bad) {
+  message_card_->setVisible(!sentence.isEmpty());
+  message_->setText(sentence);
+  fitMessage();
+  message_card_->setColors(bad ? theme::errorFill() : theme::warningFill(),
+                           bad ? theme::errorFill() : theme::warningFill());
+  setInk(message_, bad ? theme::errorInk() : theme::warningInk());
+}
+
+// Where there is little room.
+QString DeviceBar::stateWord() const {
+  switch (feel_.state()) {
+    case FeelState::kStopped:
+      return tr("Stopped");
+    case FeelState::kOpening:
+      return tr("Starting");
+    case FeelState::kStopping:
+      return tr("Stopping");
+    case FeelState::kTripped:
+      return tr("Tripped");
+    case FeelState::kRearming:
+      return tr("Let go");
+    case FeelState::kRunning:
+      break;
+  }
+  return feel_.isReplay() ? tr("Replay") : tr("Running");
+}
+
+QString DeviceBar::stateText() const {
+  switch (feel_.state()) {
+    case FeelState::kStopped:
+      return model_open_ ? tr("Stopped: nothing is computed.") : tr("Open a model to feel it.");
+    case FeelState::kOpening:
+      return tr("Starting the device…");
+    case FeelState::kStopping:
+      return tr("No force. The device is stopping…");
+    case FeelState::kTripped:
+      return tr("Tripped: no force.");
+    case FeelState::kRearming:
+      return tr("Let go of the tube, then it arms again.");
+    case FeelState::kRunning:
+      break;
+  }
+  QStringList parts{feel_.isReplay() ? tr("Replaying a recording") : tr("Running"), feel_.priorityText()};
+  if (const auto latency = feel_.editLatency())
+    parts << tr("edit felt after %1 (longest %2)")
+                 .arg(ticksText(latency->last_ticks), numberText(static_cast<double>(latency->longest_ticks)));
+  const haptics::LoopStatistics statistics = feel_.statistics();
+  if (statistics.missed > 0) parts << tr("%1 ticks late").arg(statistics.missed);
+  if (statistics.restarts > 0) parts << tr("force begun anew after %1 stalls").arg(statistics.restarts);
+  return parts.join(QStringLiteral(" · "));
+}
+
+void DeviceBar::toggle() {
+  failure_.clear();
+  if (feel_.state() == FeelState::kStopped) {
+    feel_.start(devices_->currentData().toString());
+  } else {
+    feel_.stop();
+  }
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,372 @@
+#include "app/workbench/feel/feel_panel.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/device/device_search.h"
+#include "app/workbench/feel/depth_regions.h"
+#include "app/workbench/feel/device_bar.h"
+#include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/force_bar.h"
+#include "app/workbench/feel/force_trace_plot.h"
+#include "app/workbench/feel/patient_controls.h"
+#include "app/workbench/feel/placement_card.h"
+#include "app/workbench/feel/procedure.h"
+#include "app/workbench/feel/procedure_panel.h"
+#include "app/workbench/feel/sagittal_view.h"
+#include "app/workbench/feel/trace_table.h"
+#include "app/workbench/feel/tube_pad.h"
+#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/model/patient.h"
+#include "app/workbench/model/scene_controller.h"
+#include "app/workbench/plot/plot_menu.h"
+#include "core/haptics/safety/limit_bit.h"
+#include "core/haptics/servo/sample.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr auto kStopKey = Qt::Key_F12;
+constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other
+constexpr int kRoomyWidth = 820;  // px: from this size on all steps of the procedure are listed
+constexpr int kRoomyHeight = 360;
+
+// Wrapped text in a card must not make the height of the whole panel depend on its width: it would scroll where all
+// fits.
+class CardHolder : public QWidget {
+ public:
+  bool hasHeightForWidth() const override { return false; }
+};
+
+QString swatch(const QColor& color, const QString& name) {
+  return QStringLiteral("<span style=\"color:%1\">■</span> %2").arg(color.name(), name.toHtmlEscaped());
+}
+
+// Space is a letter there, or chooses something. In a number there is no space.
+bool wantsSpace() {
+  const QWidget* focus = QApplication::focusWidget();
+  return QApplication::activePopupWidget() || QApplication::activeModalWidget() ||
+         (focus && (focus->inherits("QLineEdit") || focus->inherits("QTextEdit")));
+}
+
+}  // namespace
+
+FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* parent)
+    : QWidget(parent),
+      scene_(scene),
+      feel_(feel),
+      search_(new DeviceSearch(this)),
+      device_(new DeviceBar(feel, *search_, this)),
+      patient_(new PatientControls(scene, feel, this)),
+      pad_(new TubePad(this)),
+      force_(new QLabel(this)),
+      bar_(new ForceBar(this)),
+      limits_(new ElidedLabel(this)),
+      split_(new QCheckBox(tr("Split"), this)),
+      follow_(new QCheckBox(tr("Plots follow"), this)),
+      legend_(new QLabel(this)),
+      trace_(new ForceTracePlot(this)),
+      sagittal_(new SagittalView(this)),
+      procedure_(new ProcedurePanel(ngtProcedure(), this)),
+      placement_(new PlacementCard(this)) {
+  build();
+  connectAll();
+  if (scene_.model()) adoptModel();
+  showState();
+  showFelt();
+}
+
+FeelPanel::~FeelPanel() = default;
+
+void FeelPanel::build() {
+  force_->setFont(theme::titleFont());
+  force_->setTextFormat(Qt::PlainText);
+  force_->setMinimumWidth(QFontMetrics(theme::titleFont()).horizontalAdvance(QStringLiteral("-0.000 N")));
+  limits_->setFont(theme::smallFont());
+  legend_->setFont(theme::smallFont());
+  // It must not make the panel wider than its place.
+  legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  limits_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  QPalette warning = limits_->palette();
+  warning.setColor(QPalette::WindowText, theme::warningInk());
+  limits_->setPalette(warning);
+  for (QCheckBox* box : {split_, follow_}) {
+    box->setFocusPolicy(Qt::TabFocus);
+    box->setFont(theme::smallFont());
+  }
+  split_->setToolTip(tr("Show what makes up the force: fuzzy force, friction and limits"));
+  follow_->setToolTip(tr("Depth and speed of all plots are those of the tube in the hand"));
+  follow_->setChecked(feel_.followsHand());
+  showLegend();
+
+  auto* number_row = new QHBoxLayout;
+  number_row->setSpacing(theme::kGrid);
+  number_row->addWidget(force_, 0, Qt::AlignTop);
+  number_row->addWidget(bar_, 1);
+  auto* options = new QHBoxLayout;
+  options->setSpacing(theme::kGrid);
+  options->addWidget(split_);
+  options->addWidget(follow_);
+  options->addWidget(limits_, 1);
+  options->addWidget(new PlotMenu(
+      *trace_, [this] { return traceTable(scene_, feel_.history(), traced_on_); }, this));
+  auto* hand = new QVBoxLayout;
+  hand->setSpacing(4);
+  hand->addWidget(pad_);
+  hand->addLayout(number_row);
+  hand->addLayout(options);
+  hand->addWidget(legend_);
+  hand->addWidget(trace_, 1);
+
+  picture_ = new QBoxLayout(QBoxLayout::TopToBottom);
+  picture_->setSpacing(theme::kGrid);
+  picture_->addWidget(sagittal_, 3);
+  picture_->addWidget(procedure_, 0);
+  auto* patient = new QVBoxLayout;
+  patient->setSpacing(4);
+  patient->addWidget(patient_);
+  patient->addLayout(picture_, 1);
+
+  auto* content = new Card;
+  halves_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  halves_->setSpacing(2 * theme::kGrid);
+  halves_->addLayout(hand, 1);
+  halves_->addLayout(patient, 1);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(theme::kGrid, theme::kGrid - 2, theme::kGrid, theme::kGrid - 2);
+  column->setSpacing(theme::kGrid - 2);
+  column->addWidget(device_);
+  column->addLayout(halves_, 1);
+  column->addWidget(placement_);
+  cards_ = column;
+
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(content);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(scroll);
+  arrange();
+}
+
+void FeelPanel::addCard(QWidget* card) {
+  auto* holder = new CardHolder;
+  auto* layout = new QVBoxLayout(holder);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(card);
+  cards_->addWidget(holder);
+}
+
+void FeelPanel::showLegend() {
+  QStringList lines;
+  for (const LegendEntry& entry : trace_->legend()) {
+    const bool area = entry.fill.style() != Qt::NoBrush;
+    lines << swatch(area ? theme::onCard(entry.fill.color()) : entry.pen.color(), entry.name);
+  }
+  // In two rows where one would be cut off.
+  constexpr qsizetype kInOneRow = 4;
+  const QString gap = QStringLiteral("  ");
+  QStringList rows{lines.mid(0, kInOneRow).join(gap)};
+  if (lines.size() > kInOneRow) rows << lines.mid(kInOneRow).join(gap);
+  legend_->setText(rows.join(QStringLiteral("<br>")));
+  legend_->setVisible(!lines.isEmpty());
+}
+
+void FeelPanel::arrange() {
+  const bool narrow = width() < kSideBySide;
+  const bool roomy = !narrow && width() >= kRoomyWidth && height() >= kRoomyHeight;
+  const auto direction = narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (halves_->direction() != direction) halves_->setDirection(direction);
+  halves_->setStretch(0, roomy ? 4 : 1);
+  halves_->setStretch(1, roomy ? 5 : 1);
+  const auto picture = roomy ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+  if (picture_->direction() != picture) picture_->setDirection(picture);
+  picture_->setStretch(0, 3);
+  picture_->setStretch(1, roomy ? 2 : 0);
+  procedure_->setCompact(!roomy);
+  if (roomy != std::exchange(roomy_, roomy)) emit roomChanged(roomy);
+}
+
+void FeelPanel::toggle() { device_->toggle(); }
+
+void FeelPanel::connectAll() {
+  connect(pad_, &TubePad::targetMoved, &feel_, &FeelController::setTarget);
+  connect(pad_, &TubePad::gripped, &feel_, &FeelController::setHeld);
+  connect(split_, &QCheckBox::toggled, this, [this](bool split) {
+    trace_->setSplit(split);
+    showLegend();
+    trace_->setHistory(feel_.history());
+  });
+  connect(follow_, &QCheckBox::toggled, &feel_, &FeelController::setFollowsHand);
+  connect(placement_, &PlacementCard::newPlacementRequested, &feel_, &FeelController::newPlacement);
+  connect(&feel_, &FeelController::stateChanged, this, &FeelPanel::showState);
+  connect(&feel_, &FeelController::advanced, this, &FeelPanel::showFelt);
+  connect(&feel_, &FeelController::failed, device_, &DeviceBar::showFailure);
+  connect(&feel_, &FeelController::neckChanged, this, [this] { sagittal_->setNeckFlexed(feel_.isNeckFlexed()); });
+  connect(&feel_, &FeelController::placementEnded, this, [this] { placement_->setSummary(feel_.lastPlacement()); });
+  connect(&scene_, &SceneController::modelChanged, this, &FeelPanel::adoptModel);
+  connect(&scene_, &SceneController::modelEdited, this, &FeelPanel::showRegions);
+}
+
+void FeelPanel::showRegions() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const auto input = inputNamed(model, kDepthId);
+  const auto depth = input ? std::optional(model.inputs[*input]) : std::nullopt;
+  // What counts as flexed follows from the terms.
+  sagittal_->setNeckFlexed(feel_.isNeckFlexed());
+  if (depth == depth_) return;
+  depth_ = depth;
+  sagittal_->setRegions(depth ? depthRegions(*depth) : std::vector<DepthRegion>());
+  placement_->setProgress(feel_.strokes(), feel_.depthMm(), sagittal_->regionText());
+}
+
+void FeelPanel::adoptModel() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  showRegions();
+  trace_->setOutput(model.output);
+  device_->setModelOpen(true);
+  showFelt();
+}
+
+void FeelPanel::showState() {
+  const bool running = feel_.isRunning();
+  if (const auto device = feel_.device()) traced_on_ = device;
+  // Nothing listens to the keys of the program while there is no force to stop.
+  if (running != filtering_) {
+    if (running) {
+      qApp->installEventFilter(this);
+    } else {
+      qApp->removeEventFilter(this);
+    }
+    filtering_ = running;
+  }
+  placement_->setRunning(running);
+  trace_->setHistory(feel_.history());
+  showLegend();
+  showFelt();
+}
+
+void FeelPanel::showFelt() {
+  if (!isVisible()) return;
+  const haptics::Sample& sample = feel_.latest();
+  const double depth_mm = feel_.depthMm();
+  showForce();
+  TubePad::Reading reading;
+  reading.hand_mm = sample.position_mm;
+  reading.tube_mm = sample.position_mm - sample.stretch_mm;
+  reading.target_mm = feel_.targetMm();
+  reading.running = feel_.isRunning();
+  reading.replay = feel_.isReplay();
+  reading.live = feel_.isHandLive();
+  reading.latch = feel_.grip().latch;
+  reading.held = sample.phase != render::Phase::kReleased;
+  reading.armed = armed_;
+  reading.recorded_s = recorded_s_;
+  pad_->setReading(reading);
+  sagittal_->setDepth(depth_mm);
+  procedure_->setDepth(depth_mm);
+  placement_->setProgress(feel_.strokes(), depth_mm, sagittal_->regionText());
+  device_->showProgress();
+  trace_due_ = !trace_due_;
+  if (trace_due_ || !feel_.isRunning()) trace_->setHistory(feel_.history());
+}
+
+void FeelPanel::showRecording(bool armed, std::optional<int> recorded_s) {
+  armed_ = armed;
+  recorded_s_ = recorded_s;
+  showFelt();
+}
+
+void FeelPanel::showForce() {
+  const haptics::Sample& sample = feel_.latest();
+  bar_->setForces(sample.force_n, sample.source_force_n);
+  const QString force = forceText(sample.force_n, "N");
+  if (force != force_->text()) force_->setText(force);
+  const QString limits = limitText();
+  limits_->setFullText(limits);
+}
+
+QString FeelPanel::limitText() const {
+  if (!feel_.isRunning()) return {};
+  struct Limit {
+    std::uint32_t bit;
+    QString text;
+  };
+  const std::uint32_t limited = feel_.latest().limited;
+  for (const Limit& limit :
+       {Limit{haptics::kLimitedByThermal, tr("the device rests")},
+        Limit{haptics::kLimitedByStaleDevice, tr("the device is silent")},
+        Limit{haptics::kLimitedByGui, tr("the program was silent")},
+        Limit{haptics::kLimitedByPassivity, tr("vibration damped")},
+        Limit{haptics::kLimitedByCap, tr("at the force cap")},
+        Limit{haptics::kLimitedByGap, tr("fading in after a stall")}, Limit{haptics::kLimitedByFadeIn, tr("fading in")},
+        Limit{haptics::kLimitedByStiffness,
+              tr("spring softened to %1 N/mm").arg(numberText(feel_.latest().stiffness_n_mm))}}) {
+    if ((limited & limit.bit) != 0) return limit.text;
+  }
+  return {};
+}
+
+bool FeelPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ApplicationDeactivate && !feel_.grip().latch) feel_.setHeld(false);
+  const bool asks = event->type() == QEvent::ShortcutOverride;
+  const bool press = event->type() == QEvent::KeyPress || asks;
+  if (asking_ || (!press && event->type() != QEvent::KeyRelease)) return QWidget::eventFilter(watched, event);
+  auto* key = static_cast<QKeyEvent*>(event);
+  if (press && key->key() == kStopKey) {
+    feel_.stop();
+    event->accept();
+    return true;
+  }
+  if (press && key->key() == Qt::Key_Escape) return escape(*watched, *key, asks);
+  if (key->key() != Qt::Key_Space) return QWidget::eventFilter(watched, event);
+  // Whatever has opened since the press, the hand lets go.
+  if (!press && !key->isAutoRepeat()) feel_.setHeld(false);
+  if (wantsSpace()) return QWidget::eventFilter(watched, event);
+  if (press && !key->isAutoRepeat()) feel_.setHeld(true);
+  event->accept();
+  return true;
+}
+
+bool FeelPanel::escape(QObject& watched, QKeyEvent& key, bool asks) {
+  if (asks) {
+    // Whoever drags something says now that Escape is his.
+    asking_ = true;
+    key.ignore();
+    QCoreApplication::sendEvent(&watched, &key);
+    asking_ = false;
+    escape_taken_ = key.isAccepted();
+    if (escape_taken_) return true;
+  }
+  if (escape_taken_) return false;
+  feel_.stop();
+  key.accept();
+  return true;
+}
+
+void FeelPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
+}
+
+void FeelPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showLegend();
+}
+
+void FeelPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  showFelt();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,18 @@
+// What the servo evaluates: the open model in the setting in which it is looked at.
+#pragma once
+
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/haptics/sources/servo_scene.h"
+
+namespace tactus::workbench {
+
+class SceneController;
+
+/// The model of `scene` with its values of everything but depth and speed, which the hand moves. The difference to the
+/// scene before fades out within `fade_s`. Refused: what the servo refuses (haptics::ServoScene::make). A model must be
+/// open.
+base::Result<std::shared_ptr<const haptics::ServoScene>> servoSceneOf(const SceneController& scene, double fade_s);
+
+}  // namespace tactus::workbench

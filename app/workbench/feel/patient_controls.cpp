@@ -1,0 +1,111 @@
+#include "app/workbench/feel/patient_controls.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/model/patient.h"
+#include "app/workbench/model/scene_controller.h"
+
+namespace tactus::workbench {
+
+PatientControls::PatientControls(SceneController& scene, FeelController& feel, QWidget* parent)
+    : QWidget(parent),
+      scene_(scene),
+      feel_(feel),
+      lubrication_(new QLabel(tr("Lubrication"), this)),
+      terms_(new QWidget(this)),
+      terms_layout_(new QHBoxLayout(terms_)),
+      term_buttons_(new QButtonGroup(this)),
+      neck_(new QPushButton(this)) {
+  terms_layout_->setContentsMargins(0, 0, 0, 0);
+  terms_layout_->setSpacing(2);
+  // Checked where the value is; the group must not insist, because a value may be in no term.
+  term_buttons_->setExclusive(false);
+  neck_->setCheckable(true);
+  neck_->setFont(theme::smallFont());
+  // Both texts have their place.
+  neck_->setMinimumWidth(QFontMetrics(theme::smallFont()).horizontalAdvance(tr("Flex the neck")) + 3 * theme::kGrid);
+  lubrication_->setFont(theme::smallFont());
+  neck_->setFocusPolicy(Qt::TabFocus);
+  neck_->setToolTip(tr("The head moves within a second, and the force with it"));
+
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(lubrication_);
+  layout->addWidget(terms_);
+  layout->addWidget(neck_);
+  layout->addStretch(1);
+
+  connect(term_buttons_, &QButtonGroup::idClicked, this, [this](int term) {
+    const auto input = inputNamed(scene_.model()->model, kLubricationId);
+    const fuzzy::Variable& variable = scene_.model()->model.inputs[*input];
+    scene_.setValue(*input, coreMiddle(variable, variable.terms[static_cast<std::size_t>(term)]));
+    showValues();
+  });
+  connect(neck_, &QPushButton::clicked, &feel_, &FeelController::setNeckFlexed);
+  connect(&scene_, &SceneController::modelChanged, this, &PatientControls::build);
+  connect(&scene_, &SceneController::modelEdited, this, &PatientControls::build);
+  connect(&scene_, &SceneController::valueChanged, this, &PatientControls::onValue);
+  if (scene_.model()) build();
+}
+
+void PatientControls::build() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const auto lubrication = inputNamed(model, kLubricationId);
+  const auto neck = inputNamed(model, kNeckFlexionId);
+  lubrication_->setVisible(lubrication.has_value());
+  terms_->setVisible(lubrication.has_value());
+  neck_->setVisible(neck && neckPostures(model.inputs[*neck]).has_value());
+  const std::vector<fuzzy::Term> none;
+  const std::vector<fuzzy::Term>& terms = lubrication ? model.inputs[*lubrication].terms : none;
+
+  const QList<QAbstractButton*> old = term_buttons_->buttons();
+  bool same = old.size() == static_cast<qsizetype>(terms.size());
+  for (qsizetype i = 0; same && i < old.size(); ++i)
+    same = old[i]->text() == labelOf(terms[static_cast<std::size_t>(i)]);
+  if (!same) {
+    qDeleteAll(old);
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      auto* button = new QPushButton(labelOf(terms[i]), terms_);
+      button->setCheckable(true);
+      button->setFocusPolicy(Qt::TabFocus);
+      button->setFont(theme::smallFont());
+      button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + 2 * theme::kGrid);
+      terms_layout_->addWidget(button);
+      term_buttons_->addButton(button, static_cast<int>(i));
+    }
+  }
+  showValues();
+}
+
+void PatientControls::onValue(std::size_t input) {
+  const std::string& id = scene_.model()->model.inputs[input].id;
+  if (id == kLubricationId || id == kNeckFlexionId) showValues();
+}
+
+void PatientControls::showValues() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  if (const auto input = inputNamed(model, kLubricationId)) {
+    const auto term = strongestTerm(model.inputs[*input], scene_.value(*input));
+    const QList<QAbstractButton*> buttons = term_buttons_->buttons();
+    for (qsizetype i = 0; i < buttons.size(); ++i) {
+      const bool chosen = term == static_cast<std::size_t>(i);
+      // Bold too: in the dark look a button that is down is hard to tell from one that is not.
+      QFont font = theme::smallFont();
+      font.setBold(chosen);
+      buttons[i]->setFont(font);
+      buttons[i]->setChecked(chosen);
+    }
+  }
+  const bool flexed = feel_.isNeckFlexed();
+  neck_->setChecked(flexed);
+  neck_->setText(flexed ? tr("Head up") : tr("Flex the neck"));
+}
+
+}  // namespace tactus::workbench

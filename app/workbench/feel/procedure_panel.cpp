@@ -1,0 +1,87 @@
+#include "app/workbench/feel/procedure_panel.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/wrapped_label.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kLines = 5;
+constexpr int kCompactLines = 3;
+
+void setInk(QLabel* label, const QColor& ink) {
+  QPalette colors = label->palette();
+  colors.setColor(QPalette::WindowText, ink);
+  label->setPalette(colors);
+}
+
+}  // namespace
+
+ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent)
+    : QWidget(parent),
+      steps_(std::move(steps)),
+      list_(new QWidget(this)),
+      head_(new QLabel(this)),
+      text_(new WrappedLabel(this)) {
+  auto* grid = new QGridLayout(list_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(theme::kGrid);
+  grid->setVerticalSpacing(3);
+  grid->setColumnStretch(1, 1);
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const Row row{new QLabel(QString::number(i + 1), list_), new QLabel(steps_[i].title, list_)};
+    row.number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row.number->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00")));
+    row.title->setTextFormat(Qt::PlainText);
+    grid->addWidget(row.number, static_cast<int>(i), 0);
+    grid->addWidget(row.title, static_cast<int>(i), 1);
+    rows_.push_back(row);
+  }
+  text_->setFont(theme::smallFont());
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(list_);
+  layout->addWidget(head_);
+  layout->addWidget(text_, 1);
+  head_->setFont(theme::headingFont());
+  head_->setTextFormat(Qt::PlainText);
+  setInk(head_, theme::accent());
+  setCompact(false);
+  setDepth(0);
+}
+
+void ProcedurePanel::setCompact(bool compact) {
+  list_->setVisible(!compact);
+  head_->setVisible(compact);
+  // The longest text has its place, so that nothing moves from step to step.
+  text_->setMinimumHeight((compact ? kCompactLines : kLines) * QFontMetrics(theme::smallFont()).height());
+}
+
+void ProcedurePanel::setDepth(double depth_mm) {
+  if (steps_.empty()) return;
+  const std::size_t step = stepAt(steps_, depth_mm).value_or(0);
+  if (shown_ != step) show(step);
+}
+
+void ProcedurePanel::show(std::size_t step) {
+  shown_ = step;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    QFont font = this->font();
+    font.setBold(i == step);
+    for (QLabel* label : {rows_[i].number, rows_[i].title}) {
+      label->setFont(font);
+      setInk(label, i == step ? theme::accent() : i < step ? theme::ink() : theme::mutedInk());
+    }
+  }
+  head_->setText(tr("%1 of %2: %3").arg(step + 1).arg(steps_.size()).arg(steps_[step].title));
+  text_->setText(steps_[step].text);
+  text_->setToolTip(steps_[step].text);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,40 @@
+// The steps of the procedure; the one at hand is lit by the depth of the tip.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/feel/procedure.h"
+
+class QLabel;
+
+namespace tactus::workbench {
+
+class ProcedurePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent = nullptr);
+
+  /// Depth of the tip, mm.
+  void setDepth(double depth_mm);
+  /// Only the step at hand and its text.
+  void setCompact(bool compact);
+
+ private:
+  struct Row {
+    QLabel* number;
+    QLabel* title;
+  };
+  void show(std::size_t step);
+
+  std::vector<ProcedureStep> steps_;
+  std::vector<Row> rows_;
+  QWidget* list_;
+  QLabel* head_;  ///< the step at hand, where there is no list
+  QLabel* text_;
+  std::optional<std::size_t> shown_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,326 @@
+#include "app/workbench/feel/recordings/feel_store.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/model/patient.h"
+#include "app/workbench/model/scene_controller.h"
+#include "app/workbench/study/study_controller.h"
+#include "core/haptics/simulated/replay_device.h"
+#include "core/store/feel_records.h"
+
+namespace tactus::workbench {
+namespace {
+
+using base::Result;
+
+constexpr double kTailS = 0.3;  // a replay shows that the force has gone
+
+std::string deviceText(const haptics::DeviceInfo& info) {
+  return info.serial.empty() ? info.name : info.name + ' ' + info.serial;
+}
+
+}  // namespace
+
+FeelStore::FeelStore(FeelController& feel, SceneController& scene, StudyController& study, QObject* parent)
+    : QObject(parent), feel_(feel), scene_(scene), study_(study), sessions_(std::make_shared<FeelSessions>()) {
+  connect(&feel_, &FeelController::stateChanged, this, &FeelStore::onState);
+  connect(&feel_, &FeelController::sampled, this, &FeelStore::onSampled);
+  connect(&feel_, &FeelController::advanced, this, &FeelStore::onAdvanced);
+  connect(&feel_, &FeelController::placementEnded, this, &FeelStore::onPlacementEnded);
+  connect(&scene_, &SceneController::modelChanged, this, &FeelStore::onModel);
+  connect(&study_, &StudyController::opened, this, &FeelStore::onStudy);
+  connect(&study_, &StudyController::closed, this, &FeelStore::onStudy);
+  connect(&study_, &StudyController::leaving, this, [this] {
+    setRecording(false);
+    endPlacement();
+  });
+}
+
+FeelStore::~FeelStore() { endRecording(); }
+
+bool FeelStore::canRecord() const { return study_.isOpen() && !study_.isOpening(); }
+
+std::optional<study::RecordId> FeelStore::replayed() const {
+  return replay_ ? std::optional(replay_->id) : std::nullopt;
+}
+
+void FeelStore::setWho(std::optional<study::RecordId> who) {
+  if (who == who_) return;
+  // What goes on belongs to the person before.
+  if (recorder_) setRecording(false);
+  endPlacement();
+  who_ = who;
+  emit changed();
+}
+
+void FeelStore::setRecording(bool recording) {
+  if (recording == recording_ || (recording && !canRecord())) return;
+  if (recording) {
+    recording_ = true;
+    shown_s_ = -1;
+    if (feel_.isRunning() && !feel_.isReplay()) {
+      feel_.newPlacement();
+      beginRecording();
+    }
+  } else {
+    endRecording();
+  }
+  emit changed();
+}
+
+void FeelStore::onState() {
+  if (!feel_.isRunning()) {
+    if (recorder_) endRecording();
+    replay_.reset();
+    emit changed();
+    playNext();
+    return;
+  }
+  if (feel_.runs() != seen_run_) {
+    seen_run_ = feel_.runs();
+    run_started_ = momentNow();
+    if (recording_ && !feel_.isReplay()) beginRecording();
+  }
+  emit changed();
+}
+
+void FeelStore::beginRecording() {
+  recorded_visit_ = visit();
+  recorder_.emplace(feel_.device()->rate_hz, conditions());
+  first_orders_ = placement_orders_ = feel_.placementOrders();
+  placement_ = 1;
+  pieces_ = 0;
+  ++recordings_;
+  store(study::FeelStart{entry(), setting(), 1}, tr("The recording"), recorded_visit_, recordings_,
+        [this] { study_.refresh(); });
+}
+
+void FeelStore::endRecording() {
+  recording_ = false;
+  if (!recorder_) return;
+  storePiece();
+  recorder_.reset();
+  store(study::FeelEnd{entry(), 1, pieces_}, tr("The end of the recording"), recorded_visit_, recordings_,
+        [this, study = study_.fileName()] {
+          emit said(tr("Recorded into %1.").arg(study));
+          study_.refresh();
+        });
+}
+
+void FeelStore::onSampled(std::span<const haptics::Sample> samples) {
+  const auto in_hand = [this](const haptics::Sample& sample) {
+    return sample.orders >= feel_.placementOrders() && sample.phase != render::Phase::kReleased;
+  };
+  if (!felt_ && std::any_of(samples.begin(), samples.end(), in_hand)) felt_ = setting();
+  if (!recorder_) return;
+  std::vector<double> values;
+  for (const auto& condition : conditions()) values.push_back(condition.value);
+  recorder_->setConditions(values);
+  for (const haptics::Sample& sample : samples) {
+    if (sample.orders < first_orders_) continue;
+    if (sample.orders >= feel_.placementOrders() && feel_.placementOrders() != placement_orders_) {
+      placement_orders_ = feel_.placementOrders();
+      ++placement_;
+    }
+    // A piece is stored only when its next sample is there, so that it can say whether samples were lost in between.
+    if (recorder_->isGapBefore(sample)) {
+      storePiece(true);
+      emit failed(
+          tr("Samples of the recording were lost, because this program came to a standstill. The recording says "
+             "where."));
+    } else if (recorder_->pieceS() >= kPieceS) {
+      storePiece();
+    }
+    recorder_->add(sample, sample.depth_mm + feel_.depthOffsetMm(), placement_);
+  }
+}
+
+// A recording has a channel for each condition; a model of other inputs has others.
+void FeelStore::onModel() {
+  if (!recorder_ || recorder_->has(conditions())) return;
+  setRecording(false);
+  emit said(tr("The recording into %1 has ended, because the model has other inputs now.").arg(study_.fileName()));
+}
+
+void FeelStore::storePiece(bool gap_follows) {
+  auto piece = recorder_->takePiece();
+  if (!piece) return;
+  ++pieces_;
+  store(study::FeelPiece{entry(), 1, pieces_, std::move(*piece), gap_follows}, tr("A piece of the recording"),
+        recorded_visit_, recordings_, {});
+}
+
+void FeelStore::onAdvanced() {
+  if (recorder_ && static_cast<int>(recorder_->lengthS()) != shown_s_) {
+    shown_s_ = static_cast<int>(recorder_->lengthS());
+    emit changed();
+  }
+  if (!replay_ || !feel_.isReplay()) return;
+  const double now_s = feel_.history().nowS();
+  if (now_s > replay_->time_s.back() + kTailS) {
+    feel_.stop();
+    return;
+  }
+  const auto after = std::upper_bound(replay_->time_s.begin(), replay_->time_s.end(), now_s);
+  if (after != replay_->time_s.begin()) follow(static_cast<std::size_t>(after - replay_->time_s.begin()) - 1);
+}
+
+// Conditions and placements are those of the recording; the model is the present one.
+void FeelStore::follow(std::size_t sample) {
+  const std::size_t before = std::exchange(replay_->sample, sample);
+  for (std::size_t input = 0; input < scene_.model()->model.inputs.size(); ++input) {
+    const std::string& id = scene_.model()->model.inputs[input].id;
+    if (id == kDepthId || id == kSpeedId) continue;
+    const auto* values = channelOf(replay_->recording, id);
+    if (values != nullptr && (*values)[sample] != (*values)[before]) scene_.setValue(input, (*values)[sample]);
+  }
+  const auto* placements = channelOf(replay_->recording, "placement");
+  if (placements != nullptr && (*placements)[sample] != (*placements)[before]) feel_.newPlacement();
+}
+
+void FeelStore::onPlacementEnded() {
+  const auto summary = feel_.lastPlacement();
+  const auto felt = std::exchange(felt_, std::nullopt);
+  // A replay is nobody's placement.
+  if (!summary || !study_.takesOrders() || feel_.isReplay()) return;
+  study::PlacementRecord record;
+  record.entry = entry();
+  record.setting = felt ? *felt : setting();
+  record.duration_s = summary->duration_s;
+  record.strokes = static_cast<int>(summary->strokes);
+  record.peak_force_n = summary->peak_force_n;
+  record.mean_force_n = summary->mean_force_n;
+  record.depth_mm = summary->depth_mm;
+  store(std::move(record), tr("The placement"), visit(), 0, [this, study = study_.fileName()] {
+    emit said(tr("The placement is stored in %1.").arg(study));
+    study_.refresh();
+  });
+}
+
+// What the hand did until now is stored as it was; what comes belongs to somebody or something else.
+void FeelStore::endPlacement() {
+  if (feel_.isRunning() && !feel_.isReplay()) feel_.newPlacement();
+}
+
+void FeelStore::onStudy() {
+  sessions_ = std::make_shared<FeelSessions>();
+  who_.reset();
+  emit changed();
+}
+
+void FeelStore::replay(const study::RecordId& id) {
+  if (!study_.takesOrders() || !scene_.model()) return;
+  if (recording_) setRecording(false);
+  const auto read = std::make_shared<Result<study::Recording>>();
+  study_.order(
+      [id, read](store::StudyFile& file, study::RecordIds&) -> Result<void> {
+        *read = store::feelRecording(file, id);
+        return {};
+      },
+      [this, id, read] {
+        if (*read) {
+          play(id, **read);
+        } else {
+          emit failed(text(read->error().message()));
+        }
+      });
+}
+
+void FeelStore::play(const study::RecordId& id, const study::Recording& recording) {
+  haptics::ReplaySettings settings;
+  settings.room_for_forces = 0;  // the servo's samples tell them
+  auto device = haptics::ReplayDevice::make(recording, settings);
+  const auto* times = channelOf(recording, "time");
+  const auto* forces = channelOf(recording, "force");
+  if (!device || times == nullptr || forces == nullptr || scene_.model() == nullptr) {
+    emit failed(device ? tr("The recording has no channels 'time' and 'force' to replay.")
+                       : text(device.error().message()));
+    return;
+  }
+  Replay next{id, recording, *times, 0};
+  for (double& time_s : next.time_s) time_s += settings.lead_s - times->front();
+  // The conditions of the beginning, before there is a force.
+  for (std::size_t input = 0; input < scene_.model()->model.inputs.size(); ++input) {
+    const std::string& input_id = scene_.model()->model.inputs[input].id;
+    if (input_id == kDepthId || input_id == kSpeedId) continue;
+    if (const auto* values = channelOf(recording, input_id)) scene_.setValue(input, values->front());
+  }
+  feel_.stop();
+  next_ = Next{std::move(*device), {next.time_s, *forces}, std::move(next)};
+  playNext();
+}
+
+// A device behind a driver takes its time to stop, and is waited for.
+void FeelStore::playNext() {
+  if (!next_ || feel_.state() != FeelState::kStopped) return;
+  Next next = std::move(*next_);
+  next_.reset();
+  replay_ = std::move(next.replay);
+  feel_.startReplay(std::move(next.device), std::move(next.beside));
+  if (!feel_.isRunning()) replay_.reset();
+  emit changed();
+}
+
+FeelSessions::Visit FeelStore::visit() const {
+  const haptics::DeviceInfo info = *feel_.device();
+  return {feel_.runs(), who_, run_started_, deviceText(info), info.id, info.simulated, info.friction_in_n};
+}
+
+study::FeltSetting FeelStore::setting() const {
+  const haptics::DeviceInfo info = *feel_.device();
+  study::FeltSetting out;
+  out.device = deviceText(info);
+  out.simulated = info.simulated;
+  out.model = scene_.model()->model.name;
+  if (const std::string& expert = scene_.model()->only_expert; !expert.empty()) out.model += ": " + expert + " alone";
+  out.model_version = study_.modelVersion();
+  for (const auto& condition : conditions()) out.conditions[condition.id] = condition.value;
+  return out;
+}
+
+std::vector<FeelRecorder::Condition> FeelStore::conditions() const {
+  std::vector<FeelRecorder::Condition> out;
+  const auto& inputs = scene_.model()->model.inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (inputs[i].id != kDepthId && inputs[i].id != kSpeedId) {
+      out.push_back({inputs[i].id, inputs[i].unit, scene_.value(i)});
+    }
+  }
+  return out;
+}
+
+study::Entry FeelStore::entry() {
+  study::Entry out;
+  out.id = ids_.next();
+  out.when = momentNow();
+  out.entered_by = who_ ? study::EnteredBy::kParticipant : study::EnteredBy::kResearcher;
+  return out;
+}
+
+template <class Record>
+void FeelStore::store(Record record, const QString& what, const FeelSessions::Visit& visit, std::uint64_t serial,
+                      std::function<void()> done) {
+  const auto shared = std::make_shared<Record>(std::move(record));
+  study_.order(
+      [shared, visit, serial, sessions = sessions_](store::StudyFile& file, study::RecordIds& ids) -> Result<void> {
+        const auto session = sessions->sessionOf(visit, file, ids);
+        if (!session) return tl::unexpected(session.error());
+        shared->entry.session = *session;
+        if constexpr (std::is_same_v<Record, study::FeelStart>) {
+          shared->number = sessions->numberOf(serial, *session);
+        } else if constexpr (!std::is_same_v<Record, study::PlacementRecord>) {
+          shared->recording = sessions->numberOf(serial, *session);
+        }
+        return store::append(file, *shared);
+      },
+      std::move(done),
+      [this, what, study = study_.fileName()](const QString& sentence) {
+        emit failed(tr("%1 was not stored in %2: %3").arg(what, study, sentence));
+      });
+}
+
+}  // namespace tactus::workbench

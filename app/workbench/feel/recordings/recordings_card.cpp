@@ -1,0 +1,223 @@
+#include "app/workbench/feel/recordings/recordings_card.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QGridLayout>
+#include <QIcon>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/recordings/feel_store.h"
+#include "app/workbench/study/study_controller.h"
+
+namespace tactus::workbench {
+namespace {
+
+QString personText(const StudyPerson& person) {
+  if (person.researcher) return RecordingsCard::tr("Researcher (%1)").arg(person.code);
+  return person.simulated ? RecordingsCard::tr("%1 (simulated)").arg(person.code) : person.code;
+}
+
+// `19:30:12 · 12.4 s · velvet-otter · Virtual device (simulated)`, with the day where it is not today.
+QString recordingText(const store::FeelSummary& recording, bool goes_on) {
+  const study::FeltSetting& setting = recording.start.setting;
+  const QDateTime when = QDateTime::fromMSecsSinceEpoch(recording.start.entry.when.utc_ms);
+  const bool today = when.date() == QDate::currentDate();
+  QStringList parts{when.toString(today ? QStringLiteral("HH:mm:ss") : QStringLiteral("d MMM yyyy HH:mm"))};
+  if (goes_on) {
+    parts << RecordingsCard::tr("recording…");
+  } else {
+    parts << quantityText(recording.length_s, "s", 1);
+    if (!recording.finished) parts << RecordingsCard::tr("not finished");
+  }
+  parts << text(recording.code);
+  const QString device = text(setting.device);
+  if (setting.simulated && !device.contains(QLatin1String("simulated"), Qt::CaseInsensitive)) {
+    parts << RecordingsCard::tr("SIMULATED");
+  }
+  if (!device.isEmpty()) parts << device;
+  return parts.join(QStringLiteral(" · "));
+}
+
+// A red dot for a recording in progress, a ring for one that waits for Start.
+QIcon recordIcon(bool in_progress) {
+  constexpr int kSide = 16;
+  QPixmap picture(kSide, kSide);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(theme::errorInk(), 2));
+  painter.setBrush(in_progress ? QBrush(theme::errorInk()) : QBrush(Qt::NoBrush));
+  painter.drawEllipse(QRectF(3, 3, kSide - 6, kSide - 6));
+  return picture;
+}
+
+}  // namespace
+
+RecordingsCard::RecordingsCard(FeelStore& store, StudyController& study, FeelController& feel, QWidget* parent)
+    : Card(parent),
+      store_(store),
+      study_(study),
+      feel_(feel),
+      hint_(new QLabel(tr("Open or make a study (menu Study) to keep placements and recordings."), this)),
+      where_(new QLabel(this)),
+      content_(new QWidget(this)),
+      who_(new QComboBox(content_)),
+      record_(new QPushButton(tr("Record"), content_)),
+      list_(new QComboBox(content_)),
+      replay_(new QPushButton(tr("Replay"), content_)) {
+  build();
+  connect(who_, &QComboBox::currentIndexChanged, this, &RecordingsCard::choose);
+  connect(record_, &QPushButton::clicked, this, [this] { store_.setRecording(!store_.isRecording()); });
+  connect(replay_, &QPushButton::clicked, this, &RecordingsCard::replay);
+  connect(&store_, &FeelStore::changed, this, &RecordingsCard::showState);
+  connect(&study_, &StudyController::contentsChanged, this, &RecordingsCard::listPeople);
+  connect(&study_, &StudyController::contentsChanged, this, &RecordingsCard::listRecordings);
+  connect(&study_, &StudyController::closed, this, &RecordingsCard::showState);
+  connect(&feel_, &FeelController::stateChanged, this, &RecordingsCard::showState);
+  listPeople();
+  listRecordings();
+}
+
+void RecordingsCard::build() {
+  setMuted(*hint_);
+  hint_->setTextFormat(Qt::PlainText);
+  hint_->setWordWrap(true);
+  where_->setTextFormat(Qt::PlainText);
+  where_->setFont(theme::smallFont());
+  setMuted(*where_);
+  auto* who_label = new QLabel(tr("Who feels"), content_);
+  auto* list_label = new QLabel(tr("Recordings"), content_);
+  who_->setAccessibleName(tr("Who feels"));
+  who_->setToolTip(tr("Placements and recordings are kept as theirs"));
+  list_->setAccessibleName(tr("Recordings"));
+  for (QComboBox* box : {who_, list_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(10);
+  }
+  for (QPushButton* button : {record_, replay_}) {
+    button->setFocusPolicy(Qt::TabFocus);
+    // Wide enough for every word and number that comes on it.
+    button->setMinimumWidth(button->fontMetrics().horizontalAdvance(tr("End · %1 s").arg(999)) + 5 * theme::kGrid);
+  }
+  auto* grid = new QGridLayout(content_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(theme::kGrid);
+  grid->setVerticalSpacing(4);
+  grid->addWidget(who_label, 0, 0);
+  grid->addWidget(who_, 0, 1);
+  grid->addWidget(record_, 0, 2);
+  grid->addWidget(list_label, 1, 0);
+  grid->addWidget(list_, 1, 1);
+  grid->addWidget(replay_, 1, 2);
+  grid->setColumnStretch(1, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid);
+  layout->addWidget(hint_);
+  layout->addWidget(where_);
+  layout->addWidget(content_);
+}
+
+void RecordingsCard::listPeople() {
+  const QSignalBlocker no_signal(who_);
+  who_->clear();
+  const auto& people = study_.people();
+  const auto researcher = std::find_if(people.begin(), people.end(), [](const auto& one) { return one.researcher; });
+  who_->addItem(researcher == people.end() ? tr("Researcher") : personText(*researcher));
+  for (const StudyPerson& person : people) {
+    if (person.researcher) continue;
+    who_->addItem(personText(person), QString::fromStdString(study::toText(person.id)));
+  }
+  showWho();
+}
+
+void RecordingsCard::showWho() {
+  const QSignalBlocker no_signal(who_);
+  const auto who = store_.who();
+  const int index = who ? who_->findData(QString::fromStdString(study::toText(*who))) : 0;
+  who_->setCurrentIndex(index);
+}
+
+void RecordingsCard::listRecordings() {
+  const QString kept = list_->currentData().toString();
+  const auto& recordings = study_.recordings();
+  // One that has just begun is what somebody wants to see next.
+  const bool is_new = std::exchange(listed_, recordings.size()) < recordings.size();
+  list_->clear();
+  // The newest first.
+  for (auto one = recordings.rbegin(); one != recordings.rend(); ++one) {
+    const bool goes_on = store_.isRecording() && feel_.isRunning() && one == recordings.rbegin() && !one->finished;
+    const QString line = recordingText(*one, goes_on);
+    list_->addItem(line, QString::fromStdString(study::toText(one->start.entry.id)));
+    list_->setItemData(list_->count() - 1, tr("%1\nfelt on the model %2").arg(line, text(one->start.setting.model)),
+                       Qt::ToolTipRole);
+  }
+  const int again = list_->findData(kept);
+  if (list_->count() > 0) list_->setCurrentIndex(again >= 0 && !is_new ? again : 0);
+  showState();
+}
+
+void RecordingsCard::showState() {
+  showWho();
+  const bool open = study_.isOpen();
+  hint_->setVisible(!open);
+  content_->setVisible(open);
+  where_->setVisible(open);
+  if (open) where_->setText(tr("Into the study %1").arg(study_.fileName()));
+  setVisible(open || roomy_);
+  const bool replaying = store_.replayed().has_value();
+  const bool recording = store_.isRecording();
+  const bool any = !study_.recordings().empty();
+  list_->setEnabled(any && !recording && !replaying);
+  list_->setPlaceholderText(tr("none yet"));
+  who_->setEnabled(!recording);
+  record_->setEnabled(recording || (store_.canRecord() && !replaying));
+  replay_->setEnabled(replaying || (any && !recording));
+  replay_->setText(replaying ? tr("Stop") : tr("Replay"));
+  replay_->setToolTip(replaying ? tr("End the replay")
+                                : tr("The recorded hand moves the tube through the present model, by calculation; the "
+                                     "recorded force stands beside the present one in the trace"));
+  record_->setIcon(recording ? recordIcon(feel_.isRunning()) : QIcon());
+  if (!recording) {
+    record_->setText(tr("Record"));
+    record_->setToolTip(
+        feel_.isRunning()
+            ? tr("Record hand and force into the study, from a new placement on")
+            : tr("Arm a recording: it begins with Start, and goes into the study %1").arg(study_.fileName()));
+  } else if (feel_.isRunning()) {
+    record_->setText(tr("End · %1 s").arg(static_cast<int>(store_.recordedS())));
+    record_->setToolTip(tr("End the recording"));
+  } else {
+    record_->setText(tr("Armed"));
+    record_->setToolTip(tr("Armed: the recording begins with Start; a click takes it back"));
+  }
+}
+
+void RecordingsCard::setRoomy(bool roomy) {
+  roomy_ = roomy;
+  showState();
+}
+
+void RecordingsCard::choose(int person) {
+  const QString id = who_->itemData(person).toString();
+  store_.setWho(id.isEmpty() ? std::nullopt : study::parseRecordId(id.toStdString()));
+}
+
+void RecordingsCard::replay() {
+  if (store_.replayed()) {
+    feel_.stop();
+    return;
+  }
+  if (const auto id = study::parseRecordId(list_->currentData().toString().toStdString())) store_.replay(*id);
+}
+
+}  // namespace tactus::workbench

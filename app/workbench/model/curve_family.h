@@ -1,0 +1,40 @@
+// The force of the mean along one input at several values of another: a family of curves, as in Fig. 10 of the paper.
+#pragma once
+
+#include <QString>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/workbench/model/figure_presets.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::workbench {
+
+struct CurveFamily {
+  QString figure;              ///< `Fig. 10a`
+  std::size_t input = 0;       ///< that varies from curve to curve
+  std::vector<double> values;  ///< of it, in its unit, inside its universe
+
+  friend bool operator==(const CurveFamily&, const CurveFamily&) = default;
+};
+
+/// The family that `preset` shows of `model`, or nothing.
+std::optional<CurveFamily> familyOf(const fuzzy::ForceModel& model, const FigurePreset& preset);
+
+struct FamilyCurves {
+  std::vector<double> x;                               ///< ascending, in the unit of the input on the x axis
+  std::vector<std::vector<fuzzy::Evaluation>> curves;  ///< one list per value of the family
+};
+
+/// The curves along `x_input`, which is not the one that varies; `values` holds one value per input, those of these two
+/// are not used.
+FamilyCurves computeFamily(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t x_input,
+                           std::span<const double> values, const CurveFamily& family);
+
+/// The curve number `index` in a legend: `Lubrication 0.25`, `Neck flexion 30 deg`.
+QString familyLineText(const fuzzy::ForceModel& model, const CurveFamily& family, std::size_t index);
+
+}  // namespace tactus::workbench

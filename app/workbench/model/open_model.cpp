@@ -1,0 +1,97 @@
+#include "app/workbench/model/open_model.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+
+#include "core/model_io/model_file.h"
+
+namespace tactus::workbench {
+namespace {
+
+bool mentions(const QString& text) { return text.contains(QLatin1String("simulated"), Qt::CaseInsensitive); }
+
+bool saysYes(const QJsonValue& value) {
+  switch (value.type()) {
+    case QJsonValue::Bool:
+      return value.toBool();
+    case QJsonValue::Double:
+      return value.toDouble() != 0;
+    case QJsonValue::String:
+      return !value.toString().isEmpty();
+    case QJsonValue::Array:
+      return !value.toArray().isEmpty();
+    case QJsonValue::Object:
+      return !value.toObject().isEmpty();
+    default:
+      return false;
+  }
+}
+
+// Qt's parser refuses JSON that nests deeper than 1024 levels, so this recursion is bounded.
+bool mentions(const QJsonValue& value) {
+  if (value.isString()) return mentions(value.toString());
+  if (value.isArray()) {
+    const QJsonArray array = value.toArray();
+    return std::any_of(array.begin(), array.end(), [](const QJsonValue& item) { return mentions(item); });
+  }
+  const QJsonObject object = value.toObject();
+  for (auto it = object.begin(); it != object.end(); ++it) {
+    if ((mentions(it.key()) && saysYes(it.value())) || mentions(QJsonValue(it.value()))) return true;
+  }
+  return false;
+}
+
+bool mentions(const std::vector<fuzzy::NamedJson>& members) {
+  return std::any_of(members.begin(), members.end(), [](const fuzzy::NamedJson& member) {
+    // A bare value is not a JSON document for Qt, so each is wrapped in an object under its key.
+    const QByteArray value = QByteArray::fromStdString(member.json);
+    const QJsonValue parsed = QJsonDocument::fromJson("{\"v\":" + value + '}').object().value(QLatin1String("v"));
+    return (mentions(QString::fromStdString(member.key)) && saysYes(parsed)) || mentions(parsed);
+  });
+}
+
+template <typename Named>
+std::optional<std::size_t> placeOf(const std::vector<Named>& all, const std::string& id) {
+  const auto found = std::find_if(all.begin(), all.end(), [&id](const Named& one) { return one.id == id; });
+  return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
+}
+
+}  // namespace
+
+std::optional<std::size_t> inputNamed(const fuzzy::ForceModel& model, const std::string& id) {
+  return placeOf(model.inputs, id);
+}
+
+std::optional<std::size_t> expertNamed(const fuzzy::ForceModel& model, const std::string& id) {
+  return placeOf(model.experts, id);
+}
+
+base::Result<OpenModel> readOpenModel(const QString& path) {
+  auto read = model_io::readModel(path.toStdString());
+  if (!read) return tl::unexpected(read.error());
+  auto compiled = fuzzy::compile(read->model);
+  if (!compiled) return base::inFile(compiled.error(), path.toStdString());
+
+  OpenModel open;
+  open.path = path;
+  open.model = std::move(read->model);
+  open.compiled = std::move(*compiled);
+  for (const std::string& warning : read->warnings) open.warnings << QString::fromStdString(warning);
+  open.simulated = saysSimulated(open.model);
+  return open;
+}
+
+bool saysSimulated(const fuzzy::ForceModel& model) {
+  const bool by_expert = std::any_of(model.experts.begin(), model.experts.end(), [](const fuzzy::Expert& expert) {
+    return mentions(QString::fromStdString(expert.label));
+  });
+  if (by_expert || mentions(QString::fromStdString(model.name))) return true;
+  if (!model.provenance) return false;
+  const fuzzy::Provenance& from = *model.provenance;
+  return mentions(QString::fromStdString(from.study)) || mentions(QString::fromStdString(from.notes)) ||
+         mentions(from.settings) || mentions(from.sources);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,124 @@
+#include "app/workbench/plot/landmark_marks.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/plot/label_layout.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kRows = 2;
+constexpr double kGap = 8;     // px between two names in a row
+constexpr double kBar = 3;     // px
+constexpr double kLeader = 3;  // px from the bars to the lowest row
+
+}  // namespace
+
+LandmarkMarks::LandmarkMarks(QCustomPlot& plot, Place place)
+    : QCPLayerable(&plot, QStringLiteral("axes")), place_(place), font_(theme::smallFont()) {
+  font_.setItalic(true);
+  // Over the line of the operating point, which would run through a name.
+  const auto names = QStringLiteral("names");
+  if (!plot.layer(names)) plot.addLayer(names, plot.layer(QStringLiteral("overlay")), QCustomPlot::limAbove);
+  setLayer(names);
+}
+
+void LandmarkMarks::setVariable(const fuzzy::Variable& variable) { landmarks_ = landmarksFor(variable); }
+
+QString LandmarkMarks::explanation() const {
+  QStringList lines;
+  for (const Landmark& mark : landmarks_) {
+    const QString place = mark.from_mm == mark.to_mm
+                              ? numberText(mark.from_mm)
+                              : numberText(mark.from_mm) + QStringLiteral("–") + numberText(mark.to_mm);
+    lines << QStringLiteral("%1, %2 mm: %3 (%4)").arg(mark.name, place, mark.what, mark.source);
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+int LandmarkMarks::height() const {
+  if (landmarks_.empty()) return 0;
+  return static_cast<int>(named_ ? kBar + kLeader + kRows * QFontMetricsF(font_).height() : kBar) + 1;
+}
+
+void LandmarkMarks::applyDefaultAntialiasingHint(QCPPainter* painter) const { painter->setAntialiasing(true); }
+
+void LandmarkMarks::draw(QCPPainter* painter) {
+  if (place_ == Place::kBeside) {
+    drawBeside(*painter);
+    return;
+  }
+  const QCPAxisRect* area = mParentPlot->axisRect();
+  const QCPAxis* axis = area->axis(QCPAxis::atBottom);
+  const QFontMetricsF metrics(font_);
+  // The edge on which the bars stand; under the upper one they hang.
+  const bool hang = place_ == Place::kUnder;
+  const double edge = place_ == Place::kAbove ? area->top() - 1.0 : hang ? area->top() + kBar : area->bottom();
+  std::vector<Label> labels;
+  painter->setPen(Qt::NoPen);
+  painter->setBrush(theme::mutedInk());
+  for (const Landmark& mark : landmarks_) {
+    const double left = axis->coordToPixel(mark.from_mm);
+    const double right = axis->coordToPixel(mark.to_mm);
+    painter->drawRect(QRectF(left - 0.75, edge - kBar, std::max(1.5, right - left), kBar));
+    labels.push_back({(left + right) / 2, metrics.horizontalAdvance(mark.name)});
+  }
+  if (!named_) return;
+
+  const QRect room = place_ == Place::kAbove ? mParentPlot->viewport() : area->rect();
+  // Names that hang end above the membership 1.
+  const double free = area->axis(QCPAxis::atLeft)->coordToPixel(1) - 2 * kLeader - edge - kLeader;
+  const int rows = hang ? std::clamp(static_cast<int>(free / metrics.height()), 0, kRows) : kRows;
+  const auto places = placeLabels(labels, rows, room.left() + 2.0, room.right() - 2.0, kGap);
+  painter->setFont(font_);
+  for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+    if (!places[i]) continue;
+    const double away = kLeader + places[i]->row * metrics.height();
+    const double base = hang ? edge + away + metrics.height() : edge - kBar - away;
+    painter->setPen(QPen(theme::mutedInk(), 0.8));
+    painter->drawLine(QLineF(lineStart(labels[i], *places[i]), hang ? edge + away : base, labels[i].center,
+                             hang ? edge : edge - kBar));
+    QColor halo = theme::card();
+    halo.setAlphaF(0.75F);
+    painter->fillRect(QRectF(places[i]->left - 2, base - metrics.height(), labels[i].width + 4, metrics.height()),
+                      halo);
+    painter->setPen(theme::mutedInk());
+    painter->drawText(QPointF(places[i]->left, base - metrics.descent()), landmarks_[i].name);
+  }
+}
+
+void LandmarkMarks::drawBeside(QCPPainter& painter) const {
+  const QCPAxisRect* area = mParentPlot->axisRect();
+  const QCPAxis* axis = area->axis(QCPAxis::atLeft);
+  const QFontMetricsF metrics(font_);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme::ink());
+  // From the top of the screen down, which is from the deepest up.
+  std::vector<Label> labels;
+  for (auto mark = landmarks_.rbegin(); mark != landmarks_.rend(); ++mark) {
+    const double low = axis->coordToPixel(mark->from_mm);
+    const double high = axis->coordToPixel(mark->to_mm);
+    painter.drawRect(QRectF(area->left(), high - 0.75, kBar, std::max(1.5, low - high)));
+    labels.push_back({(low + high) / 2, metrics.height()});
+  }
+  const auto places = placeLabels(labels, 1, area->top(), area->bottom(), 0);
+  painter.setFont(font_);
+  QColor halo = theme::card();
+  halo.setAlphaF(0.75F);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (!places[i]) continue;
+    const QString& name = landmarks_[landmarks_.size() - 1 - i].name;
+    const double left = area->left() + kBar + 3 * kLeader;
+    const double top = places[i]->left;
+    painter.setPen(QPen(theme::ink(), 0.8));
+    painter.drawLine(QLineF(area->left() + kBar, labels[i].center, left - 2, top + metrics.height() / 2));
+    painter.fillRect(QRectF(left - 2, top, metrics.horizontalAdvance(name) + 4, metrics.height()), halo);
+    painter.setPen(theme::ink());
+    painter.drawText(QPointF(left, top + metrics.ascent()), name);
+  }
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,104 @@
+#include "app/workbench/plot/plot_style.h"
+
+#include <vector>
+
+#include "app/workbench/base/refresh.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/plot/plot_canvas.h"
+#include "app/workbench/plot/plot_look.h"
+
+namespace tactus::workbench {
+namespace {
+
+Refresh* refreshOf(const QCustomPlot& plot) { return plot.findChild<Refresh*>(QString(), Qt::FindDirectChildrenOnly); }
+
+constexpr double kGhostShare = 0.6;  // of a line's color; the rest is the ground
+
+}  // namespace
+
+QCustomPlot* makePlot(QWidget* parent) {
+  auto* plot = new PlotCanvas(parent);
+  plot->setLocale(QLocale::c());
+  plot->setBackground(QBrush(theme::card()));
+  // Fills are not smoothed: the line around them covers their edge.
+  plot->setAntialiasedElements(QCP::aeAll);
+  plot->setNotAntialiasedElements(QCP::aeFills);
+  plot->setNoAntialiasingOnDrag(false);
+  // A smooth line drawn piece by piece takes a tenth of the time of one outline around all of it.
+  plot->setPlottingHint(QCP::phFastPolylines);
+  plot->legend->setVisible(false);
+  plot->setFocusPolicy(Qt::NoFocus);
+  new Refresh(plot, [plot] { plot->update(); });
+  followLook(*plot);
+  return plot;
+}
+
+void redraw(QCustomPlot& plot) { refreshOf(plot)->request(); }
+
+QCPGraph& addShape(QCustomPlot& plot, const QColor& color, double width, float fill_alpha) {
+  auto* graph = new FilledGraph(plot.xAxis, plot.yAxis);
+  graph->setAdaptiveSampling(false);
+  graph->setPen(QPen(color, width));
+  QColor fill = color;
+  fill.setAlphaF(fill_alpha);
+  if (fill_alpha > 0) graph->setBrush(fill);
+  return *graph;
+}
+
+void styleAxis(QCPAxis& axis, const fuzzy::Variable& variable) {
+  axis.setRange(variable.min, variable.max);
+  axis.setTicker(QSharedPointer<UniverseTicker>::create());
+  axis.setNumberFormat(QStringLiteral("g"));
+  axis.setNumberPrecision(5);
+  axis.setSubTicks(false);
+  axis.setBasePen(QPen(theme::border(), 1));
+  axis.setTickPen(QPen(theme::border(), 1));
+  axis.setTickLength(0, 4);
+  axis.setTickLabelPadding(4);
+  axis.setTickLabelColor(theme::mutedInk());
+  axis.setLabelColor(theme::mutedInk());
+  axis.setTickLabelFont(theme::smallFont());
+  axis.setLabelFont(theme::smallFont());
+  axis.grid()->setPen(QPen(theme::grid(), 1));
+  axis.grid()->setZeroLinePen(QPen(theme::grid(), 1));
+}
+
+void paintPlot(QCustomPlot& plot, QCPPainter& painter, const QSize& size, std::initializer_list<QCPLayerable*> hidden) {
+  std::vector<QCPLayerable*> shown;
+  for (QCPLayerable* part : hidden) {
+    if (!part->visible()) continue;
+    shown.push_back(part);
+    part->setVisible(false);
+  }
+  plot.toPainter(&painter, size.width(), size.height());
+  for (QCPLayerable* part : shown) part->setVisible(true);
+  // The picture has left its own layout behind.
+  redraw(plot);
+}
+
+QVector<double> UniverseTicker::createTickVector(double step, const QCPRange& range) {
+  QVector<double> ticks;
+  // A round number too near to an end would print over it.
+  for (const double tick : QCPAxisTicker::createTickVector(step, range)) {
+    if (tick - range.lower > 0.6 * step && range.upper - tick > 0.6 * step) ticks << tick;
+  }
+  ticks.prepend(range.lower);
+  ticks.append(range.upper);
+  return ticks;
+}
+
+QColor fadedLine(const QColor& line) {
+  const QColor ground = theme::card();
+  const auto mix = [](int shown, int behind) {
+    return static_cast<int>(shown * kGhostShare + behind * (1 - kGhostShare));
+  };
+  return {mix(line.red(), ground.red()), mix(line.green(), ground.green()), mix(line.blue(), ground.blue())};
+}
+
+QPen ghostPen(const QColor& line, bool fast) {
+  QPen pen(fadedLine(line), fast ? 1 : 1.4, Qt::CustomDashLine);
+  pen.setDashPattern({4, 3});
+  return pen;
+}
+
+}  // namespace tactus::workbench

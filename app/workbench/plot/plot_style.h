@@ -1,0 +1,38 @@
+// What all plots have in common: colors, axes, fonts. Includes QCustomPlot, so only files of plots/ include it.
+#pragma once
+
+#include <initializer_list>
+#include <qcustomplot.h>
+
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::workbench {
+
+/// A plot without interactions, decorations or legend, in the colors of the theme.
+QCustomPlot* makePlot(QWidget* parent);
+
+/// Draws `plot` again with the next frame, once however often this is called, and only while it can be seen.
+void redraw(QCustomPlot& plot);
+
+/// Adds a line of `width` px and a fill below it in the same color; the plot owns the graph.
+QCPGraph& addShape(QCustomPlot& plot, const QColor& color, double width, float fill_alpha);
+
+/// Lines and fonts of an axis over the universe of `variable`.
+void styleAxis(QCPAxis& axis, const fuzzy::Variable& variable);
+
+/// Draws `plot` over `size` px at the origin of `painter` without `hidden`; on the screen it stays as it was.
+void paintPlot(QCustomPlot& plot, QCPPainter& painter, const QSize& size, std::initializer_list<QCPLayerable*> hidden);
+
+/// `line` mixed with the ground: fainter, and opaque.
+QColor fadedLine(const QColor& line);
+
+/// A line before an edit: dashed, and fainter than `line`.
+QPen ghostPen(const QColor& line, bool fast = false);
+
+/// Ticks at round numbers and at both ends of the universe.
+class UniverseTicker : public QCPAxisTicker {
+ protected:
+  QVector<double> createTickVector(double step, const QCPRange& range) override;
+};
+
+}  // namespace tactus::workbench

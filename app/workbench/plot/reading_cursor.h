@@ -1,0 +1,36 @@
+// The place that is read in the curve plot: a line, a dot on every curve, and a tag. Only files of plots/ include this.
+#pragma once
+
+#include <vector>
+
+#include "app/workbench/plot/plot_style.h"
+
+namespace tactus::workbench {
+
+class ReadingCursor : public QCPLayerable {
+  Q_OBJECT
+
+ public:
+  struct Dot {
+    double force_n = 0;
+    QColor color;
+  };
+
+  explicit ReadingCursor(QCustomPlot& plot);
+
+  void set(double x, QString tag, std::vector<Dot> dots);
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+  void draw(QCPPainter* painter) override;
+
+ private:
+  class Dots;
+
+  double x_ = 0;
+  QString tag_;
+  std::vector<Dot> dots_;
+  QFont font_;
+};
+
+}  // namespace tactus::workbench

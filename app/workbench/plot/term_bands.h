@@ -1,0 +1,34 @@
+// The terms of the x axis as faint bands behind the curves, as strong as the membership. Only files of plots/ include
+// this.
+#pragma once
+
+#include <vector>
+
+#include "app/workbench/plot/plot_style.h"
+#include "core/fuzzy/membership.h"
+
+namespace tactus::workbench {
+
+class TermBands : public QCPLayerable {
+  Q_OBJECT
+
+ public:
+  explicit TermBands(QCustomPlot& plot);
+
+  void setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+  void draw(QCPPainter* painter) override;
+
+ private:
+  QColor colorAt(double place) const;
+  void paint(QPainter& painter, const QRectF& room) const;
+
+  double min_ = 0;
+  double max_ = 1;
+  std::vector<fuzzy::MembershipFunction> terms_;
+  std::vector<double> places_;  ///< between which the colors run straight
+};
+
+}  // namespace tactus::workbench

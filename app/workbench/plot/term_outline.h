@@ -1,0 +1,24 @@
+// The line of a membership function over the universe of its variable, as a plot draws it. Only files of plots/ include
+// this.
+#pragma once
+
+#include <vector>
+
+#include "app/workbench/base/plot_table.h"
+#include "app/workbench/plot/plot_style.h"
+
+namespace tactus::workbench {
+
+struct TermOutline {
+  QVector<double> x;
+  QVector<double> membership;
+};
+
+/// The corners of the shape between `low` and `high`; a vertical edge has two points at one place.
+TermOutline outlineOf(const fuzzy::Term& term, double low, double high);
+
+/// Columns `term`, the variable, and `membership`, and a row for every corner of every term, also of those beyond the
+/// universe; a Gaussian is sampled over the universe.
+void fillTable(PlotTable& table, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
+
+}  // namespace tactus::workbench

@@ -1,0 +1,17 @@
+#include "app/workbench/rule_parts.h"
+
+#include <QCoreApplication>
+
+#include "app/workbench/main_window.h"
+#include "app/workbench/shell/panel_area.h"
+#include "app/workbench/tune/rules/rule_controller.h"
+#include "app/workbench/tune/rules/rule_editor.h"
+
+namespace tactus::workbench {
+
+RuleParts::RuleParts(MainWindow& window, RuleController& rules) {
+  window.panels().addPanel(QStringLiteral("rule_editor"), QCoreApplication::translate("RuleParts", "Rules"),
+                           new RuleEditor(rules));
+}
+
+}  // namespace tactus::workbench

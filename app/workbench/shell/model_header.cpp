@@ -1,0 +1,105 @@
+#include "app/workbench/shell/model_header.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/notes_button.h"
+#include "app/workbench/model/scene_controller.h"
+
+namespace tactus::workbench {
+
+ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
+    : QWidget(parent),
+      scene_(scene),
+      name_(new ElidedLabel(this)),
+      summary_(new QLabel(this)),
+      study_(new ElidedLabel(this)),
+      notes_(new NotesButton(this)),
+      simulated_(new Card(this)),
+      terms_label_(new QLabel(tr("Te&rms:"), this)),
+      terms_of_(new QComboBox(this)) {
+  name_->setFont(theme::titleFont());
+  summary_->setTextFormat(Qt::PlainText);
+  setInk(*summary_, theme::mutedInk());
+  study_->hide();
+  terms_label_->setBuddy(terms_of_);
+  terms_of_->setAccessibleName(tr("Whose terms are shown"));
+  terms_of_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+
+  auto* badge_text = new QLabel(tr("Contains simulated data"), simulated_);
+  QFont bold = theme::smallFont();
+  bold.setWeight(QFont::DemiBold);
+  badge_text->setFont(bold);
+  setInk(*badge_text, theme::warningInk());
+  simulated_->setColors(theme::warningFill(), theme::warningFill());
+  auto* badge_layout = new QHBoxLayout(simulated_);
+  badge_layout->setContentsMargins(theme::kGrid, 4, theme::kGrid, 4);
+  badge_layout->addWidget(badge_text);
+
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(4, 0, 0, 0);
+  layout->setSpacing(theme::kGrid + 4);
+  layout->addWidget(name_);
+  layout->addWidget(simulated_, 0, Qt::AlignVCenter);
+  layout->addWidget(summary_);
+  layout->addWidget(study_);
+  layout->addWidget(notes_);
+  layout->addStretch(1);
+  layout->addWidget(terms_label_);
+  layout->addWidget(terms_of_);
+
+  connect(&scene_, &SceneController::modelChanged, this, &ModelHeader::adoptModel);
+  connect(&scene_, &SceneController::modelEdited, this, &ModelHeader::countRules);
+  connect(terms_of_, &QComboBox::activated, this, &ModelHeader::onTermsChosen);
+}
+
+void ModelHeader::showNotes(const std::vector<BuildNote>& notes) {
+  QStringList sentences;
+  for (const BuildNote& note : notes) sentences << note.sentence;
+  notes_->setNotes(tr("Notes of the build"), sentences);
+}
+
+void ModelHeader::showStudy(const QString& name) {
+  study_->setVisible(!name.isEmpty());
+  study_->setFullText(tr("Study %1").arg(name));
+  study_->setToolTip(tr("The study that is open: placements, recordings and versions of its model go there"));
+}
+
+void ModelHeader::adoptModel() {
+  const OpenModel& open = *scene_.model();
+  name_->setFullText(text(open.model.name));
+  countRules();
+  simulated_->setVisible(open.simulated);
+  simulated_->setToolTip(open.model.provenance ? text(open.model.provenance->notes) : QString());
+
+  terms_of_->clear();
+  choices_ = {std::nullopt};
+  terms_of_->addItem(tr("Shared"));
+  for (std::size_t i = 0; i < open.model.experts.size(); ++i) {
+    if (open.model.experts[i].overrides.empty()) continue;
+    choices_.emplace_back(i);
+    terms_of_->addItem(labelOf(open.model.experts[i]));
+    if (scene_.termsOf() == i) terms_of_->setCurrentIndex(terms_of_->count() - 1);
+  }
+  terms_label_->setVisible(choices_.size() > 1);
+  terms_of_->setVisible(choices_.size() > 1);
+}
+
+void ModelHeader::countRules() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const std::size_t experts = model.experts.size();
+  std::size_t rules = 0;
+  for (const fuzzy::Expert& expert : model.experts) rules += expert.rules.size();
+  summary_->setText((experts == 1 ? tr("1 expert") : tr("%1 experts").arg(experts)) + QStringLiteral(" · ") +
+                    (rules == 1 ? tr("1 rule") : tr("%1 rules").arg(rules)));
+}
+
+void ModelHeader::onTermsChosen(int index) { scene_.setTermsOf(choices_[static_cast<std::size_t>(index)]); }
+
+}  // namespace tactus::workbench

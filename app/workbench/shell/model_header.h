@@ -1,0 +1,48 @@
+// The line above everything: name of the model, the study that is open, a plain label where it holds simulated data,
+// and whose terms are shown.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/base/build_note.h"
+
+class QComboBox;
+class QLabel;
+
+namespace tactus::workbench {
+
+class Card;
+class ElidedLabel;
+class NotesButton;
+class SceneController;
+
+class ModelHeader : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ModelHeader(SceneController& scene, QWidget* parent = nullptr);
+
+  /// What the build from the answers says about the model.
+  void showNotes(const std::vector<BuildNote>& notes);
+  /// Which study is open; empty: none.
+  void showStudy(const QString& name);
+
+ private:
+  void adoptModel();
+  void countRules();
+  void onTermsChosen(int index);
+
+  SceneController& scene_;
+  ElidedLabel* name_;
+  QLabel* summary_;
+  ElidedLabel* study_;
+  NotesButton* notes_;
+  Card* simulated_;
+  QLabel* terms_label_;
+  QComboBox* terms_of_;
+  std::vector<std::optional<std::size_t>> choices_;  ///< expert of each entry of terms_of_
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,258 @@
+#include "app/workbench/shell/panel_area.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QScrollArea>
+#include <QSettings>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/reading_order.h"
+#include "app/workbench/kit/tab_look.h"
+#include "app/workbench/shell/panel_title.h"
+#include "core/base/check.h"
+
+namespace tactus::workbench {
+namespace {
+
+// Counts up when stored layouts no longer fit the panels, which then start in their first places.
+constexpr int kLayoutVersion = 3;
+
+// Docks overlap where the smallest sizes of their panels do not fit the window; a panel that can scroll has none.
+QWidget* scrollable(QWidget* panel) {
+  if (qobject_cast<QAbstractScrollArea*>(panel)) return panel;
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setWidget(panel);
+  return area;
+}
+
+// Out of the window it is a window of its own.
+class PanelDock : public QDockWidget {
+ public:
+  using QDockWidget::QDockWidget;
+
+ protected:
+  bool focusNextPrevChild(bool next) override {
+    return isWindow() ? focusNextAsRead(*this, next) : QDockWidget::focusNextPrevChild(next);
+  }
+};
+
+// What a dock holds. The panel in it is hidden while a tab stands before it; the holder never is, because a dock with
+// hidden content may not have any size.
+QWidget* holderOf(QWidget* panel) {
+  auto* holder = new QWidget;
+  auto* layout = new QVBoxLayout(holder);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(panel);
+  return holder;
+}
+
+void setSeen(const QDockWidget& dock, bool seen) { dock.widget()->layout()->itemAt(0)->widget()->setVisible(seen); }
+
+QString layoutKey(Stage stage) { return QStringLiteral("layout/") + stageId(stage); }
+QString panelsKey(Stage stage) { return QStringLiteral("layout_panels/") + stageId(stage); }
+
+}  // namespace
+
+PanelArea::PanelArea(QSettings& settings, QWidget* parent) : QMainWindow(parent), settings_(settings) {
+  // A part of the window; the constructor has made it a window of its own.
+  setWindowFlags(Qt::Widget);
+  setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::GroupedDragging);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  setContextMenuPolicy(Qt::NoContextMenu);
+  titles_.setSingleShot(true);
+  titles_.setInterval(0);
+  connect(&titles_, &QTimer::timeout, this, &PanelArea::showTitles);
+}
+
+QDockWidget* PanelArea::addPanel(const QString& id, const QString& title, QWidget* panel) {
+  TACTUS_CHECK(!docks_.contains(id));
+  auto* dock = new PanelDock(title, this);
+  dock->setObjectName(id);
+  dock->setWidget(holderOf(scrollable(panel)));
+  for (QScrollArea* area : dock->findChildren<QScrollArea*>()) {
+    if (area->accessibleName().isEmpty()) area->setAccessibleName(title);
+  }
+  auto* head = new PanelTitle(*dock);
+  dock->setTitleBarWidget(head);
+  addDockWidget(Qt::TopDockWidgetArea, dock);
+  dock->hide();
+  docks_.insert(id, dock);
+  order_ << dock;
+  const auto titles_change = [this] { titles_.start(); };
+  connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
+    // The window leaves a panel behind a tab visible to itself, out of sight; it would go on computing.
+    setSeen(*dock, visible);
+    titles_.start();
+  });
+  connect(dock, &QDockWidget::topLevelChanged, this, titles_change);
+  connect(dock, &QDockWidget::dockLocationChanged, this, titles_change);
+  connect(head, &PanelTitle::menuRequested, this, [this, dock](const QPoint& place) { showMenu(*dock, place); });
+  return dock;
+}
+
+void PanelArea::addPlaces(Stage stage, const std::vector<PanelPlace>& places) {
+  std::vector<PanelPlace>& all = places_[static_cast<int>(stage)];
+  all.insert(all.end(), places.begin(), places.end());
+}
+
+void PanelArea::enter(Stage stage) {
+  if (stage_ == stage) return;
+  storeLayout();
+  stage_ = stage;
+  setUpdatesEnabled(false);
+  const QByteArray stored = settings_.value(layoutKey(stage)).toByteArray();
+  // A layout from before a panel existed has no place for it.
+  const bool known = settings_.value(panelsKey(stage)).toStringList() == panelNames();
+  if (stored.isEmpty() || !known || !restoreState(stored, kLayoutVersion)) resetLayout();
+  setUpdatesEnabled(true);
+}
+
+void PanelArea::resetLayout() {
+  if (!stage_) return;
+  layOut(placesOfPresent(places_.value(static_cast<int>(*stage_)),
+                         [this](const std::string& id) { return docks_.contains(QString::fromStdString(id)); }));
+}
+
+void PanelArea::storeLayout() {
+  if (!stage_) return;
+  settings_.setValue(layoutKey(*stage_), saveState(kLayoutVersion));
+  settings_.setValue(panelsKey(*stage_), panelNames());
+}
+
+QStringList PanelArea::panelNames() const {
+  QStringList names;
+  for (const QDockWidget* panel : order_) names << panel->objectName();
+  names.sort();
+  return names;
+}
+
+QList<QAction*> PanelArea::toggleActions() const {
+  QList<QAction*> actions;
+  for (const QDockWidget* dock : order_) actions << dock->toggleViewAction();
+  return actions;
+}
+
+void PanelArea::layOut(const std::vector<PanelPlace>& places) {
+  for (QDockWidget* panel : order_) {
+    panel->setFloating(false);
+    removeDockWidget(panel);
+  }
+  // Tabs last: beside a panel with tabs nothing can be put.
+  std::vector<PanelPlace> ordered = places;
+  std::stable_partition(ordered.begin(), ordered.end(),
+                        [](const PanelPlace& place) { return place.how != PanelPlace::How::kTab; });
+  for (const PanelPlace& place : ordered) put(place);
+  for (const PanelPlace& place : places) {
+    if (place.how == PanelPlace::How::kTab) dock(place.beside)->raise();
+  }
+  shareRoom(places);
+  // A panel that the layout does not know would be shown by restoring it.
+  for (QDockWidget* panel : order_) {
+    if (dockWidgetArea(panel) != Qt::NoDockWidgetArea) continue;
+    addDockWidget(Qt::TopDockWidgetArea, panel);
+    panel->hide();
+  }
+}
+
+void PanelArea::put(const PanelPlace& place) {
+  QDockWidget* panel = dock(place.panel);
+  QDockWidget* beside = dock(place.beside);
+  TACTUS_CHECK(beside != nullptr || place.how == PanelPlace::How::kFirst);
+  switch (place.how) {
+    case PanelPlace::How::kFirst:
+      addDockWidget(Qt::TopDockWidgetArea, panel, Qt::Horizontal);
+      break;
+    case PanelPlace::How::kRight:
+      splitDockWidget(beside, panel, Qt::Horizontal);
+      break;
+    case PanelPlace::How::kBelow:
+      splitDockWidget(beside, panel, Qt::Vertical);
+      break;
+    case PanelPlace::How::kTab:
+      tabifyDockWidget(beside, panel);
+      break;
+  }
+  panel->show();
+}
+
+void PanelArea::shareRoom(const std::vector<PanelPlace>& places) {
+  // Parts of parts: each split takes its share of what the panel beside it has at that point.
+  QHash<QLatin1String, QSizeF> sizes;
+  for (const PanelPlace& place : places) {
+    if (place.how == PanelPlace::How::kFirst) sizes.insert(QLatin1String(place.panel), size());
+    if (place.how == PanelPlace::How::kFirst || place.how == PanelPlace::How::kTab) continue;
+    const QSizeF whole = sizes.value(QLatin1String(place.beside));
+    const double share = place.percent / 100.0;
+    const bool right = place.how == PanelPlace::How::kRight;
+    const QSizeF part =
+        right ? QSizeF(whole.width() * share, whole.height()) : QSizeF(whole.width(), whole.height() * share);
+    const QSizeF rest = right ? QSizeF(whole.width() - part.width(), whole.height())
+                              : QSizeF(whole.width(), whole.height() - part.height());
+    sizes.insert(QLatin1String(place.panel), part);
+    sizes.insert(QLatin1String(place.beside), rest);
+    resizeDocks({dock(place.beside), dock(place.panel)},
+                right ? QList<int>{qRound(rest.width()), qRound(part.width())}
+                      : QList<int>{qRound(rest.height()), qRound(part.height())},
+                right ? Qt::Horizontal : Qt::Vertical);
+  }
+}
+
+void PanelArea::showTitles() {
+  for (QDockWidget* panel : order_) {
+    const QList<QDockWidget*> others = tabifiedDockWidgets(panel);
+    const bool tabbed = !panel->isFloating() && std::any_of(others.begin(), others.end(), [](const QDockWidget* other) {
+      return !other->isHidden() && !other->isFloating();
+    });
+    static_cast<PanelTitle*>(panel->titleBarWidget())->setTabbed(tabbed);
+    setSeen(*panel, !tabbed || !isBehind(*panel));
+  }
+  // The window makes its tab bars itself, when panels come to share a place.
+  for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (tabs->contextMenuPolicy() == Qt::CustomContextMenu) continue;
+    tabs->setContextMenuPolicy(Qt::CustomContextMenu);
+    tabs->setFont(theme::smallFont());
+    new TabLook(*tabs);
+    tabs->setAccessibleName(tr("Panels that share a place"));
+    connect(tabs, &QWidget::customContextMenuRequested, this, [this, tabs](const QPoint& place) {
+      if (QDockWidget* panel = dockOfTab(*tabs, tabs->tabAt(place))) showMenu(*panel, tabs->mapToGlobal(place));
+    });
+    connect(tabs, &QTabBar::tabBarDoubleClicked, this, [this, tabs](int index) {
+      if (QDockWidget* panel = dockOfTab(*tabs, index)) panel->setFloating(true);
+    });
+  }
+}
+
+bool PanelArea::isBehind(const QDockWidget& panel) const {
+  for (const QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+    for (int i = 0; tabs->isVisible() && i < tabs->count(); ++i) {
+      if (tabs->tabText(i) == panel.windowTitle()) return i != tabs->currentIndex();
+    }
+  }
+  return false;
+}
+
+QDockWidget* PanelArea::dockOfTab(const QTabBar& tabs, int index) const {
+  const QString title = tabs.tabText(index);
+  const auto found = std::find_if(order_.begin(), order_.end(),
+                                  [&](const QDockWidget* panel) { return panel->windowTitle() == title; });
+  return found == order_.end() ? nullptr : *found;
+}
+
+void PanelArea::showMenu(QDockWidget& panel, const QPoint& place) {
+  QMenu menu;
+  const bool floating = panel.isFloating();
+  menu.addAction(floating ? tr("Put back into the window") : tr("Take out of the window"), &panel,
+                 [&panel, floating] { panel.setFloating(!floating); });
+  menu.addAction(tr("Close %1").arg(panel.windowTitle()), &panel, &QDockWidget::close);
+  menu.addSeparator();
+  menu.addAction(tr("Reset layout"), this, &PanelArea::resetLayout);
+  menu.exec(place);
+}
+
+}  // namespace tactus::workbench

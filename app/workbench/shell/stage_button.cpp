@@ -1,0 +1,106 @@
+#include "app/workbench/shell/stage_button.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "app/workbench/base/theme.h"
+#include "app/workbench/shell/stage_picture.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kPicture = 24;  // px
+constexpr int kText = 2 * theme::kGrid + kPicture;
+
+void paintPicture(QPainter& painter, Stage stage, QPoint corner, const QColor& ink) {
+  painter.save();
+  painter.translate(corner);
+  painter.setPen(QPen(ink, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(stagePicture(stage));
+  painter.restore();
+  painter.setPen(ink);
+}
+
+}  // namespace
+
+StageButton::StageButton(Stage stage, QWidget* parent) : QAbstractButton(parent), stage_(stage) {
+  setText(stageName(stage));
+  setAccessibleDescription(stageHint(stage));
+  setCheckable(true);
+  setAutoExclusive(true);
+  setEnabled(isReady(stage));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void StageButton::setCompact(bool compact) {
+  compact_ = compact;
+  setToolTip(compact ? stageHint(stage_) : QString());
+  updateGeometry();
+  update();
+}
+
+QSize StageButton::sizeHint() const {
+  const QFontMetrics name(theme::headingFont());
+  const QFontMetrics hint(theme::smallFont());
+  int widest = 0;
+  if (compact_) {
+    for (const Stage stage : kStages) widest = std::max(widest, hint.horizontalAdvance(stageName(stage)));
+    return {widest + 2 * theme::kGrid, 2 * theme::kGrid + kPicture + hint.height()};
+  }
+  for (const Stage stage : kStages) widest = std::max(widest, name.horizontalAdvance(stageName(stage)));
+  return {kText + widest + 2 * theme::kGrid, 2 * theme::kGrid + name.height() + 2 * hint.height() + 2};
+}
+
+QRect StageButton::hintRect() const {
+  const int top = theme::kGrid + QFontMetrics(theme::headingFont()).height() + 2;
+  return {kText, top, width() - kText - 4, height() - top - 2};
+}
+
+void StageButton::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (isChecked() || underMouse()) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isChecked() ? theme::card() : theme::border());
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), theme::kCornerRadius, theme::kCornerRadius);
+  }
+  if (isChecked()) {
+    painter.setBrush(theme::accent());
+    painter.drawRoundedRect(QRectF(1, theme::kGrid, 3, height() - 2.0 * theme::kGrid), 1.5, 1.5);
+  }
+  if (hasFocus()) {
+    painter.setPen(QPen(theme::accent(), 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), theme::kCornerRadius, theme::kCornerRadius);
+  }
+
+  const QColor disabled = palette().color(QPalette::Disabled, QPalette::WindowText);
+  const QColor name = !isEnabled() ? disabled : isChecked() ? theme::accent() : theme::ink();
+  if (compact_) {
+    paintCompact(painter, name);
+  } else {
+    paintRoomy(painter, name, isEnabled() ? theme::mutedInk() : disabled);
+  }
+}
+
+void StageButton::paintRoomy(QPainter& painter, const QColor& ink, const QColor& hint) {
+  paintPicture(painter, stage_, QPoint(theme::kGrid + 2, theme::kGrid), ink);
+  painter.setFont(theme::headingFont());
+  painter.drawText(QRect(kText, theme::kGrid, width() - kText, QFontMetrics(theme::headingFont()).height()),
+                   Qt::AlignLeft | Qt::AlignVCenter, text());
+  painter.setPen(hint);
+  painter.setFont(theme::smallFont());
+  painter.drawText(hintRect(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, stageHint(stage_));
+}
+
+void StageButton::paintCompact(QPainter& painter, const QColor& ink) {
+  paintPicture(painter, stage_, QPoint((width() - kPicture) / 2, theme::kGrid - 2), ink);
+  QFont font = theme::smallFont();
+  if (isChecked()) font.setWeight(QFont::DemiBold);
+  painter.setFont(font);
+  painter.drawText(QRect(0, theme::kGrid + kPicture, width(), height() - theme::kGrid - kPicture),
+                   Qt::AlignHCenter | Qt::AlignTop, text());
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,35 @@
+// One stage in the rail: its picture, its name, and what is done there.
+#pragma once
+
+#include <QAbstractButton>
+
+#include "app/workbench/shell/stage.h"
+
+class QPainter;
+
+namespace tactus::workbench {
+
+class StageButton : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  explicit StageButton(Stage stage, QWidget* parent = nullptr);
+
+  /// The name below the picture, and what is done there as the tool tip.
+  void setCompact(bool compact);
+
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QRect hintRect() const;
+  void paintRoomy(QPainter& painter, const QColor& ink, const QColor& hint);
+  void paintCompact(QPainter& painter, const QColor& ink);
+
+  Stage stage_;
+  bool compact_ = false;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,34 @@
+#include "app/workbench/shell/stage_rail.h"
+
+#include <QVBoxLayout>
+
+#include "app/workbench/base/theme.h"
+#include "app/workbench/shell/stage_button.h"
+
+namespace tactus::workbench {
+
+StageRail::StageRail(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  for (const Stage stage : kStages) {
+    auto* button = new StageButton(stage, this);
+    buttons_.insert(stage, button);
+    layout->addWidget(button);
+    connect(button, &StageButton::clicked, this, [this, stage] { emit chosen(stage); });
+  }
+  layout->addStretch(1);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  setFixedWidth(buttons_.first()->sizeHint().width());
+}
+
+void StageRail::setStage(Stage stage) { buttons_.value(stage)->setChecked(true); }
+
+void StageRail::setCompact(bool compact) {
+  if (compact == compact_) return;
+  compact_ = compact;
+  for (StageButton* button : buttons_) button->setCompact(compact);
+  setFixedWidth(buttons_.first()->sizeHint().width());
+}
+
+}  // namespace tactus::workbench

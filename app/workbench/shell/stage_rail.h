@@ -1,0 +1,32 @@
+// The rail on the left: Collect, Understand, Tune, Agree, Deliver.
+#pragma once
+
+#include <QMap>
+#include <QWidget>
+
+#include "app/workbench/shell/stage.h"
+
+namespace tactus::workbench {
+
+class StageButton;
+
+class StageRail : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StageRail(QWidget* parent = nullptr);
+
+  void setStage(Stage stage);
+  /// Takes less room.
+  void setCompact(bool compact);
+
+ signals:
+  /// Somebody chose `stage`, which can be entered.
+  void chosen(tactus::workbench::Stage stage);
+
+ private:
+  QMap<Stage, StageButton*> buttons_;
+  bool compact_ = false;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,154 @@
+#include "app/workbench/study/study_contents.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <utility>
+
+#include "app/editing/history_versions.h"
+#include "app/session/known_forms.h"
+#include "app/session/study_view.h"
+#include "app/version.h"
+#include "app/workbench/base/display_text.h"
+#include "core/base/clock.h"
+#include "core/store/entries.h"
+#include "core/store/model_versions.h"
+#include "core/store/persons.h"
+#include "core/store/sessions.h"
+#include "elicitation/model/model_builder.h"
+
+namespace tactus::workbench {
+namespace {
+
+using base::Result;
+
+QString tr(const char* text) { return QCoreApplication::translate("StudyContents", text); }
+
+QString fileName(const QString& path) { return shownFileName(path); }
+
+// `3 experts, 1 of them simulated`.
+QString expertsText(const fuzzy::ForceModel& model, const std::vector<study::Participant>& participants) {
+  const auto simulated = std::count_if(model.experts.begin(), model.experts.end(), [&](const fuzzy::Expert& expert) {
+    return std::any_of(participants.begin(), participants.end(), [&](const study::Participant& participant) {
+      return participant.code == expert.id && participant.simulated;
+    });
+  });
+  const auto experts = static_cast<qlonglong>(model.experts.size());
+  const QString all = experts == 1 ? tr("1 expert") : tr("%1 experts").arg(experts);
+  if (simulated == 0) return all;
+  return simulated == experts ? tr("%1, SIMULATED").arg(all) : tr("%1, %2 of them SIMULATED").arg(all).arg(simulated);
+}
+
+Result<void> addVersions(const store::StudyFile& file, StudyContents& out) {
+  auto versions = store::modelVersions(file);
+  if (!versions) return tl::unexpected(versions.error());
+  out.versions = *versions;
+  if (versions->empty()) return {};
+  auto last = store::modelVersion(file, versions->back().id);
+  if (!last) return tl::unexpected(last.error());
+  versions->back() = std::move(*last);
+  auto history = editing::historyFrom(*versions, study::RecordIds());
+  if (!history) return base::inFile(history.error(), file.path());
+  out.history = std::move(*history);
+  return {};
+}
+
+// A study with answers but without a model gets the averaged one; one without answers says what to do.
+void addBuilt(const store::StudyFile& file, const editing::Stamp& stamp, StudyContents& out) {
+  const QString name = fileName(out.path);
+  const bool has_data = std::any_of(out.info.counts.begin(), out.info.counts.end(), [](const store::TableCount& count) {
+    return (count.table == "answer" || count.table == "rule") && count.rows > 0;
+  });
+  if (!has_data) {
+    out.note = tr("%1 holds neither a model nor answers of experts. Open a model and put it into the study with Study, "
+                  "or read tables into it with tactus study import.")
+                   .arg(name);
+    return;
+  }
+  auto built = buildFromStudy(file, stamp);
+  if (!built) {
+    out.note =
+        tr("%1 holds no model, and none can be built from its answers: %2").arg(name, text(built.error().message()));
+    return;
+  }
+  out.note = std::move(built->sentence);
+  out.build_notes = std::move(built->notes);
+  out.history = std::move(built->history);
+  out.built = true;
+}
+
+}  // namespace
+
+std::int64_t utcNowMs() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file) {
+  const auto persons = store::persons(file);
+  if (!persons) return tl::unexpected(persons.error());
+  const auto sessions = store::sessions(file);
+  if (!sessions) return tl::unexpected(sessions.error());
+  const auto profiles = store::profiles(file);
+  if (!profiles) return tl::unexpected(profiles.error());
+  std::set<study::RecordId> researchers;
+  for (const study::ProfileRecord& profile : *profiles) {
+    if (profile.category != kResearcherCategory) continue;
+    for (const study::SessionRecord& session : *sessions) {
+      if (session.id == profile.entry.session) researchers.insert(session.person);
+    }
+  }
+  std::vector<StudyPerson> out;
+  for (const study::Person& person : *persons) {
+    out.push_back({person.id, text(person.code), person.simulated, researchers.contains(person.id)});
+  }
+  return out;
+}
+
+Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp) {
+  const auto view = session::studyForElicitation(file);
+  if (!view) return tl::unexpected(view.error());
+  elicitation::BuildSettings settings;
+  settings.created_utc =
+      base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(stamp.utc_ms)));
+  settings.generator = kGenerator;
+  const auto built = elicitation::buildModel(view->study, session::knownForms(), settings);
+  if (!built) return base::inFile(built.error(), file.path());
+  const QString experts = expertsText(built->model, view->study.participants);
+  auto history = editing::EditHistory::open(built->model, tr("Built from the study: %1").arg(experts).toStdString(),
+                                            stamp, study::RecordIds());
+  if (!history) return tl::unexpected(history.error());
+  BuiltFromStudy out{
+      std::move(*history), tr("Built from the answers in %1: %2.").arg(fileName(text(file.path())), experts), {}};
+  for (const std::string& note : view->notes) out.notes.push_back({text(note), {}});
+  for (std::size_t i = 0; i < built->notes.size(); ++i) {
+    out.notes.push_back({text(built->notes[i]), built->note_subjects[i]});
+  }
+  if (!out.notes.empty()) {
+    out.sentence +=
+        QLatin1Char(' ') + (out.notes.size() == 1
+                                ? tr("There is a note about it beside the heading.")
+                                : tr("There are %1 notes about it beside the heading.").arg(out.notes.size()));
+  }
+  return out;
+}
+
+Result<StudyContents> readContents(const store::StudyFile& file, const editing::Stamp& stamp) {
+  StudyContents out;
+  out.path = text(file.path());
+  auto info = store::studyInfo(file);
+  if (!info) return tl::unexpected(info.error());
+  out.info = std::move(*info);
+  auto people = readPeople(file);
+  if (!people) return tl::unexpected(people.error());
+  out.people = std::move(*people);
+  // Records that only a newer program can read are no reason to keep the model from anybody.
+  auto recordings = store::feelRecordings(file);
+  if (recordings) out.recordings = std::move(*recordings);
+  if (auto ok = addVersions(file, out); !ok) return tl::unexpected(ok.error());
+  if (!out.history) addBuilt(file, stamp, out);
+  return out;
+}
+
+}  // namespace tactus::workbench

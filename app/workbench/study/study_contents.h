@@ -1,0 +1,60 @@
+// What the workbench needs of a study when it is opened: its participants, its model with the whole history, and what
+// was felt. Where it holds no model yet, the averaged one is built as `tactus build` does it.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "app/editing/edit_history.h"
+#include "app/workbench/base/build_note.h"
+#include "core/store/feel_records.h"
+#include "core/store/study_file.h"
+#include "core/store/study_info.h"
+#include "core/study/session_records.h"
+
+namespace tactus::workbench {
+
+/// Somebody who can feel a model.
+struct StudyPerson {
+  study::RecordId id;
+  QString code;
+  bool simulated = false;
+  bool researcher = false;  ///< told so in a profile
+};
+
+/// The category of the profile that tells who of a study is the researcher.
+inline constexpr auto kResearcherCategory = "researcher";
+
+struct StudyContents {
+  QString path;
+  store::StudyInfo info;
+  std::vector<StudyPerson> people;  ///< by code
+  std::vector<store::FeelSummary> recordings;
+  std::vector<study::ModelVersion> versions;    ///< without their texts
+  std::optional<editing::EditHistory> history;  ///< of the model; nothing: there is none
+  bool built = false;                           ///< the model was built just now and is no version yet
+  QString note;                                 ///< one or two sentences for the person; may be empty
+  std::vector<BuildNote> build_notes;           ///< of the model that was built
+};
+
+/// Reads the study. `stamp`: of a model that is built. Thread: that of `file`.
+base::Result<StudyContents> readContents(const store::StudyFile& file, const editing::Stamp& stamp);
+
+/// A model that was built from a study's answers.
+struct BuiltFromStudy {
+  editing::EditHistory history;  ///< of its own
+  QString sentence;              ///< of what it was built
+  std::vector<BuildNote> notes;
+};
+/// Builds the averaged model of the study anew. Thread: that of `file`.
+base::Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp);
+
+/// The participants of the study. Thread: that of `file`.
+base::Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file);
+
+/// Now, by the clock on the wall.
+std::int64_t utcNowMs();
+
+}  // namespace tactus::workbench

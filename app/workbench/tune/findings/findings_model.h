@@ -1,0 +1,53 @@
+// The findings of the lint as a list: those of one kind and one expert, in the order of the controller.
+#pragma once
+
+#include <QAbstractListModel>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/workbench/tune/findings/shown_finding.h"
+
+namespace tactus::workbench {
+
+class FindingsController;
+
+class FindingsModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  explicit FindingsModel(const FindingsController& findings, QObject* parent = nullptr);
+
+  /// Nothing: all.
+  void setKind(std::optional<elicitation::RuleFinding::Kind> kind);
+  /// By the text in ShownFinding::who; empty: all. A finding about two experts is one of each.
+  void setWho(const QString& who);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  /// Qt::DisplayRole: the sentence; the whole finding comes from findingAt.
+  QVariant data(const QModelIndex& index, int role) const override;
+
+  /// Index of the finding in row `row` in FindingsController::findings.
+  std::size_t indexAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
+  const ShownFinding& findingAt(int row) const { return (*all_)[indexAt(row)]; }
+  /// Row of a finding by that index; -1 where it is filtered out.
+  int rowOf(std::size_t index) const;
+
+  /// Whether the rows are those of the findings that the controller has now; a hidden list need not be.
+  bool isCurrent() const;
+  /// Takes the findings of the controller as they are now.
+  void adopt();
+
+ private:
+  bool passes(const ShownFinding& shown, const std::set<std::string>& experts) const;
+
+  const FindingsController& findings_;
+  std::optional<elicitation::RuleFinding::Kind> kind_;
+  QString who_;
+  std::shared_ptr<const std::vector<ShownFinding>> all_;  ///< null before the first time
+  std::vector<std::size_t> rows_;                         ///< indices in all_
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,104 @@
+#include "app/workbench/tune/findings/fix_card.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/tune/findings/findings_controller.h"
+
+namespace tactus::workbench {
+FixCard::FixCard(FindingsController& findings, QWidget* parent)
+    : QFrame(parent),
+      findings_(findings),
+      sentence_(new QLabel(this)),
+      here_(new QToolButton(this)),
+      other_end_(new QToolButton(this)),
+      note_(new QLabel(this)),
+      fixes_(new QWidget(this)),
+      grid_(new QGridLayout(fixes_)) {
+  sentence_->setWordWrap(true);
+  sentence_->setTextFormat(Qt::PlainText);
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  here_->setToolTip(tr("The operating point goes to where the force at stake was found"));
+  other_end_->setText(tr("Where it begins"));
+  other_end_->setToolTip(tr("The operating point goes to where the change of the force begins"));
+  note_->setWordWrap(true);
+  setMuted(*note_);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(theme::kGrid);
+  grid_->setVerticalSpacing(theme::kGrid / 2);
+  grid_->setColumnStretch(1, 1);
+
+  auto* places = new QHBoxLayout;
+  places->setSpacing(theme::kGrid / 2);
+  places->addWidget(other_end_);
+  places->addWidget(here_);
+  places->addStretch(1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, theme::kGrid / 2, 0, 0);
+  layout->setSpacing(theme::kGrid / 2);
+  layout->addWidget(sentence_);
+  layout->addLayout(places);
+  layout->addWidget(note_);
+  layout->addWidget(fixes_);
+
+  connect(here_, &QToolButton::clicked, this, [this] { findings_.goTo(false); });
+  connect(other_end_, &QToolButton::clicked, this, [this] { findings_.goTo(true); });
+  connect(&findings_, &FindingsController::chosenChanged, this, &FixCard::showFinding);
+  connect(&findings_, &FindingsController::fixesChanged, this, &FixCard::showFixes);
+  showFinding();
+}
+
+void FixCard::showFinding() {
+  const auto chosen = findings_.chosen();
+  setVisible(chosen.has_value());
+  if (!chosen) return;
+  const ShownFinding& shown = findings_.findings()[*chosen];
+  sentence_->setText(shown.who + QStringLiteral(" · ") + shown.sentence);
+  here_->setVisible(!shown.at.empty());
+  here_->setText(shown.other_end.empty() ? tr("Go there") : tr("Where it ends"));
+  other_end_->setVisible(!shown.other_end.empty());
+  showFixes();
+}
+
+void FixCard::showFixes() {
+  if (!findings_.chosen()) return;
+  while (QLayoutItem* const item = grid_->takeAt(0)) {
+    // A button may be the one whose click led here.
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+  const auto& fixes = findings_.fixes();
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    // An ampersand of a label is no shortcut.
+    auto* button = new QPushButton(QString(fixes[i].text).replace(QLatin1Char('&'), QLatin1String("&&")), fixes_);
+    button->setToolTip(fixes[i].what);
+    button->setObjectName(QStringLiteral("fix_%1").arg(i));
+    button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+    auto* effect = new ElidedLabel(fixes_);
+    effect->setFullText(fixes[i].effect);
+    setMuted(*effect);
+    effect->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    grid_->addWidget(button, static_cast<int>(i), 0);
+    grid_->addWidget(effect, static_cast<int>(i), 1);
+    connect(button, &QPushButton::clicked, this, [this, i] { findings_.apply(i); });
+  }
+  fixes_->setVisible(!fixes.empty());
+  note_->setVisible(fixes.empty());
+  if (!findings_.isCurrent()) {
+    note_->setText(tr("The model changed: looking again…"));
+  } else if (findings_.isLookingForFixes()) {
+    note_->setText(tr("Looking for what would settle it…"));
+  } else {
+    note_->setText(tr("No edit settles this by itself: look at the rules together with the expert."));
+  }
+}
+
+}  // namespace tactus::workbench

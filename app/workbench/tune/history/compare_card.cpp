@@ -1,0 +1,142 @@
+#include "app/workbench/tune/history/compare_card.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/refresh.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/model/impact_text.h"
+#include "app/workbench/model/scene_controller.h"
+#include "app/workbench/tune/history/compare_controller.h"
+#include "app/workbench/tune/history/compare_switch.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kFewestLetters = 12;  // of a choice, where there is little room
+
+QComboBox* choiceBox(const QString& name, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setAccessibleName(name);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(kFewestLetters);
+  box->setMaxVisibleItems(20);
+  return box;
+}
+
+}  // namespace
+
+CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWidget* parent)
+    : QWidget(parent),
+      compare_(compare),
+      scene_(scene),
+      a_(choiceBox(tr("A: what is compared with"), this)),
+      b_(choiceBox(tr("B: what is compared"), this)),
+      result_(new QLabel(this)),
+      place_(new QLabel(this)),
+      go_(new QPushButton(tr("Go there"), this)),
+      refresh_list_(new Refresh(this, [this] { list(); })),
+      refresh_result_(new Refresh(this, [this] { showResult(); })) {
+  auto* head = new QLabel(tr("Compare"), this);
+  head->setFont(theme::headingFont());
+  for (QLabel* label : {result_, place_}) {
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  }
+  place_->setFont(theme::smallFont());
+  go_->setAccessibleName(go_->text());
+  go_->setToolTip(tr("Set the operating point to where the difference is the largest"));
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->setColumnStretch(1, 1);
+  layout->addWidget(head, 0, 0, 1, 2);
+  layout->addWidget(new CompareSwitch(compare_, this), 0, 2, Qt::AlignRight);
+  layout->addWidget(new QLabel(QStringLiteral("A"), this), 1, 0);
+  layout->addWidget(a_, 1, 1, 1, 2);
+  layout->addWidget(new QLabel(QStringLiteral("B"), this), 2, 0);
+  layout->addWidget(b_, 2, 1, 1, 2);
+  layout->addWidget(result_, 3, 0, 1, 3);
+  layout->addWidget(place_, 4, 0, 1, 3);
+  layout->addWidget(go_, 5, 0, 1, 3, Qt::AlignRight);
+
+  connect(a_, &QComboBox::activated, this, [this] { choose(*a_, CompareSide::kA); });
+  connect(b_, &QComboBox::activated, this, [this] { choose(*b_, CompareSide::kB); });
+  connect(go_, &QPushButton::clicked, this, &CompareCard::goThere);
+  connect(&compare_, &CompareController::choicesChanged, refresh_list_, &Refresh::request);
+  connect(&compare_, &CompareController::choicesChanged, refresh_result_, &Refresh::request);
+  connect(&compare_, &CompareController::resultChanged, refresh_result_, &Refresh::request);
+  refresh_list_->request();
+  refresh_result_->request();
+}
+
+void CompareCard::list() {
+  fill(*a_, CompareSide::kA);
+  fill(*b_, CompareSide::kB);
+}
+
+void CompareCard::fill(QComboBox& box, CompareSide side) {
+  const QSignalBlocker quiet(box);
+  box.clear();
+  const auto options = compare_.options();
+  int chosen = -1;
+  for (const auto& option : options) {
+    if (option.choice == compare_.choice(side)) chosen = box.count();
+    box.addItem(option.name);
+  }
+  // The state before the first edit is not there yet.
+  if (chosen < 0 && !options.empty()) {
+    chosen = box.count();
+    box.addItem(compare_.nameOf(compare_.choice(side)));
+  }
+  box.setCurrentIndex(chosen);
+}
+
+void CompareCard::choose(const QComboBox& box, CompareSide side) {
+  const auto options = compare_.options();
+  const auto index = static_cast<std::size_t>(box.currentIndex());
+  if (index < options.size()) compare_.choose(side, options[index].choice);
+}
+
+void CompareCard::showResult() {
+  compare_.compute();
+  const auto& result = compare_.result();
+  place_->setVisible(result && !result->at.empty());
+  go_->setVisible(place_->isVisibleTo(this));
+  if (!result) {
+    result_->setText(scene_.model() != nullptr ? tr("Comparing…") : QString());
+    return;
+  }
+  const std::string& unit = scene_.model()->model.output.unit;
+  QString sentence = tr("No difference of the force was found.");
+  if (!result->at.empty()) {
+    sentence = tr("max ΔF at least %1").arg(forceChangeText(result->largest_n, unit));
+    if (unit == "N") sentence += tr(" (%1 JND from A)").arg(numberText(result->noticeable, 1));
+    sentence += tr(" · RMS %1").arg(forceText(result->rms_n, unit));
+  }
+  if (result->only_one > 0) sentence += QLatin1Char(' ') + tr("In places only one of the two has a force.");
+  result_->setText(sentence);
+  if (result->at.empty()) return;
+  QStringList values;
+  const auto& inputs = scene_.model()->model.inputs;
+  for (std::size_t i = 0; i < inputs.size() && i < result->at.size(); ++i) {
+    values << labelOf(inputs[i]) + QLatin1Char(' ') + quantityText(result->at[i], inputs[i].unit);
+  }
+  place_->setText(
+      tr("A %1, B %2 at %3")
+          .arg(forceText(result->a_n, unit), forceText(result->b_n, unit), values.join(QStringLiteral(", "))));
+}
+
+void CompareCard::goThere() {
+  if (!compare_.result()) return;
+  const std::vector<double> at = compare_.result()->at;
+  for (std::size_t i = 0; i < at.size(); ++i) scene_.setValue(i, at[i]);
+}
+
+}  // namespace tactus::workbench

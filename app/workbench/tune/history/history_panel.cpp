@@ -1,0 +1,231 @@
+#include "app/workbench/tune/history/history_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QMenu>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/refresh.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/model/author_name.h"
+#include "app/workbench/model/edit_controller.h"
+#include "app/workbench/tune/history/compare_card.h"
+#include "app/workbench/tune/history/compare_controller.h"
+#include "app/workbench/tune/history/history_delegate.h"
+#include "app/workbench/tune/history/history_model.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kSideWidth = 36 * theme::kGrid;  // px
+constexpr int kRoomForBoth = 80 * theme::kGrid;
+constexpr int kLongestName = 60;  // letters
+
+}  // namespace
+
+HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, SceneController& scene,
+                           AuthorName& author, QWidget* parent)
+    : Card(parent),
+      edits_(edits),
+      compare_(compare),
+      author_(author),
+      model_(new HistoryModel(edits, this)),
+      view_(new QListView(this)),
+      versions_(new QWidget(this)),
+      side_(nullptr),
+      switch_(new QToolButton(this)),
+      snapshot_(new QLineEdit(this)),
+      name_it_(new QPushButton(tr("Name it"), this)),
+      expert_(new QComboBox(this)),
+      sign_off_(new QPushButton(tr("Feels right"), this)),
+      author_field_(new QLineEdit(author.name(), this)),
+      refresh_(new Refresh(this, [this] { list(); })) {
+  view_->setModel(model_);
+  view_->setItemDelegate(new HistoryDelegate(*model_, view_));
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setUniformItemSizes(true);
+  view_->setMouseTracking(true);
+  view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view_->setContextMenuPolicy(Qt::CustomContextMenu);
+  view_->setAccessibleName(tr("History"));
+  snapshot_->setPlaceholderText(tr("Name of the state as it is now"));
+  snapshot_->setAccessibleName(tr("Name of a snapshot"));
+  snapshot_->setMaxLength(kLongestName);
+  name_it_->setToolTip(tr("Keeps the current state under this name (Ctrl+Shift+N)"));
+  name_it_->setEnabled(false);
+
+  auto* naming = new QHBoxLayout;
+  naming->setSpacing(theme::kGrid);
+  naming->addWidget(snapshot_, 1);
+  naming->addWidget(name_it_);
+  auto* left = new QVBoxLayout(versions_);
+  left->setContentsMargins(0, 0, 0, 0);
+  left->setSpacing(theme::kGrid);
+  left->addWidget(view_, 1);
+  left->addLayout(naming);
+  side_ = makeSide(compare, scene);
+  auto* both = new QHBoxLayout;
+  both->setSpacing(2 * theme::kGrid);
+  both->addWidget(versions_, 1);
+  both->addWidget(side_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setSpacing(4);
+  layout->addWidget(switch_, 0, Qt::AlignRight);
+  layout->addLayout(both, 1);
+
+  connect(&edits_, &EditController::historyChanged, refresh_, &Refresh::request);
+  connect(&edits_, &EditController::effectsChanged, refresh_, &Refresh::request);
+  connect(&edits_, &EditController::modelReset, this, &HistoryPanel::listExperts);
+  connect(view_, &QListView::clicked, this,
+          [this](const QModelIndex& index) { edits_.returnTo(model_->row(index.row()).state); });
+  connect(view_, &QListView::activated, this,
+          [this](const QModelIndex& index) { edits_.returnTo(model_->row(index.row()).state); });
+  connect(view_, &QListView::customContextMenuRequested, this, &HistoryPanel::openMenu);
+  connect(snapshot_, &QLineEdit::textChanged, this,
+          [this](const QString& name) { name_it_->setEnabled(edits_.isOpen() && !name.trimmed().isEmpty()); });
+  connect(snapshot_, &QLineEdit::returnPressed, this, &HistoryPanel::takeSnapshot);
+  connect(name_it_, &QPushButton::clicked, this, &HistoryPanel::takeSnapshot);
+  connect(expert_, &QComboBox::currentTextChanged, this,
+          [this](const QString& who) { sign_off_->setEnabled(edits_.isOpen() && !who.trimmed().isEmpty()); });
+  connect(expert_->lineEdit(), &QLineEdit::returnPressed, this, &HistoryPanel::takeSignOff);
+  connect(sign_off_, &QPushButton::clicked, this, &HistoryPanel::takeSignOff);
+  connect(author_field_, &QLineEdit::editingFinished, this, [this] { author_.setName(author_field_->text()); });
+  connect(switch_, &QToolButton::clicked, this, [this] { showSide(!side_asked_); });
+  listExperts();
+  showParts();
+  refresh_->request();
+}
+
+void HistoryPanel::resizeEvent(QResizeEvent* event) {
+  Card::resizeEvent(event);
+  showParts();
+}
+
+void HistoryPanel::showParts() {
+  const bool narrow = width() < kRoomForBoth;
+  switch_->setVisible(narrow);
+  switch_->setText(side_asked_ ? tr("‹ Versions") : tr("Compare, sign off ›"));
+  versions_->setVisible(!narrow || !side_asked_);
+  side_->setVisible(!narrow || side_asked_);
+  // Alone it takes all there is.
+  side_->setMaximumWidth(narrow ? QWIDGETSIZE_MAX : kSideWidth);
+}
+
+void HistoryPanel::showSide(bool shown) {
+  side_asked_ = shown;
+  showParts();
+}
+
+QWidget* HistoryPanel::makeSide(CompareController& compare, SceneController& scene) {
+  expert_->setEditable(true);
+  expert_->setInsertPolicy(QComboBox::NoInsert);
+  expert_->setAccessibleName(tr("Expert who signs off"));
+  expert_->setMinimumContentsLength(6);
+  expert_->lineEdit()->setPlaceholderText(tr("Expert's code"));
+  sign_off_->setAccessibleName(sign_off_->text());
+  sign_off_->setToolTip(tr("The expert says of the current state: this feels right"));
+  sign_off_->setEnabled(false);
+  author_field_->setPlaceholderText(tr("Your name: stands at your edits"));
+  author_field_->setAccessibleName(tr("Your name"));
+  author_field_->setMaxLength(kLongestName);
+
+  auto* side = new QWidget;
+  auto* signing = new QHBoxLayout;
+  signing->setSpacing(theme::kGrid);
+  signing->addWidget(expert_, 1);
+  signing->addWidget(sign_off_);
+  auto* form = new QFormLayout;
+  form->setSpacing(theme::kGrid);
+  form->addRow(tr("Sign-off"), signing);
+  form->addRow(tr("Edits by"), author_field_);
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(0, 0, theme::kGrid, 0);
+  column->setSpacing(2 * theme::kGrid);
+  column->addWidget(new CompareCard(compare, scene, side));
+  column->addLayout(form);
+  column->addStretch(1);
+  // A low panel scrolls it.
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(kSideWidth);
+  scroll->setWidget(side);
+  for (QWidget* surface : {static_cast<QWidget*>(scroll->viewport()), side}) surface->setAutoFillBackground(false);
+  return scroll;
+}
+
+void HistoryPanel::list() {
+  model_->refresh();
+  if (const auto row = model_->currentRow()) {
+    view_->setCurrentIndex(model_->index(*row));
+    view_->scrollTo(model_->index(*row));
+  }
+}
+
+void HistoryPanel::listExperts() {
+  const QString typed = expert_->currentText();
+  expert_->clear();
+  if (edits_.isOpen()) {
+    for (const fuzzy::Expert& expert : edits_.model().experts) expert_->addItem(text(expert.id));
+  }
+  expert_->setCurrentText(typed);
+}
+
+void HistoryPanel::takeSnapshot() {
+  if (!name_it_->isEnabled()) return;
+  edits_.snapshot(snapshot_->text());
+  snapshot_->clear();
+  view_->setFocus();
+}
+
+void HistoryPanel::takeSignOff() {
+  if (!sign_off_->isEnabled()) return;
+  edits_.signOff(expert_->currentText());
+}
+
+void HistoryPanel::openMenu(const QPoint& at) {
+  const QModelIndex index = view_->indexAt(at);
+  if (!index.isValid()) return;
+  const editing::StateId state = model_->row(index.row()).state;
+  QMenu menu(this);
+  connect(menu.addAction(tr("Return to this state")), &QAction::triggered, this,
+          [this, state] { edits_.returnTo(state); });
+  menu.addSeparator();
+  const auto as = [&](const QString& name, CompareSide side) {
+    connect(menu.addAction(name), &QAction::triggered, this, [this, state, side] {
+      compare_.choose(side, {CompareChoice::Kind::kState, state, {}});
+    });
+  };
+  as(tr("Compare: this is A"), CompareSide::kA);
+  as(tr("Compare: this is B"), CompareSide::kB);
+  menu.exec(view_->viewport()->mapToGlobal(at));
+}
+
+void HistoryPanel::askSnapshot() {
+  showSide(false);
+  snapshot_->setFocus(Qt::ShortcutFocusReason);
+}
+
+void HistoryPanel::askSignOff() {
+  showSide(true);
+  expert_->setFocus(Qt::ShortcutFocusReason);
+}
+
+void HistoryPanel::askAuthor() {
+  showSide(true);
+  author_field_->setFocus(Qt::ShortcutFocusReason);
+  author_field_->selectAll();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,321 @@
+#include "app/workbench/tune/rules/rule_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/editing/edit_text.h"
+#include "app/editing/rule_edits.h"
+#include "app/editing/term_list.h"
+#include "app/workbench/base/display_text.h"
+#include "core/base/check.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kRestMs = 600;  // longer than between two steps of a key that is held down
+
+std::optional<std::size_t> indexIn(const std::vector<std::string>& ids, const std::string& id) {
+  const auto found = std::find(ids.begin(), ids.end(), id);
+  if (found == ids.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - ids.begin());
+}
+
+}  // namespace
+
+RuleController::RuleController(EditController& edits, const SceneController& scene, QObject* parent)
+    : QObject(parent), edits_(edits), scene_(scene) {
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRestMs);
+  connect(&rest_, &QTimer::timeout, this, &RuleController::endWeighing);
+  connect(&edits_, &EditController::modelReset, this, &RuleController::adoptModel);
+  connect(&edits_, &EditController::changed, this, &RuleController::follow);
+  connect(&scene_, &SceneController::readingChanged, this, &RuleController::readAnew);
+  if (edits_.isOpen()) adoptModel();
+}
+
+const fuzzy::Expert& RuleController::expert() const {
+  const auto found = editing::findExpert(model(), expert_);
+  TACTUS_CHECK(found.has_value());
+  return **found;
+}
+
+std::optional<std::size_t> RuleController::wordOf(const std::string& term) const {
+  const fuzzy::Term* const found = fuzzy::findTerm(words(), term);
+  if (found == nullptr) return std::nullopt;
+  return static_cast<std::size_t>(found - words().data());
+}
+
+const fuzzy::Variable& RuleController::input(const std::string& id) const {
+  const auto found = editing::findVariable(model(), id);
+  TACTUS_CHECK(found.has_value());
+  return **found;
+}
+
+const std::vector<fuzzy::Term>& RuleController::terms(const std::string& input_id) const {
+  return fuzzy::termsFor(expert(), input(input_id));
+}
+
+const std::vector<RuleController::Grid>& RuleController::grids() const {
+  if (!grids_) {
+    grids_.emplace();
+    for (const editing::GridId& id : editing::gridsOf(model(), expert_, region_)) {
+      auto cells = editing::ruleGrid(model(), id);
+      TACTUS_CHECK(cells.has_value());
+      grids_->push_back({id, std::move(*cells)});
+    }
+  }
+  return *grids_;
+}
+
+const editing::GridCell& RuleController::cell(const RuleCell& place) const {
+  return grids()[place.grid].cells.at(place.row, place.column);
+}
+
+QString RuleController::conditionsOf(const RuleCell& place) const {
+  const Grid& grid = grids()[place.grid];
+  fuzzy::Rule rule;
+  rule.conditions = {{grid.id.condition, grid.cells.rows[place.row]}, {region_, grid.cells.columns[place.column]}};
+  return text(editing::conditionsText(model(), expert(), rule));
+}
+
+QStringList RuleController::otherAnswers(const RuleCell& place) const {
+  const auto shown = cell(place).rule;
+  QStringList out;
+  if (!shown) return out;
+  const std::vector<fuzzy::Rule>& rules = expert().rules;
+  for (std::size_t r = 0; r < rules.size(); ++r) {
+    if (r == *shown || !rules[r].enabled || rules[r].weight == 0) continue;
+    if (!editing::sameConditions(rules[r], rules[*shown])) continue;
+    out << text(editing::consequentText(model(), expert(), rules[r].then));
+  }
+  return out;
+}
+
+std::optional<RuleCell> RuleController::selected() const {
+  if (!selected_) return std::nullopt;
+  for (std::size_t g = 0; g < grids().size(); ++g) {
+    const Grid& grid = grids()[g];
+    if (grid.id.condition != selected_->condition) continue;
+    const auto row = indexIn(grid.cells.rows, selected_->place.condition_term);
+    const auto column = indexIn(grid.cells.columns, selected_->place.region_term);
+    if (row && column) return RuleCell{g, *row, *column};
+  }
+  return std::nullopt;
+}
+
+double RuleController::strength(std::size_t rule) const {
+  const analysis::ExplainedExpert* const explained = here();
+  return explained != nullptr && rule < explained->rules.size() ? explained->rules[rule].strength : 0;
+}
+
+double RuleController::membership(const std::string& input_id, std::size_t term) const {
+  const analysis::ExplainedExpert* const explained = here();
+  const auto& inputs = model().inputs;
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& v) { return v.id == input_id; });
+  if (explained == nullptr || found == inputs.end()) return 0;
+  const auto& memberships = explained->memberships[static_cast<std::size_t>(found - inputs.begin())];
+  return term < memberships.size() ? memberships[term].membership : 0;
+}
+
+double RuleController::valueHere(const std::string& input_id) const {
+  const auto& inputs = scene_.model()->model.inputs;
+  const std::vector<double> point = scene_.readingPoint();
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (inputs[i].id == input_id) return point[i];
+  }
+  return 0;
+}
+
+const analysis::ExplainedExpert* RuleController::here() const {
+  if (scene_.model() == nullptr) return nullptr;
+  for (const analysis::ExplainedExpert& explained : explanation().experts) {
+    if (explained.id == expert_) return &explained;
+  }
+  return nullptr;
+}
+
+const analysis::Explanation& RuleController::explanation() const {
+  if (!scene_.showsAnother()) return scene_.explanation();
+  // What is edited is the open model, also while another one is looked at.
+  if (!own_explanation_) {
+    auto explained = analysis::explain(model(), edits_.history().compiled(), scene_.readingPoint());
+    TACTUS_CHECK(explained.has_value());
+    own_explanation_ = std::move(*explained);
+    scene_.countEvaluations(1 + own_explanation_->experts.size());
+  }
+  return *own_explanation_;
+}
+
+void RuleController::readAnew() {
+  own_explanation_.reset();
+  emit hereChanged();
+}
+
+void RuleController::setExpert(std::string id) {
+  // A list to choose from may be a moment older than the model.
+  if (id == expert_ || !editing::findExpert(model(), id)) return;
+  endWeighing();
+  expert_ = std::move(id);
+  dropGrids();
+  emit expertChanged();
+  emit rulesChanged();
+  emit selectionChanged();
+}
+
+void RuleController::setRegion(std::string id) {
+  const auto& inputs = model().inputs;
+  const auto is = [&](const fuzzy::Variable& input) { return input.id == id; };
+  if (id == region_ || std::none_of(inputs.begin(), inputs.end(), is)) return;
+  endWeighing();
+  region_ = std::move(id);
+  dropGrids();
+  selected_.reset();
+  emit rulesChanged();
+  emit selectionChanged();
+}
+
+RuleGridSizes RuleController::sizes() const {
+  RuleGridSizes out;
+  for (const Grid& grid : grids()) {
+    out.rows.push_back(grid.cells.rows.size());
+    out.columns = grid.cells.columns.size();
+  }
+  return out;
+}
+
+void RuleController::select(std::optional<RuleCell> cell) {
+  endWeighing();
+  if (!cell || !sizes().has(*cell)) {
+    selected_.reset();
+  } else {
+    const Grid& grid = grids()[cell->grid];
+    selected_ = {grid.id.condition, {grid.cells.rows[cell->row], grid.cells.columns[cell->column]}};
+  }
+  emit selectionChanged();
+}
+
+void RuleController::step(int columns, int rows) {
+  const auto now = selected();
+  select(now ? stepped(sizes(), *now, columns, rows) : sizes().first());
+}
+
+void RuleController::stepGrid(int count) {
+  const auto now = selected();
+  select(now ? steppedGrid(sizes(), *now, count) : sizes().first());
+}
+
+void RuleController::stepToEnd(bool last) {
+  const auto now = selected() ? selected() : sizes().first();
+  if (now) select(RuleCell{now->grid, now->row, last ? sizes().columns - 1 : 0});
+}
+
+void RuleController::goOn() {
+  if (const auto now = selected()) select(nextToFill(sizes(), *now));
+}
+
+void RuleController::answer(std::optional<std::size_t> word) {
+  endWeighing();
+  const auto now = selected();
+  if (!now || (word && *word >= words().size())) return;
+  // An empty cell that stays empty is no edit.
+  if (!word && !cell(*now).rule) return;
+  std::optional<std::string> then;
+  if (word) then = words()[*word].id;
+  const editing::GridId grid = grids()[now->grid].id;
+  edits_.apply(editing::setAnswer(model(), grid, selected_->place, then));
+}
+
+void RuleController::answerAndGoOn(std::size_t word) {
+  answer(word);
+  goOn();
+}
+
+void RuleController::setConsequent(std::size_t rule, std::string word) {
+  endWeighing();
+  edits_.apply(editing::setConsequent(model(), expert_, rule, word));
+}
+
+void RuleController::setWeight(std::size_t rule, double weight) {
+  endWeighing();
+  edits_.apply(editing::setRuleWeight(model(), expert_, rule, weight));
+}
+
+void RuleController::weigh(std::size_t rule, double weight) {
+  if (weighing_ != rule || !edits_.inGesture()) {
+    edits_.begin();
+    weighing_ = rule;
+  }
+  edits_.update(editing::setRuleWeight(edits_.base(), expert_, rule, weight));
+  rest_.start();
+}
+
+void RuleController::endWeighing() {
+  if (!weighing_) return;
+  weighing_.reset();
+  rest_.stop();
+  edits_.commit();
+}
+
+void RuleController::enable(const std::vector<std::size_t>& rules, bool enabled) {
+  endWeighing();
+  if (!rules.empty()) edits_.apply(editing::enableRules(model(), expert_, rules, enabled));
+}
+
+void RuleController::remove(const std::vector<std::size_t>& rules) {
+  endWeighing();
+  if (!rules.empty()) edits_.apply(editing::removeRules(model(), expert_, rules));
+}
+
+base::Result<void> RuleController::add(fuzzy::Rule rule) {
+  return apply(editing::addRule(model(), expert_, std::move(rule)));
+}
+
+base::Result<void> RuleController::replace(std::size_t rule, fuzzy::Rule with) {
+  return apply(editing::replaceRule(model(), expert_, rule, std::move(with)));
+}
+
+base::Result<void> RuleController::apply(base::Result<editing::Edit> edit) {
+  endWeighing();
+  if (!edit) return tl::unexpected(edit.error());
+  edits_.apply(std::move(edit));
+  return {};
+}
+
+void RuleController::adoptModel() {
+  weighing_.reset();
+  rest_.stop();
+  const auto& experts = model().experts;
+  const auto known = [&](const fuzzy::Expert& expert) { return expert.id == expert_; };
+  if (std::none_of(experts.begin(), experts.end(), known)) expert_ = experts.front().id;
+  const auto& inputs = model().inputs;
+  const auto has = [&](const std::string& id) {
+    return std::any_of(inputs.begin(), inputs.end(), [&](const fuzzy::Variable& input) { return input.id == id; });
+  };
+  // The questionnaire asks by region; another model has its way on the last input, as on the x axis of the curves.
+  if (!has(region_)) region_ = has("depth") ? "depth" : inputs.back().id;
+  dropGrids();
+  emit expertChanged();
+  emit rulesChanged();
+  emit selectionChanged();
+}
+
+void RuleController::follow() {
+  // An undo or another edit has ended the steps of a weight.
+  if (!edits_.inGesture()) {
+    weighing_.reset();
+    rest_.stop();
+  }
+  if (!editing::findExpert(model(), expert_) || !editing::findVariable(model(), region_)) {
+    adoptModel();
+    return;
+  }
+  dropGrids();
+  emit rulesChanged();
+}
+
+void RuleController::dropGrids() {
+  grids_.reset();
+  own_explanation_.reset();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,37 @@
+// The rule editor: whose rules, as grids to be answered and as a list of all; where the panel is low, one at a time.
+#pragma once
+
+#include "app/workbench/kit/card.h"
+
+class QComboBox;
+class QSplitter;
+class QTabBar;
+
+namespace tactus::workbench {
+
+class Refresh;
+class RuleController;
+
+class RuleEditor : public Card {
+  Q_OBJECT
+
+ public:
+  explicit RuleEditor(RuleController& rules, QWidget* parent = nullptr);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void showHead();
+  void arrange();
+
+  RuleController& rules_;
+  QComboBox* experts_;
+  QComboBox* columns_;
+  QTabBar* tabs_;
+  QSplitter* panes_;
+  bool tall_ = false;
+  Refresh* refresh_;
+};
+
+}  // namespace tactus::workbench

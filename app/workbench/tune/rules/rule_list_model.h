@@ -1,0 +1,49 @@
+// The rules of the chosen expert as a table, one row each.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "app/workbench/tune/rules/rule_rows.h"
+
+namespace tactus::workbench {
+
+class RuleListModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kNumber, kConditions, kConsequent, kWeight, kEnabled, kStrength, kColumns };
+  enum Role {
+    kSort = Qt::UserRole,  ///< a number or text that orders the column
+    kConflict,             ///< bool
+    kActs,                 ///< strength here, in [0, 1]
+    kIsEnabled,            ///< bool
+    kWord,                 ///< index of the consequent among the words
+    kLines,                ///< the conditions, each on a line of its own
+  };
+
+  explicit RuleListModel(RuleController& rules, QObject* parent = nullptr);
+
+  /// Takes over the rules as they stand; rows that are the same rule stay what they are.
+  void refresh();
+  /// Takes over the strengths at the place that is read.
+  void refreshStrengths();
+  const RuleWords& wordsOf(int row) const { return rows_[static_cast<std::size_t>(row)].words; }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+ private:
+  QVariant shown(const RuleRow& row, int number, int column) const;
+  QVariant order(const RuleRow& row, int number, int column) const;
+  QString sentence(const RuleRow& row, int number) const;
+
+  RuleController& rules_;
+  std::vector<RuleRow> rows_;
+};
+
+}  // namespace tactus::workbench

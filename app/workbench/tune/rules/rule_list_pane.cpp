@@ -1,0 +1,279 @@
+#include "app/workbench/tune/rules/rule_list_pane.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/refresh.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/tune/rules/rule_controller.h"
+#include "app/workbench/tune/rules/rule_form.h"
+#include "app/workbench/tune/rules/rule_list_delegate.h"
+#include "app/workbench/tune/rules/rule_list_model.h"
+#include "app/workbench/tune/rules/rule_list_sieve.h"
+
+namespace tactus::workbench {
+namespace {
+
+using Only = RuleListSieve::Only;
+
+constexpr int kMostLines = 4;       // of the conditions in one row
+constexpr int kNarrowestWord = 40;  // px
+constexpr int kWidestWord = 140;    // px
+
+QToolButton* makeButton(const QString& text, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setText(text);
+  return button;
+}
+
+}  // namespace
+
+RuleListPane::RuleListPane(RuleController& rules, QWidget* parent)
+    : QWidget(parent),
+      rules_(rules),
+      list_(new RuleListModel(rules, this)),
+      sieve_(new RuleListSieve(*list_, this)),
+      text_(new QLineEdit(this)),
+      only_(new QComboBox(this)),
+      count_(new QLabel(this)),
+      table_(new QTableView(this)),
+      add_(makeButton(tr("Add rule…"), this)),
+      edit_(makeButton(tr("Edit…"), this)),
+      enable_(makeButton(tr("Enable"), this)),
+      disable_(makeButton(tr("Disable"), this)),
+      remove_(makeButton(tr("Remove"), this)),
+      form_(new RuleForm(rules, this)),
+      refresh_(new Refresh(this, [this] { refresh(); })) {
+  text_->setPlaceholderText(tr("Filter: well stomach, or if … and … then …"));
+  text_->setClearButtonEnabled(true);
+  text_->setAccessibleName(tr("Filter by words of the rule"));
+  only_->addItem(tr("All rules"), static_cast<int>(Only::kAll));
+  only_->addItem(tr("Acting here"), static_cast<int>(Only::kActing));
+  only_->addItem(tr("Disabled"), static_cast<int>(Only::kDisabled));
+  only_->addItem(tr("Conflicts"), static_cast<int>(Only::kConflicts));
+  only_->setAccessibleName(tr("Which rules are listed"));
+  count_->setFont(theme::smallFont());
+  count_->setForegroundRole(QPalette::PlaceholderText);
+  buildTable();
+  buildPlace();
+  connectAll();
+  refresh_->request();
+}
+
+void RuleListPane::buildTable() {
+  table_->setModel(sieve_);
+  table_->setItemDelegate(new RuleListDelegate(rules_, table_));
+  table_->setAccessibleName(tr("Rules"));
+  table_->setFont(theme::smallFont());
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setShowGrid(false);
+  table_->setAlternatingRowColors(true);
+  table_->setWordWrap(true);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  table_->setTabKeyNavigation(false);
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(RuleListModel::kNumber, Qt::AscendingOrder);
+  table_->verticalHeader()->hide();
+  QHeaderView* head = table_->horizontalHeader();
+  head->setHighlightSections(false);
+  head->setSectionResizeMode(QHeaderView::Fixed);
+  head->setSectionResizeMode(RuleListModel::kConditions, QHeaderView::Stretch);
+  head->setMinimumSectionSize(24);
+  const QFontMetrics metrics(table_->font());
+  const int margin = 2 * theme::kGrid;
+  table_->setColumnWidth(RuleListModel::kNumber, metrics.horizontalAdvance(tr("No.")) + margin + 8);
+  table_->setColumnWidth(RuleListModel::kWeight, metrics.horizontalAdvance(tr("Weight")) + margin + 8);
+  table_->setColumnWidth(RuleListModel::kEnabled, metrics.horizontalAdvance(tr("On")) + margin + 8);
+  table_->setColumnWidth(RuleListModel::kStrength, metrics.horizontalAdvance(tr("0.000")) + margin + 8);
+}
+
+void RuleListPane::buildPlace() {
+  auto* filter = new QHBoxLayout;
+  filter->setSpacing(theme::kGrid);
+  filter->addWidget(text_, 1);
+  filter->addWidget(only_);
+  filter->addWidget(count_);
+  auto* actions = new QHBoxLayout;
+  actions->setSpacing(4);
+  actions->addWidget(add_);
+  actions->addWidget(edit_);
+  actions->addStretch(1);
+  actions->addWidget(enable_);
+  actions->addWidget(disable_);
+  actions->addWidget(remove_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  layout->addLayout(filter);
+  layout->addWidget(table_, 1);
+  layout->addLayout(actions);
+  layout->addWidget(form_);
+  setFocusProxy(table_);
+}
+
+void RuleListPane::connectAll() {
+  connect(&rules_, &RuleController::rulesChanged, this, [this] {
+    stale_ = true;
+    refresh_->request();
+  });
+  connect(&rules_, &RuleController::expertChanged, form_, &QWidget::hide);
+  connect(&rules_, &RuleController::hereChanged, refresh_, &Refresh::request);
+  connect(text_, &QLineEdit::textChanged, this, [this](const QString& typed) {
+    sieve_->setText(typed);
+    showCount();
+  });
+  connect(only_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    sieve_->setOnly(static_cast<Only>(only_->itemData(index).toInt()));
+    showCount();
+  });
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RuleListPane::showActions);
+  connect(table_, &QTableView::customContextMenuRequested, this, &RuleListPane::openMenu);
+  connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
+    if (index.column() == RuleListModel::kNumber || index.column() == RuleListModel::kConditions) edit();
+  });
+  table_->installEventFilter(this);
+  table_->viewport()->installEventFilter(this);
+  connect(add_, &QToolButton::clicked, form_, &RuleForm::openNew);
+  connect(edit_, &QToolButton::clicked, this, &RuleListPane::edit);
+  connect(enable_, &QToolButton::clicked, this, [this] { enable(true); });
+  connect(disable_, &QToolButton::clicked, this, [this] { enable(false); });
+  connect(remove_, &QToolButton::clicked, this, &RuleListPane::remove);
+  connect(form_, &RuleForm::done, this, &RuleListPane::showRule);
+}
+
+bool RuleListPane::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_->viewport() && event->type() == QEvent::Resize) fitRows();
+  if (watched == table_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
+      remove();
+      return true;
+    }
+    if (key == Qt::Key_Space) {
+      const auto rules = chosen();
+      const auto& all = rules_.isOpen() ? rules_.expert().rules : std::vector<fuzzy::Rule>();
+      enable(std::any_of(rules.begin(), rules.end(), [&](std::size_t r) { return r < all.size() && !all[r].enabled; }));
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void RuleListPane::refresh() {
+  if (!rules_.isOpen()) return;
+  if (stale_) {
+    sync();
+    form_->follow();
+    fitRows();
+  } else {
+    list_->refreshStrengths();
+  }
+  showCount();
+  showActions();
+}
+
+// Before an edit of what is selected: the list must be that of the rules as they stand.
+void RuleListPane::sync() {
+  if (!stale_) return;
+  stale_ = false;
+  list_->refresh();
+}
+
+void RuleListPane::showCount() {
+  const int all = list_->rowCount();
+  const int shown = sieve_->rowCount();
+  const QString whole = all == 1 ? tr("1 rule") : tr("%1 rules").arg(all);
+  count_->setText(shown == all ? whole : tr("%1 of %2").arg(shown).arg(all));
+}
+
+void RuleListPane::showActions() {
+  const QModelIndexList rows = table_->selectionModel()->selectedRows();
+  const auto on = std::count_if(rows.begin(), rows.end(),
+                                [](const QModelIndex& row) { return row.data(RuleListModel::kIsEnabled).toBool(); });
+  edit_->setEnabled(rows.size() == 1);
+  remove_->setEnabled(!rows.isEmpty());
+  enable_->setEnabled(on < rows.size());
+  disable_->setEnabled(on > 0);
+}
+
+// All rows are as high as the longest conditions need, the words as wide as the longest one.
+void RuleListPane::fitRows() {
+  if (!rules_.isOpen()) return;
+  const QFontMetrics metrics(table_->font());
+  const int room = table_->columnWidth(RuleListModel::kConditions) - theme::kGrid;
+  int lines = 1;
+  for (int row = 0; row < list_->rowCount(); ++row) {
+    const QModelIndex conditions = list_->index(row, RuleListModel::kConditions);
+    if (metrics.horizontalAdvance(conditions.data().toString()) <= room) continue;
+    lines = std::max(lines, static_cast<int>(list_->wordsOf(row).conditions.size()));
+  }
+  const int height = metrics.height() * std::min(lines, kMostLines) + theme::kGrid;
+  if (table_->verticalHeader()->defaultSectionSize() != height) {
+    table_->verticalHeader()->setDefaultSectionSize(height);
+  }
+  int widest = 0;
+  for (const fuzzy::Term& word : rules_.words()) widest = std::max(widest, metrics.horizontalAdvance(labelOf(word)));
+  const int width = std::clamp(widest, kNarrowestWord, kWidestWord) + 4 * theme::kGrid;
+  if (table_->columnWidth(RuleListModel::kConsequent) != width) {
+    table_->setColumnWidth(RuleListModel::kConsequent, width);
+  }
+}
+
+std::vector<std::size_t> RuleListPane::chosen() const {
+  std::vector<std::size_t> out;
+  for (const QModelIndex& row : table_->selectionModel()->selectedRows()) {
+    out.push_back(static_cast<std::size_t>(sieve_->mapToSource(row).row()));
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+void RuleListPane::enable(bool enabled) {
+  sync();
+  rules_.enable(chosen(), enabled);
+}
+
+void RuleListPane::remove() {
+  sync();
+  rules_.remove(chosen());
+}
+
+void RuleListPane::edit() {
+  sync();
+  const auto rules = chosen();
+  if (rules.size() == 1) form_->openFor(rules.front());
+}
+
+void RuleListPane::showRule(std::size_t rule) {
+  sync();
+  const QModelIndex row = sieve_->mapFromSource(list_->index(static_cast<int>(rule), 0));
+  if (!row.isValid()) return;
+  table_->selectRow(row.row());
+  table_->scrollTo(row);
+}
+
+void RuleListPane::openMenu(QPoint at) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (QToolButton* button : {edit_, enable_, disable_, remove_}) {
+    QAction* action = menu->addAction(button->text());
+    action->setEnabled(button->isEnabled());
+    connect(action, &QAction::triggered, button, &QToolButton::click);
+  }
+  menu->popup(table_->viewport()->mapToGlobal(at));
+}
+
+}  // namespace tactus::workbench

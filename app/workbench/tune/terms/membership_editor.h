@@ -1,0 +1,85 @@
+// The membership function editor: one variable of the model, its terms to be moved by hand and typed as numbers.
+#pragma once
+
+#include "app/workbench/base/build_note.h"
+#include "app/workbench/base/plot_table.h"
+#include "app/workbench/kit/card.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QTabBar;
+class QTimer;
+class QToolButton;
+
+namespace tactus::workbench {
+
+class EditController;
+class ElidedLabel;
+class GhostController;
+class MembershipEditorPlot;
+class NotesButton;
+class SceneController;
+class TermController;
+class TermSliders;
+class TermTable;
+
+class MembershipEditor : public Card {
+  Q_OBJECT
+
+ public:
+  MembershipEditor(EditController& edits, TermController& terms, SceneController& scene, QWidget* parent = nullptr);
+
+  /// What the build from the answers says about terms: shown beside those of the variable.
+  void setNotes(std::vector<BuildNote> notes);
+  /// Draws the shapes that `ghost` has as "before" as thin outlines. Once.
+  void setGhost(const GhostController& ghost);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void buildPlace();
+  void connectAll();
+  void showModel();
+  void nameVariables();
+  void showExperts();
+  void showList();
+  void showTerms();
+  void showGhost();
+  void showModes();
+  void showScope();
+  void showNotes();
+  void askScope();
+  void showLocks();
+  void showSelection();
+  void showValue();
+  void showRefusal(const QString& sentence);
+  void showHint();
+  void askAdd();
+  PlotTable table();
+
+  EditController& edits_;
+  TermController& terms_;
+  SceneController& scene_;
+  const GhostController* ghost_ = nullptr;
+  QTabBar* variables_;
+  QComboBox* whose_;
+  QCheckBox* own_;
+  QLabel* scope_;
+  QToolButton* for_one_;
+  QToolButton* for_all_;
+  QCheckBox* keeps_sum_;
+  QToolButton* add_;
+  NotesButton* notes_button_;
+  std::vector<BuildNote> notes_;
+  MembershipEditorPlot* plot_;
+  ElidedLabel* hint_;
+  QTimer* hint_time_;
+  TermSliders* sliders_;
+  TermTable* table_;
+  bool filling_ = false;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,351 @@
+#include "app/workbench/tune/terms/membership_editor_plot.h"
+
+#include <QKeyEvent>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/model/patient.h"
+#include "app/workbench/plot/landmark_marks.h"
+#include "app/workbench/plot/plot_style.h"
+#include "app/workbench/plot/term_labels.h"
+#include "app/workbench/plot/term_outline.h"
+#include "app/workbench/plot/value_marker.h"
+#include "app/workbench/tune/terms/grip_finder.h"
+#include "app/workbench/tune/terms/grip_marks.h"
+#include "core/fuzzy/membership.h"
+
+namespace tactus::workbench {
+namespace {
+
+using Part = Grip::Part;
+
+constexpr int kLabelRows = 2;
+constexpr int kMargin = 4 * theme::kGrid;  // px left of the axis; handles at the end of the universe reach into it
+constexpr double kTop = 1.12;              // membership at the upper side: room for the handles at 1
+constexpr double kDragFrom = 3;            // px that tell a drag from a click
+
+}  // namespace
+
+MembershipEditorPlot::MembershipEditorPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setMinimumSize(320, 168);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("Membership functions"));
+  plot_->setMouseTracking(true);
+
+  labels_ = new TermLabels(*plot_, kLabelRows);
+  landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kUnder);
+  marker_ = new ValueMarker(*plot_);
+  // The overlay has a buffer of its own; what follows the hand is drawn without the shapes.
+  marks_ = new GripMarks(*plot_, QStringLiteral("overlay"));
+  plot_->xAxis->grid()->setVisible(false);
+  plot_->axisRect()->setAutoMargins(QCP::msBottom);
+  plot_->axisRect()->setMargins(QMargins(kMargin, labels_->height() + 4, 3 * theme::kGrid, 0));
+
+  connect(plot_, &QCustomPlot::mousePress, this, &MembershipEditorPlot::onPress);
+  connect(plot_, &QCustomPlot::mouseMove, this, &MembershipEditorPlot::onMove);
+  connect(plot_, &QCustomPlot::mouseRelease, this, &MembershipEditorPlot::onRelease);
+}
+
+void MembershipEditorPlot::setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {
+  const bool another = variable.id != variable_.id;
+  variable_ = variable;
+  landmarks_->setVariable(variable);
+  terms_ = terms;
+  if (another || (hovered_ && !holds(terms_, *hovered_))) hovered_.reset();
+  if (another || (selected_ && !holds(terms_, *selected_))) selected_.reset();
+  if (another || (pressed_ && !holds(terms_, *pressed_))) pressed_.reset();
+  if (!isDragging()) fitAxis();
+  drawTerms();
+}
+
+void MembershipEditorPlot::setGhost(std::vector<fuzzy::Term> before) {
+  if (before == before_) return;
+  before_ = std::move(before);
+  drawTerms();
+}
+
+void MembershipEditorPlot::drawGhost() {
+  const QCPRange range = plot_->xAxis->range();
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    const auto now =
+        std::find_if(terms_.begin(), terms_.end(), [&](const auto& term) { return term.id == before_[i].id; });
+    if (now != terms_.end() && now->shape == before_[i].shape && now->points == before_[i].points) continue;
+    const TermOutline outline = outlineOf(before_[i], range.lower, range.upper);
+    QCPGraph* graph = plot_->addGraph();
+    graph->setAdaptiveSampling(false);
+    graph->setPen(ghostPen(theme::term(i, before_.size()), isDragging()));
+    graph->setData(outline.x, outline.membership, true);
+  }
+}
+
+void MembershipEditorPlot::setLocked(std::vector<std::vector<bool>> locked) {
+  locked_ = std::move(locked);
+  drawMarks();
+}
+
+void MembershipEditorPlot::setSumToOne(bool sum_to_one) {
+  sum_to_one_ = sum_to_one;
+  drawMarks();
+}
+
+void MembershipEditorPlot::setSelected(std::optional<Grip> grip) {
+  if (grip && !holds(terms_, *grip)) grip.reset();
+  if (grip == selected_) return;
+  selected_ = grip;
+  drawTerms();
+}
+
+void MembershipEditorPlot::setValue(std::optional<double> value) {
+  value_ = value;
+  std::vector<double> memberships;
+  for (const fuzzy::Term& term : terms_) {
+    const double membership = value_ ? fuzzy::MembershipFunction::of(term)(*value_) : 0;
+    if (membership > 0) memberships.push_back(membership);
+  }
+  marker_->set(value_, std::move(memberships));
+  redraw(*plot_);
+}
+
+void MembershipEditorPlot::setStopped(const QString& reason) {
+  if (reason == stopped_) return;
+  stopped_ = reason;
+  drawMarks();
+}
+
+QPointF MembershipEditorPlot::pixelOf(double x, double membership) const {
+  return frame().pixelOf(x, membership) + QPointF(plot_->pos());
+}
+
+void MembershipEditorPlot::fitAxis() {
+  double low = variable_.min;
+  double high = variable_.max;
+  const double range = high - low;
+  for (const fuzzy::Term& term : terms_) {
+    const std::size_t index = static_cast<std::size_t>(&term - terms_.data());
+    for (const GripHandle& handle : handlesOf(terms_, index)) {
+      // A term far outside must not press the universe into a corner.
+      low = std::min(low, std::max(handle.x, variable_.min - range / 2));
+      high = std::max(high, std::min(handle.x, variable_.max + range / 2));
+    }
+  }
+  styleAxis(*plot_->xAxis, variable_);
+  styleAxis(*plot_->yAxis, variable_);
+  plot_->xAxis->setRange(low, high);
+  plot_->xAxis->setLabel(axisText(variable_));
+  plot_->yAxis->setRange(0, kTop);
+  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
+  ticker->setTickStep(0.5);
+  plot_->yAxis->setTicker(ticker);
+  marks_->setUniverse(variable_.min, variable_.max);
+}
+
+void MembershipEditorPlot::drawTerms() {
+  plot_->clearGraphs();
+  const QCPRange range = plot_->xAxis->range();
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    const TermOutline outline = outlineOf(terms_[i], range.lower, range.upper);
+    const bool strong = selected_ && selected_->term == i;
+    addShape(*plot_, theme::term(i, terms_.size()), strong ? 2.4 : 1.4, strong ? 0.32F : 0.14F)
+        .setData(outline.x, outline.membership, true);
+  }
+  drawGhost();
+  labels_->setTerms(variable_, terms_);
+  setValue(value_);
+  drawMarks();
+}
+
+std::optional<Grip> MembershipEditorPlot::shownGrip() const {
+  if (pressed_) return pressed_;
+  if (hovered_) return hovered_;
+  return hasFocus() ? selected_ : std::nullopt;
+}
+
+bool MembershipEditorPlot::moves(std::size_t term, double x, std::size_t point) const {
+  const std::optional<Grip> grip = shownGrip();
+  if (!grip) return false;
+  const std::vector<std::size_t> points = pointsOf(terms_, *grip);
+  if (term == grip->term) return std::find(points.begin(), points.end(), point) != points.end();
+  if (!sum_to_one_ || terms_[grip->term].shape == fuzzy::Shape::kGaussian) return false;
+  const double same = 1e-9 * (variable_.max - variable_.min);
+  return std::any_of(points.begin(), points.end(),
+                     [&](std::size_t p) { return std::abs(terms_[grip->term].points[p] - x) <= same; });
+}
+
+void MembershipEditorPlot::drawMarks() {
+  const std::optional<Grip> grip = shownGrip();
+  std::vector<GripMarks::Handle> handles;
+  std::vector<GripMarks::Stroke> strokes;
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    const std::vector<GripHandle> of_term = handlesOf(terms_, t);
+    for (const GripHandle& handle : of_term) {
+      const std::size_t point = handle.grip.point;
+      const bool locked = t < locked_.size() && point < locked_[t].size() && locked_[t][point];
+      handles.push_back({handle.x, handle.membership, theme::term(t, terms_.size()), selected_ && selected_->term == t,
+                         locked, moves(t, handle.x, point)});
+    }
+    if (!grip || grip->term != t || grip->part == Part::kVertex) continue;
+    for (std::size_t i = 0; i + 1 < of_term.size(); ++i) {
+      const bool first = i == 0;
+      const bool last = i + 2 == of_term.size();
+      if ((grip->part == Part::kLeftEdge && !first) || (grip->part == Part::kRightEdge && !last)) continue;
+      if (terms_[t].shape == fuzzy::Shape::kGaussian) continue;
+      strokes.push_back({of_term[i].x, of_term[i].membership, of_term[i + 1].x, of_term[i + 1].membership});
+    }
+  }
+  marks_->setHandles(std::move(handles));
+  marks_->setStrokes(std::move(strokes));
+  if (grip) {
+    const QString what = gripText(variable_, terms_, *grip);
+    const std::vector<GripHandle> of_term = handlesOf(terms_, grip->term);
+    const auto held = std::find_if(of_term.begin(), of_term.end(), [&](const auto& h) { return h.grip == *grip; });
+    const auto& p = terms_[grip->term].points;
+    double x = coreMiddle(variable_, terms_[grip->term]);
+    double membership = 0.5;
+    if (held != of_term.end()) {
+      x = held->x;
+      membership = held->membership;
+    } else if (grip->part == Part::kLeftEdge) {
+      x = (p[0] + p[1]) / 2;
+    } else if (grip->part == Part::kRightEdge) {
+      x = (p[p.size() - 2] + p[p.size() - 1]) / 2;
+    }
+    marks_->setTag(stopped_.isEmpty() ? what : tr("%1 · stopped by %2").arg(what, stopped_), x, membership,
+                   !stopped_.isEmpty());
+  } else {
+    marks_->setTag({}, 0, 0, false);
+  }
+  redraw(*plot_);
+}
+
+PlotFrame MembershipEditorPlot::frame() const {
+  const QCPRange range = plot_->xAxis->range();
+  return {QRectF(plot_->axisRect()->rect()), range.lower, range.upper, kTop};
+}
+
+void MembershipEditorPlot::onPress(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || terms_.empty()) return;
+  setFocus(Qt::MouseFocusReason);
+  press_place_ = event->position();
+  press_value_ = frame().valueAt(press_place_.x());
+  pressed_ = gripAt(frame(), terms_, press_place_, selected_ ? std::optional(selected_->term) : std::nullopt);
+  dragging_ = false;
+  stopped_.clear();
+  emit selected(pressed_);
+  setSelected(pressed_);
+  drawMarks();
+}
+
+void MembershipEditorPlot::onMove(QMouseEvent* event) {
+  const QPointF place = event->position();
+  if (!pressed_) {
+    if (!event->buttons().testFlag(Qt::LeftButton)) hoverAt(place);
+    return;
+  }
+  if (!dragging_) {
+    if (std::abs(place.x() - press_place_.x()) < kDragFrom) return;
+    dragging_ = true;
+    emit moveBegun(*pressed_);
+  }
+  emit moved(frame().valueAt(place.x()) - press_value_);
+}
+
+void MembershipEditorPlot::onRelease(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !pressed_) return;
+  const bool was_dragging = dragging_;
+  endDrag();
+  if (was_dragging) emit moveEnded();
+  hoverAt(event->position());
+}
+
+void MembershipEditorPlot::endDrag() {
+  pressed_.reset();
+  dragging_ = false;
+  stopped_.clear();
+  fitAxis();
+  drawTerms();
+}
+
+void MembershipEditorPlot::hoverAt(QPointF place) {
+  const auto grip = gripAt(frame(), terms_, place, selected_ ? std::optional(selected_->term) : std::nullopt);
+  if (grip == hovered_) return;
+  hovered_ = grip;
+  if (!grip) {
+    plot_->unsetCursor();
+  } else {
+    plot_->setCursor(grip->part == Part::kTerm ? Qt::OpenHandCursor : Qt::SizeHorCursor);
+  }
+  drawMarks();
+}
+
+bool MembershipEditorPlot::event(QEvent* event) {
+  // A shortcut of the window must not take the key that cancels a drag.
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+      (isDragging() || stepping_)) {
+    event->accept();
+    return true;
+  }
+  // The lines before an edit are mixed with the ground.
+  if (event->type() == QEvent::PaletteChange && labels_) drawTerms();
+  return QWidget::event(event);
+}
+
+void MembershipEditorPlot::keyPressEvent(QKeyEvent* event) {
+  const int key = event->key();
+  if (key == Qt::Key_Escape && (isDragging() || stepping_)) {
+    const bool was_dragging = isDragging();
+    stepping_ = false;
+    if (was_dragging) endDrag();
+    emit moveCancelled();
+  } else if ((key == Qt::Key_Left || key == Qt::Key_Right) && selected_ && !isDragging()) {
+    stepping_ = true;
+    emit stepped(key == Qt::Key_Right ? 1 : -1, event->modifiers().testFlag(Qt::ShiftModifier));
+  } else if ((key == Qt::Key_Up || key == Qt::Key_Down) && !isDragging() && !stepping_) {
+    emit nextWanted(key == Qt::Key_Down ? 1 : -1);
+  } else {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+void MembershipEditorPlot::keyReleaseEvent(QKeyEvent* event) {
+  const int key = event->key();
+  if (!stepping_ || event->isAutoRepeat() || (key != Qt::Key_Left && key != Qt::Key_Right)) {
+    QWidget::keyReleaseEvent(event);
+    return;
+  }
+  stepping_ = false;
+  stopped_.clear();
+  emit stepsEnded();
+}
+
+void MembershipEditorPlot::focusInEvent(QFocusEvent* event) {
+  drawMarks();
+  QWidget::focusInEvent(event);
+}
+
+void MembershipEditorPlot::focusOutEvent(QFocusEvent* event) {
+  // Whatever takes the keyboard away ends what it was moving.
+  if (std::exchange(stepping_, false)) emit stepsEnded();
+  drawMarks();
+  QWidget::focusOutEvent(event);
+}
+
+void MembershipEditorPlot::leaveEvent(QEvent* event) {
+  hovered_.reset();
+  drawMarks();
+  QWidget::leaveEvent(event);
+}
+
+void MembershipEditorPlot::fillTable(PlotTable& table) const { workbench::fillTable(table, variable_, terms_); }
+
+void MembershipEditorPlot::paintPicture(QCPPainter& painter, const QSize& size) {
+  paintPlot(*plot_, painter, size, {marker_, marks_});
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,108 @@
+#include "app/workbench/tune/terms/term_forms.h"
+
+#include <QCoreApplication>
+#include <QLineEdit>
+#include <QStringList>
+#include <algorithm>
+#include <vector>
+
+#include "app/editing/edit_text.h"
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/typed_number.h"
+#include "app/workbench/kit/number_box.h"
+#include "app/workbench/kit/popup_form.h"
+#include "app/workbench/tune/terms/term_controller.h"
+#include "core/fuzzy/membership.h"
+
+namespace tactus::workbench {
+namespace {
+
+using fuzzy::Term;
+
+constexpr int kMostParts = 8;
+
+QString tr(const char* text) { return QCoreApplication::translate("TermForms", text); }
+
+QString cutsText(const std::vector<double>& cuts, const fuzzy::Variable& variable) {
+  QStringList parts;
+  for (const double cut : cuts) parts << text(editing::numberText(variable, cut));
+  return parts.join(QStringLiteral("; "));
+}
+
+// Places that cut the part of the core inside the universe into equal parts.
+std::vector<double> equalCuts(const fuzzy::Variable& variable, const Term& term, int parts) {
+  const auto shape = fuzzy::MembershipFunction::of(term);
+  const double from = std::max(shape.b, variable.min);
+  const double to = std::min(shape.c, variable.max);
+  std::vector<double> cuts;
+  for (int i = 1; i < parts; ++i) cuts.push_back(roundedPlace(variable, from + (to - from) * i / parts));
+  return cuts;
+}
+
+}  // namespace
+
+void askSplit(TermController& terms, const std::string& term, const QWidget& anchor, QWidget* parent) {
+  const Term* const found = fuzzy::findTerm(terms.terms(), term);
+  if (found == nullptr) return;
+  const Term whole = *found;
+  const fuzzy::Variable variable = terms.variable();
+  auto* form = new PopupForm(tr("Split %1").arg(labelOf(whole)), tr("Split"), parent);
+  const std::size_t rules = terms.rulesOf(term);
+  const bool output = variable.id == terms.model().output.id;
+  if (rules > 0 && !output) {
+    form->setNote(rules == 1
+                      ? tr("Its rule is copied to each part, so the force stays as it is until you change a part.")
+                      : tr("Its %1 rules are copied to each part, so the force stays as it is until you change "
+                           "a part.")
+                            .arg(rules));
+  }
+  auto* parts = new NumberBox({"parts", {}, "1", 2, kMostParts, {}}, 1, form);
+  parts->setWhole();
+  parts->setButtonSymbols(QAbstractSpinBox::UpDownArrows);
+  parts->setFixedWidth(parts->sizeHint().width());
+  parts->setAccessibleName(tr("Number of parts"));
+  auto* cuts = new QLineEdit(cutsText(equalCuts(variable, whole, 2), variable), form);
+  cuts->setAccessibleName(tr("Cuts"));
+  form->addField(tr("Parts:"), parts);
+  const QString unit = unitText(variable.unit);
+  form->addField(unit.isEmpty() ? tr("Cuts:") : tr("Cuts (%1):").arg(unit), cuts);
+  QObject::connect(parts, &NumberBox::valueChanged, form, [variable, whole, cuts](double count) {
+    cuts->setText(cutsText(equalCuts(variable, whole, static_cast<int>(count)), variable));
+  });
+  QObject::connect(form, &PopupForm::accepted, form, [&terms, term, cuts, parts, unit, form] {
+    if (!parts->commit()) {
+      form->setNote(parts->refusal());
+      return;
+    }
+    const auto places = typedNumbers(cuts->text(), unit);
+    if (!places) {
+      form->setNote(tr("%1 Type the cuts with semicolons between them, such as 290; 365.").arg(places.error()));
+      return;
+    }
+    form->close();
+    terms.split(term, *places);
+  });
+  form->openAt(anchor);
+}
+
+void askRemove(TermController& terms, const std::string& term, const QWidget& anchor, QWidget* parent) {
+  const std::size_t rules = terms.rulesOf(term);
+  if (rules == 0) {
+    terms.remove(term, false);
+    return;
+  }
+  const Term* const found = fuzzy::findTerm(terms.terms(), term);
+  if (found == nullptr) return;
+  auto* form =
+      new PopupForm(tr("Remove %1").arg(labelOf(*found)),
+                    rules == 1 ? tr("Remove it and its rule") : tr("Remove it and %1 rules").arg(rules), parent);
+  form->setNote(rules == 1 ? tr("One rule names this term and goes with it. Undo brings both back.")
+                           : tr("%1 rules name this term and go with it. Undo brings all back.").arg(rules));
+  QObject::connect(form, &PopupForm::accepted, form, [&terms, term, form] {
+    form->close();
+    terms.remove(term, true);
+  });
+  form->openAt(anchor);
+}
+
+}  // namespace tactus::workbench

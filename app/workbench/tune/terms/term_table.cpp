@@ -1,0 +1,332 @@
+#include "app/workbench/tune/terms/term_table.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <algorithm>
+#include <utility>
+
+#include "app/editing/edit_steps.h"
+#include "app/editing/edit_text.h"
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/lock_button.h"
+#include "app/workbench/kit/number_box.h"
+#include "app/workbench/tune/terms/term_controller.h"
+#include "app/workbench/tune/terms/term_forms.h"
+
+namespace tactus::workbench {
+namespace {
+
+using fuzzy::Shape;
+using fuzzy::Term;
+
+enum Column { kSwatch, kName, kShape, kFirstPoint, kMore = kFirstPoint + 4, kColumns };
+
+constexpr int kSwatchSide = 12;  // px
+constexpr int kNarrowestName = 100;
+constexpr int kMoreWidth = 22;
+constexpr int kFewestRows = 4;  // with the head
+
+// A triangle has its peak where a trapezoid has its left shoulder; a Gaussian its mean.
+int columnOf(Shape shape, std::size_t point) {
+  if (shape == Shape::kTriangle && point == 2) return kFirstPoint + 3;
+  if (shape == Shape::kGaussian) return kFirstPoint + 1 + static_cast<int>(point);
+  return kFirstPoint + static_cast<int>(point);
+}
+
+QString shapeText(Shape shape) {
+  switch (shape) {
+    case Shape::kTrapezoid:
+      return TermTable::tr("Trapezoid");
+    case Shape::kTriangle:
+      return TermTable::tr("Triangle");
+    case Shape::kGaussian:
+      return TermTable::tr("Gaussian");
+  }
+  return {};
+}
+
+}  // namespace
+
+TermTable::TermTable(TermController& terms, QWidget* parent) : QScrollArea(parent), terms_(terms) {
+  setFrameShape(QFrame::NoFrame);
+  setAccessibleName(tr("Terms as numbers"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setBackgroundRole(QPalette::Base);
+  connect(&terms_, &TermController::listChanged, this, &TermTable::build);
+  connect(&terms_, &TermController::termsChanged, this, &TermTable::follow);
+  connect(&terms_, &TermController::locksChanged, this, &TermTable::showLocks);
+  connect(&terms_, &TermController::selectionChanged, this, &TermTable::showSelection);
+}
+
+void TermTable::showEvent(QShowEvent* event) {
+  // Hidden, it followed nothing.
+  build();
+  QScrollArea::showEvent(event);
+}
+
+bool TermTable::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::FocusIn || building_) return QScrollArea::eventFilter(watched, event);
+  for (std::size_t t = 0; t < rows_.size(); ++t) {
+    const Row& row = rows_[t];
+    if (watched == row.name || watched == row.shapes) terms_.select(Grip{t, Grip::Part::kTerm, 0, false});
+    for (std::size_t p = 0; p < row.points.size(); ++p) {
+      if (watched == row.points[p].number) terms_.select(Grip{t, Grip::Part::kVertex, p, false});
+    }
+  }
+  return QScrollArea::eventFilter(watched, event);
+}
+
+bool TermTable::sameRows() const {
+  const std::vector<Term>& terms = terms_.terms();
+  return std::equal(rows_.begin(), rows_.end(), terms.begin(), terms.end(),
+                    [](const Row& row, const Term& term) { return row.term == term.id && row.shape == term.shape; });
+}
+
+void TermTable::follow() {
+  if (!isVisible()) return;
+  if (sameRows()) {
+    showValues();
+  } else {
+    build();
+  }
+}
+
+void TermTable::build() {
+  if (!isVisible()) return;
+  building_ = true;
+  auto* content = new QWidget;
+  auto* grid = new QGridLayout(content);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(3);
+  grid->setVerticalSpacing(2);
+  grid->setColumnStretch(kName, 1);
+  grid->setColumnMinimumWidth(kName, kNarrowestName);
+  rows_.clear();
+  if (terms_.isOpen()) {
+    buildHeads(*grid);
+    for (std::size_t i = 0; i < terms_.terms().size(); ++i) buildRow(*grid, i);
+    grid->setRowStretch(static_cast<int>(terms_.terms().size()) + 1, 1);
+  }
+  // The old rows may be in the middle of a signal of theirs.
+  if (QWidget* old = takeWidget()) old->deleteLater();
+  setWidget(content);
+  // The numbers are never cut off; what is left of the width belongs to the names.
+  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+  // All rows where there is room for them, and never more room than rows: the rest belongs to the plot.
+  const int row = content->sizeHint().height() / (static_cast<int>(rows_.size()) + 1);
+  setMaximumHeight(content->sizeHint().height() + 2);
+  setMinimumHeight(std::min(maximumHeight(), kFewestRows * row));
+  updateGeometry();
+  building_ = false;
+  showValues();
+  showLocks();
+  showSelection();
+}
+
+void TermTable::buildHeads(QGridLayout& grid) {
+  const QString unit = unitText(terms_.variable().unit);
+  const std::pair<int, QString> heads[] = {{kName, tr("Term")},
+                                           {kShape, tr("Shape")},
+                                           {kFirstPoint, tr("Foot")},
+                                           {kFirstPoint + 1, tr("Shoulder")},
+                                           {kFirstPoint + 2, tr("Shoulder")},
+                                           {kFirstPoint + 3, unit.isEmpty() ? tr("Foot") : tr("Foot (%1)").arg(unit)}};
+  for (const auto& [column, head] : heads) {
+    auto* label = new QLabel(head);
+    label->setFont(theme::smallFont());
+    QPalette muted = label->palette();
+    muted.setColor(QPalette::WindowText, theme::mutedInk());
+    label->setPalette(muted);
+    label->setAlignment(column >= kFirstPoint ? Qt::AlignHCenter | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
+    grid.addWidget(label, 0, column);
+  }
+}
+
+void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
+  const Term& term = terms_.terms()[index];
+  const int place = static_cast<int>(index) + 1;
+  Row row;
+  row.term = term.id;
+  row.shape = term.shape;
+  row.band = new QWidget;
+  row.band->setAutoFillBackground(true);
+  row.band->setBackgroundRole(QPalette::Window);
+  grid.addWidget(row.band, place, 0, 1, kColumns);
+
+  auto* swatch = new QLabel;
+  swatch->setFixedSize(kSwatchSide, kSwatchSide);
+  swatch->setAutoFillBackground(true);
+  swatch->setBackgroundRole(QPalette::Window);
+  QPalette colors = swatch->palette();
+  colors.setColor(QPalette::Window, theme::term(index, terms_.terms().size()));
+  swatch->setPalette(colors);
+  auto* framed = new QWidget;
+  auto* frame = new QHBoxLayout(framed);
+  frame->setContentsMargins(6, 0, 2, 0);
+  frame->addWidget(swatch);
+  grid.addWidget(framed, place, kSwatch);
+
+  row.name = new QLineEdit;
+  row.name->setFrame(false);
+  row.name->setToolTip(tr("Id in the model: %1").arg(text(term.id)));
+  row.name->installEventFilter(this);
+  grid.addWidget(row.name, place, kName);
+
+  row.shapes = new QComboBox;
+  for (const fuzzy::Shape shape : fuzzy::kShapes) row.shapes->addItem(shapeText(shape), static_cast<int>(shape));
+  row.shapes->setCurrentIndex(row.shapes->findData(static_cast<int>(term.shape)));
+  row.shapes->setFont(theme::smallFont());
+  row.shapes->setFocusPolicy(Qt::StrongFocus);
+  row.shapes->installEventFilter(this);
+  grid.addWidget(row.shapes, place, kShape);
+
+  for (std::size_t p = 0; p < term.points.size(); ++p) row.points.push_back(buildPoint(grid, index, p));
+  row.more = buildMore(grid, index);
+
+  const std::string id = term.id;
+  QLineEdit* const name = row.name;
+  connect(name, &QLineEdit::editingFinished, this, [this, id, name] {
+    // From now on it shows the name that the term has, also after an undo.
+    name->setModified(false);
+    const Term* const now = fuzzy::findTerm(terms_.terms(), id);
+    if (now != nullptr && name->text().trimmed() != labelOf(*now)) terms_.rename(id, name->text());
+  });
+  QComboBox* const shapes = row.shapes;
+  connect(shapes, &QComboBox::activated, this, [this, id, shapes] {
+    terms_.convert(id, static_cast<fuzzy::Shape>(shapes->currentData().toInt()));
+    follow();
+  });
+  rows_.push_back(std::move(row));
+}
+
+TermTable::Point TermTable::buildPoint(QGridLayout& grid, std::size_t index, std::size_t point) {
+  const fuzzy::Variable& variable = terms_.variable();
+  const Term& term = terms_.terms()[index];
+  const double range = variable.max - variable.min;
+  Point out;
+  out.number = new NumberBox(variable, editing::editStep(variable, editing::StepSize::kFine));
+  out.number->setSuffix({});
+  const bool sigma = term.shape == fuzzy::Shape::kGaussian && point == 1;
+  if (term.shape == fuzzy::Shape::kGaussian) out.number->setPrefix(sigma ? QStringLiteral("σ ") : QStringLiteral("µ "));
+  out.number->setRange(sigma ? 0 : variable.min - range, sigma ? 10 * range : variable.max + range);
+  // Room for the end of the universe with two decimals.
+  out.number->setFont(theme::smallFont());
+  out.number->setFixedWidth(
+      QFontMetrics(theme::smallFont())
+          .horizontalAdvance(numberText(variable.max) + (sigma ? QStringLiteral("σ .0") : QStringLiteral(".00"))) +
+      14);
+  const QString name = text(editing::pointName(term.shape, point));
+  out.number->setToolTip(name);
+  out.number->installEventFilter(this);
+
+  out.lock = new LockButton;
+  out.lock->setToolTip(tr("Lock the %1: it stays where it is").arg(name));
+
+  auto* cell = new QWidget;
+  auto* layout = new QHBoxLayout(cell);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(out.number);
+  layout->addWidget(out.lock);
+  grid.addWidget(cell, static_cast<int>(index) + 1, columnOf(term.shape, point));
+
+  const std::string id = term.id;
+  connect(out.number, &NumberBox::valueChanged, this, [this, id, point](double value) {
+    terms_.setPoint(id, point, value);
+    follow();
+  });
+  connect(out.lock, &LockButton::toggled, this,
+          [this, id, point](bool locked) { terms_.setLocked(id, point, locked); });
+  return out;
+}
+
+QToolButton* TermTable::buildMore(QGridLayout& grid, std::size_t index) {
+  const Term& term = terms_.terms()[index];
+  const std::string id = term.id;
+  auto* more = new QToolButton;
+  more->setText(QStringLiteral("⋯"));
+  more->setAutoRaise(true);
+  more->setFixedWidth(kMoreWidth);
+  more->setToolTip(tr("Split or remove the term"));
+  auto* menu = new QMenu(more);
+  menu->setToolTipsVisible(true);
+  QAction* split = menu->addAction(tr("&Split…"));
+  split->setEnabled(term.shape == fuzzy::Shape::kTrapezoid);
+  split->setToolTip(split->isEnabled() ? tr("Cut the term into parts; its rules are copied to each")
+                                       : tr("Only a trapezoid can be split: convert the term first"));
+  QAction* remove = menu->addAction(tr("&Remove"));
+  remove->setEnabled(terms_.terms().size() > 1);
+  connect(more, &QToolButton::clicked, menu,
+          [menu, more] { menu->popup(more->mapToGlobal(QPoint(0, more->height()))); });
+  grid.addWidget(more, static_cast<int>(index) + 1, kMore);
+  connect(split, &QAction::triggered, this, [this, id, more] { askSplit(terms_, id, *more, this); });
+  connect(remove, &QAction::triggered, this, [this, id, more] { askRemove(terms_, id, *more, this); });
+  return more;
+}
+
+void TermTable::showValues() {
+  if (!terms_.isOpen() || !sameRows()) return;
+  for (std::size_t t = 0; t < rows_.size(); ++t) {
+    const Term& term = terms_.terms()[t];
+    const QString label = labelOf(term);
+    nameRow(rows_[t], term);
+    if (!rows_[t].name->hasFocus() || !rows_[t].name->isModified()) {
+      rows_[t].name->setText(label);
+      rows_[t].name->setCursorPosition(0);
+    }
+    const QSignalBlocker no_shape(rows_[t].shapes);
+    rows_[t].shapes->setCurrentIndex(rows_[t].shapes->findData(static_cast<int>(term.shape)));
+    for (std::size_t p = 0; p < rows_[t].points.size(); ++p) {
+      const QSignalBlocker no_number(rows_[t].points[p].number);
+      rows_[t].points[p].number->setValue(term.points[p]);
+    }
+  }
+}
+
+void TermTable::nameRow(const Row& row, const Term& term) {
+  const QString label = labelOf(term);
+  row.name->setAccessibleName(tr("Name of %1").arg(label));
+  row.shapes->setAccessibleName(tr("Shape of %1").arg(label));
+  row.more->setAccessibleName(tr("More for %1").arg(label));
+  for (std::size_t p = 0; p < row.points.size(); ++p) {
+    const QString point = text(editing::pointName(term.shape, p));
+    row.points[p].number->setAccessibleName(QStringLiteral("%1: %2").arg(label, point));
+    row.points[p].lock->setAccessibleName(tr("Lock the %1 of %2").arg(point, label));
+  }
+}
+
+void TermTable::showLocks() {
+  for (const Row& row : rows_) {
+    for (std::size_t p = 0; p < row.points.size(); ++p) {
+      const QSignalBlocker no_lock(row.points[p].lock);
+      row.points[p].lock->setChecked(terms_.isLocked(row.term, p));
+      row.points[p].lock->update();
+    }
+  }
+}
+
+void TermTable::showSelection() {
+  for (std::size_t t = 0; t < rows_.size(); ++t) {
+    const bool selected = terms_.selected() && terms_.selected()->term == t;
+    QColor tint = theme::term(t, rows_.size());
+    tint.setAlphaF(0.14F);
+    QPalette colors = rows_[t].band->palette();
+    colors.setColor(QPalette::Window, selected ? tint : QColor(Qt::transparent));
+    rows_[t].band->setPalette(colors);
+    QPalette name = rows_[t].name->palette();
+    name.setColor(QPalette::Base, Qt::transparent);
+    rows_[t].name->setPalette(name);
+  }
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,279 @@
+#include "app/workbench/understand/curves/curve_plot.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/model/scene_controller.h"
+#include "app/workbench/plot/landmark_marks.h"
+#include "app/workbench/plot/plot_style.h"
+#include "app/workbench/plot/reading_cursor.h"
+#include "app/workbench/plot/term_bands.h"
+#include "app/workbench/plot/term_labels.h"
+#include "app/workbench/understand/curves/curve_overlays.h"
+#include "app/workbench/understand/curves/silence_marks.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kLabelRows = 2;
+constexpr int kMeanGraph = 0;  // graph of the mean; that of expert i is i + 1
+
+Qt::PenStyle lineStyle(std::size_t expert) {
+  // The colors repeat after six experts; the dashes then tell them apart.
+  constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
+  return kStyles[expert / 6 % 4];
+}
+
+// Of many experts the lines are faint and thin: together they show the spread, and the mean stands out.
+QPen expertPen(std::size_t expert, std::size_t count) {
+  constexpr std::size_t kMany = 24;  // six colors with four kinds of dashes
+  if (count <= kMany) return {theme::expert(expert), 1.6, lineStyle(expert)};
+  const QColor color = theme::expert(expert);
+  const QColor card = theme::card();
+  return {QColor((color.red() + card.red()) / 2, (color.green() + card.green()) / 2, (color.blue() + card.blue()) / 2),
+          1};
+}
+
+QPen linePen(std::size_t graph, std::size_t experts, bool fast) {
+  QPen pen = graph == kMeanGraph ? QPen(theme::mean(), 4) : expertPen(graph - 1, experts);
+  if (fast) pen.setWidthF(1);
+  return pen;
+}
+
+void addLine(QCustomPlot& plot, const QString& name) {
+  QCPGraph* graph = plot.addGraph();
+  graph->setName(name);
+  graph->setAdaptiveSampling(false);
+}
+
+}  // namespace
+
+CurvePlot::CurvePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setMinimumSize(360, 160);
+  setAccessibleName(tr("Force curves"));
+
+  bands_ = new TermBands(*plot_);
+  silence_ = new SilenceMarks(*plot_);
+  labels_ = new TermLabels(*plot_, kLabelRows);
+  landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kInside);
+  cursor_ = new ReadingCursor(*plot_);
+  overlays_ = std::make_unique<CurveOverlays>(*plot_);
+  plot_->axisRect()->setAutoMargins(QCP::msLeft | QCP::msBottom);
+  plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
+
+  connect(plot_, &QCustomPlot::mouseMove, this, &CurvePlot::onMouse);
+  connect(plot_, &QCustomPlot::mousePress, this, &CurvePlot::onMouse);
+}
+
+CurvePlot::~CurvePlot() = default;
+
+void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
+                        const std::vector<fuzzy::Expert>& experts) {
+  x_ = x;
+  output_ = output;
+  styleAxis(*plot_->xAxis, x);
+  styleAxis(*plot_->yAxis, output);
+  plot_->xAxis->setLabel(axisText(x));
+  plot_->yAxis->setLabel(axisText(output));
+  plot_->xAxis->grid()->setVisible(false);
+  landmarks_->setVariable(x);
+  silence_->setFoot(landmarks_->height());
+  setToolTip(landmarks_->explanation());
+
+  overlays_->clear();
+  plot_->clearGraphs();
+  weights_.clear();
+  addLine(*plot_, tr("Mean"));
+  for (const fuzzy::Expert& expert : experts) {
+    addLine(*plot_, labelOf(expert));
+    weights_.push_back(expert.weight);
+  }
+  styleLines();
+  everyone_silent_.clear();
+  silent_.clear();
+}
+
+void CurvePlot::setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms) {
+  bands_->setTerms(x, terms);
+  labels_->setTerms(x, terms);
+  redraw(*plot_);
+}
+
+void CurvePlot::setCurves(const ForceCurves& curves) {
+  const QVector<double> x(curves.x.begin(), curves.x.end());
+  plot_->graph(kMeanGraph)->setData(x, withGaps(curves.mean), true);
+  everyone_silent_ = silentIntervals(curves.x, curves.mean);
+  silent_.clear();
+  for (std::size_t i = 0; i < curves.experts.size(); ++i) {
+    plot_->graph(static_cast<int>(i) + 1)->setData(x, withGaps(curves.experts[i]), true);
+    silent_.push_back(silentIntervals(curves.x, curves.experts[i]));
+  }
+  // The spread is one of the experts, who make way for a family.
+  const SpreadShown spread = overlays_->familySize() > 0 ? SpreadShown{false, false} : spread_;
+  const bool any = spread.range || spread.deviation;
+  overlays_->setSpread(curves.x, any ? spreadOf(curves, weights_) : ForceSpread(), spread);
+  updateSilence();
+}
+
+void CurvePlot::setExpertShown(std::size_t expert, bool shown) {
+  plot_->graph(static_cast<int>(expert) + 1)->setVisible(shown);
+  updateSilence();
+}
+
+void CurvePlot::setMeanShown(bool shown) {
+  plot_->graph(kMeanGraph)->setVisible(shown);
+  redraw(*plot_);
+}
+
+void CurvePlot::setReading(const Reading& reading) {
+  std::vector<ReadingCursor::Dot> dots;
+  for (std::size_t i = 0; i < reading.experts.size(); ++i) {
+    if (reading.experts[i].fired && shown(i + 1)) dots.push_back({reading.experts[i].force_n, theme::expert(i)});
+  }
+  if (reading.mean.fired && shown(kMeanGraph)) dots.push_back({reading.mean.force_n, theme::mean()});
+  const QString mean_text =
+      reading.mean.fired ? tr("mean %1").arg(forceText(reading.mean.force_n, output_.unit)) : tr("no rule fires");
+  cursor_->set(reading.x, placeText(x_, reading.x) + QStringLiteral("   ") + mean_text, std::move(dots));
+  redraw(*plot_);
+}
+
+bool CurvePlot::isMeanShown() const { return shown(kMeanGraph); }
+
+bool CurvePlot::isExpertShown(std::size_t expert) const { return shown(expert + 1); }
+
+void CurvePlot::setGhost(const GhostCurves* ghost, const QString& name) {
+  ghost_name_ = name;
+  std::vector<QPen> pens;
+  for (std::size_t i = 0; i <= weights_.size(); ++i) {
+    pens.push_back(shown(i) ? linePen(i, weights_.size(), fast_) : QPen(Qt::NoPen));
+  }
+  overlays_->setGhost(ghost, pens);
+  redraw(*plot_);
+}
+
+void CurvePlot::setSteps(const std::vector<analysis::ForceStep>& steps) {
+  std::vector<analysis::ForceStep> marked;
+  for (const analysis::ForceStep& step : steps) {
+    if (shown(step.expert ? *step.expert + 1 : 0)) marked.push_back(step);
+  }
+  steps_marked_ = marked.size();
+  overlays_->setSteps(marked);
+  redraw(*plot_);
+}
+
+void CurvePlot::setReferences(const std::vector<ReferenceCurve>& references) {
+  overlays_->setReferences(references);
+  double lowest = output_.min;
+  double highest = output_.max;
+  for (const ReferenceCurve& reference : references) {
+    for (std::size_t i = 0; i < reference.x.size(); ++i) {
+      if (reference.x[i] < x_.min || reference.x[i] > x_.max || std::isnan(reference.force_n[i])) continue;
+      lowest = std::min(lowest, reference.force_n[i]);
+      highest = std::max(highest, reference.force_n[i]);
+    }
+  }
+  // To round numbers, so that the ends of the axis read well.
+  const double step = std::pow(10, std::floor(std::log10(output_.max - output_.min)) - 1);
+  if (lowest < output_.min) lowest = std::floor(lowest / step) * step;
+  if (highest > output_.max) highest = std::ceil(highest / step) * step;
+  plot_->yAxis->setRange(lowest, highest);
+  redraw(*plot_);
+}
+
+void CurvePlot::setFamily(const QStringList& names) {
+  overlays_->setFamily(names);
+  redraw(*plot_);
+}
+
+void CurvePlot::setFamilyCurves(const FamilyCurves& curves) {
+  overlays_->setFamilyCurves(curves);
+  redraw(*plot_);
+}
+
+void CurvePlot::setFamilyShown(std::size_t line, bool shown) {
+  overlays_->setFamilyShown(line, shown);
+  redraw(*plot_);
+}
+
+bool CurvePlot::isFamilyShown(std::size_t line) const { return overlays_->isFamilyShown(line); }
+
+LegendEntry CurvePlot::familyLine(std::size_t line) const { return overlays_->familyLine(line); }
+
+void CurvePlot::setFast(bool fast) {
+  if (fast == fast_) return;
+  fast_ = fast;
+  plot_->setAntialiasedElements(fast ? QCP::aeNone : QCP::aeAll);
+  plot_->setNotAntialiasedElements(fast ? QCP::aeAll : QCP::aeFills);
+  styleLines();
+  overlays_->setFast(fast);
+  redraw(*plot_);
+}
+
+void CurvePlot::styleLines() {
+  for (std::size_t i = 0; i <= weights_.size(); ++i) {
+    QCPGraph* line = plot_->graph(static_cast<int>(i));
+    line->setPen(linePen(i, weights_.size(), fast_));
+  }
+}
+
+LegendEntry CurvePlot::lineOf(std::optional<std::size_t> expert) const {
+  const int graph = expert ? static_cast<int>(*expert) + 1 : kMeanGraph;
+  return {plot_->graph(graph)->name(), linePen(static_cast<std::size_t>(graph), weights_.size(), false)};
+}
+
+std::vector<LegendEntry> CurvePlot::legend() const {
+  std::vector<LegendEntry> entries;
+  for (std::size_t i = 0; i <= weights_.size(); ++i) {
+    if (shown(i)) entries.push_back(lineOf(i == 0 ? std::nullopt : std::optional(i - 1)));
+  }
+  const std::vector<LegendEntry> others = overlays_->legend(ghost_name_);
+  entries.insert(entries.end(), others.begin(), others.end());
+  return entries;
+}
+
+void CurvePlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {cursor_}); }
+
+void CurvePlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || plot_->graphCount() == 0) return;
+  styleLines();
+  overlays_->takeLook();
+  redraw(*plot_);
+}
+
+void CurvePlot::leaveEvent(QEvent* event) {
+  emit hoverLeft();
+  QWidget::leaveEvent(event);
+}
+
+void CurvePlot::onMouse(QMouseEvent* event) {
+  const QPoint place = event->position().toPoint();
+  if (!plot_->axisRect()->rect().contains(place)) {
+    emit hoverLeft();
+    return;
+  }
+  const double x = placeOf(x_, plot_->xAxis->pixelToCoord(event->position().x()));
+  if (event->buttons().testFlag(Qt::LeftButton)) emit picked(x);
+  emit hovered(x);
+}
+
+void CurvePlot::updateSilence() {
+  std::vector<SilenceMarks::Lane> lanes;
+  // With one expert the lane would repeat what the full height says.
+  for (std::size_t i = 0; silent_.size() > 1 && i < silent_.size(); ++i) {
+    if (silent_[i].empty() || !shown(i + 1)) continue;
+    lanes.push_back({plot_->graph(static_cast<int>(i) + 1)->name(), theme::expert(i), silent_[i]});
+  }
+  silence_->set(everyone_silent_, std::move(lanes));
+  redraw(*plot_);
+}
+
+bool CurvePlot::shown(std::size_t graph) const { return plot_->graph(static_cast<int>(graph))->visible(); }
+
+}  // namespace tactus::workbench

@@ -1,0 +1,113 @@
+// The plot of force along one input: a thin line per expert, the mean thick with its spread, gaps where an expert
+// abstains; dashed what was before an edit, dotted what a reference says.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/model/curve_family.h"
+#include "app/workbench/model/force_curves.h"
+#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/understand/curves/curve_looks.h"
+#include "app/workbench/understand/curves/reference_curve.h"
+#include "core/analysis/force_steps.h"
+#include "core/fuzzy/force_model.h"
+
+class QCustomPlot;
+class QMouseEvent;
+
+namespace tactus::workbench {
+
+class CurveOverlays;
+class LandmarkMarks;
+class ReadingCursor;
+class SilenceMarks;
+class TermBands;
+class TermLabels;
+struct GhostCurves;
+struct Reading;
+
+class CurvePlot : public QWidget, public PlotSource {
+  Q_OBJECT
+
+ public:
+  explicit CurvePlot(QWidget* parent = nullptr);
+  ~CurvePlot() override;
+
+  /// The universes of `x` and of the output become the axes; `experts` name the lines.
+  void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output, const std::vector<fuzzy::Expert>& experts);
+  /// The terms of the x axis, shown as bands with their names on top.
+  void setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms);
+  void setCurves(const ForceCurves& curves);
+  /// Shows or hides the line of an expert.
+  void setExpertShown(std::size_t expert, bool shown);
+  void setMeanShown(bool shown);
+  bool isMeanShown() const;
+  bool isExpertShown(std::size_t expert) const;
+  void setReading(const Reading& reading);
+  /// Which parts of the spread `setCurves` draws from now on.
+  void setSpreadShown(SpreadShown shown) { spread_ = shown; }
+  SpreadShown spreadShown() const { return spread_; }
+  /// The curves before an edit, called `name` in a legend; null: none.
+  void setGhost(const GhostCurves* ghost, const QString& name);
+  /// Lines called `names`, of the mean at several values of an input, in the place of those of the experts; empty:
+  /// none.
+  void setFamily(const QStringList& names);
+  void setFamilyCurves(const FamilyCurves& curves);
+  void setFamilyShown(std::size_t line, bool shown);
+  bool isFamilyShown(std::size_t line) const;
+  /// How its line looks in a legend.
+  LegendEntry familyLine(std::size_t line) const;
+  /// Curves for the present x axis. The axis of the force grows where they reach farther than the output.
+  void setReferences(const std::vector<ReferenceCurve>& references);
+  /// Marks the steps of the curves that are shown (expert numbers as in `setAxes`).
+  void setSteps(const std::vector<analysis::ForceStep>& steps);
+  /// How many of them are marked.
+  std::size_t stepsMarked() const { return steps_marked_; }
+  /// While the hand moves: thin lines without smoothing, which are drawn in half the time.
+  void setFast(bool fast);
+  /// How the line of an expert, or of the mean, looks in a legend.
+  LegendEntry lineOf(std::optional<std::size_t> expert) const;
+
+  std::vector<LegendEntry> legend() const override;
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
+
+ signals:
+  /// The mouse is at `x`, in the unit of the x axis.
+  void hovered(double x);
+  void hoverLeft();
+  /// The mouse was pressed at `x`.
+  void picked(double x);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  void onMouse(QMouseEvent* event);
+  void updateSilence();
+  bool shown(std::size_t graph) const;
+  void styleLines();
+
+  QCustomPlot* plot_;
+  TermBands* bands_;
+  SilenceMarks* silence_;
+  TermLabels* labels_;
+  LandmarkMarks* landmarks_;
+  ReadingCursor* cursor_;
+  std::unique_ptr<CurveOverlays> overlays_;
+  fuzzy::Variable x_;
+  fuzzy::Variable output_;
+  std::vector<Interval> everyone_silent_;
+  std::vector<std::vector<Interval>> silent_;  ///< one list per expert
+  std::vector<double> weights_;                ///< of the experts
+  SpreadShown spread_;
+  QString ghost_name_;
+  bool fast_ = false;
+  std::size_t steps_marked_ = 0;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,308 @@
+#include "app/workbench/understand/curves/curves_panel.h"
+
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMimeData>
+#include <QSignalBlocker>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
+#include "app/workbench/base/refresh.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/say.h"
+#include "app/workbench/model/force_curves.h"
+#include "app/workbench/model/ghost_controller.h"
+#include "app/workbench/model/scene_controller.h"
+#include "app/workbench/plot/plot_menu.h"
+#include "app/workbench/understand/curves/curve_items.h"
+#include "app/workbench/understand/curves/curve_legend.h"
+#include "app/workbench/understand/curves/curve_looks.h"
+#include "app/workbench/understand/curves/curve_plot.h"
+#include "app/workbench/understand/curves/curve_table.h"
+#include "app/workbench/understand/curves/figure_button.h"
+#include "app/workbench/understand/curves/force_spread.h"
+#include "app/workbench/understand/curves/reading_model.h"
+#include "app/workbench/understand/curves/reference_bar.h"
+#include "app/workbench/understand/curves/reference_controller.h"
+#include "core/analysis/force_steps.h"
+
+namespace tactus::workbench {
+namespace {
+
+// The one table that is dragged, or an empty path.
+QString draggedTable(const QMimeData& data) {
+  const QList<QUrl> urls = data.urls();
+  if (urls.size() != 1 || !urls.first().isLocalFile()) return {};
+  const QString path = urls.first().toLocalFile();
+  return path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive) ? path : QString();
+}
+
+}  // namespace
+
+CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget* parent)
+    : Card(parent),
+      scene_(scene),
+      readings_(readings),
+      title_(new QLabel(this)),
+      x_input_(new QComboBox(this)),
+      plot_(new CurvePlot(this)),
+      menu_(new PlotMenu(
+          *plot_, [this] { return table(); }, this)),
+      legend_(new CurveLegend(this)),
+      ghost_chip_(new LegendChip(ghostLook(tr("Before the last edit")), {}, this)),
+      difference_(new ElidedLabel(this)),
+      step_(new ElidedLabel(this)),
+      draw_curves_(new Refresh(this, [this] { drawCurves(); })),
+      draw_ghost_(new Refresh(this, [this] { drawGhost(); })),
+      draw_references_(new Refresh(this, [this] { drawReferences(); })),
+      draw_reading_(new Refresh(this, [this] { plot_->setReading(scene_.reading()); })) {
+  title_->setFont(theme::headingFont());
+  title_->setTextFormat(Qt::PlainText);
+  title_->setBuddy(x_input_);
+  x_input_->setAccessibleName(tr("Input on the x axis"));
+  x_input_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+
+  difference_->setFont(theme::smallFont());
+  ghost_chip_->setChecked(true);
+  step_->setFont(theme::smallFont());
+  setInk(*step_, theme::errorInk());
+  step_->hide();
+
+  auto* head = new QHBoxLayout;
+  head->setSpacing(theme::kGrid);
+  head->addWidget(title_);
+  head->addWidget(x_input_);
+  // A hidden label takes no room; then the stretch does.
+  head->addWidget(step_, 100);
+  head->addStretch(1);
+  head->addWidget(new FigureButton(scene, this));
+  head->addWidget(menu_);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setSpacing(theme::kGrid / 2);
+  legend_->setTail({ghost_chip_, difference_});
+  layout->addLayout(head);
+  layout->addWidget(legend_);
+  layout->addWidget(plot_, 1);
+
+  connect(x_input_, &QComboBox::activated, this, &CurvesPanel::onXInputChosen);
+  connect(plot_, &CurvePlot::hovered, &scene_, &SceneController::setHover);
+  connect(plot_, &CurvePlot::hoverLeft, &scene_, &SceneController::clearHover);
+  connect(plot_, &CurvePlot::picked, &scene_, [this](double x) { scene_.setValue(scene_.xInput(), x); });
+  connect(&readings, &ReadingModel::rowShownChanged, this, &CurvesPanel::onRowShown);
+  connect(&scene_, &SceneController::modelChanged, this, &CurvesPanel::adoptModel);
+  connect(&scene_, &SceneController::xInputChanged, this, &CurvesPanel::showAxes);
+  connect(&scene_, &SceneController::termsChanged, this, &CurvesPanel::showTerms);
+  connect(&scene_, &SceneController::familyChanged, this, &CurvesPanel::showFamily);
+  connect(&scene_, &SceneController::curvesChanged, draw_curves_, &Refresh::request);
+  connect(&scene_, &SceneController::readingChanged, draw_reading_, &Refresh::request);
+}
+
+void CurvesPanel::setGhost(GhostController& ghost) {
+  ghost_ = &ghost;
+  ghost_chip_->setChecked(ghost.isOn());
+  connect(ghost_chip_, &LegendChip::toggled, ghost_, &GhostController::setOn);
+  connect(ghost_, &GhostController::changed, draw_ghost_, &Refresh::request);
+  connect(&scene_, &SceneController::curvesChanged, draw_ghost_, &Refresh::request);
+  draw_ghost_->request();
+}
+
+void CurvesPanel::setReferences(ReferenceController& references) {
+  references_ = &references;
+  reference_bar_ = new ReferenceBar(references, scene_, this);
+  static_cast<QVBoxLayout*>(layout())->addWidget(reference_bar_);
+  setAcceptDrops(true);
+  connect(references_, &ReferenceController::changed, draw_references_, &Refresh::request);
+  connect(references_, &ReferenceController::refused, this,
+          [this](const QString& sentence) { sayError(*this, sentence); });
+}
+
+void CurvesPanel::setFast(bool fast) { plot_->setFast(fast); }
+
+void CurvesPanel::setSpreadShown(SpreadShown shown) {
+  plot_->setSpreadShown(shown);
+  if (!scene_.model()) return;
+  showLegend();
+  draw_curves_->request();
+}
+
+void CurvesPanel::changeEvent(QEvent* event) {
+  Card::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || !scene_.model()) return;
+  // What lines and swatches took from the other look.
+  ghost_chip_->setLook(ghostLook(ghost_chip_->text()));
+  setInk(*step_, theme::errorInk());
+  showLegend();
+  draw_ghost_->request();
+  draw_references_->request();
+}
+
+void CurvesPanel::dragEnterEvent(QDragEnterEvent* event) {
+  if (!draggedTable(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void CurvesPanel::dropEvent(QDropEvent* event) {
+  const QString path = draggedTable(*event->mimeData());
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  references_->open(path);
+}
+
+void CurvesPanel::drawCurves() {
+  plot_->setCurves(scene_.curves());
+  drawSteps();
+  if (scene_.family()) plot_->setFamilyCurves(scene_.familyCurves());
+  if (reference_bar_) reference_bar_->showDifferences();
+}
+
+// Also while a vertex is dragged: a cliff is seen before it is felt.
+void CurvesPanel::drawSteps() {
+  const OpenModel& open = *scene_.model();
+  auto steps = noticeableSteps(open.model, open.compiled, scene_.xInput(), scene_.values());
+  plot_->setSteps(steps);
+  std::erase_if(steps, [&](const analysis::ForceStep& step) {
+    return step.expert ? !plot_->isExpertShown(*step.expert) : !plot_->isMeanShown();
+  });
+  step_->setVisible(!steps.empty());
+  if (steps.empty()) return;
+  const auto largest = std::max_element(
+      steps.begin(), steps.end(), [](const auto& one, const auto& other) { return one.noticeable < other.noticeable; });
+  const QString who = largest->expert ? text(open.model.experts[*largest->expert].id) : tr("Mean");
+  step_->setFullText(tr("%1: step %2 to %3 (%4 JND) at %5")
+                         .arg(who, forceText(largest->from_n, open.model.output.unit),
+                              forceText(largest->to_n, open.model.output.unit), numberText(largest->noticeable, 1),
+                              placeText(scene_.xVariable(), largest->from[largest->input])));
+}
+
+void CurvesPanel::drawGhost() {
+  const bool any = ghost_ && (ghost_->before() || !ghost_->isOn());
+  plot_->setGhost(ghost_ ? ghost_->curves() : nullptr, ghost_ ? ghost_->label() : QString());
+  ghost_chip_->setEnabled(any);
+  if (!ghost_) return;
+  ghost_chip_->setName(ghost_->label());
+  ghost_chip_->setToolTip(ghost_->whatChanged().isEmpty() ? tr("Show the curves before an edit as dashed lines")
+                                                          : tr("Since then: %1").arg(ghost_->whatChanged()));
+  difference_->setFullText(any ? ghost_->differenceText() : tr("nothing is edited yet"));
+}
+
+void CurvesPanel::drawReferences() {
+  plot_->setReferences(references_ ? references_->shown() : std::vector<ReferenceCurve>());
+  if (reference_bar_) reference_bar_->showDifferences();
+}
+
+void CurvesPanel::adoptModel() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  title_->setText(tr("%1 along").arg(labelOf(model.output)));
+
+  const QSignalBlocker no_signal(x_input_);
+  x_input_->clear();
+  for (const fuzzy::Variable& input : model.inputs) x_input_->addItem(labelOf(input));
+
+  showAxes();
+  draw_curves_->request();
+  draw_reading_->request();
+}
+
+void CurvesPanel::showAxes() {
+  const QSignalBlocker no_signal(x_input_);
+  x_input_->setCurrentIndex(static_cast<int>(scene_.xInput()));
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  plot_->setAxes(scene_.xVariable(), model.output, model.experts);
+  showFamily();
+  showTerms();
+  draw_ghost_->request();
+  draw_references_->request();
+}
+
+// The lines of the mean and of the experts, or of a family in their place.
+void CurvesPanel::showFamily() {
+  QStringList names;
+  const std::size_t lines = scene_.family() ? scene_.family()->values.size() : 0;
+  for (std::size_t i = 0; i < lines; ++i) names << familyLineText(scene_.model()->model, *scene_.family(), i);
+  plot_->setFamily(names);
+  showLines();
+  showLegend();
+  draw_curves_->request();
+  draw_ghost_->request();
+  draw_reading_->request();
+}
+
+// Another axis brings new lines, and what was hidden stays hidden.
+void CurvesPanel::showLines() {
+  for (int row = 0; row < readings_.rowCount(); ++row) showLine(row);
+}
+
+void CurvesPanel::showLine(int row) {
+  const bool shown = readings_.isShown(row);
+  if (row == ReadingModel::kMeanRow) {
+    plot_->setMeanShown(shown);
+  } else {
+    plot_->setExpertShown(static_cast<std::size_t>(row) - 1, shown && !scene_.family());
+  }
+}
+
+void CurvesPanel::showLegend() {
+  legend_->setItems(curveItems(scene_, *plot_, readings_, [this] {
+    draw_curves_->request();
+    emit spreadChosen(plot_->spreadShown());
+  }));
+}
+
+void CurvesPanel::showTerms() { plot_->setTerms(scene_.xVariable(), scene_.terms(scene_.xVariable())); }
+
+void CurvesPanel::onXInputChosen(int index) { scene_.setXInput(static_cast<std::size_t>(index)); }
+
+void CurvesPanel::onRowShown(int row) {
+  showLine(row);
+  draw_curves_->request();
+  if (const auto item = curveItemOf(scene_, row)) legend_->setShown(*item, readings_.isShown(row));
+  draw_ghost_->request();
+  draw_reading_->request();
+}
+
+PlotTable CurvesPanel::table() {
+  // Hidden, the plot has followed nothing.
+  drawCurves();
+  drawGhost();
+  drawReferences();
+  ShownCurves shown{plot_->isMeanShown(), {}, {}, false, false};
+  const std::size_t experts = scene_.model()->model.experts.size();
+  for (std::size_t i = 0; i < experts; ++i) shown.experts.push_back(plot_->isExpertShown(i));
+  if (scene_.family()) {
+    for (std::size_t i = 0; i < scene_.family()->values.size(); ++i) shown.family.push_back(plot_->isFamilyShown(i));
+  } else {
+    shown.range = plot_->spreadShown().range && experts >= 2;
+    shown.deviation = plot_->spreadShown().deviation && experts >= kFewestForDeviation;
+  }
+  return curveTable(scene_, shown, notes());
+}
+
+// What is compared with the curves, in words: its numbers have places of their own and stand in no column.
+QStringList CurvesPanel::notes() const {
+  QStringList out;
+  if (ghost_ && ghost_->curves()) {
+    const QString since =
+        ghost_->whatChanged().isEmpty() ? QString() : tr(" (since then: %1)").arg(ghost_->whatChanged());
+    out << tr("Dashed: %1%2, %3").arg(ghost_->label(), since, ghost_->differenceText());
+  }
+  if (!references_) return out;
+  const std::vector<ReferenceCurve> shown = references_->shown();
+  const auto& differences = references_->differences();
+  const QString against =
+      references_->expert() ? labelOf(scene_.model()->model.experts[*references_->expert()]) : tr("the mean");
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    out << tr("Reference %1 and %2: %3").arg(shown[i].name, against, references_->differenceText(differences[i]));
+  }
+  return out;
+}
+
+}  // namespace tactus::workbench

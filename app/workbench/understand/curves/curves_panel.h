@@ -1,0 +1,86 @@
+// The main area: the plot of the curves with the choice of the x axis, the settings of the paper's figures, the legend,
+// what changed since an edit, and reference curves.
+#pragma once
+
+#include "app/workbench/base/plot_table.h"
+#include "app/workbench/kit/card.h"
+#include "app/workbench/understand/curves/curve_looks.h"
+
+class QComboBox;
+class QLabel;
+
+namespace tactus::workbench {
+
+class CurveLegend;
+class CurvePlot;
+class ElidedLabel;
+class GhostController;
+class LegendChip;
+class PlotMenu;
+class ReadingModel;
+class ReferenceBar;
+class ReferenceController;
+class Refresh;
+class SceneController;
+
+class CurvesPanel : public Card {
+  Q_OBJECT
+
+ public:
+  CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget* parent = nullptr);
+
+  PlotMenu& plotMenu() { return *menu_; }
+  /// Draws what `ghost` has as "before", and says how far the mean is from it. Once.
+  void setGhost(GhostController& ghost);
+  /// Lays reference curves over the plot. Once.
+  void setReferences(ReferenceController& references);
+  /// While the hand moves, lines are thin and not smoothed.
+  void setFast(bool fast);
+  void setSpreadShown(SpreadShown shown);
+
+ signals:
+  /// Somebody chose another spread.
+  void spreadChosen(tactus::workbench::SpreadShown shown);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void adoptModel();
+  void showAxes();
+  void showTerms();
+  void onXInputChosen(int index);
+  void onRowShown(int row);
+  void showFamily();
+  void showLines();
+  void showLine(int row);
+  void showLegend();
+  void drawCurves();
+  void drawSteps();
+  void drawGhost();
+  void drawReferences();
+  PlotTable table();
+  QStringList notes() const;
+
+  SceneController& scene_;
+  ReadingModel& readings_;
+  GhostController* ghost_ = nullptr;
+  ReferenceController* references_ = nullptr;
+  QLabel* title_;
+  QComboBox* x_input_;
+  CurvePlot* plot_;
+  PlotMenu* menu_;
+  CurveLegend* legend_;
+  LegendChip* ghost_chip_;
+  ElidedLabel* difference_;
+  ElidedLabel* step_;
+  ReferenceBar* reference_bar_ = nullptr;
+  Refresh* draw_curves_;
+  Refresh* draw_ghost_;
+  Refresh* draw_references_;
+  Refresh* draw_reading_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,89 @@
+#include "app/workbench/understand/curves/reading_model.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+
+namespace tactus::workbench {
+
+ReadingModel::ReadingModel(const SceneController& scene, QObject* parent) : QAbstractTableModel(parent), scene_(scene) {
+  if (scene_.model()) adoptModel();
+  connect(&scene_, &SceneController::modelChanged, this, &ReadingModel::adoptModel);
+}
+
+int ReadingModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(shown_.size());
+}
+
+int ReadingModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumnCount; }
+
+QVariant ReadingModel::data(const QModelIndex& index, int role) const {
+  const int row = index.row();
+  if (role == Qt::DisplayRole) return index.column() == kWho ? nameOf(row) : readingOf(row);
+  if (index.column() == kForce) {
+    if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::ForegroundRole && !evaluation(row).fired) return theme::mutedInk();
+    return {};
+  }
+  switch (role) {
+    case Qt::DecorationRole:
+      return row == kMeanRow ? theme::mean() : theme::expert(static_cast<std::size_t>(row) - 1);
+    case Qt::CheckStateRole:
+      return shown_[static_cast<std::size_t>(row)] ? Qt::Checked : Qt::Unchecked;
+    case Qt::FontRole:
+      return row == kMeanRow ? theme::headingFont() : QVariant();
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags ReadingModel::flags(const QModelIndex& index) const {
+  return index.column() == kWho ? Qt::ItemIsEnabled | Qt::ItemIsUserCheckable : Qt::ItemIsEnabled;
+}
+
+bool ReadingModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::CheckStateRole || index.column() != kWho) return false;
+  const bool shown = value.toInt() == Qt::Checked;
+  shown_[static_cast<std::size_t>(index.row())] = shown;
+  emit dataChanged(index, index, {Qt::CheckStateRole});
+  emit rowShownChanged(index.row(), shown);
+  return true;
+}
+
+void ReadingModel::adoptModel() {
+  beginResetModel();
+  const std::vector<bool> old_shown = std::exchange(shown_, {});
+  const std::vector<std::string> old_ids = std::exchange(ids_, {});
+  // Who was hidden stays hidden, where the model still has him.
+  shown_.push_back(old_shown.empty() || old_shown[kMeanRow]);
+  for (const fuzzy::Expert& expert : scene_.model()->model.experts) {
+    const auto old = std::find(old_ids.begin(), old_ids.end(), expert.id);
+    shown_.push_back(old == old_ids.end() || old_shown[static_cast<std::size_t>(old - old_ids.begin()) + 1]);
+    ids_.push_back(expert.id);
+  }
+  endResetModel();
+}
+
+void ReadingModel::announceReading() {
+  emit dataChanged(index(0, kForce), index(rowCount() - 1, kForce), {Qt::DisplayRole, Qt::ForegroundRole});
+}
+
+const fuzzy::Evaluation& ReadingModel::evaluation(int row) const {
+  return row == kMeanRow ? scene_.reading().mean : scene_.reading().experts[static_cast<std::size_t>(row) - 1];
+}
+
+QString ReadingModel::nameOf(int row) const {
+  if (row == kMeanRow) return tr("Mean");
+  const fuzzy::Expert& expert = scene_.model()->model.experts[static_cast<std::size_t>(row) - 1];
+  // Equal weights need no mention.
+  return expert.weight == 1 ? labelOf(expert) : tr("%1 (weight %2)").arg(labelOf(expert), numberText(expert.weight));
+}
+
+QString ReadingModel::readingOf(int row) const {
+  const fuzzy::Evaluation& here = evaluation(row);
+  return here.fired ? forceText(here.force_n, scene_.model()->model.output.unit) : tr("no rule fires");
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,49 @@
+// The table beside the curves: the mean and every expert with their force at the place that is read. A check mark shows
+// or hides the line.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <string>
+#include <vector>
+
+#include "app/workbench/model/scene_controller.h"
+
+namespace tactus::workbench {
+
+class ReadingModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kWho, kForce, kColumnCount };
+  static constexpr int kMeanRow = 0;  ///< the row of expert i is i + 1
+
+  explicit ReadingModel(const SceneController& scene, QObject* parent = nullptr);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+  /// Whether the line of `row` is shown.
+  bool isShown(int row) const { return shown_[static_cast<std::size_t>(row)]; }
+
+ public slots:
+  /// Has the forces read again; called by whoever shows them, so that hidden ones are never computed.
+  void announceReading();
+
+ signals:
+  void rowShownChanged(int row, bool shown);
+
+ private:
+  void adoptModel();
+  const fuzzy::Evaluation& evaluation(int row) const;
+  QString nameOf(int row) const;
+  QString readingOf(int row) const;
+
+  const SceneController& scene_;
+  std::vector<bool> shown_;
+  std::vector<std::string> ids_;  ///< of the experts
+};
+
+}  // namespace tactus::workbench

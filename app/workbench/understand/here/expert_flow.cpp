@@ -1,0 +1,121 @@
+#include "app/workbench/understand/here/expert_flow.h"
+
+#include <QMouseEvent>
+#include <QPaintEvent>
+#include <QPainter>
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/understand/here/set_sketch.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr double kLine = 50;     // px, height of an expert
+constexpr double kDot = 10;      // px
+constexpr double kForces = 120;  // px, width of force and share
+constexpr double kNarrowestSketch = 90;
+constexpr int kNarrowest = 340;  // px, of all
+
+}  // namespace
+
+ExpertFlow::ExpertFlow(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
+  setCursor(Qt::PointingHandCursor);
+}
+
+void ExpertFlow::set(std::shared_ptr<const OpenModel> open, analysis::Explanation explanation) {
+  open_ = std::move(open);
+  explanation_ = std::move(explanation);
+  updateGeometry();
+  update();
+}
+
+QSize ExpertFlow::sizeHint() const {
+  return {640, static_cast<int>(kLine * static_cast<double>(explanation_.experts.size()))};
+}
+
+QSize ExpertFlow::minimumSizeHint() const { return {kNarrowest, sizeHint().height()}; }
+
+void ExpertFlow::paintEvent(QPaintEvent* event) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  // Of many experts only those in sight.
+  const auto first = static_cast<std::size_t>(std::max(0.0, event->rect().top() / kLine));
+  const auto last = static_cast<std::size_t>(std::max(0.0, event->rect().bottom() / kLine));
+  for (std::size_t expert = first; expert < explanation_.experts.size() && expert <= last; ++expert) {
+    paintLine(painter, expert);
+  }
+}
+
+void ExpertFlow::mousePressEvent(QMouseEvent* event) {
+  const auto line = static_cast<std::size_t>(std::max(0.0, event->position().y()) / kLine);
+  if (event->button() == Qt::LeftButton && line < explanation_.experts.size()) emit chosen(line);
+}
+
+void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
+  const analysis::ExplainedExpert& explained = explanation_.experts[expert];
+  const QRectF line(0, kLine * static_cast<double>(expert), width(), kLine);
+  if (expert % 2 == 0) painter.fillRect(line, theme::window());
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme::expert(expert));
+  painter.drawEllipse(QRectF(4, line.center().y() - kDot / 2, kDot, kDot));
+
+  const double sketch_width = std::max(kNarrowestSketch, (width() - kForces) * 0.25);
+  const QRectF words(4 + kDot + theme::kGrid, line.top() + 5, width() - kForces - sketch_width - kDot - 28, kLine - 10);
+  painter.setPen(theme::ink());
+  painter.setFont(theme::headingFont());
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop,
+                   painter.fontMetrics().elidedText(labelOf(open_->model.experts[expert]), Qt::ElideRight,
+                                                    static_cast<int>(words.width())));
+  painter.setPen(theme::mutedInk());
+  painter.setFont(theme::smallFont());
+  painter.drawText(
+      words, Qt::AlignLeft | Qt::AlignBottom,
+      painter.fontMetrics().elidedText(strongestRule(expert), Qt::ElideRight, static_cast<int>(words.width())));
+
+  const QRectF forces(line.right() - kForces, line.top() + 5, kForces - theme::kGrid, kLine - 10);
+  SetSketch sketch(painter, QRectF(forces.left() - sketch_width, line.top() + 4, sketch_width - 8, kLine - 9),
+                   open_->model.output);
+  sketch.ground();
+  if (explained.abstains) {
+    painter.setPen(theme::mutedInk());
+    painter.drawText(forces, Qt::AlignRight | Qt::AlignVCenter, tr("no rule fires"));
+    return;
+  }
+  sketch.set(explained.aggregated, theme::expert(expert));
+  sketch.mark(explained.force_n, theme::ink());
+  painter.setPen(theme::ink());
+  painter.setFont(theme::headingFont());
+  painter.drawText(forces, Qt::AlignRight | Qt::AlignTop, forceText(explained.force_n, open_->model.output.unit));
+  painter.setPen(theme::mutedInk());
+  painter.setFont(theme::smallFont());
+  painter.drawText(
+      forces, Qt::AlignRight | Qt::AlignBottom,
+      tr("× %1 = %2")
+          .arg(numberText(explained.weight_share, 3), forceText(explained.contribution_n, open_->model.output.unit)));
+}
+
+QString ExpertFlow::strongestRule(std::size_t expert) const {
+  const std::vector<analysis::ExplainedRule>& rules = explanation_.experts[expert].rules;
+  const auto strongest = std::max_element(
+      rules.begin(), rules.end(), [](const auto& one, const auto& other) { return one.strength < other.strength; });
+  if (strongest == rules.end() || strongest->strength <= 0) return {};
+  const auto acting = std::count_if(rules.begin(), rules.end(), [](const auto& rule) { return rule.strength > 0; });
+  const fuzzy::Expert& said = open_->model.experts[expert];
+  const fuzzy::Rule& rule = said.rules[strongest->rule];
+  // The terms alone; the variables stand in the rule viewer of the expert.
+  QStringList terms;
+  for (const fuzzy::Condition& condition : rule.conditions) {
+    const auto input = std::find_if(open_->model.inputs.begin(), open_->model.inputs.end(),
+                                    [&condition](const auto& variable) { return variable.id == condition.input; });
+    terms << labelOf(*fuzzy::findTerm(fuzzy::termsFor(said, *input), condition.term));
+  }
+  const QString words = terms.join(QStringLiteral(", ")) + QStringLiteral(" → ") +
+                        labelOf(*fuzzy::findTerm(fuzzy::termsFor(said, open_->model.output), rule.then));
+  return acting == 1 ? words : tr("%1 rules · %2").arg(acting).arg(words);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,54 @@
+// How the rules of one expert lead to the force: a line per rule that acts, from the memberships of its conditions over
+// its firing strength to the set it makes of its output term, the strongest first.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "app/workbench/model/open_model.h"
+#include "core/analysis/explain.h"
+
+namespace tactus::workbench {
+
+class RuleFlow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RuleFlow(QWidget* parent = nullptr);
+
+  /// Shows expert `expert` of an explanation of `open`.
+  void set(std::shared_ptr<const OpenModel> open, const analysis::Explanation& explanation, std::size_t expert);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  struct Columns {
+    std::vector<QRectF> inputs;  ///< one per entry of inputs_
+    QRectF strength;
+    QRectF output;
+  };
+
+  Columns columns(double top, double height) const;
+  double lineTop(std::size_t line) const;
+  void paintHead(QPainter& painter) const;
+  void paintLine(QPainter& painter, std::size_t line) const;
+  void paintCondition(QPainter& painter, const QRectF& cell, std::size_t input,
+                      const analysis::ExplainedRule& rule) const;
+  void paintStrength(QPainter& painter, const QRectF& cell, const analysis::ExplainedRule& rule) const;
+  void paintOutput(QPainter& painter, const QRectF& cell, const analysis::ExplainedRule& rule) const;
+
+  std::shared_ptr<const OpenModel> open_;
+  std::size_t expert_ = 0;
+  analysis::ExplainedExpert explained_;
+  std::vector<double> values_;                   ///< of the inputs, inside their universes
+  std::vector<std::size_t> inputs_;              ///< those that the expert's rules read
+  std::vector<analysis::ExplainedRule> acting_;  ///< the strongest first
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,76 @@
+#include "app/workbench/understand/map/surface_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr double kDarkest = 0.58;
+constexpr double kLit = 0.46;  // on top of that where the light falls straight on a cell
+// The light as the viewer sees it: to the left, above, behind.
+constexpr double kLightRight = -0.42;
+constexpr double kLightUp = 0.62;
+constexpr double kLightToViewer = 0.663;
+
+// Whether a rule fires at all places of the map in the square from `x`, `y`, `stride` wide.
+bool allFired(const ForceMap& map, std::size_t x, std::size_t y, std::size_t stride) {
+  for (std::size_t j = y; j <= y + stride; ++j) {
+    for (std::size_t i = x; i <= x + stride; ++i) {
+      if (!map.isFired(i, j)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+SurfaceMesh::SurfaceMesh(const ForceMap& map, double min_n, double max_n, std::size_t stride)
+    : cells_((map.side - 1) / stride) {
+  TACTUS_CHECK(map.side > 1 && max_n > min_n && cells_ * stride == map.side - 1);
+  const std::size_t side = cells_ + 1;
+  height_.resize(side * side);
+  for (std::size_t y = 0; y < side; ++y) {
+    for (std::size_t x = 0; x < side; ++x) {
+      if (!map.isFired(x * stride, y * stride)) continue;
+      const double share = (map.force(x * stride, y * stride) - min_n) / (max_n - min_n);
+      height_[y * side + x] = std::clamp(share, 0.0, 1.0);
+    }
+  }
+  cell_.resize(cells_ * cells_);
+  const double width_x = kBox.x / static_cast<double>(cells_);
+  const double width_y = kBox.y / static_cast<double>(cells_);
+  for (std::size_t y = 0; y < cells_; ++y) {
+    for (std::size_t x = 0; x < cells_; ++x) {
+      if (!allFired(map, x * stride, y * stride, stride)) continue;
+      SurfaceCell& cell = cell_[y * cells_ + x];
+      const double a = height_[y * side + x];
+      const double b = height_[y * side + x + 1];
+      const double c = height_[(y + 1) * side + x + 1];
+      const double d = height_[(y + 1) * side + x];
+      cell.hole = false;
+      cell.height = (a + b + c + d) / 4;
+      const double rise_x = (b + c - a - d) / 2 * kBox.z / width_x;
+      const double rise_y = (c + d - a - b) / 2 * kBox.z / width_y;
+      const double length = std::hypot(rise_x, rise_y, 1);
+      cell.normal = {-rise_x / length, -rise_y / length, 1 / length};
+    }
+  }
+}
+
+BoxPoint SurfaceMesh::node(std::size_t x, std::size_t y) const {
+  const auto cells = static_cast<double>(cells_);
+  return {static_cast<double>(x) / cells, static_cast<double>(y) / cells, height_[y * (cells_ + 1) + x]};
+}
+
+double brightness(const BoxVector& normal, const SurfaceProjection& seen) {
+  double light = kLightRight * dot(normal, seen.right()) + kLightUp * dot(normal, seen.up()) +
+                 kLightToViewer * dot(normal, seen.toViewer());
+  // The side that is seen is the side that is lit.
+  if (dot(normal, seen.toViewer()) < 0) light = -light;
+  return kDarkest + kLit * std::max(0.0, light);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,66 @@
+// The forces of a map as a mesh of four-cornered cells in a box, with holes where no rule fires.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "app/workbench/understand/map/force_map.h"
+#include "app/workbench/understand/map/surface_projection.h"
+
+namespace tactus::workbench {
+
+/// A cell of the mesh: its corners are the nodes (x, y) to (x + 1, y + 1).
+struct SurfaceCell {
+  bool hole = true;   ///< at a corner, or between them, no rule fires; the rest is then without meaning
+  double height = 0;  ///< mean of the corners, share of the universe of the force
+  BoxVector normal;   ///< unit vector across the cell, upward
+};
+
+class SurfaceMesh {
+ public:
+  SurfaceMesh() = default;
+  /// Every `stride`-th place of `map`, forces as shares of [min_n, max_n]. `stride` divides the map's side less one.
+  SurfaceMesh(const ForceMap& map, double min_n, double max_n, std::size_t stride = 1);
+
+  /// Cells along each input; 0 without a map.
+  std::size_t cells() const { return cells_; }
+  const SurfaceCell& cell(std::size_t x, std::size_t y) const { return cell_[y * cells_ + x]; }
+  /// The node (x, y), both up to cells(). Its height is 0 where no rule fires.
+  BoxPoint node(std::size_t x, std::size_t y) const;
+
+ private:
+  std::size_t cells_ = 0;
+  std::vector<double> height_;
+  std::vector<SurfaceCell> cell_;
+};
+
+/// The order in which the cells of a mesh are painted, so that what is nearer covers what is farther, from every angle:
+/// rows and columns from the far end to the near one. A ray to the viewer meets the cells above their places on the
+/// floor, and over the floor it only ever goes toward the near ends.
+class PaintOrder {
+ public:
+  PaintOrder(std::size_t cells, const BoxVector& to_viewer)
+      : cells_(cells), x_rises_(to_viewer.x >= 0), y_rises_(to_viewer.y >= 0) {}
+
+  std::size_t count() const { return cells_ * cells_; }
+  /// Column and row of the cell that is painted as number `index`.
+  std::array<std::size_t, 2> at(std::size_t index) const {
+    const std::size_t column = index % cells_;
+    const std::size_t row = index / cells_;
+    return {x_rises_ ? column : cells_ - 1 - column, y_rises_ ? row : cells_ - 1 - row};
+  }
+  bool xRises() const { return x_rises_; }
+  bool yRises() const { return y_rises_; }
+
+ private:
+  std::size_t cells_;
+  bool x_rises_;
+  bool y_rises_;
+};
+
+/// How bright a cell is: 1 as its color is, less where it turns away from a light at the upper left behind the viewer.
+/// Both sides are lit.
+double brightness(const BoxVector& normal, const SurfaceProjection& seen);
+
+}  // namespace tactus::workbench

@@ -1,0 +1,20 @@
+// Force over two inputs as a surface, with the same choice of axes and of whose force it shows as the map.
+#pragma once
+
+#include "app/workbench/understand/map/map_view_panel.h"
+
+namespace tactus::workbench {
+
+class SurfacePlot;
+
+class SurfacePanel : public MapViewPanel {
+  Q_OBJECT
+
+ public:
+  SurfacePanel(const SceneController& scene, ForceMapController& map, QWidget* parent = nullptr);
+
+ private:
+  SurfacePanel(const SceneController& scene, ForceMapController& map, SurfacePlot* plot, QWidget* parent);
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,48 @@
+// The two ways from a point to the derivatives of one expert.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "core/analysis/gradient/gradient_sink.h"
+#include "core/analysis/gradient/gradient_tables.h"
+
+namespace tactus::analysis {
+
+inline constexpr std::uint32_t kNoBank = std::numeric_limits<std::uint32_t>::max();
+
+/// Whether an expert fires, or that this path leaves the point to the general one.
+enum class Firing { kFires, kAbstains, kOpen };
+
+/// A point for the fast path, kept while consecutive experts share their terms.
+struct FastPoint {
+  std::array<std::uint32_t, fuzzy::kMostInputs> bank;
+  std::array<std::size_t, fuzzy::kMostInputs> segment;
+  /// By place, which is input * kMostTerms + term; only those of active terms are set.
+  std::array<double, fuzzy::kMostInputs * fuzzy::kMostTerms> membership;
+  std::array<const MembershipPiece*, fuzzy::kMostInputs * fuzzy::kMostTerms> piece;
+
+  FastPoint() noexcept { bank.fill(kNoBank); }
+};
+
+/// Memberships for the general path, times a power of two; kept likewise.
+struct GeneralPoint {
+  std::array<std::uint32_t, fuzzy::kMostInputs> bank;
+  std::array<std::array<double, fuzzy::kMostTerms>, fuzzy::kMostInputs> membership;
+
+  GeneralPoint() noexcept { bank.fill(kNoBank); }
+};
+
+/// Adds weight * dF/dparameter of an expert with a fast form at a point of ordinary numbers (isOrdinary); `offset`
+/// receives the force measured from the lower end of the universe. Nothing is added unless it fires.
+/// Thread: any. Real-time safe: yes.
+Firing addFast(const GradientTables& tables, const GradientExpert& expert, std::span<const double> clamped,
+               FastPoint& point, GradientSink& sink, double& offset) noexcept;
+
+/// The same for any expert and any point; never open. Thread: any. Real-time safe: yes.
+Firing addGenerally(const GradientTables& tables, const GradientExpert& expert, std::span<const double> clamped,
+                    GeneralPoint& point, GradientSink& sink, double& offset) noexcept;
+
+}  // namespace tactus::analysis

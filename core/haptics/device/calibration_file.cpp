@@ -1,0 +1,245 @@
+#include "core/haptics/device/calibration_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+
+#include "core/base/files/file.h"
+#include "core/base/json/json_members.h"
+#include "core/base/json/json_pointer.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/text.h"
+
+namespace tactus::haptics {
+namespace {
+
+using base::ErrorCode;
+using base::JsonKind;
+using base::JsonMembers;
+using base::JsonValue;
+using base::Result;
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+constexpr int kVersion = 1;
+constexpr const char* kVersionKey = "tactus_devices";
+constexpr const char* kCalibrationsKey = "devices";
+constexpr const char* kAxesKey = "axes";
+// Which numbers make sense is asked of the whole entry.
+constexpr base::NumberRange kAnyNumber{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+
+/// Reads the members of one entry, all of which must be there.
+class EntryReader {
+ public:
+  EntryReader(const JsonValue& json, std::optional<base::Error>& error) : members_(json, error) {}
+
+  void name(const char* key, std::string& target) {
+    members_.require(key);
+    members_.text(key, target);
+  }
+  void text(const char* key, std::string& target) {
+    members_.require(key);
+    const auto value = members_.child(key);
+    if (!value) return;
+    if (value->kind() != JsonKind::kString) return members_.refuse(key, "a text");
+    target = value->text();
+  }
+  void number(const char* key, double& target) {
+    members_.require(key);
+    members_.number(key, target, kAnyNumber);
+  }
+  void numberOrNull(const char* key, std::optional<double>& target) {
+    members_.require(key);
+    const auto value = members_.child(key);
+    if (value && value->kind() != JsonKind::kNull) members_.number(key, target, kAnyNumber);
+  }
+  void flag(const char* key, bool& target) {
+    members_.require(key);
+    members_.flag(key, target);
+  }
+  void vector(const char* key, Vector3& target) {
+    members_.require(key);
+    const auto value = members_.child(key);
+    if (!value) return;
+    std::vector<double> numbers;
+    if (value->kind() == JsonKind::kArray) {
+      for (const JsonValue element : *value) {
+        if (element.kind() == JsonKind::kNumber) numbers.push_back(element.number());
+        if (element.kind() != JsonKind::kNumber || numbers.size() > 3) return members_.refuse(key, "three numbers");
+      }
+    }
+    if (numbers.size() != 3) return members_.refuse(key, "three numbers");
+    target = {numbers[0], numbers[1], numbers[2]};
+  }
+  void finish() { members_.finish(); }
+
+ private:
+  JsonMembers members_;
+};
+
+/// What is wrong with the values of an entry, said of the entry.
+void note(std::optional<base::Error>& error, const JsonValue& json, const Result<void>& checked) {
+  if (error || checked) return;
+  error = checked.error();
+  error->place = base::childPointer(json.pointer(), error->place);
+}
+
+DeviceCalibration readCalibration(const JsonValue& json, std::optional<base::Error>& error) {
+  EntryReader reader(json, error);
+  DeviceCalibration entry;
+  reader.name("device", entry.device);
+  reader.text("serial", entry.serial);
+  reader.number("full_scale_n", entry.full_scale_n);
+  reader.vector("force_sign", entry.force_sign);
+  reader.number("mm_per_count", entry.mm_per_count);
+  reader.vector("inwards", entry.inwards);
+  reader.vector("origin_mm", entry.origin_mm);
+  reader.numberOrNull("friction_in_n", entry.friction_in_n);
+  reader.numberOrNull("friction_out_n", entry.friction_out_n);
+  reader.flag("silent_when_still", entry.silent_when_still);
+  reader.text("measured_at", entry.measured_at);
+  reader.text("procedure", entry.procedure);
+  reader.finish();
+  if (!error) note(error, json, checkCalibration(entry));
+  return entry;
+}
+
+DeviceAxis readAxis(const JsonValue& json, std::optional<base::Error>& error) {
+  EntryReader reader(json, error);
+  DeviceAxis entry;
+  reader.name("device", entry.device);
+  reader.text("serial", entry.serial);
+  reader.vector("inwards", entry.inwards);
+  reader.finish();
+  if (!error) note(error, json, checkDirection("inwards", entry.inwards));
+  return entry;
+}
+
+template <class Entry>
+const Entry* find(const std::vector<Entry>& entries, std::string_view device, std::string_view serial) {
+  const auto same = [&](const Entry& entry) { return entry.device == device && entry.serial == serial; };
+  const auto found = std::find_if(entries.begin(), entries.end(), same);
+  return found == entries.end() ? nullptr : &*found;
+}
+
+/// Adds what `read` makes of each element of the array `key`.
+template <class Entry, class Read>
+void readEntries(JsonMembers& file, const char* key, std::vector<Entry>& entries, std::optional<base::Error>& error,
+                 Read read) {
+  for (const JsonValue& element : file.elements(key)) {
+    Entry entry = read(element, error);
+    if (error) return;
+    if (find(entries, entry.device, entry.serial) != nullptr) {
+      error = base::fail(ErrorCode::kSchema, element.pointer(), "a second entry of " + base::quoted(entry.device),
+                         "one entry per device and serial number")
+                  .value();
+      return;
+    }
+    entries.push_back(std::move(entry));
+  }
+}
+
+Result<CalibrationFile> parse(const std::string& text) {
+  const auto document = base::JsonDocument::parse(text);
+  if (!document) return tl::unexpected(document.error());
+  std::optional<base::Error> error;
+  CalibrationFile file;
+  JsonMembers members(document->root(), error);
+  int version = 0;
+  members.require(kVersionKey);
+  members.integer(kVersionKey, version, {0, std::numeric_limits<int>::max()});
+  if (!error && version != kVersion)
+    return base::fail(ErrorCode::kVersion, std::string("/") + kVersionKey, std::to_string(version),
+                      std::to_string(kVersion));
+  members.require(kCalibrationsKey);
+  readEntries(members, kCalibrationsKey, file.calibrations, error, readCalibration);
+  readEntries(members, kAxesKey, file.axes, error, readAxis);
+  members.finish();
+  if (error) return tl::unexpected(*error);
+  return file;
+}
+
+void writeVector(base::JsonWriter& json, const char* key, const Vector3& v) {
+  json.key(key).values(std::array{v.x, v.y, v.z});
+}
+
+void writeOptional(base::JsonWriter& json, const char* key, const std::optional<double>& value) {
+  json.key(key);
+  if (value) {
+    json.value(*value);
+  } else {
+    json.null();
+  }
+}
+
+std::string format(const CalibrationFile& file) {
+  base::JsonWriter json;
+  json.beginObject().key(kVersionKey).value(kVersion).key(kCalibrationsKey).beginArray();
+  for (const DeviceCalibration& entry : file.calibrations) {
+    json.beginObject().key("device").value(entry.device).key("serial").value(entry.serial);
+    json.key("full_scale_n").value(entry.full_scale_n);
+    writeVector(json, "force_sign", entry.force_sign);
+    json.key("mm_per_count").value(entry.mm_per_count);
+    writeVector(json, "inwards", entry.inwards);
+    writeVector(json, "origin_mm", entry.origin_mm);
+    writeOptional(json, "friction_in_n", entry.friction_in_n);
+    writeOptional(json, "friction_out_n", entry.friction_out_n);
+    json.key("silent_when_still").value(entry.silent_when_still);
+    json.key("measured_at").value(entry.measured_at).key("procedure").value(entry.procedure).endObject();
+  }
+  json.endArray().key(kAxesKey).beginArray();
+  for (const DeviceAxis& entry : file.axes) {
+    json.beginObject().key("device").value(entry.device).key("serial").value(entry.serial);
+    writeVector(json, "inwards", entry.inwards);
+    json.endObject();
+  }
+  return json.endArray().endObject().text();
+}
+
+/// Puts `entry` into the list `entries` of the file, in the place of an older one.
+template <class Entry>
+Result<void> store(const std::string& path, const Entry& entry, std::vector<Entry> CalibrationFile::*entries) {
+  auto file = readCalibrationFile(path);
+  if (!file) return tl::unexpected(file.error());
+  std::vector<Entry>& list = (*file).*entries;
+  const Entry* const older = find(list, entry.device, entry.serial);
+  if (older != nullptr) {
+    list[static_cast<std::size_t>(older - list.data())] = entry;
+  } else {
+    list.push_back(entry);
+  }
+  return base::writeFileAtomically(path, format(*file));
+}
+
+}  // namespace
+
+Result<CalibrationFile> readCalibrationFile(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored) && !ignored) return CalibrationFile();
+  const auto text = base::readFile(path, kMostBytes);
+  if (!text) return tl::unexpected(text.error());
+  auto file = parse(*text);
+  if (!file) return base::inFile(file.error(), path);
+  return file;
+}
+
+Result<void> storeCalibration(const std::string& path, const DeviceCalibration& calibration) {
+  if (auto ok = checkCalibration(calibration); !ok) return ok;
+  return store(path, calibration, &CalibrationFile::calibrations);
+}
+
+Result<void> storeAxis(const std::string& path, const DeviceAxis& axis) {
+  if (auto ok = checkDirection("inwards", axis.inwards); !ok) return ok;
+  return store(path, axis, &CalibrationFile::axes);
+}
+
+const DeviceCalibration* findCalibration(const std::vector<DeviceCalibration>& entries, std::string_view device,
+                                         std::string_view serial) {
+  return find(entries, device, serial);
+}
+
+const DeviceAxis* findAxis(const std::vector<DeviceAxis>& entries, std::string_view device, std::string_view serial) {
+  return find(entries, device, serial);
+}
+
+}  // namespace tactus::haptics

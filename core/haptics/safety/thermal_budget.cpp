@@ -1,0 +1,65 @@
+#include "core/haptics/safety/thermal_budget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/haptics/device/seconds.h"
+
+namespace tactus::haptics {
+namespace {
+
+/// Reserve: the force could go on unchanged for this long and the budget would just be used up. Longer fades earlier
+/// and more slowly; it must exceed the longest time that a force is held without a tick.
+constexpr double kReserveS = 2;
+/// How fast the ceiling comes back, N/s.
+constexpr double kRecoveryNS = 0.5;
+/// A part of the window is at least and at most so long.
+constexpr double kShortestNs = 1e6;
+constexpr double kLongestNs = 1e14;
+
+}  // namespace
+
+void ThermalBudget::forgetUntil(std::int64_t part) noexcept {
+  const std::int64_t steps = std::min<std::int64_t>(part - part_, kParts + 1);
+  for (std::int64_t i = 1; i <= steps; ++i) spent_n2s_[static_cast<std::size_t>((part_ + i) % (kParts + 1))] = 0;
+  part_ = part;
+  // Summed anew, so that rounding does not gather over hours.
+  if (steps > 0) sum_n2s_ = std::accumulate(spent_n2s_.begin(), spent_n2s_.end(), 0.0);
+}
+
+void ThermalBudget::advance(std::int64_t now_ns, double held_n, double rating_n, double window_s) noexcept {
+  const double wanted_ns = std::max(kShortestNs, std::min(kLongestNs, 1e9 * window_s / kParts));
+  const auto part_ns = static_cast<std::int64_t>(std::ceil(wanted_ns));
+  if (part_ns_ == 0) start_ns_ = now_ns_ = now_ns;
+  if (part_ns != part_ns_) {
+    // Another window: all that was spent counts as spent just now.
+    spent_n2s_.fill(0);
+    spent_n2s_[0] = sum_n2s_;
+    part_ns_ = part_ns;
+    part_ = 0;
+    start_ns_ = now_ns_;
+  }
+  const double elapsed_s = secondsBetween(now_ns_, now_ns);
+  spend(now_ns, held_n);
+  budget_n2s_ = rating_n * rating_n * window_s;
+  const double allowed_n = std::sqrt(std::max(0.0, budget_n2s_ - sum_n2s_) / kReserveS);
+  ceiling_n_ = std::min(allowed_n, ceiling_n_ + kRecoveryNS * elapsed_s);
+}
+
+void ThermalBudget::spend(std::int64_t now_ns, double held_n) noexcept {
+  if (part_ns_ == 0) return;  // nothing was held before the first `advance`
+  const double elapsed_s = secondsBetween(now_ns_, now_ns);
+  now_ns_ = std::max(now_ns_, now_ns);
+  forgetUntil((now_ns_ - start_ns_) / part_ns_);
+  const double more_n2s = held_n * held_n * elapsed_s;
+  spent_n2s_[static_cast<std::size_t>(part_ % (kParts + 1))] += more_n2s;
+  sum_n2s_ += more_n2s;
+}
+
+double ThermalBudget::share() const noexcept {
+  if (part_ns_ == 0) return 0;
+  return budget_n2s_ > 0 ? std::min(1.0, sum_n2s_ / budget_n2s_) : 1;
+}
+
+}  // namespace tactus::haptics

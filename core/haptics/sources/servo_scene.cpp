@@ -1,0 +1,162 @@
+#include "core/haptics/sources/servo_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/fuzzy/compiled_model.h"
+
+namespace tactus::haptics {
+namespace {
+
+using base::ErrorCode;
+using fuzzy::ForceModel;
+using fuzzy::Variable;
+
+constexpr double kLongestFadeS = 60;
+/// The costliest point is rarely the first, and the smallest of a few rounds is free of interruptions.
+constexpr int kPointsTried = 32;
+constexpr int kRounds = 5;
+
+const Variable* moved(const ForceModel& model, const std::string& id) {
+  const auto found =
+      std::find_if(model.inputs.begin(), model.inputs.end(), [&](const Variable& input) { return input.id == id; });
+  return id.empty() || found == model.inputs.end() ? nullptr : &*found;
+}
+
+/// `1` and no unit at all say nothing about lengths and forces.
+base::Result<void> checkUnit(const Variable& variable, std::string_view unit) {
+  if (variable.unit.empty() || variable.unit == "1" || variable.unit == unit) return {};
+  return base::fail(ErrorCode::kValue, "unit of " + base::quoted(variable.id), base::quoted(variable.unit),
+                    std::string(unit) + ", which is what the servo works in");
+}
+
+base::Result<void> checkUnits(const ForceModel& model, const Variable* depth, const Variable* speed) {
+  if (depth != nullptr) {
+    if (auto unit = checkUnit(*depth, "mm"); !unit) return unit;
+  }
+  if (speed != nullptr) {
+    if (auto unit = checkUnit(*speed, "mm/s"); !unit) return unit;
+  }
+  return checkUnit(model.output, "N");
+}
+
+/// One entry per input of the model: a value where it is fixed, nothing where the renderer moves it.
+base::Result<std::vector<std::optional<double>>> fixedInputs(const ForceModel& model, const Conditions& conditions,
+                                                             const Variable* depth, const Variable* speed) {
+  std::vector<std::optional<double>> fixed(model.inputs.size());
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const Variable& input = model.inputs[i];
+    if (&input == depth || &input == speed) continue;
+    const auto condition = conditions.find(input.id);
+    if (condition == conditions.end()) {
+      return base::fail(ErrorCode::kSchema, "condition " + base::quoted(input.id), "no value",
+                        "a number from " + base::formatNumber(input.min) + " to " + base::formatNumber(input.max));
+    }
+    if (!std::isfinite(condition->second)) {
+      return base::fail(ErrorCode::kValue, "condition " + base::quoted(input.id), base::formatNumber(condition->second),
+                        "a finite number");
+    }
+    fixed[i] = condition->second;
+    ++used;
+  }
+  if (used == conditions.size()) return fixed;
+  std::vector<std::string> wanted;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (fixed[i]) wanted.push_back(model.inputs[i].id);
+  }
+  const auto unknown = std::find_if(conditions.begin(), conditions.end(), [&](const Conditions::value_type& condition) {
+    return std::find(wanted.begin(), wanted.end(), condition.first) == wanted.end();
+  });
+  const bool is_moved = moved(model, unknown->first) != nullptr;
+  return base::fail(
+      ErrorCode::kReference, "condition " + base::quoted(unknown->first),
+      is_moved ? "an input that the hand moves" : "no such input in the model",
+      wanted.empty() ? "no conditions" : "conditions for " + base::joined(wanted, ", ") + " and nothing else");
+}
+
+/// The slowest of the points tried, each the fastest of its rounds; ends at the first point above `enough_s`.
+double measuredCostS(const ServoScene& scene, const Variable* depth, const Variable* speed, double enough_s) {
+  using Clock = std::chrono::steady_clock;
+  const auto along = [](const Variable* input, int step) {
+    return input == nullptr ? 0 : input->min + (input->max - input->min) * step / (kPointsTried - 1);
+  };
+  double cost_s = 0;
+  for (int i = 0; i < kPointsTried && !(cost_s > enough_s); ++i) {
+    // All depths, and with 13 coprime to 32 all speeds, well mixed.
+    const render::ForcePoint point{along(depth, i), along(speed, i * 13 % kPointsTried)};
+    double fastest_s = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kRounds; ++round) {
+      const Clock::time_point start = Clock::now();
+      [[maybe_unused]] const volatile double force_n = scene.force(point).force_n;
+      fastest_s = std::min(fastest_s, std::chrono::duration<double>(Clock::now() - start).count());
+    }
+    cost_s = std::max(cost_s, fastest_s);
+  }
+  return cost_s;
+}
+
+std::uint64_t nextSerial() noexcept {
+  static std::atomic<std::uint64_t> last{0};  // each stands for itself: relaxed
+  return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
+std::string microseconds(double time_s) { return base::formatFixed(time_s * 1e6, 1) + " microseconds"; }
+
+}  // namespace
+
+ServoScene::ServoScene(fuzzy::Scene scene) : scene_(std::move(scene)), serial_(nextSerial()) {}
+
+base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceModel& model, const Conditions& conditions,
+                                                                 const SceneSettings& settings) {
+  if (!(settings.fade_s >= 0 && settings.fade_s <= kLongestFadeS)) {
+    return base::fail(ErrorCode::kValue, "fade of the hand-over", base::formatNumber(settings.fade_s) + " s",
+                      "0 to " + base::formatNumber(kLongestFadeS) + " s");
+  }
+  const auto compiled = fuzzy::compile(model);
+  if (!compiled) return tl::unexpected(compiled.error());
+  const Variable* depth = moved(model, settings.moved.depth);
+  const Variable* speed = moved(model, settings.moved.speed);
+  if (depth != nullptr && depth == speed) {
+    return base::fail(ErrorCode::kValue, "moved inputs", base::quoted(depth->id) + " for depth and for speed",
+                      "two different inputs");
+  }
+  if (auto units = checkUnits(model, depth, speed); !units) return tl::unexpected(units.error());
+  const auto fixed = fixedInputs(model, conditions, depth, speed);
+  if (!fixed) return tl::unexpected(fixed.error());
+  auto specialised = fuzzy::Scene::specialise(*compiled, *fixed);
+  if (!specialised) return tl::unexpected(specialised.error());
+
+  const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(*specialised)));
+  scene->renderer_ = model.renderer.value_or(fuzzy::RendererParameters{});
+  const bool speed_first = depth != nullptr && speed != nullptr && speed < depth;
+  if (depth != nullptr) scene->depth_ = speed_first ? 1 : 0;
+  if (speed != nullptr) scene->speed_ = depth != nullptr && !speed_first ? 1 : 0;
+  scene->depth_end_mm_ = depth != nullptr ? depth->max : std::numeric_limits<double>::infinity();
+  scene->fade_s_ = settings.fade_s;
+  scene->cost_s_ = measuredCostS(*scene, depth, speed, settings.largest_cost_s);
+  if (scene->cost_s_ > settings.largest_cost_s) {
+    return base::fail(ErrorCode::kLimit, "cost of one force of the model", microseconds(scene->cost_s_),
+                      "at most " + microseconds(settings.largest_cost_s) + ", so that the servo keeps its time");
+  }
+  return scene;
+}
+
+render::ModelForce ServoScene::force(const render::ForcePoint& point) const noexcept {
+  std::array<double, 2> free_inputs{};
+  if (depth_) free_inputs[*depth_] = point.depth_mm;
+  if (speed_) free_inputs[*speed_] = point.speed_mm_s;
+  const fuzzy::Evaluation answer = scene_.evaluate(std::span(free_inputs).first(scene_.freeInputCount()));
+  return {answer.force_n, answer.fired};
+}
+
+}  // namespace tactus::haptics

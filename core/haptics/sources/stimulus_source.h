@@ -1,0 +1,46 @@
+// The stimulus as a source of force: one constant resistance, for judging forces (paper, Section 3.1.5).
+#pragma once
+
+#include "core/haptics/safety/limit_settings.h"
+#include "core/haptics/sources/force_source.h"
+
+namespace tactus::haptics {
+
+/// One tick of the stimulus.
+struct StimulusTick {
+  bool active = false;     ///< the stimulus is the source; otherwise it ends
+  bool enabled = false;    ///< the hand holds the device
+  double position_mm = 0;  ///< along the insertion axis
+  double dt_s = 0.001;     ///< since the last tick
+};
+
+/// One stimulus after another. Each begins once, rises evenly within its ramp, and ends when its time at the full force
+/// is over (LimitSettings::stimulus_hold_s bounds it above the continuous rating), when the hand lets go, or when the
+/// source or the number changes: to feel it again takes another number. What is left of its force then is gone within
+/// render::kReleaseFadeS, and within the ramp when its time is over.
+/// All state is plain, copyable data. Thread: servo. Real-time safe: yes.
+class StimulusSource {
+ public:
+  /// The resistance, N.
+  double tick(const StimulusTick& tick, const Stimulus& stimulus, const LimitSettings& limits) noexcept;
+
+  StimulusStage stage() const noexcept { return stage_; }
+  /// Time since the full force was reached, s; 0 before. It counts on when the force has ended, until another stimulus
+  /// comes: with it an answer knows its response time.
+  double sinceFullS() const noexcept { return since_full_s_; }
+
+ private:
+  void letGo() noexcept;
+  void advance(const StimulusTick& tick, const LimitSettings& limits) noexcept;
+
+  StimulusStage stage_ = StimulusStage::kWaiting;
+  Stimulus stimulus_;  ///< as it was when it began
+  double level_ = 0;   ///< share of the force, [0, 1]
+  double force_n_ = 0;
+  double since_full_s_ = 0;
+  bool full_ = false;    ///< the full force was reached
+  double fading_n_ = 0;  ///< rest of a stimulus that ended, on its way to 0
+  double fading_n_s_ = 0;
+};
+
+}  // namespace tactus::haptics

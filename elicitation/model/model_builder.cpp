@@ -1,0 +1,330 @@
+#include "elicitation/model/model_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/base/rounded_number.h"
+#include "core/base/text.h"
+#include "core/fuzzy/validate.h"
+#include "elicitation/force/force_frequency.h"
+#include "elicitation/force/force_thresholds.h"
+#include "elicitation/force/step_forces.h"
+#include "elicitation/model/model_checks.h"
+#include "elicitation/model/model_provenance.h"
+#include "elicitation/rules/rule_checks.h"
+#include "elicitation/variables/ngt_variables.h"
+
+namespace tactus::elicitation {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+
+fuzzy::Variable& variable(std::vector<fuzzy::Variable>& variables, std::string_view id) {
+  return *std::find_if(variables.begin(), variables.end(), [id](const fuzzy::Variable& v) { return v.id == id; });
+}
+
+void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
+template <class Rows>
+Result<void> checkKnown(const Rows& rows, const std::set<std::string_view>& known, std::string_view table,
+                        const std::string& what) {
+  for (const auto& row : rows) {
+    if (known.count(row.participant) > 0) continue;
+    return study::atCell(
+        {ErrorCode::kReference, {}, what, "participant " + base::quoted(row.participant), "a participant of the study"},
+        {table, row.line, "participant"}, base::quoted(row.participant));
+  }
+  return {};
+}
+
+/// Every row must belong to a participant, or it would be lost silently.
+Result<void> checkParticipants(const study::Study& study) {
+  std::set<std::string_view> known;
+  for (const auto& participant : study.participants) {
+    if (!known.insert(participant.code).second) {
+      return fail(ErrorCode::kData, "participants", base::quoted(participant.code) + " twice", "each participant once");
+    }
+  }
+  if (auto ok = checkKnown(study.speeds, known, study::kSpeedsTable, "speeds"); !ok) return ok;
+  if (auto ok = checkKnown(study.judgements, known, study::kJudgementsTable, "judgements"); !ok) return ok;
+  if (auto ok = checkKnown(study.answers, known, study::kAnswersTable, "answers"); !ok) return ok;
+  return checkKnown(study.rules, known, study::kRulesTable, "rules");
+}
+
+/// Speeds that are computed from positions can fall below 0, which is worth knowing and no reason to refuse them.
+void noteNegativeSpeeds(const study::Study& study, std::vector<std::string>& notes) {
+  const auto below = std::count_if(study.speeds.begin(), study.speeds.end(),
+                                   [](const study::SpeedSample& sample) { return sample.speed_mm_s < 0; });
+  if (below == 0) return;
+  notes.push_back(std::to_string(below) + " of " + std::to_string(study.speeds.size()) +
+                  " speed samples lie below 0 mm/s; they are clustered as they are.");
+}
+
+/// Weights of the participants whose ramps are averaged; empty where they count alike.
+Result<std::vector<double>> speedWeights(std::span<const ParticipantSpeeds> speeds, const study::Study& study,
+                                         const BuildSettings& settings) {
+  if (settings.averaging != Averaging::kWeightedMean) return std::vector<double>{};
+  std::vector<study::Participant> people;
+  for (const auto& one : speeds) {
+    people.push_back(*std::find_if(study.participants.begin(), study.participants.end(),
+                                   [&one](const study::Participant& p) { return p.code == one.participant; }));
+  }
+  return expertWeights(people, settings.weights);
+}
+
+std::vector<std::vector<Ramp>> rampsOf(std::span<const ParticipantSpeeds> speeds) {
+  std::vector<std::vector<Ramp>> ramps;
+  for (const auto& one : speeds) ramps.push_back(one.ramps);
+  return ramps;
+}
+
+Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
+  auto& speed = variable(out.model.inputs, "speed");
+  auto participants = clusterSpeeds(study, speed, settings.speed);
+  if (!participants) return tl::unexpected(participants.error());
+  out.speeds = std::move(*participants);
+  if (out.speeds.empty()) {
+    out.notes.push_back("There are no insertion speeds: the speed has its default terms.");
+    return {};
+  }
+
+  noteNegativeSpeeds(study, out.notes);
+
+  auto weights = speedWeights(out.speeds, study, settings);
+  if (!weights) return tl::unexpected(weights.error());
+  out.speed_weights = std::move(*weights);
+  for (const auto& one : out.speeds) {
+    if (one.clusters) {
+      for (const auto& warning : one.clusters->warnings) {
+        out.notes.push_back("Speeds of participant " + one.participant + ": " + warning);
+      }
+    }
+    append(out.notes, one.diagnostics.warnings);
+  }
+  out.averaged_ramps = averageRamps(rampsOf(out.speeds), out.speed_weights, settings.averaging);
+  const double default_max_mm_s = speed.max;
+  speed = averagedSpeed(speed, out.speeds, out.averaged_ramps);
+  if (speed.max > default_max_mm_s) {
+    out.notes.push_back("The universe of the speed ends at " + base::roundedNumber(speed.max) + " mm/s instead of " +
+                        base::roundedNumber(default_max_mm_s) + " mm/s: the speeds of a participant lie beyond it.");
+  }
+  if (settings.terms == SpeedTermsOf::kAveraged) {
+    fuzzy::Variable own = speed;
+    for (const auto& one : out.speeds) {
+      own.terms = speedTerms(speed, one.ramps);
+      if (auto note = sameTermNote(one.diagnostics.levels, speed, own, one.participant)) out.notes.push_back(*note);
+    }
+  }
+  return {};
+}
+
+Result<ForceTerms> forceTermsOf(const study::Study& study, const BuildSettings& settings, const fuzzy::Variable& output,
+                                std::span<const VoteStep> votes) {
+  switch (settings.force_terms) {
+    case ForceTermsFrom::kVote:
+      return forceTerms(output, votes, settings.force_end_n);
+    case ForceTermsFrom::kFrequency:
+      return frequencyTerms(output, votes, settings.force_end_n);
+    case ForceTermsFrom::kThresholds:
+      return thresholdTerms(output, study.judgements, settings.series, votes, settings.force_end_n);
+  }
+  TACTUS_CHECK(false);
+}
+
+/// Which steps a reader should look at again.
+std::vector<std::string> voteNotes(std::span<const VoteStep> votes, ForceTermsFrom force_terms) {
+  std::vector<std::string> raised;
+  std::vector<std::string> below_quorum;
+  for (const auto& step : votes) {
+    if (step.monotone_raised) raised.push_back(base::roundedNumber(step.force_n));
+    if (step.below_quorum) below_quorum.push_back(base::roundedNumber(step.force_n));
+  }
+  std::vector<std::string> notes;
+  if (!raised.empty() && force_terms == ForceTermsFrom::kVote) {
+    notes.push_back("Vote at " + base::joined(raised, ", ") +
+                    " N: raised to the level of an earlier step, because the levels must not fall.");
+  }
+  if (!below_quorum.empty()) {
+    notes.push_back("Vote at " + base::joined(below_quorum, ", ") + " N: less than half of the participants voted.");
+  }
+  return notes;
+}
+
+Result<void> buildForce(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
+  if (study.judgements.empty()) {
+    if (settings.force_end_n) {
+      return fail(ErrorCode::kData, "force-end", "no force judgements",
+                  "judgements, because without them the force has its default terms and their end");
+    }
+    out.notes.push_back("There are no force judgements: the force has its default terms.");
+    return {};
+  }
+  std::vector<std::string> ids;
+  for (const auto& term : out.model.output.terms) ids.push_back(term.id);
+  const auto counts = countVotes(study.judgements, settings.series, ids);
+  if (!counts) return tl::unexpected(counts.error());
+  out.votes = vote(*counts, static_cast<int>(study.participants.size()));
+  auto terms = forceTermsOf(study, settings, out.model.output, out.votes);
+  if (!terms) return study::inTable(terms.error(), study::kJudgementsTable, study.judgements.front().line);
+  const double default_max_n = out.model.output.max;
+  out.force_terms = std::move(*terms);
+  out.model.output = out.force_terms->output;
+  append(out.notes, out.force_terms->notes);
+  append(out.notes, stepForceNotes(study.judgements, settings.series));
+  if (std::abs(out.model.output.max - default_max_n) > kSameForceN) {
+    out.notes.push_back("The universe of the force ends at " + base::roundedNumber(out.model.output.max) +
+                        " N instead of " + base::roundedNumber(default_max_n) + " N: " + out.force_terms->end_reason +
+                        ".");
+  }
+  append(out.notes, voteNotes(out.votes, settings.force_terms));
+  return {};
+}
+
+/// The set of depth terms that most experts use; on a tie the one whose first expert comes first.
+std::string sharedDepthTerms(const std::vector<ExpertRules>& experts) {
+  std::map<std::string, int> users;
+  for (const auto& expert : experts) ++users[expert.depth_terms];
+  std::string best = experts.front().depth_terms;
+  for (const auto& expert : experts) {
+    if (users[expert.depth_terms] > users[best]) best = expert.depth_terms;
+  }
+  return best;
+}
+
+/// A set that `studyRules` has looked up already.
+std::vector<fuzzy::Term> depthTerms(const std::string& id) { return findDepthTerms(id).value().terms; }
+
+std::vector<study::Participant> peopleOf(const std::vector<ExpertRules>& experts) {
+  std::vector<study::Participant> people;
+  people.reserve(experts.size());
+  for (const auto& expert : experts) people.push_back(expert.participant);
+  return people;
+}
+
+/// Rules that were given directly stand in a table of their own: what is simulated of that participant is not the
+/// rules.
+bool hasSimulatedRules(const ExpertRules& expert) {
+  return expert.participant.simulated && expert.source == ExpertRules::Source::kAnswers;
+}
+
+Result<void> buildExperts(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
+  const auto people = peopleOf(out.experts);
+  const auto weights = expertWeights(people, settings.weights);
+  if (!weights) return tl::unexpected(weights.error());
+  append(out.notes, unusedWeightNotes(study.participants, settings.weights));
+  std::vector<bool> simulated;
+  for (const auto& expert : out.experts) simulated.push_back(hasSimulatedRules(expert));
+  append(out.notes, weightNotes(people, *weights, simulated));
+
+  const std::string shared = sharedDepthTerms(out.experts);
+  variable(out.model.inputs, "depth").terms = depthTerms(shared);
+  const std::vector<std::string> none;
+  for (std::size_t i = 0; i < out.experts.size(); ++i) {
+    const ExpertRules& rules = out.experts[i];
+    const std::string& code = rules.participant.code;
+    fuzzy::Expert expert{code, code + (simulated[i] ? " (simulated)" : ""), (*weights)[i], {}, rules.rules};
+    if (rules.depth_terms != shared) expert.overrides.push_back({"depth", depthTerms(rules.depth_terms)});
+    if (settings.terms == SpeedTermsOf::kOwn) {
+      const auto own = std::find_if(out.speeds.begin(), out.speeds.end(),
+                                    [&code](const ParticipantSpeeds& one) { return one.participant == code; });
+      if (own != out.speeds.end()) {
+        expert.overrides.push_back({"speed", speedTerms(variable(out.model.inputs, "speed"), own->ramps)});
+      } else {
+        out.notes.push_back("Participant " + code + " has no speeds of their own; the shared speed terms are used.");
+      }
+    }
+    const auto& absent = out.force_terms ? out.force_terms->absent : none;
+    if (auto ok = checkRules(expert, rules, out.model.inputs, out.model.output, absent); !ok) return ok;
+    if (auto note = contradictionNote(rules)) out.notes.push_back(std::move(*note));
+    out.model.experts.push_back(std::move(expert));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view name(SpeedTermsOf terms) noexcept { return terms == SpeedTermsOf::kOwn ? "own" : "averaged"; }
+
+Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
+                              const BuildSettings& settings) {
+  if (auto ok = checkParticipants(study); !ok) return tl::unexpected(ok.error());
+  BuiltModel out;
+  out.model.inputs = ngtInputs();
+  out.model.output = ngtOutput();
+  std::vector<std::string> answer_terms;
+  for (const auto& term : out.model.output.terms) answer_terms.push_back(term.id);
+
+  if (auto ok = buildSpeed(study, settings, out); !ok) return tl::unexpected(ok.error());
+  out.note_subjects.resize(out.notes.size(), "speed");
+  if (auto ok = buildForce(study, settings, out); !ok) return tl::unexpected(ok.error());
+  out.note_subjects.resize(out.notes.size(), out.model.output.id);
+  auto rules = studyRules(study, forms, answer_terms);
+  if (!rules) return tl::unexpected(rules.error());
+  out.experts = std::move(rules->experts);
+  append(out.notes, rules->notes);
+  if (auto ok = buildExperts(study, settings, out); !ok) return tl::unexpected(ok.error());
+
+  out.model.name = settings.name.empty() ? study.name : settings.name;
+  out.model.created_utc = settings.created_utc;
+  out.model.generator = settings.generator;
+  out.model.provenance = modelProvenance(study, out.experts, settings);
+  out.model.renderer = fuzzy::RendererParameters{};
+  if (!out.model.provenance->notes.empty()) out.notes.push_back(out.model.provenance->notes);
+  if (auto ok = setChecks(out.model); !ok) return tl::unexpected(ok.error());
+  if (auto ok = fuzzy::validate(out.model); !ok) return tl::unexpected(ok.error());
+  auto influences = expertInfluence(out.model);
+  if (!influences) return tl::unexpected(influences.error());
+  out.influences = std::move(*influences);
+  append(out.notes, influenceNotes(out.model, out.influences));
+  out.note_subjects.resize(out.notes.size());
+  return out;
+}
+
+Result<fuzzy::ForceModel> reweightedModel(const BuiltModel& built, const study::Study& study,
+                                          const BuildSettings& settings) {
+  const auto weights = expertWeights(peopleOf(built.experts), settings.weights);
+  if (!weights) return tl::unexpected(weights.error());
+  fuzzy::ForceModel out = built.model;
+  for (std::size_t e = 0; e < out.experts.size(); ++e) out.experts[e].weight = (*weights)[e];
+  if (settings.averaging == Averaging::kWeightedMean && !built.speeds.empty()) {
+    const auto speed_weights = speedWeights(built.speeds, study, settings);
+    if (!speed_weights) return tl::unexpected(speed_weights.error());
+    const auto ramps = averageRamps(rampsOf(built.speeds), *speed_weights, settings.averaging);
+    auto defaults = ngtInputs();
+    variable(out.inputs, "speed") = averagedSpeed(variable(defaults, "speed"), built.speeds, ramps);
+  }
+  out.provenance = modelProvenance(study, built.experts, settings);
+  if (auto ok = setChecks(out); !ok) return tl::unexpected(ok.error());
+  return out;
+}
+
+Result<fuzzy::ForceModel> expertModel(const fuzzy::ForceModel& averaged, std::string_view expert_id) {
+  const auto expert = std::find_if(averaged.experts.begin(), averaged.experts.end(),
+                                   [expert_id](const fuzzy::Expert& e) { return e.id == expert_id; });
+  if (expert == averaged.experts.end()) {
+    std::vector<std::string> ids;
+    for (const auto& one : averaged.experts) ids.push_back(one.id);
+    return fail(ErrorCode::kReference, "experts", base::quoted(expert_id), "one of " + base::joined(ids, ", "));
+  }
+  fuzzy::ForceModel out = averaged;
+  out.name = averaged.name + ", " + expert->label;
+  out.experts = {*expert};
+  out.accepted_holes.clear();
+  auto& alone = out.experts.front();
+  alone.weight = 1;
+  for (auto& input : out.inputs) input.terms = fuzzy::termsFor(*expert, input);
+  out.output.terms = fuzzy::termsFor(*expert, out.output);
+  alone.overrides.clear();
+  if (auto ok = setChecks(out); !ok) return tl::unexpected(ok.error());
+  return out;
+}
+
+}  // namespace tactus::elicitation

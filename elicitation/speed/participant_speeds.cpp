@@ -1,0 +1,148 @@
+#include "elicitation/speed/participant_speeds.h"
+
+#include <algorithm>
+#include <functional>
+#include <unordered_map>
+#include <utility>
+
+#include "core/base/rounded_number.h"
+#include "core/base/text.h"
+
+namespace tactus::elicitation {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+
+constexpr double kLargestFuzziness = 100;  // as fuzzyCMeans
+
+Result<void> checkSettings(const fuzzy::Variable& speed, const SpeedSettings& settings) {
+  if (!(settings.trim >= 0 && settings.trim < 1)) {
+    return fail(ErrorCode::kValue, "trim", base::formatNumber(settings.trim), "a share of 0 or more and below 1");
+  }
+  if (settings.fcm.clusters != speed.terms.size()) {
+    return fail(ErrorCode::kValue, "clusters", std::to_string(settings.fcm.clusters),
+                std::to_string(speed.terms.size()) + ", one for each term of the speed");
+  }
+  const double m = settings.fcm.m;
+  if (settings.centres == SpeedCentres::kLevelMeans && !(m > 1 && m <= kLargestFuzziness)) {
+    return fail(ErrorCode::kValue, "fuzziness m", base::formatNumber(m),
+                "a number above 1 and at most " + base::formatNumber(kLargestFuzziness));
+  }
+  // Without centres only the range of alpha is looked at.
+  if (const auto ramps = alphaCutRamps({}, settings.fcm.m, settings.alpha); !ramps)
+    return tl::unexpected(ramps.error());
+  return {};
+}
+
+/// The same error, said of one participant, whose samples have the line `line`.
+tl::unexpected<base::Error> ofParticipant(base::Error error, const std::string& participant, study::TableLine line) {
+  error.place = "speeds of participant " + participant + ", " + error.place;
+  return study::inTable(std::move(error), study::kSpeedsTable, line);
+}
+
+Result<void> checkLevels(std::span<const study::SpeedSample> samples, std::span<const std::string> levels) {
+  for (const auto& sample : samples) {
+    if (std::find(levels.begin(), levels.end(), sample.level) != levels.end()) continue;
+    return study::atCell({ErrorCode::kReference,
+                          {},
+                          "speeds of participant " + sample.participant,
+                          "level " + base::quoted(sample.level),
+                          "one of " + base::joined(levels, ", ")},
+                         {study::kSpeedsTable, sample.line, "level"}, base::quoted(sample.level));
+  }
+  return {};
+}
+
+/// The means of the levels as centres, which the terms need in ascending order.
+Result<std::vector<double>> levelMeans(std::span<const LevelSpeeds> levels) {
+  std::vector<double> means;
+  for (const auto& level : levels) {
+    if (level.samples == 0) {
+      return fail(ErrorCode::kData, "level " + level.level, "no samples", "samples of each level for level means");
+    }
+    means.push_back(level.mean_mm_s);
+  }
+  if (std::adjacent_find(means.begin(), means.end(), std::greater_equal<>()) != means.end()) {
+    std::vector<std::string> found;
+    for (const auto& level : levels) found.push_back(level.level + " " + base::roundedNumber(level.mean_mm_s));
+    return fail(ErrorCode::kData, "level means", base::joined(found, ", ") + " mm/s",
+                "means that rise with the level, or clusters as centres");
+  }
+  return means;
+}
+
+Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std::span<const study::SpeedSample> samples,
+                                     const fuzzy::Variable& speed, const SpeedSettings& settings) {
+  ParticipantSpeeds out;
+  out.participant = participant.code;
+  out.simulated = participant.simulated;
+  out.samples = samples.size();
+  std::vector<std::string> levels;
+  for (const auto& term : speed.terms) levels.push_back(term.id);
+  if (auto ok = checkLevels(samples, levels); !ok) return tl::unexpected(ok.error());
+  const auto kept = trimStrokes(samples, settings.trim);
+  out.kept = kept.size();
+  std::vector<double> speeds_mm_s;
+  speeds_mm_s.reserve(kept.size());
+  for (const auto& sample : kept) speeds_mm_s.push_back(sample.speed_mm_s);
+
+  if (settings.centres == SpeedCentres::kLevelMeans) {
+    auto means = levelMeans(levelSpeeds(kept, levels));
+    if (!means) return ofParticipant(means.error(), participant.code, samples.front().line);
+    out.centres = std::move(*means);
+    out.m = settings.fcm.m;
+  } else {
+    auto clusters = fuzzyCMeans(speeds_mm_s, settings.fcm);
+    if (!clusters) return ofParticipant(clusters.error(), participant.code, samples.front().line);
+    out.clusters = std::move(*clusters);
+    out.centres = out.clusters->centres;
+    out.m = out.clusters->m;
+  }
+  if (out.centres.front() < speed.min) {
+    return ofParticipant({ErrorCode::kData,
+                          {},
+                          out.clusters ? "lowest cluster" : "lowest level",
+                          base::formatNumber(out.centres.front()) + " mm/s",
+                          "at least " + base::formatNumber(speed.min) + " mm/s: speeds of forward strokes"},
+                         participant.code, samples.front().line);
+  }
+  auto ramps = alphaCutRamps(out.centres, out.m, settings.alpha);
+  if (!ramps) return tl::unexpected(ramps.error());
+  out.ramps = std::move(*ramps);
+  out.validity = fcmValidity(speeds_mm_s, out.centres, out.m);
+  out.diagnostics = levelDiagnostics(kept, levels, out.centres, participant.code);
+  return out;
+}
+
+}  // namespace
+
+Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
+                                                     const SpeedSettings& settings) {
+  if (auto ok = checkSettings(speed, settings); !ok) return tl::unexpected(ok.error());
+  std::unordered_map<std::string, std::vector<study::SpeedSample>> samples;
+  for (const auto& sample : study.speeds) samples[sample.participant].push_back(sample);
+
+  std::vector<ParticipantSpeeds> out;
+  for (const auto& participant : study.participants) {
+    const auto own = samples.find(participant.code);
+    if (own == samples.end()) continue;
+    auto one = clusterOne(participant, own->second, speed, settings);
+    if (!one) return tl::unexpected(one.error());
+    out.push_back(std::move(*one));
+  }
+  return out;
+}
+
+fuzzy::Variable averagedSpeed(const fuzzy::Variable& speed, std::span<const ParticipantSpeeds> participants,
+                              std::span<const Ramp> averaged) {
+  fuzzy::Variable out = speed;
+  for (const auto& one : participants) {
+    out.max = std::max(out.max, speedUniverseMax(speed.max, one.centres.back(), one.ramps));
+  }
+  out.terms = speedTerms(out, averaged);
+  return out;
+}
+
+}  // namespace tactus::elicitation

@@ -1,0 +1,141 @@
+#include "elicitation/speed/speed_terms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/base/check.h"
+#include "core/base/statistics.h"
+#include "core/base/text.h"
+
+namespace tactus::elicitation {
+namespace {
+
+/// Membership of x in one cluster, as fcmMemberships, which computes all.
+double membership(double x, std::size_t cluster, std::span<const double> centres, double m) {
+  const double own = std::abs(x - centres[cluster]);
+  if (own == 0) return 1;
+  double sum = 0;
+  for (const double centre : centres) {
+    const double ratio = own / std::abs(x - centre);  // infinite on another centre, whose membership is 1
+    sum += m == 2 ? ratio * ratio : std::pow(ratio, 2 / (m - 1));
+  }
+  return 1 / sum;
+}
+
+/// The point nearest to `outside` (where the membership in `cluster` is below alpha), coming from `inside` (where it is
+/// not), that still has at least alpha: bisection down to neighbouring doubles.
+double edge(double inside, double outside, std::size_t cluster, std::span<const double> centres, double m,
+            double alpha) {
+  while (true) {
+    const double middle = inside + (outside - inside) / 2;
+    if (middle == inside || middle == outside) return inside;
+    (membership(middle, cluster, centres, m) >= alpha ? inside : outside) = middle;
+  }
+}
+
+double average(const std::vector<double>& values, std::span<const double> weights, Averaging averaging) {
+  if (averaging == Averaging::kMedian) return base::median(values);
+  if (averaging == Averaging::kMean) return base::mean(values);
+  // Weights of at most 2 add up without overflow; a power of two costs no digit.
+  const int largest = std::ilogb(*std::max_element(weights.begin(), weights.end()));
+  double sum = 0;
+  double total = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double weight = std::scalbn(weights[i], -largest);
+    sum += weight * values[i];
+    total += weight;
+  }
+  return sum / total;
+}
+
+}  // namespace
+
+base::Result<std::vector<Ramp>> alphaCutRamps(std::span<const double> centres, double m, double alpha) {
+  if (!(alpha > 0.5 && alpha <= 1)) {
+    return base::fail(base::ErrorCode::kValue, "alpha", base::formatNumber(alpha), "a number above 0.5 and at most 1");
+  }
+  std::vector<Ramp> ramps;
+  for (std::size_t k = 0; k + 1 < centres.size(); ++k) {
+    TACTUS_CHECK(centres[k] < centres[k + 1]);
+    if (alpha == 1) {
+      ramps.push_back({centres[k], centres[k + 1]});
+    } else {
+      ramps.push_back({edge(centres[k], centres[k + 1], k, centres, m, alpha),
+                       edge(centres[k + 1], centres[k], k + 1, centres, m, alpha)});
+    }
+  }
+  return ramps;
+}
+
+std::string_view name(SpeedCentres centres) noexcept {
+  return centres == SpeedCentres::kLevelMeans ? "level_means" : "clusters";
+}
+
+std::string_view name(Averaging averaging) noexcept {
+  switch (averaging) {
+    case Averaging::kMean:
+      return "mean";
+    case Averaging::kWeightedMean:
+      return "weighted_mean";
+    case Averaging::kMedian:
+      return "median";
+  }
+  return "";
+}
+
+std::vector<Ramp> averageRamps(std::span<const std::vector<Ramp>> ramps, std::span<const double> weights,
+                               Averaging averaging) {
+  TACTUS_CHECK(!ramps.empty());
+  TACTUS_CHECK(averaging != Averaging::kWeightedMean || weights.size() == ramps.size());
+  std::vector<Ramp> out;
+  for (std::size_t k = 0; k < ramps.front().size(); ++k) {
+    std::vector<double> p;
+    std::vector<double> q;
+    for (const auto& list : ramps) {
+      TACTUS_CHECK(list.size() == ramps.front().size());
+      p.push_back(list[k].p);
+      q.push_back(list[k].q);
+    }
+    out.push_back({average(p, weights, averaging), average(q, weights, averaging)});
+  }
+  return out;
+}
+
+double speedUniverseMax(double default_max_mm_s, double largest_centre_mm_s, std::span<const Ramp> ramps) {
+  double need = largest_centre_mm_s;
+  for (const Ramp& ramp : ramps) need = std::max(need, ramp.q);
+  return need <= default_max_mm_s ? default_max_mm_s : std::ceil(need / 100) * 100;
+}
+
+std::vector<fuzzy::Term> speedTerms(const fuzzy::Variable& variable, std::span<const Ramp> ramps) {
+  TACTUS_CHECK(variable.terms.size() == ramps.size() + 1);
+  std::vector<fuzzy::Term> terms;
+  for (std::size_t k = 0; k < variable.terms.size(); ++k) {
+    const Ramp low = k == 0 ? Ramp{variable.min, variable.min} : ramps[k - 1];
+    const Ramp high = k == ramps.size() ? Ramp{variable.max, variable.max} : ramps[k];
+    terms.push_back(
+        {variable.terms[k].id, variable.terms[k].label, fuzzy::Shape::kTrapezoid, {low.p, low.q, high.p, high.q}});
+  }
+  return terms;
+}
+
+std::vector<study::SpeedSample> trimStrokes(std::span<const study::SpeedSample> samples, double share) {
+  if (share <= 0) return {samples.begin(), samples.end()};
+  std::map<std::tuple<std::string_view, std::string_view, int>, double> peaks;
+  const auto stroke_of = [](const study::SpeedSample& sample) {
+    return std::tuple<std::string_view, std::string_view, int>(sample.participant, sample.level, sample.stroke);
+  };
+  for (const auto& sample : samples) {
+    auto& peak = peaks.try_emplace(stroke_of(sample), sample.speed_mm_s).first->second;
+    peak = std::max(peak, sample.speed_mm_s);
+  }
+  std::vector<study::SpeedSample> kept;
+  for (const auto& sample : samples) {
+    if (sample.speed_mm_s >= share * peaks.at(stroke_of(sample))) kept.push_back(sample);
+  }
+  return kept;
+}
+
+}  // namespace tactus::elicitation

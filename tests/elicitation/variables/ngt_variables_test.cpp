@@ -1,0 +1,66 @@
+#include "elicitation/variables/ngt_variables.h"
+
+#include <gtest/gtest.h>
+
+#include "core/fuzzy/membership.h"
+
+namespace tactus::elicitation {
+namespace {
+
+double sumOfMemberships(const std::vector<fuzzy::Term>& terms, double x) {
+  double sum = 0;
+  for (const auto& term : terms) sum += fuzzy::MembershipFunction::of(term)(x);
+  return sum;
+}
+
+TEST(NgtVariables, InputsHaveTheirUnitsAndUniverses) {
+  const auto inputs = ngtInputs();
+  ASSERT_EQ(inputs.size(), 4U);
+  const char* ids[] = {"lubrication", "neck_flexion", "depth", "speed"};
+  const char* units[] = {"1", "deg", "mm", "mm/s"};
+  const double ends[] = {1, 90, 600, 400};
+  const std::size_t terms[] = {3, 3, 6, 3};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(inputs[i].id, ids[i]);
+    EXPECT_EQ(inputs[i].unit, units[i]);
+    EXPECT_EQ(inputs[i].min, 0);
+    EXPECT_EQ(inputs[i].max, ends[i]);
+    EXPECT_EQ(inputs[i].terms.size(), terms[i]);
+    // Every default input is a partition: its terms sum to 1 everywhere.
+    for (int step = 0; step <= 200; ++step) {
+      EXPECT_NEAR(sumOfMemberships(inputs[i].terms, ends[i] * step / 200), 1, 1e-13);
+    }
+  }
+  EXPECT_EQ(inputs[3].terms[1].points, (std::vector<double>{64, 100, 120, 163}));
+  EXPECT_EQ(ngtOutput().unit, "N");
+  EXPECT_EQ(ngtOutput().max, 1.1);
+  EXPECT_EQ(ngtOutput().terms[3].points, (std::vector<double>{0.6, 0.7, 0.7, 0.8}));
+}
+
+TEST(NgtVariables, EverySetOfDepthTermsCoversTheDepth) {
+  const auto sets = depthTermSets();
+  ASSERT_EQ(sets.size(), 3U);
+  for (const auto& set : sets) {
+    for (int depth_mm = 0; depth_mm <= 600; ++depth_mm) EXPECT_NEAR(sumOfMemberships(set.terms, depth_mm), 1, 1e-13);
+  }
+  EXPECT_EQ(findDepthTerms("six_regions")->terms, ngtInputs()[2].terms);
+  const auto a1 = findDepthTerms("form_a1")->terms;
+  EXPECT_EQ(a1.back().points, (std::vector<double>{185, 215, 600, 600}));
+  EXPECT_EQ(fuzzy::findTerm(a1, "stomach"), nullptr);
+  const auto a2 = findDepthTerms("form_a2")->terms;
+  EXPECT_EQ(fuzzy::findTerm(a2, "oropharynx"), nullptr);
+  EXPECT_EQ(fuzzy::findTerm(a2, "laryngopharynx")->points, (std::vector<double>{105, 125, 185, 215}));
+  EXPECT_FALSE(findDepthTerms("seven_regions"));
+}
+
+// Fig. 10 of the paper, as its text reads: (a) faster more, (b) the neck not flexed more, (c) less lubrication more.
+TEST(NgtVariables, TheDirectionsThatTheStudyDeclares) {
+  using analysis::Direction;
+  const std::vector<DeclaredDirection> wanted = {
+      {"lubrication", Direction::kFalls}, {"neck_flexion", Direction::kFalls}, {"speed", Direction::kRises}};
+  EXPECT_EQ(ngtDirections(), wanted);
+  EXPECT_EQ(ngtRegionInput(), "depth");
+}
+
+}  // namespace
+}  // namespace tactus::elicitation

@@ -1,0 +1,99 @@
+// The controllers with all their threads: the servo on the virtual device in real time, the lint in the background, and
+// edits all the while. Built with the thread sanitizer it shows every race of our own code.
+#include <QCoreApplication>
+#include <QTest>
+#include <cstdlib>
+#include <gtest/gtest.h>
+
+#include "app/workbench/device/device_search.h"
+#include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/tune/findings/findings_controller.h"
+
+#include "tests/gui/bench_gestures.h"
+#include "tests/gui/sample_models.h"
+#include "tests/support/ngt_model.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kPatience = 30'000;  // ms, for a busy machine and a sanitizer
+constexpr int kGestures = 150;     // a second or two
+
+int gestures() {
+  const char* const wanted = std::getenv("TACTUS_THREAD_GESTURES");
+  return wanted == nullptr ? kGestures : std::atoi(wanted);
+}
+
+TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
+  auto model = support::s4AsPrinted();
+  model.experts.push_back(support::s4Shifted().experts[0]);
+  model.experts[1].id = "S5";
+  const tests::ModelFolder folder;
+  const QString path = folder.write(model);
+  tests::BenchControllers bench;
+  FindingsController& findings = bench.findings;
+  FeelController feel(bench.scene);
+  DeviceSearch search;
+  bench.models.open(path);
+  tests::BenchGestures hand(7, tests::BenchReach(bench));
+  findings.setWatched(true);
+  search.search();
+  feel.start(QStringLiteral("virtual"));
+  ASSERT_TRUE(feel.isRunning());
+  feel.setHeld(true);
+
+  base::Random random(3);
+  std::size_t runs = 1;
+  const int count = gestures();
+  for (int k = 0; k < count; ++k) {
+    const std::string what = hand.play();
+    ASSERT_EQ(hand.check(false), "") << "gesture " << k << ", " << what;
+    feel.setTarget(random.uniform(0, 120));
+    if (k % 10 == 0) feel.setNeckFlexed(k % 20 == 0);
+    if (k % 7 == 0) feel.setHeld(k % 14 == 0);
+    if (k % 11 == 0 && findings.isCurrent() && !findings.findings().empty()) {
+      findings.choose(static_cast<std::size_t>(random.below(static_cast<int>(findings.findings().size()))));
+    }
+    if (k % 13 == 0 && !findings.fixes().empty()) findings.apply(0);
+    if (k % 17 == 0) findings.setWatched(k % 34 != 0);
+    if (k % 40 == 39) {
+      feel.newPlacement();
+      feel.stop();
+      feel.start(QStringLiteral("virtual"));
+      ++runs;
+    }
+    QCoreApplication::processEvents();
+    if (feel.state() == FeelState::kTripped) feel.rearm();
+  }
+  bench.edits.commit();
+  findings.setWatched(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return findings.isCurrent(); }, kPatience));
+  EXPECT_EQ(*findings.lintedModel(), bench.edits.model());
+  // The last edit is in the force.
+  const auto last = feel.latest().orders;
+  feel.newPlacement();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return feel.latest().orders > last; }, kPatience));
+  EXPECT_GT(feel.statistics().ticks, 0U);
+  EXPECT_GT(runs, 1U);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !search.isSearching(); }, kPatience));
+  feel.stop();
+}
+
+TEST(BenchThreads, EverythingEndsInTheMiddleOfItsWork) {
+  const tests::ModelFolder folder;
+  const QString path = folder.write(support::s4AsPrinted());
+  for (int i = 0; i < 5; ++i) {
+    ModelController models;
+    SceneController scene(models);
+    FeelController feel(scene);
+    EditController edits(models);
+    FindingsController findings(edits, scene);
+    models.open(path);
+    findings.setWatched(true);
+    feel.start(QStringLiteral("virtual"));
+    if (i % 2 == 0) QCoreApplication::processEvents();
+  }
+}
+
+}  // namespace
+}  // namespace tactus::workbench

@@ -1,0 +1,474 @@
+#include "app/workbench/feel/feel_controller.h"
+
+#include <QCoreApplication>
+#include <QSignalSpy>
+#include <QTest>
+#include <atomic>
+#include <gtest/gtest.h>
+#include <thread>
+
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/model/scene_controller.h"
+
+#include "tests/gui/sample_models.h"
+#include "tests/gui/stepped_feel.h"
+
+namespace tactus::workbench {
+namespace {
+
+// Centroids of the rectangles of the sample model, N; the sets are symmetric, so rounding is all that is left.
+constexpr double kLowN = 0.25;
+constexpr double kHighN = 0.75;
+constexpr double kRounding = 1e-12;
+constexpr std::uint64_t kMostTicks = 2;  // an edit is felt no later
+
+constexpr std::size_t kDepth = 1;
+constexpr int kPatienceMs = 10'000;
+
+class FeelControllerTest : public testing::Test {
+ protected:
+  void SetUp() override { models.open(folder.write(tests::twoExperts())); }
+
+  // Takes the tube and pushes it into the near region, slowly; the fade-in of the arming is over then.
+  void push() {
+    time.advance(feel, 20);  // the hand has to be seen open once
+    feel.setHeld(true);
+    time.advance(feel, 1200);
+    time.moveTo(feel, 5, 5);
+  }
+
+  fuzzy::ForceModel harder() {
+    fuzzy::ForceModel model = scene.model()->model;
+    model.experts[0].rules[0].then = "high";  // near and slow
+    return model;
+  }
+
+  tests::ModelFolder folder;
+  ModelController models;
+  SceneController scene{models};
+  tests::SteppedFeel time;
+  FeelController feel{scene, time.settings()};
+};
+
+TEST_F(FeelControllerTest, StartsOnTheVirtualDeviceAndSaysThatItIsSimulated) {
+  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  feel.start(QStringLiteral("virtual"));
+  EXPECT_EQ(feel.state(), FeelState::kRunning);
+  ASSERT_TRUE(feel.device());
+  EXPECT_TRUE(feel.device()->simulated);
+  EXPECT_TRUE(feel.isHandLive());
+  EXPECT_TRUE(isHeldByKey(*feel.device()));
+  time.advance(feel, 50);
+  EXPECT_EQ(feel.latest().tick, 50u);
+  EXPECT_EQ(feel.latest().force_n, 0);
+}
+
+TEST_F(FeelControllerTest, AHandThatPushesFeelsTheForceOfTheModel) {
+  feel.start(QStringLiteral("virtual"));
+  push();
+  EXPECT_NEAR(feel.latest().model_force_n, kLowN, kRounding);
+  EXPECT_GT(feel.depthMm(), 0);
+  EXPECT_EQ(feel.strokes(), 1u);
+  // A stuck tube carries what the hand pushes with: something, and less than the break-away of 1.15 F_d.
+  EXPECT_GT(feel.latest().force_n, 0.1);
+  EXPECT_LE(feel.latest().force_n, 1.15 * kLowN + kRounding);
+  // The hand is a spring of 0.1 N/mm: it stays behind the cursor by what it pushes with.
+  EXPECT_GT(feel.lagMm(), feel.latest().force_n / 0.1);
+}
+
+TEST_F(FeelControllerTest, WithoutAGripThereIsNoForce) {
+  feel.start(QStringLiteral("virtual"));
+  time.moveTo(feel, 5, 20);
+  EXPECT_EQ(feel.latest().force_n, 0);
+  EXPECT_EQ(feel.strokes(), 0u);
+  EXPECT_GT(feel.latest().position_mm, 4);
+}
+
+TEST_F(FeelControllerTest, AnEditIsFeltWithinTwoTicks) {
+  feel.start(QStringLiteral("virtual"));
+  push();
+  EXPECT_FALSE(feel.editLatency());
+  ASSERT_TRUE(models.edit(harder()));
+  time.advance(feel, 16);
+  ASSERT_TRUE(feel.editLatency());
+  EXPECT_LE(feel.editLatency()->longest_ticks, kMostTicks);
+  EXPECT_LE(feel.statistics().longest_wait_ticks, kMostTicks);
+  // The difference fades within 50 ms; then the tube has the force of the other rule.
+  time.advance(feel, 60);
+  EXPECT_NEAR(feel.latest().model_force_n, kHighN, kRounding);
+}
+
+TEST_F(FeelControllerTest, EveryEditOfADragIsFeltWithinTwoTicks) {
+  feel.start(QStringLiteral("virtual"));
+  push();
+  for (int i = 0; i < 20; ++i) {
+    fuzzy::ForceModel model = scene.model()->model;
+    model.inputs[kDepth].terms[0].points[3] = 5 + 0.01 * i;
+    ASSERT_TRUE(models.edit(std::move(model)));
+    time.advance(feel, i % 3);  // several within a beat, and some within a tick
+  }
+  time.advance(feel, 16);
+  EXPECT_LE(feel.editLatency()->longest_ticks, kMostTicks);
+}
+
+TEST_F(FeelControllerTest, StopGivesZeroAndNothingIsComputedAfterwards) {
+  feel.start(QStringLiteral("virtual"));
+  push();
+  ASSERT_GT(feel.latest().force_n, 0);
+  feel.stop();
+  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  EXPECT_EQ(feel.latest().force_n, 0);
+  EXPECT_FALSE(feel.device());
+
+  const QSignalSpy advanced(&feel, &FeelController::advanced);
+  const std::uint64_t ticks = time.ticks();
+  ASSERT_TRUE(models.edit(harder()));
+  scene.setValue(0, 80);
+  time.advance(feel, 50);
+  EXPECT_EQ(time.ticks(), ticks);
+  EXPECT_EQ(advanced.count(), 0);
+  EXPECT_EQ(feel.statistics().ticks, 0u);
+}
+
+TEST_F(FeelControllerTest, APlacementEndsWithItsNumbers) {
+  feel.start(QStringLiteral("virtual"));
+  const QSignalSpy ended(&feel, &FeelController::placementEnded);
+  push();
+  feel.setHeld(false);
+  time.advance(feel, 100);
+  time.moveTo(feel, 0, 50);
+  feel.setHeld(true);
+  time.moveTo(feel, 3, 5);
+  const double depth_mm = feel.depthMm();
+  feel.newPlacement();
+  ASSERT_EQ(ended.count(), 1);
+  const auto summary = feel.lastPlacement();
+  ASSERT_TRUE(summary);
+  EXPECT_TRUE(summary->simulated);
+  EXPECT_EQ(summary->strokes, 2u);
+  EXPECT_NEAR(summary->depth_mm, depth_mm, 0.01);  // the deepest place is where it ended, up to the motion of a tick
+  EXPECT_GT(summary->peak_force_n, summary->mean_force_n);
+  EXPECT_LE(summary->peak_force_n, 1.15 * kLowN + kRounding);
+  // Both pushes took 1.2 s + 1 s and 0.6 s with rests of 0.1 s; the way back of 0.1 s + 0.2 s lies between them.
+  EXPECT_NEAR(summary->duration_s, 3.3, 0.3);
+  time.advance(feel, 20);
+  EXPECT_EQ(feel.depthMm(), 0);
+}
+
+TEST_F(FeelControllerTest, TheOperatingPointFollowsTheHand) {
+  feel.start(QStringLiteral("virtual"));
+  const QSignalSpy moved(&feel, &FeelController::handMoved);
+  push();
+  EXPECT_GT(moved.count(), 0);
+  EXPECT_NEAR(scene.value(kDepth), feel.depthMm(), 0.05);  // shown in steps of 0.1 mm
+  const double stays = scene.value(kDepth);
+  feel.setFollowsHand(false);
+  time.moveTo(feel, 8, 5);
+  EXPECT_EQ(scene.value(kDepth), stays);
+}
+
+TEST_F(FeelControllerTest, TheTraceKeepsTenSeconds) {
+  feel.start(QStringLiteral("virtual"));
+  time.advance(feel, 10'500);
+  const auto& trace = feel.history().trace();
+  // 4 ms for each point, and the ends.
+  EXPECT_LE(trace.size(), 2502u);
+  EXPECT_GE(trace.size(), 2498u);
+  EXPECT_GE(trace.front().time_s, feel.history().nowS() - FeelHistory::kTraceS);
+}
+
+TEST_F(FeelControllerTest, ASlowDeviceStartsAndStopsInTheBackground) {
+  std::atomic<bool> lets_go{false};
+  const auto let = [&lets_go] {
+    lets_go.store(true);
+    lets_go.notify_all();
+  };
+  FeelController slow{scene, time.slowSettings(lets_go)};
+  slow.start(QStringLiteral("slow"));
+  EXPECT_EQ(slow.state(), FeelState::kOpening);
+  EXPECT_FALSE(slow.isRunning());
+  let();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kRunning; }, kPatienceMs));
+  EXPECT_TRUE(slow.isRunning());
+
+  // The call comes back while the device still stops, and what is shown has no force any more.
+  lets_go.store(false);
+  slow.stop();
+  EXPECT_EQ(slow.state(), FeelState::kStopping);
+  EXPECT_FALSE(slow.isRunning());
+  EXPECT_EQ(slow.latest().force_n, 0);
+  const QSignalSpy failed(&slow, &FeelController::failed);
+  slow.start(QStringLiteral("slow"));
+  EXPECT_EQ(slow.state(), FeelState::kStopping);
+  EXPECT_EQ(failed.count(), 1);
+  let();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kStopped; }, kPatienceMs));
+}
+
+TEST_F(FeelControllerTest, ADeviceThatStillStartsCanBeStopped) {
+  std::atomic<bool> lets_go{false};
+  FeelController slow{scene, time.slowSettings(lets_go)};
+  slow.start(QStringLiteral("slow"));
+  slow.stop();
+  EXPECT_EQ(slow.state(), FeelState::kStopping);
+  lets_go.store(true);
+  lets_go.notify_all();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kStopped; }, kPatienceMs));
+  EXPECT_FALSE(slow.isRunning());
+}
+
+TEST_F(FeelControllerTest, AGripThatIsChosenWhileADeviceStartsCounts) {
+  std::atomic<bool> lets_go{false};
+  FeelController slow{scene, time.slowSettings(lets_go)};
+  slow.start(QStringLiteral("slow"));
+  slow.setGrip({true, -20});
+  lets_go.store(true);
+  lets_go.notify_all();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kRunning; }, kPatienceMs));
+  time.advance(slow, 50);
+  slow.setHeld(true);
+  time.advance(slow, 50);
+  slow.setHeld(false);
+  time.advance(slow, 50);
+  // One press took the tube, and nothing has to be held.
+  EXPECT_TRUE(slow.latest().enabled);
+}
+
+TEST_F(FeelControllerTest, AProgramThatEndsWaitsForADeviceThatStops) {
+  std::atomic<bool> lets_go{true};
+  std::thread late;
+  {
+    FeelController slow{scene, time.slowSettings(lets_go)};
+    slow.start(QStringLiteral("slow"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kRunning; }, kPatienceMs));
+    lets_go.store(false);
+    slow.stop();
+    late = std::thread([&] {
+      lets_go.store(true);
+      lets_go.notify_all();
+    });
+  }
+  late.join();
+  EXPECT_EQ(time.loops(), 0);
+}
+
+TEST_F(FeelControllerTest, AModelThatCannotBeFeltEndsTheForceOfTheOneBefore) {
+  feel.start(QStringLiteral("virtual"));
+  push();
+  EXPECT_GT(feel.latest().force_n, 0.1);
+  const QSignalSpy failed(&feel, &FeelController::failed);
+  fuzzy::ForceModel inches = tests::twoExperts();
+  inches.inputs[kDepth].unit = "in";
+  models.open(folder.write(inches, QStringLiteral("inches.tactus.json")));
+  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  EXPECT_EQ(failed.count(), 1);
+}
+
+TEST_F(FeelControllerTest, RefusesWhatCannotBeFelt) {
+  fuzzy::ForceModel inches = tests::twoExperts();
+  inches.inputs[kDepth].unit = "in";
+  models.open(folder.write(inches, QStringLiteral("inches.tactus.json")));
+  const QSignalSpy failed(&feel, &FeelController::failed);
+  feel.start(QStringLiteral("virtual"));
+  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains(QLatin1String("'in'"))) << failed[0][0].toString().toStdString();
+}
+
+class FeelTripTest : public testing::Test {
+ protected:
+  static haptics::VirtualDeviceSettings stalling() {
+    haptics::VirtualDeviceSettings device;
+    device.faults = {{haptics::InjectedFault::kStalled, 0.5, 0.3}};
+    return device;
+  }
+
+  void SetUp() override {
+    models.open(folder.write(tests::twoExperts()));
+    feel.start(QStringLiteral("virtual"));
+    time.advance(feel, 20);
+    feel.setHeld(true);
+    time.advance(feel, 1100);
+  }
+
+  tests::ModelFolder folder;
+  ModelController models;
+  SceneController scene{models};
+  tests::SteppedFeel time{stalling()};
+  FeelController feel{scene, time.settings()};
+};
+
+TEST_F(FeelTripTest, IsShownWithCauseValueAndTime) {
+  EXPECT_EQ(feel.state(), FeelState::kTripped);
+  ASSERT_TRUE(feel.trip());
+  EXPECT_TRUE(feel.trip()->at.isValid());
+  // A device that stalls takes no force either, which trips first: within a tick or two after 50 ms.
+  const std::string sentence = feel.trip()->sentence.toStdString();
+  EXPECT_TRUE(sentence.starts_with("No force reached the device for too long: 0.05")) << sentence;
+  EXPECT_TRUE(sentence.ends_with("s, allowed 0.050 s")) << sentence;
+  EXPECT_EQ(feel.latest().force_n, 0);
+}
+
+TEST_F(FeelTripTest, ArmsAgainOnceTheHandHasLetGo) {
+  feel.rearm();
+  time.advance(feel, 100);
+  EXPECT_EQ(feel.state(), FeelState::kRearming);
+  feel.setHeld(false);
+  time.advance(feel, 100);
+  EXPECT_EQ(feel.state(), FeelState::kRunning);
+  EXPECT_FALSE(feel.trip());
+  feel.setHeld(true);
+  time.advance(feel, 1200);
+  time.moveTo(feel, 5, 5);
+  EXPECT_GT(feel.latest().force_n, 0.1);
+}
+
+/// The sample model with its first input as a condition: low force up to 40, high force from 60 on.
+class FeelConditionTest : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    fuzzy::ForceModel model = tests::twoExperts();
+    model.inputs[0].id = GetParam();
+    model.inputs[0].unit = "1";
+    for (fuzzy::Rule& rule : model.experts[0].rules) {
+      for (fuzzy::Condition& condition : rule.conditions) {
+        if (condition.input == "speed") condition.input = GetParam();
+      }
+    }
+    model.experts[1].overrides[0].variable = GetParam();
+    models.open(folder.write(model));
+    scene.setValue(0, 20);
+    feel.start(QStringLiteral("virtual"));
+    time.advance(feel, 20);
+    feel.setHeld(true);
+    time.advance(feel, 1200);
+    time.moveTo(feel, 4, 5);
+  }
+
+  tests::ModelFolder folder;
+  ModelController models;
+  SceneController scene{models};
+  tests::SteppedFeel time;
+  FeelController feel{scene, time.settings()};
+};
+
+using NeckFlexion = FeelConditionTest;
+INSTANTIATE_TEST_SUITE_P(Feel, NeckFlexion, testing::Values("neck_flexion"));
+
+TEST_P(NeckFlexion, AGestureTakesASecond) {
+  const QSignalSpy changed(&feel, &FeelController::neckChanged);
+  EXPECT_FALSE(feel.isNeckFlexed());
+  feel.setNeckFlexed(true);
+  EXPECT_TRUE(feel.isNeckFlexed());
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(scene.value(0), 80);  // the middle of what is fully the last term
+  // The difference of 0.5 N goes evenly, 0.5 mN with each tick.
+  constexpr double kTwoTicksN = 0.001;
+  time.advance(feel, 500);
+  EXPECT_NEAR(feel.latest().model_force_n, (kLowN + kHighN) / 2, kTwoTicksN);
+  time.advance(feel, 505);
+  EXPECT_NEAR(feel.latest().model_force_n, kHighN, kRounding);
+  EXPECT_LE(feel.editLatency()->longest_ticks, kMostTicks);
+}
+
+using Lubrication = FeelConditionTest;
+INSTANTIATE_TEST_SUITE_P(Feel, Lubrication, testing::Values("lubrication"));
+
+TEST_P(Lubrication, IsPostedWithTheNextBeatAndFadesQuickly) {
+  for (int value = 21; value <= 80; ++value) scene.setValue(0, value);  // a slider between two beats
+  EXPECT_FALSE(feel.editLatency());
+  time.advance(feel, 16 + 16 + 55);
+  EXPECT_NEAR(feel.latest().model_force_n, kHighN, kRounding);
+}
+
+/// The thread of the servo and the clock of this computer: what the tests above leave out.
+TEST(FeelThread, RunsBesideTheProgram) {
+  const tests::ModelFolder folder;
+  ModelController models;
+  SceneController scene(models);
+  FeelController feel(scene);
+  models.open(folder.write(tests::twoExperts()));
+  feel.start(QStringLiteral("virtual"));
+  ASSERT_TRUE(feel.isRunning());
+  EXPECT_FALSE(feel.priorityText().isEmpty());
+  feel.setHeld(true);
+  for (int edit = 0; edit < 40; ++edit) {
+    feel.setTarget(0.1 * edit);
+    fuzzy::ForceModel model = scene.model()->model;
+    model.inputs[kDepth].terms[0].points[3] = 5 + 0.01 * (edit % 2);
+    ASSERT_TRUE(models.edit(std::move(model)));
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+  EXPECT_TRUE(QTest::qWaitFor([&] { return feel.editLatency() && feel.latest().tick > 100; }));
+  feel.stop();
+  EXPECT_EQ(feel.latest().force_n, 0);
+  EXPECT_FALSE(feel.isRunning());
+}
+
+TEST_F(FeelControllerTest, ALoopThatStopsCallingIsNoticedAndSaidAfterASecond) {
+  feel.start(QStringLiteral("virtual"));
+  push();
+  const QSignalSpy failures(&feel, &FeelController::failed);
+  time.stall(feel, 990);
+  EXPECT_TRUE(feel.isRunning());
+  time.stall(feel, 40);
+  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  ASSERT_EQ(failures.count(), 1);
+  const QString sentence = failures.front().front().toString();
+  EXPECT_TRUE(sentence.startsWith(
+      QStringLiteral("The loop of the device's driver has ended: the servo missed ticks for too long: 1.0")))
+      << sentence.toStdString();
+  EXPECT_EQ(feel.latest().force_n, 0);
+}
+
+TEST_F(FeelControllerTest, AStallThatTheDeviceDoesNotBridgeBeginsANewFadeIn) {
+  haptics::VirtualDeviceSettings device;
+  device.quiet_after_s = 0.05;
+  tests::SteppedFeel stalling(device);
+  FeelController felt{scene, stalling.settings()};
+  felt.start(QStringLiteral("virtual"));
+  stalling.advance(felt, 20);
+  felt.setHeld(true);
+  stalling.advance(felt, 1200);
+  stalling.moveTo(felt, 5, 5);
+  const double before_n = felt.latest().force_n;
+  ASSERT_GT(before_n, 0.1);
+  stalling.stall(felt, 70);
+  stalling.advance(felt, 2);
+  EXPECT_EQ(felt.state(), FeelState::kRunning);
+  EXPECT_LT(felt.latest().force_n, 0.01 * before_n);
+  EXPECT_TRUE(felt.latest().limited & haptics::kLimitedByGap);
+  EXPECT_EQ(felt.statistics().restarts, 1u);
+}
+
+/// The rating of this device is so low that a push of half a minute uses its budget.
+TEST_F(FeelControllerTest, TheMotorsAreAsWarmAfterStopAndStartAsBefore) {
+  haptics::VirtualDeviceSettings device;
+  device.continuous_force_n = 0.05;
+  tests::SteppedFeel warm(device);
+  FeelController felt{scene, warm.settings()};
+  const auto hold = [&] {
+    felt.start(QStringLiteral("virtual"));
+    warm.advance(felt, 20);
+    felt.setHeld(true);
+    warm.advance(felt, 1200);
+    warm.moveTo(felt, 10, 20);
+  };
+  hold();
+  const double fresh_n = felt.latest().force_n;
+  warm.advance(felt, 20'000);
+  const double tired_n = felt.latest().force_n;
+  ASSERT_TRUE(felt.latest().limited & haptics::kLimitedByThermal);
+  ASSERT_LT(tired_n, 0.5 * fresh_n);
+  felt.stop();
+  hold();
+  EXPECT_TRUE(felt.latest().limited & haptics::kLimitedByThermal);
+  EXPECT_LT(felt.latest().force_n, 0.5 * fresh_n);
+  felt.stop();
+  warm.pass(65'000);
+  hold();
+  EXPECT_NEAR(felt.latest().force_n, fresh_n, 1e-6) << "the time in between was rest";
+}
+
+}  // namespace
+}  // namespace tactus::workbench

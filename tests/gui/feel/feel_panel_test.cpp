@@ -1,0 +1,218 @@
+#include "app/workbench/feel/feel_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QTest>
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/tube_pad.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/model/scene_controller.h"
+
+#include "tests/gui/sample_models.h"
+#include "tests/gui/stepped_feel.h"
+
+namespace tactus::workbench {
+namespace {
+
+class FeelPanelTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    panel.resize(440, 900);
+    panel.show();
+    models.open(folder.write(tests::twoExperts()));
+    QCoreApplication::processEvents();
+  }
+
+  template <class Widget>
+  Widget* saying(const QString& text) {
+    const QList<Widget*> all = panel.findChildren<Widget*>();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Widget* widget) {
+      return widget->isVisibleTo(&panel) && widget->text().contains(text);
+    });
+    return found == all.end() ? nullptr : *found;
+  }
+
+  void click(const QString& button) { QTest::mouseClick(saying<QPushButton>(button), Qt::LeftButton); }
+
+  // Takes the tube in the pad and pushes it to the right.
+  void push() {
+    TubePad* pad = panel.findChild<TubePad*>();
+    time.advance(feel, 20);  // the hand has to be seen open once
+    QTest::mousePress(pad, Qt::LeftButton, Qt::NoModifier, {40, 20});
+    time.advance(feel, 1500);
+    for (int x = 41; x <= 50; ++x) {
+      QTest::mouseMove(pad, {x, 20});
+      time.advance(feel, 100);
+    }
+  }
+
+  tests::ModelFolder folder;
+  ModelController models;
+  SceneController scene{models};
+  tests::SteppedFeel time;
+  FeelController feel{scene, time.settings()};
+  FeelPanel panel{scene, feel};
+};
+
+TEST_F(FeelPanelTest, SaysThatTheVirtualDeviceIsSimulated) { EXPECT_NE(saying<QLabel>("SIMULATED"), nullptr); }
+
+TEST_F(FeelPanelTest, TheMousePushesTheTubeAndTheForceIsShown) {
+  click("Start");
+  push();
+  EXPECT_TRUE(feel.latest().enabled);
+  EXPECT_GT(feel.latest().force_n, 0.05);
+  EXPECT_NE(saying<QLabel>("1 stroke"), nullptr);
+  EXPECT_EQ(saying<QLabel>("0.000 N"), nullptr);
+  QTest::mouseRelease(panel.findChild<TubePad*>(), Qt::LeftButton, Qt::NoModifier, {50, 20});
+  time.advance(feel, 60);
+  EXPECT_NE(saying<QLabel>("0.000 N"), nullptr);
+  click("Stop");
+  // In a line that ends where the panel does; the tool tip has all of it.
+  const QList<QLabel*> labels = panel.findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    const QString start = QStringLiteral("Last placement, SIMULATED");
+    return label->text().startsWith(start) || label->toolTip().startsWith(start);
+  }));
+}
+
+TEST_F(FeelPanelTest, SpaceHoldsTheTubeAndEscapeStops) {
+  click("Start");
+  time.advance(feel, 50);
+  QTest::keyPress(&panel, Qt::Key_Space);
+  time.advance(feel, 50);
+  EXPECT_TRUE(feel.latest().enabled);
+  QTest::keyRelease(&panel, Qt::Key_Space);
+  time.advance(feel, 50);
+  EXPECT_FALSE(feel.latest().enabled);
+  QTest::keyPress(&panel, Qt::Key_Escape);
+  EXPECT_FALSE(feel.isRunning());
+}
+
+TEST_F(FeelPanelTest, SpaceHoldsTheTubeWhileTheKeyboardIsInANumber) {
+  click("Start");
+  time.advance(feel, 50);
+  QDoubleSpinBox number;
+  number.show();
+  number.setFocus();
+  QTest::keyPress(&number, Qt::Key_Space);
+  time.advance(feel, 50);
+  EXPECT_TRUE(feel.latest().enabled);
+  QTest::keyRelease(&number, Qt::Key_Space);
+  // A menu that opens has its own use for the key.
+  QMenu menu;
+  menu.addAction(QStringLiteral("Something"));
+  menu.popup(QPoint(0, 0));
+  QTest::keyPress(&menu, Qt::Key_Space);
+  time.advance(feel, 50);
+  EXPECT_FALSE(feel.latest().enabled);
+}
+
+TEST_F(FeelPanelTest, APadThatIsHiddenLetsGo) {
+  click("Start");
+  push();
+  ASSERT_TRUE(feel.latest().enabled);
+  panel.hide();
+  time.advance(feel, 60);
+  EXPECT_FALSE(feel.latest().enabled);
+}
+
+TEST_F(FeelPanelTest, ItsOwnKeyStopsTheForceWhateverHasTheKeyboard) {
+  click("Start");
+  time.advance(feel, 50);
+  QWidget other;
+  other.show();
+  QTest::keyPress(&other, Qt::Key_F12);
+  EXPECT_FALSE(feel.isRunning());
+}
+
+// A widget that wants Escape for itself, as a plot does while something is dragged.
+class Dragged : public QWidget {
+ public:
+  bool cancelled = false;
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride) {
+      event->accept();
+      return true;
+    }
+    return QWidget::event(event);
+  }
+  void keyPressEvent(QKeyEvent* event) override { cancelled = event->key() == Qt::Key_Escape; }
+};
+
+TEST_F(FeelPanelTest, EscapeTakesADragBackAndLeavesTheForce) {
+  click("Start");
+  time.advance(feel, 50);
+  Dragged dragged;
+  dragged.show();
+  QTest::keyPress(&dragged, Qt::Key_Escape);
+  EXPECT_TRUE(dragged.cancelled);
+  EXPECT_TRUE(feel.isRunning());
+  QTest::keyPress(&panel, Qt::Key_Escape);
+  EXPECT_FALSE(feel.isRunning());
+}
+
+TEST_F(FeelPanelTest, ALatchTakesTheTubeWithOnePress) {
+  auto* grip = panel.findChildren<QComboBox*>().back();
+  grip->setCurrentIndex(1);
+  emit grip->activated(1);
+  EXPECT_TRUE(feel.grip().latch);
+  click("Start");
+  time.advance(feel, 50);
+  const auto press = [this] {
+    QTest::keyPress(&panel, Qt::Key_Space);
+    time.advance(feel, 50);
+    QTest::keyRelease(&panel, Qt::Key_Space);
+    time.advance(feel, 50);
+  };
+  press();
+  EXPECT_TRUE(feel.latest().enabled);
+  press();
+  EXPECT_FALSE(feel.latest().enabled);
+  // Drawn out beyond the release zone of -20 mm it lets go by itself.
+  press();
+  ASSERT_TRUE(feel.latest().enabled);
+  time.moveTo(feel, -40, 100);
+  EXPECT_FALSE(feel.latest().enabled);
+}
+
+TEST_F(FeelPanelTest, NothingIsCutInTheSmallestPlace) {
+  panel.resize(590, 296);
+  QCoreApplication::processEvents();
+  const auto* area = panel.findChild<QScrollArea*>();
+  for (const bool split : {false, true}) {
+    panel.findChildren<QCheckBox*>().front()->setChecked(split);
+    QCoreApplication::processEvents();
+    EXPECT_LE(area->widget()->height(), area->viewport()->height()) << split;
+    EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width()) << split;
+  }
+}
+
+TEST_F(FeelPanelTest, TheForceCanBeSplit) {
+  EXPECT_EQ(saying<QLabel>("fuzzy force"), nullptr);
+  panel.findChildren<QCheckBox*>().front()->setChecked(true);
+  EXPECT_NE(saying<QLabel>("fuzzy force"), nullptr);
+}
+
+TEST_F(FeelPanelTest, AFailureIsSaidInTheDeviceCard) {
+  fuzzy::ForceModel inches = tests::twoExperts();
+  inches.inputs[1].unit = "in";
+  models.open(folder.write(inches, QStringLiteral("inches.tactus.json")));
+  click("Start");
+  EXPECT_NE(saying<QLabel>("'in'"), nullptr);
+  EXPECT_FALSE(feel.isRunning());
+}
+
+}  // namespace
+}  // namespace tactus::workbench

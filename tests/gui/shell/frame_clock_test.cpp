@@ -1,0 +1,150 @@
+#include "app/workbench/shell/frame_clock.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+#include <QWidget>
+#include <gtest/gtest.h>
+#include <memory>
+
+#include "app/workbench/base/refresh.h"
+
+namespace tactus::workbench {
+namespace {
+
+/// Counts how often it is painted.
+class Canvas : public QWidget {
+ public:
+  using QWidget::QWidget;
+  int painted = 0;
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override { ++painted; }
+};
+
+class FrameClockTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (Canvas* canvas : {first, second}) canvas->setFixedSize(40, 40);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return first->painted > 0 && second->painted > 0; }));
+    first->painted = second->painted = 0;
+  }
+
+  QWidget window;
+  QVBoxLayout* layout = new QVBoxLayout(&window);
+  Canvas* first = new Canvas;
+  Canvas* second = new Canvas;
+  bool placed = (layout->addWidget(first), layout->addWidget(second), true);
+  Refresh* of_first = new Refresh(first, [this] { first->update(); });
+  Refresh* of_second = new Refresh(second, [this] { second->update(); });
+  FrameClock clock{window};
+  QSignalSpy measured{&clock, &FrameClock::measured};
+};
+
+TEST_F(FrameClockTest, ItEndsWhenTheLastPanelIsPainted) {
+  int first_painted = 0;
+  int second_painted = 0;
+  QObject::connect(&clock, &FrameClock::measured, &clock, [&] {
+    first_painted = first->painted;
+    second_painted = second->painted;
+  });
+  clock.begin();
+  of_first->request();
+  of_second->request();
+  clock.sent();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  EXPECT_EQ(first_painted, 1);
+  EXPECT_EQ(second_painted, 1);
+  EXPECT_EQ(clock.painted()->edits, 1U);
+}
+
+TEST_F(FrameClockTest, WhatHappensMeanwhileIsCounted) {
+  clock.begin();
+  QTest::qSleep(20);
+  of_first->request();
+  clock.sent();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  EXPECT_GE(clock.painted()->last_ms, 20);
+}
+
+TEST_F(FrameClockTest, HiddenPanelsAreNotWaitedFor) {
+  second->hide();
+  clock.begin();
+  of_first->request();
+  of_second->request();
+  clock.sent();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  EXPECT_EQ(second->painted, 0);
+}
+
+TEST_F(FrameClockTest, ACoarsePictureAndTheFinestOneAreTwoTimes) {
+  of_first->setRefining(true);
+  clock.begin();
+  of_second->request();
+  clock.sent();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return clock.painted().has_value(); }));
+  EXPECT_FALSE(clock.finest().has_value());
+  EXPECT_EQ(measured.count(), 0);
+  of_first->setRefining(false);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  EXPECT_GT(clock.finest()->last_ms, clock.painted()->last_ms);
+}
+
+TEST_F(FrameClockTest, TheOlderOfTwoEditsInAFrameCounts) {
+  clock.begin();
+  of_first->request();
+  clock.sent();
+  QTest::qSleep(20);
+  clock.begin();
+  of_first->request();
+  clock.sent();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  EXPECT_EQ(clock.painted()->edits, 1U);
+  EXPECT_GE(clock.painted()->last_ms, 20);
+}
+
+TEST_F(FrameClockTest, NothingIsMeasuredWhereNobodyLooks) {
+  window.hide();
+  clock.begin();
+  of_first->request();
+  clock.sent();
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(clock.painted().has_value());
+}
+
+TEST_F(FrameClockTest, MedianAndLargestAreOfAllEdits) {
+  for (const int ms : {30, 0, 0}) {
+    clock.begin();
+    QTest::qSleep(ms);
+    of_first->request();
+    clock.sent();
+    const auto before = measured.count();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return measured.count() > before; }));
+  }
+  const auto times = clock.painted();
+  EXPECT_EQ(times->edits, 3U);
+  EXPECT_GE(times->largest_ms, 30);
+  EXPECT_LE(times->median_ms, times->largest_ms);
+}
+
+TEST(RefreshTest, AThousandRequestsAreOnePieceOfWorkPerFrame) {
+  QWidget panel;
+  int done = 0;
+  Refresh refresh(&panel, [&done] { ++done; });
+  panel.show();
+  QCoreApplication::processEvents();
+  QElapsedTimer clock;
+  clock.start();
+  for (int i = 0; i < 1000; ++i) {
+    refresh.request();
+    if (i % 10 == 0) QTest::qSleep(1);
+    QCoreApplication::processEvents();
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !refresh.isDue(); }));
+  EXPECT_GE(done, 2);
+  EXPECT_LE(done, clock.elapsed() / Refresh::kFrameMs + 2);
+}
+
+}  // namespace
+}  // namespace tactus::workbench

@@ -1,0 +1,236 @@
+#include "app/workbench/study_parts.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QTimer>
+#include <QUrl>
+#include <algorithm>
+#include <functional>
+#include <gtest/gtest.h>
+
+#include "app/editing/membership_edits.h"
+#include "app/workbench/feel/recordings/recordings_card.h"
+#include "app/workbench/feel/tube_pad.h"
+#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/shell/model_header.h"
+#include "app/workbench/shell/operating_strip.h"
+#include "app/workbench/workbench.h"
+#include "core/store/model_versions.h"
+
+#include "tests/gui/sample_models.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+
+const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
+
+class StudyPartsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    window.show();
+    tests::makeStudyFile(path);
+  }
+  bool open() {
+    window.openFile(path);
+    return comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening(); });
+  }
+  QAction* action(const QString& start) {
+    for (QAction* menu : window.menuBar()->actions()) {
+      for (QAction* one : menu->menu()->actions()) {
+        if (one->text().remove(QLatin1Char('&')).startsWith(start)) return one;
+      }
+    }
+    return nullptr;
+  }
+  bool stripSays(const QString& text) {
+    for (const QLabel* label : window.strip().findChildren<QLabel*>()) {
+      if (label->text() == text) return true;
+    }
+    return false;
+  }
+
+  // Does `work` and gives `answer` to every question that comes up; returns how many did.
+  static int answerQuestions(QMessageBox::StandardButton answer, const std::function<void()>& work) {
+    int asked = 0;
+    QTimer look;
+    look.setInterval(5);
+    QObject::connect(&look, &QTimer::timeout, [&] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return;
+      ++asked;
+      box->button(answer)->click();
+    });
+    look.start();
+    work();
+    return asked;
+  }
+
+  tests::ModelFolder folder;
+  QString path = folder.path(QStringLiteral("sample.tactus"));
+  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
+  Workbench bench{settings};
+  MainWindow& window = bench.window;
+};
+
+TEST_F(StudyPartsTest, AStudyIsOpenedAndTakesTheModelIn) {
+  EXPECT_FALSE(action("Put the open model")->isEnabled());
+  ASSERT_TRUE(open());
+  EXPECT_TRUE(window.banner().message().contains(QStringLiteral("holds neither a model")));
+  EXPECT_EQ(bench.recent.paths().value(0), path);
+  EXPECT_TRUE(action("Close the study")->isEnabled());
+
+  window.openFile(folder.write(tests::twoExperts()));
+  EXPECT_TRUE(stripSays(QStringLiteral("Saved")));
+  action("Put the open model")->trigger();
+  EXPECT_TRUE(stripSays(QStringLiteral("Stored in sample.tactus")));
+  EXPECT_FALSE(action("Put the open model")->isEnabled());
+  EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("sample.tactus")));
+}
+
+TEST_F(StudyPartsTest, AStudyIsDroppedOnTheWindow) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(path)});
+  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &enter);
+  ASSERT_TRUE(enter.isAccepted());
+  QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &drop);
+  EXPECT_TRUE(comesTrue([this] { return bench.study.isOpen(); }));
+}
+
+TEST_F(StudyPartsTest, AFailureIsOneSentenceInTheBanner) {
+  window.openFile(folder.path(QStringLiteral("nowhere.tactus")));
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpening(); }));
+  EXPECT_TRUE(window.banner().message().contains(QStringLiteral("nowhere.tactus")));
+  EXPECT_FALSE(bench.study.isOpen());
+}
+
+TEST_F(StudyPartsTest, TheWindowStaysUntilEverythingIsWritten) {
+  ASSERT_TRUE(open());
+  window.openFile(folder.write(tests::twoExperts()));
+  bench.study.putModel();
+  ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
+  window.close();
+  ASSERT_TRUE(comesTrue([this] { return !window.isVisible(); }));
+  EXPECT_FALSE(bench.study.isBusy());
+  bench.study.close();
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
+  EXPECT_EQ(store::modelVersions(tests::lookInto(path))->size(), 2U);
+}
+
+TEST_F(StudyPartsTest, AWindowThatIsKeptOpenIsNotClosedByTheNextWrite) {
+  ASSERT_TRUE(open());
+  window.openFile(folder.write(tests::twoExperts()));
+  // In a file of its own, beside the study.
+  ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
+  int asked = 0;
+  QTimer answer;
+  QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!question) return;
+    ++asked;
+    question->button(QMessageBox::Cancel)->click();
+  });
+  answer.start(10);
+  const auto write = [this] {
+    bench.study.order([](store::StudyFile&, study::RecordIds&) { return base::Result<void>(); });
+  };
+  write();
+  window.close();
+  ASSERT_TRUE(comesTrue([&] { return asked == 1; }));
+  EXPECT_TRUE(window.isVisible());
+  write();
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isBusy(); }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(asked, 1);
+}
+
+TEST_F(StudyPartsTest, ChangesThatAreNotSavedAreAskedFor) {
+  ASSERT_TRUE(open());
+  window.openFile(folder.write(tests::twoExperts()));
+  bench.study.putModel();
+  window.openFile(folder.write(tests::twoExperts(), QStringLiteral("beside.tactus.json")));
+  ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
+  ASSERT_TRUE(bench.models.isModified());
+  for (const char* start : {"Show the study", "Build the averaged"}) {
+    const int asked = answerQuestions(QMessageBox::Cancel, [&] { action(QLatin1String(start))->trigger(); });
+    EXPECT_EQ(asked, 1) << start;
+    EXPECT_FALSE(bench.study.isOpening()) << start;
+  }
+  EXPECT_TRUE(bench.models.isModified());
+}
+
+TEST_F(StudyPartsTest, TheRecordingsStandInTheFeelPanel) {
+  auto* card = window.findChild<RecordingsCard*>();
+  ASSERT_NE(card, nullptr);
+  const auto shown = [&](const auto* widget) { return widget->isVisibleTo(card); };
+  EXPECT_FALSE(shown(card->findChild<QComboBox*>()));
+  ASSERT_TRUE(open());
+  ASSERT_TRUE(comesTrue([&] { return shown(card->findChild<QComboBox*>()); }));
+  EXPECT_EQ(card->findChild<QComboBox*>()->itemText(0), QStringLiteral("Researcher"));
+  for (const QPushButton* button : card->findChildren<QPushButton*>()) {
+    EXPECT_EQ(button->isEnabled(), button->text() == QStringLiteral("Record")) << button->text().toStdString();
+  }
+}
+
+TEST_F(StudyPartsTest, WhichStudyIsOpenIsSaidWhereItMatters) {
+  EXPECT_FALSE(window.windowTitle().contains(QStringLiteral("sample.tactus")));
+  ASSERT_TRUE(open());
+  EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("study sample.tactus")))
+      << window.windowTitle().toStdString();
+  const auto says = [](const QWidget& part, const QString& words) {
+    const auto labels = part.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->isVisibleTo(&part) && label->text() == words; });
+  };
+  EXPECT_TRUE(says(*window.findChild<RecordingsCard*>(), QStringLiteral("Into the study sample.tactus")));
+  auto* header = window.findChild<ModelHeader*>();
+  ASSERT_NE(header, nullptr);
+  const auto labels = header->findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return !label->isHidden() && label->toolTip().startsWith(QStringLiteral("The study that is open"));
+  }));
+  bench.study.close();
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
+  EXPECT_FALSE(window.windowTitle().contains(QStringLiteral("sample.tactus")));
+}
+
+// Stopped, a recording waits for Start, and says so on the button and on the pad.
+TEST_F(StudyPartsTest, RecordWhileStoppedSaysThatItIsArmed) {
+  bench.models.open(folder.write(tests::twoExperts()));
+  ASSERT_TRUE(open());
+  auto* card = window.findChild<RecordingsCard*>();
+  auto* pad = window.findChild<TubePad*>();
+  ASSERT_NE(pad, nullptr);
+  QPushButton* record = nullptr;
+  for (auto* button : card->findChildren<QPushButton*>()) {
+    if (button->text() == QStringLiteral("Record")) record = button;
+  }
+  ASSERT_NE(record, nullptr);
+  ASSERT_TRUE(comesTrue([&] { return record->isEnabled(); }));
+  EXPECT_TRUE(record->icon().isNull());
+  record->click();
+  EXPECT_EQ(record->text(), QStringLiteral("Armed"));
+  EXPECT_FALSE(record->icon().isNull());
+  EXPECT_TRUE(record->toolTip().contains(QStringLiteral("begins with Start")));
+  EXPECT_EQ(pad->toolTip(), QStringLiteral("Armed: the recording begins with Start."));
+  record->click();
+  EXPECT_EQ(record->text(), QStringLiteral("Record"));
+  EXPECT_NE(pad->toolTip(), QStringLiteral("Armed: the recording begins with Start."));
+}
+
+}  // namespace
+}  // namespace tactus::workbench

@@ -1,0 +1,143 @@
+#include "app/workbench/tune/findings/findings_panel.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListView>
+#include <QPushButton>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/workbench/shell/panel_area.h"
+
+#include "tests/gui/shown_bench.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::kPatience;
+
+class FindingsPanelTest : public tests::ShownBench {
+ protected:
+  FindingsPanelTest() : ShownBench(Stage::kTune) {}
+
+  void look() {
+    auto* dock = bench.window.findChild<QDockWidget*>(QStringLiteral("findings"));
+    ASSERT_NE(dock, nullptr);
+    dock->raise();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel().isVisible() && bench.findings.isCurrent(); }, kPatience));
+    // The lint may have ended before; the panel takes it over when it is seen.
+    const auto taken = [this] {
+      const auto rows = static_cast<std::size_t>(list().model()->rowCount());
+      return panel().isVisible() && rows == bench.findings.findings().size();
+    };
+    ASSERT_TRUE(QTest::qWaitFor(taken, kPatience));
+  }
+
+  FindingsPanel& panel() { return *bench.window.findChild<FindingsPanel*>(); }
+  QListView& list() { return *panel().findChild<QListView*>(QStringLiteral("findings_list")); }
+
+  void clickRow(int row) {
+    const QModelIndex index = list().model()->index(row, 0);
+    list().scrollTo(index);
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualRect(index).center());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !bench.findings.isLookingForFixes(); }, kPatience));
+  }
+
+  QPushButton* button(const QString& text) {
+    for (auto* one : panel().findChildren<QPushButton*>()) {
+      if (one->isVisible() && one->text() == text) return one;
+    }
+    return nullptr;
+  }
+
+  int rowOf(const QString& start) {
+    for (int row = 0; row < list().model()->rowCount(); ++row) {
+      if (list().model()->index(row, 0).data().toString().startsWith(start)) return row;
+    }
+    return -1;
+  }
+};
+
+TEST_F(FindingsPanelTest, BehindAnotherTabTheLintIsKeptUpToDate) {
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(panel().isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bench.findings.isCurrent(); }, kPatience));
+  look();
+  EXPECT_GT(list().model()->rowCount(), 3);
+}
+
+TEST_F(FindingsPanelTest, AClickOnAFindingAndOneOnItsFixSettleIt) {
+  look();
+  clickRow(rowOf(QStringLiteral("No rule of any expert fires")));
+  EXPECT_GE(bench.scene.value(1), 5);
+  EXPECT_LE(bench.scene.value(1), 6);
+  auto* const fix = button(QStringLiteral("Stretch Near over the gap"));
+  ASSERT_NE(fix, nullptr);
+  QTest::mouseClick(fix, Qt::LeftButton);
+  EXPECT_EQ(bench.edits.model().inputs[1].terms[0].points, (std::vector<double>{0, 0, 6, 7}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bench.findings.isCurrent(); }, kPatience));
+  EXPECT_EQ(rowOf(QStringLiteral("No rule of any expert fires")), -1);
+  bench.edits.undo();
+  EXPECT_EQ(bench.edits.model(), tests::twoExperts());
+}
+
+TEST_F(FindingsPanelTest, FiltersByKindAndExpert) {
+  look();
+  const int all = list().model()->rowCount();
+  const auto choices = panel().findChildren<QComboBox*>();
+  ASSERT_EQ(choices.size(), 2);
+  QComboBox& kind = *choices[0];
+  QComboBox& who = *choices[1];
+  EXPECT_TRUE(kind.itemText(0).contains(QString::number(all)));
+  kind.setCurrentIndex(1);
+  emit kind.activated(1);
+  const int of_kind = list().model()->rowCount();
+  EXPECT_TRUE(kind.itemText(1).contains(QString::number(of_kind))) << kind.itemText(1).toStdString();
+  EXPECT_LT(of_kind, all);
+  kind.setCurrentIndex(0);
+  emit kind.activated(0);
+  who.setCurrentIndex(who.findText(QStringLiteral("A")));
+  emit who.activated(who.currentIndex());
+  EXPECT_GT(list().model()->rowCount(), 0);
+  EXPECT_LT(list().model()->rowCount(), all);
+}
+
+TEST_F(FindingsPanelTest, SaysWhenNothingIsFound) {
+  auto model = tests::twoExperts();
+  model.experts.pop_back();
+  model.inputs[1].terms[0].points = {0, 0, 6, 7};
+  model.inputs[1].unit = "cm";  // in mm the force would step within 1 mm
+  // Rules for both speeds at both depths, and all rise.
+  model.experts[0].rules = {{{{"speed", "slow"}, {"depth", "near"}}, "low"},
+                            {{{"speed", "fast"}, {"depth", "near"}}, "high"},
+                            {{{"depth", "far"}}, "high"}};
+  bench.models.open(folder.write(model, QStringLiteral("clean.tactus.json")));
+  look();
+  EXPECT_EQ(list().model()->rowCount(), 0);
+  EXPECT_FALSE(list().isVisible());
+  bool said = false;
+  for (auto* label : panel().findChildren<QLabel*>()) {
+    said = said || (label->isVisible() && label->text().startsWith(QStringLiteral("Nothing found")));
+  }
+  EXPECT_TRUE(said);
+}
+
+TEST_F(FindingsPanelTest, AListThatWasHiddenWhileAnotherModelWasOpenedIsPainted) {
+  look();
+  ASSERT_GT(list().model()->rowCount(), 3);
+  bench.window.enter(Stage::kUnderstand);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel().isVisible(); }, kPatience));
+  bench.models.open(folder.write(tests::twoExperts(), QStringLiteral("again.tactus.json")));
+  bench.window.enter(Stage::kTune);
+  // Before anything is linted anew.
+  panel().grab();
+  for (int row = 0; row < list().model()->rowCount(); ++row) {
+    EXPECT_FALSE(list().model()->index(row, 0).data().toString().isEmpty());
+  }
+  look();
+  EXPECT_GT(list().model()->rowCount(), 3);
+}
+
+}  // namespace
+}  // namespace tactus::workbench

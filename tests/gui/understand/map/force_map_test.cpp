@@ -1,0 +1,148 @@
+#include "app/workbench/understand/map/force_map.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <utility>
+
+#include "app/workbench/model/scene_controller.h"
+
+#include "tests/gui/sample_models.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr std::size_t kSpeed = 0;
+constexpr std::size_t kDepth = 1;
+constexpr double kRounding = 1e-15;  // a batch agrees with one evaluation to 4 ulp of numbers below 1
+
+class ForceMapTest : public testing::Test {
+ protected:
+  void SetUp() override { models.open(folder.write(tests::twoExperts())); }
+
+  void finish() {
+    map.update();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return map.isFinest(); }));
+  }
+
+  tests::ModelFolder folder;
+  ModelController models;
+  SceneController scene{models};
+  ForceMapController map{scene};
+};
+
+TEST_F(ForceMapTest, EveryPlaceIsTheModel) {
+  finish();
+  ASSERT_NE(map.map(), nullptr);
+  ASSERT_EQ(map.xInput(), kDepth);
+  ASSERT_EQ(map.yInput(), kSpeed);
+  const std::size_t side = map.map()->side;
+  EXPECT_EQ(side, ForceMapController::kSides.back());
+  for (std::size_t y = 0; y < side; y += 7) {
+    for (std::size_t x = 0; x < side; x += 7) {
+      const double n = static_cast<double>(side - 1);
+      const std::array point = {std::lerp(0.0, 100.0, static_cast<double>(y) / n),
+                                std::lerp(0.0, 10.0, static_cast<double>(x) / n)};
+      const fuzzy::Evaluation here = models.current()->compiled.evaluate(point);
+      ASSERT_EQ(map.map()->isFired(x, y), here.fired);
+      if (here.fired) {
+        ASSERT_NEAR(map.map()->force(x, y), here.force_n, kRounding);
+      }
+    }
+  }
+}
+
+TEST_F(ForceMapTest, AxesCanChangePlaces) {
+  map.setAxes(kSpeed, kSpeed);
+  EXPECT_EQ(map.xInput(), kSpeed);
+  EXPECT_EQ(map.yInput(), kDepth);
+  finish();
+  // Depth 8, speed 20: A says 0.75 N, B 0.25 N.
+  EXPECT_NEAR(map.map()->force(40, 160), 0.5, kRounding);
+  // Depth 5.5: nobody.
+  EXPECT_FALSE(map.map()->isFired(40, 110));
+}
+
+TEST_F(ForceMapTest, OneExpertAlone) {
+  map.setExpert(1);
+  finish();
+  EXPECT_NEAR(map.map()->force(160, 40), 0.25, kRounding);
+  EXPECT_FALSE(map.map()->isFired(40, 40));
+}
+
+TEST_F(ForceMapTest, TheFirstMapIsThereAtOnceAndTheNewestOrderWins) {
+  const QSignalSpy changed(&map, &ForceMapController::mapChanged);
+  map.update();
+  EXPECT_GE(changed.count(), 1);
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.experts[0].rules[0].then = "high";
+  ASSERT_TRUE(models.edit(model));
+  finish();
+  EXPECT_NEAR(map.map()->force(40, 40), 0.75, kRounding);
+}
+
+TEST_F(ForceMapTest, AMapThatNobodySeesIsComputedNoFurther) {
+  map.addViewer();
+  map.addViewer();
+  map.update();
+  map.removeViewer();
+  map.removeViewer();
+  const std::uint64_t before = scene.evaluations();
+  QTest::qWait(20);
+  EXPECT_EQ(scene.evaluations(), before);
+  map.addViewer();
+  finish();
+  EXPECT_EQ(map.map()->side, ForceMapController::kSides.back());
+}
+
+TEST_F(ForceMapTest, TwoViewsCostNoMoreThanOne) {
+  finish();
+  scene.setValue(kSpeed, 33);  // an axis of the map
+  const std::uint64_t before = scene.evaluations();
+  map.update();
+  EXPECT_EQ(scene.evaluations(), before);
+  EXPECT_TRUE(map.isFinest());
+  EXPECT_EQ(&map.forceAtPoint(), &map.forceAtPoint());
+  EXPECT_EQ(scene.evaluations(), before + 1);
+}
+
+TEST_F(ForceMapTest, WhatWasChosenStaysWhereAnotherFrameHasIt) {
+  map.setAxes(kSpeed, kDepth);
+  map.setExpert(1);
+  fuzzy::ForceModel model = tests::twoExperts();
+  std::swap(model.experts[0], model.experts[1]);
+  ASSERT_TRUE(models.edit(model));
+  EXPECT_EQ(map.xInput(), kSpeed);
+  EXPECT_EQ(map.yInput(), kDepth);
+  EXPECT_EQ(map.expert(), 0U);  // still expert B
+  model.experts.erase(model.experts.begin());
+  ASSERT_TRUE(models.edit(model));
+  EXPECT_EQ(map.expert(), std::nullopt);
+}
+
+TEST_F(ForceMapTest, AFigureWithASurfaceSetsTheAxes) {
+  map.setAxes(kSpeed, kDepth);
+  map.setExpert(1);
+  FigurePreset preset;
+  preset.map_x = "depth";
+  preset.map_y = "speed";
+  scene.applyPreset(preset);
+  EXPECT_EQ(map.xInput(), kDepth);
+  EXPECT_EQ(map.yInput(), kSpeed);
+  EXPECT_EQ(map.expert(), std::nullopt);
+}
+
+TEST_F(ForceMapTest, TheForceAtThePointIsThatOfTheScene) {
+  scene.setValue(kSpeed, 20);
+  scene.setValue(kDepth, 8);
+  EXPECT_NEAR(map.forceAtPoint().force_n, 0.5, kRounding);  // A says 0.75 N, B 0.25 N
+  map.setExpert(0);
+  EXPECT_NEAR(map.forceAtPoint().force_n, 0.75, kRounding);
+  scene.setValue(kDepth, 5.5);
+  EXPECT_FALSE(map.forceAtPoint().fired);
+}
+
+}  // namespace
+}  // namespace tactus::workbench
