@@ -11,8 +11,8 @@ install_missing git ccache clang-format locales libgtest-dev libgmp-dev qemu-sys
 sources() { git -c safe.directory='*' ls-files -co --exclude-standard -- '*.h' '*.cpp'; }
 quietly xargs -r -a <(sources) clang-format --dry-run --Werror
 
-# One object cache for both builds below.
-export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+# One object cache for both builds below; precompiled headers need the third setting.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 
 # Without Qt everything outside app/workbench must build.
 [ -f build/core-only/build.ninja ] || quietly cmake --preset core-only
