@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "golden_speeds.h"
+#include "tests/elicitation/golden_speeds.h"
 
 namespace tactus::elicitation {
 namespace {

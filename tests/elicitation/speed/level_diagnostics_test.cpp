@@ -5,7 +5,8 @@
 
 #include "elicitation/speed/speed_terms.h"
 #include "elicitation/variables/ngt_variables.h"
-#include "golden_speeds.h"
+
+#include "tests/elicitation/golden_speeds.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "golden_speeds.h"
+#include "tests/elicitation/golden_speeds.h"
 
 namespace tactus::elicitation {
 namespace {

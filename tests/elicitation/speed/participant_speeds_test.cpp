@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "elicitation/variables/ngt_variables.h"
-#include "golden_speeds.h"
+
+#include "tests/elicitation/golden_speeds.h"
 
 namespace tactus::elicitation {
 namespace {

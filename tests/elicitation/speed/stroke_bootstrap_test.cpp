@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/statistics.h"
-#include "golden_speeds.h"
+
+#include "tests/elicitation/golden_speeds.h"
 
 namespace tactus::elicitation {
 namespace {
