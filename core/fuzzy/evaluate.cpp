@@ -20,20 +20,23 @@ Outcome outcomeOf(const Program& program, double area, bool ordinary) noexcept {
   return area == 0 && program.zero_is_certain && ordinary ? Outcome::kAbstains : Outcome::kOpen;
 }
 
-/// The mean of the experts that fire: where one may not, or an input is not finite.
+/// The mean of the experts that fire: where one may not, or an input is not finite. `abstention` as in evaluatePoint.
 [[gnu::noinline]] Evaluation lookAgain(const ModelTables& tables, std::span<const double> inputs,
-                                       const PointOutcome& outcome) noexcept {
+                                       const PointOutcome& outcome, bool& abstention) noexcept {
+  abstention = true;
   std::array<double, kMostInputs> values;
   if (!tables.clamp(inputs, values)) return kNotANumber;
   const std::span<const double> clamped = std::span(values).first(inputs.size());
   const Program& program = tables.program;
   if (!program.usable) return evaluateGenerally(tables, clamped);
   const bool ordinary = areOrdinary(clamped);
+  abstention = false;
   Mean mean;
   for (std::size_t seat = 0; seat < tables.experts.size(); ++seat) {
     const std::uint32_t expert = program.point.expert_at[seat];
     const double weight = tables.experts[expert].weight;
     if (weight == 0) continue;
+    abstention = abstention || (outcome.area[seat] == 0 && tables.experts[expert].share != 0);
     const Outcome found = outcomeOf(program, outcome.area[seat], ordinary);
     double offset = outcome.offset[seat];
     if (found == Outcome::kFires || (found == Outcome::kOpen && expertOffsetGenerally(tables, expert, clamped, offset)))
@@ -45,11 +48,18 @@ Outcome outcomeOf(const Program& program, double area, bool ordinary) noexcept {
 }  // namespace
 
 Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept {
+  bool abstention = false;
+  return evaluatePoint(tables, kernels, inputs, abstention);
+}
+
+Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs,
+                         bool& abstention) noexcept {
   const Program& program = tables.program;
   TACTUS_CHECK(inputs.size() == tables.input_min.size());
   PointOutcome outcome;
+  abstention = false;
   if (program.usable && kernels.point(program, inputs.data(), outcome)) return {tables.output_min + outcome.mean, true};
-  return lookAgain(tables, inputs, outcome);
+  return lookAgain(tables, inputs, outcome, abstention);
 }
 
 std::size_t CompiledModel::inputCount() const noexcept { return tables_->input_min.size(); }

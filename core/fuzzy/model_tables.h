@@ -73,6 +73,11 @@ struct ModelTables {
 /// Thread: any. Real-time safe: yes.
 Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept;
 
+/// The same. `abstention`: an input is not finite, or the area of an expert with a share is exactly 0. There the lanes
+/// of a batch leave the point to this function.
+Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs,
+                         bool& abstention) noexcept;
+
 /// What every evaluation gives where an input is not finite.
 inline constexpr Evaluation kNotANumber{std::numeric_limits<double>::quiet_NaN(), false};
 
