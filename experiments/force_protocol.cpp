@@ -14,6 +14,7 @@ using Kind = study::ForceJudgement::Kind;
 
 constexpr double kSameForceN = 1e-9;
 constexpr const char* kStandStill = "Once more, please: push forward while you feel the force.";
+constexpr const char* kNotDelivered = "Once more, please: the device did not give the whole force.";
 
 bool isOf(const study::JudgementRecord& record, const ForceStep& step) {
   return record.series == step.series && record.step == step.step;
@@ -73,7 +74,7 @@ ForcePlan ForceProtocol::next() const {
   plan.forward_least_mm = settings_.forward_least_mm;
   plan.forward_least_mm_s = settings_.forward_least_mm_s;
   if (asked) plan.question.answers = allAnswers(settings_.terms);
-  if (plan.attempt > 1) plan.question.repeat_reason = kStandStill;
+  if (plan.attempt > 1) plan.question.repeat_reason = repeatReason(*step);
   const auto felt = static_cast<int>(judgements_.size());
   plan.question.rest_first = settings_.rest_every > 0 && felt > 0 && felt % settings_.rest_every == 0;
   return plan;
@@ -98,21 +99,20 @@ base::Result<study::JudgementRecord> ForceProtocol::record(const ForceAnswer& an
   if (!isAmount(answer.response_s)) return refuse("response_s", base::formatNumber(answer.response_s), "0 or more");
   if (answer.feel_again < 0) return refuse("feel_again", std::to_string(answer.feel_again), "0 or more");
 
-  const bool moved =
-      answer.forward_mm >= settings_.forward_least_mm && answer.forward_speed_mm_s >= settings_.forward_least_mm_s;
   study::JudgementRecord record;
   record.series = plan.step.series;
   record.step = plan.step.step;
   record.attempt = plan.attempt;
   record.commanded_n = plan.step.force_n;
-  if (settings_.device_friction_n && moved) record.felt_n = plan.step.force_n + *settings_.device_friction_n;
-  record.kind = answer.kind;
-  if (answer.kind == Kind::kTerm) record.term = answer.term;
-  record.scored = moved && plan.step.series != kFamiliarisation;
-  record.catch_trial = plan.step.catch_trial;
-  record.feel_again = answer.feel_again;
   record.forward_mm = answer.forward_mm;
   record.forward_speed_mm_s = answer.forward_speed_mm_s;
+  const bool felt = answer.delivered && movedForward(record);
+  if (settings_.device_friction_n && felt) record.felt_n = plan.step.force_n + *settings_.device_friction_n;
+  record.kind = answer.kind;
+  if (answer.kind == Kind::kTerm) record.term = answer.term;
+  record.scored = felt && plan.step.series != kFamiliarisation;
+  record.catch_trial = plan.step.catch_trial;
+  record.feel_again = answer.feel_again;
   record.response_s = answer.response_s;
   return record;
 }
@@ -185,6 +185,17 @@ std::optional<ForceStep> ForceProtocol::nextStep() const {
     if (!isDone(step)) return step;
   }
   return std::nullopt;
+}
+
+bool ForceProtocol::movedForward(const study::JudgementRecord& record) const {
+  return record.forward_mm >= settings_.forward_least_mm && record.forward_speed_mm_s >= settings_.forward_least_mm_s;
+}
+
+/// A hand that moved forward was no reason not to score the last attempt: then it was the force.
+std::string ForceProtocol::repeatReason(const ForceStep& step) const {
+  const auto last = std::find_if(judgements_.rbegin(), judgements_.rend(),
+                                 [&step](const auto& judgement) { return isOf(judgement, step); });
+  return last != judgements_.rend() && movedForward(*last) ? kNotDelivered : kStandStill;
 }
 
 bool ForceProtocol::isDone(const ForceStep& step) const {

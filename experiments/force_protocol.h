@@ -58,14 +58,15 @@ struct ForceAnswer {
   double forward_mm = 0;  ///< from ForwardMotion, between the full force and the answer
   double forward_speed_mm_s = 0;
   double response_s = 0;  ///< from the full force to the answer
+  bool delivered = true;  ///< false: a stall, a trip or a limit kept the force from the hand (stimulus_delivery.h)
 };
 
 /// The state follows from settings, seed and records alone: a session that was interrupted is resumed from its records.
 ///
 /// Order: familiarisation, ascending series (to its end or to the first `beyond_practice`), descending series, random
-/// block. A judgement without forward motion is recorded but not scored, and its step comes again. Corrections
-/// (`entry.supersedes`) count instead of what they correct: where one takes a `beyond_practice` back, the ascending
-/// series goes on.
+/// block. A judgement without forward motion, or of a force that was not delivered, is recorded but not scored, and its
+/// step comes again. Corrections (`entry.supersedes`) count instead of what they correct: where one takes a
+/// `beyond_practice` back, the ascending series goes on.
 class ForceProtocol {
  public:
   /// `records`: those of the session so far, in the order in which they were added; refused where they do not fit.
@@ -91,6 +92,8 @@ class ForceProtocol {
   std::vector<ForceStep> ascendingSteps() const;
   bool isDone(const ForceStep& step) const;
   int attemptsAt(const ForceStep& step) const;
+  bool movedForward(const study::JudgementRecord& record) const;
+  std::string repeatReason(const ForceStep& step) const;
 
   ForceSettings settings_;
   std::uint64_t seed_;

@@ -223,7 +223,8 @@ class Checker {
     say("motion", check.repeated > check.judgements,
         "Forces were judged at " + base::formatFixed(*check.median_mm_s, 0) + " mm/s forward (median; " +
             base::formatFixed(*check.slowest_mm_s, 0) + " to " + base::formatFixed(*check.fastest_mm_s, 0) + "); " +
-            counted(check.repeated, "attempt", "attempts") + " without forward motion did not count.");
+            counted(check.repeated, "attempt", "attempts") +
+            " did not count: without forward motion, or without the whole force.");
   }
 
   void findThresholds() {

@@ -55,7 +55,7 @@ struct MotionCheck {
   std::optional<double> median_mm_s;  ///< forward speed while judging
   std::optional<double> slowest_mm_s;
   std::optional<double> fastest_mm_s;
-  std::size_t repeated = 0;  ///< attempts without forward motion, which were repeated
+  std::size_t repeated = 0;  ///< attempts without forward motion or without the whole force, which were repeated
 };
 
 /// One thing worth saying of the judgements.

@@ -141,7 +141,7 @@ std::vector<RecordTable> makeTables() {
        {"felt_n", Kind::kNumber, "N", "Estimate of the force that was felt: the device's friction added", "", true},
        {"kind", Kind::kText, "", "term, not_felt, beyond_practice (larger than in real placements) or no_answer"},
        {"term", Kind::kText, "", "The answer, where the kind is term", "", true},
-       {"scored", Kind::kFlag, "", "0 for an attempt without forward motion and for practice"},
+       {"scored", Kind::kFlag, "", "0 without forward motion, without the whole force, and for practice"},
        {"catch_trial", Kind::kFlag, "", "1 for a blank of 0 N or a hidden repeat"},
        {"feel_again", Kind::kInteger, "", "How often the participant asked to feel it again"},
        {"forward_mm", Kind::kNumber, "mm", "Way forward while judging"},

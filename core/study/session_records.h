@@ -137,12 +137,12 @@ struct JudgementRecord {
   Entry entry;
   std::string series;            ///< `ascending`, `descending`, `random`
   int step = 0;                  ///< from 1, place in the series
-  int attempt = 1;               ///< from 1; another where a step was repeated because nobody moved forward
+  int attempt = 1;               ///< from 1; another where a step came again because it was not scored
   double commanded_n = 0;        ///< force of the stimulus
   std::optional<double> felt_n;  ///< estimate of the force that was felt: the device's friction added
   ForceJudgement::Kind kind = ForceJudgement::Kind::kNoAnswer;
   std::string term;               ///< term id where `kind` is kTerm
-  bool scored = true;             ///< false for an attempt without forward motion and for practice
+  bool scored = true;             ///< false without forward motion, without the whole force, and for practice
   bool catch_trial = false;       ///< a blank of 0 N or a hidden repeat
   int feel_again = 0;             ///< how often the participant asked to feel it again
   double forward_mm = 0;          ///< way forward while judging

@@ -95,6 +95,27 @@ TEST(ForceProtocol, AStepWithoutForwardMotionIsRepeatedAndNotScored) {
   EXPECT_FALSE(protocol.record(slow)->scored);
 }
 
+TEST(ForceProtocol, AForceThatWasNotDeliveredIsRepeatedAndNotScored) {
+  ForceSettings settings;
+  settings.device_friction_n = 0.15;
+  auto protocol = readyToJudge(settings);
+  auto stalled = only(Kind::kBeyondPractice);
+  stalled.delivered = false;
+  const auto record = give(protocol, stalled);
+  EXPECT_FALSE(record.scored);
+  EXPECT_FALSE(record.felt_n.has_value());
+  EXPECT_EQ(record.kind, Kind::kBeyondPractice);  // on record, but it ends nothing
+  EXPECT_EQ(record.forward_mm, 25);
+  const auto plan = protocol.next();
+  EXPECT_EQ(plan.step.step, 1);
+  EXPECT_EQ(plan.attempt, 2);
+  EXPECT_EQ(plan.question.repeat_reason, "Once more, please: the device did not give the whole force.");
+  give(protocol, standingStill(stalled));
+  EXPECT_EQ(protocol.next().question.repeat_reason, "Once more, please: push forward while you feel the force.");
+  EXPECT_TRUE(give(protocol, term("very_small")).scored);
+  EXPECT_EQ(protocol.next().step.step, 2);
+}
+
 TEST(ForceProtocol, TheFeltForceHasTheDevicesFrictionOnTop) {
   ForceSettings settings;
   EXPECT_FALSE(readyToJudge(settings).record(term("small"))->felt_n.has_value());
@@ -209,6 +230,7 @@ TEST(ForceProtocol, ResumedAnywhereItGoesOnTheSame) {
         answer = random.below(12) == 0 ? only(Kind::kBeyondPractice)
                                        : term(settings.terms[static_cast<std::size_t>(random.below(5))]);
       if (random.below(5) == 0) answer = standingStill(answer);
+      answer.delivered = random.below(8) != 0;
       records.push_back(give(protocol, answer));
       if (random.below(8) != 0 || !asked) continue;
       auto correction = records.back();

@@ -59,10 +59,9 @@ class Servo final : public Ticked {
   /// No force from the next tick on, latched like a trip. Thread: any. Real-time safe: yes.
   void stop() noexcept { stop_.store(true, std::memory_order_relaxed); }
 
-  /// Samples since the last call, oldest first; at most `room.size()`. Returns those filled. Thread: one reader.
+  /// Samples since the last call, oldest first; at most `room.size()`. Returns those filled. Samples that were lost
+  /// because nobody drained show as a jump of Sample::tick: a recording ends there. Thread: one reader.
   std::span<Sample> drain(std::span<Sample> room) noexcept { return ring_.drain(room); }
-  /// Samples lost because nobody drained. Thread: any.
-  std::uint64_t dropped() const noexcept { return ring_.dropped(); }
   /// Ticks begun so far. Thread: any. Real-time safe: yes.
   std::uint64_t ticks() const noexcept { return meter_.ticks(); }
   /// Thread: any (a snapshot; single numbers may be of neighbouring ticks).
