@@ -8,7 +8,10 @@ namespace tactus::session {
 
 using base::Result;
 
-std::string detail(const char* key, std::string_view value) { return nlohmann::json{{key, value}}.dump(); }
+std::string detail(const char* key, std::string_view value) {
+  // A reason may come from anywhere: what is no UTF-8 becomes U+FFFD.
+  return nlohmann::json{{key, value}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 
 std::string_view name(Stage stage) noexcept {
   switch (stage) {

@@ -100,6 +100,7 @@ class SessionTest : public testing::Test {
         answer.forward_mm = random.below(5) == 0 ? 0 : 40;
         answer.forward_speed_mm_s = 60;
         answer.response_s = 1.5;
+        answer.delivered = random.below(6) != 0;
         const auto plan = session_->force()->next();
         if (!plan.question.answers.empty()) {
           const bool enough = plan.step.force_n > 0.55;
@@ -321,6 +322,8 @@ TEST_F(SessionTest, PausesAndEndsAreKept) {
   EXPECT_FALSE(session_->pause("again"));
   ASSERT_NO_FATAL_FAILURE(restart());
   EXPECT_TRUE(session_->isPaused());
+  ASSERT_TRUE(session_->unpause());
+  ASSERT_TRUE(session_->pause("a reason \xE4 in Latin-1"));  // is stored with U+FFFD in place of the byte
   ASSERT_TRUE(session_->unpause());
   ASSERT_TRUE(session_->abort("fire drill"));
   EXPECT_EQ(session_->stage(), Stage::kAborted);
