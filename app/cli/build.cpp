@@ -1,6 +1,7 @@
 #include <chrono>
 #include <optional>
 
+#include "app/cli/accepted_data.h"
 #include "app/cli/commands.h"
 #include "app/cli/data_text.h"
 #include "app/cli/findings_text.h"
@@ -69,6 +70,7 @@ struct Results {
   std::vector<elicitation::WeightedModel> weights;
   std::optional<elicitation::StudySpeedIntervals> speed_intervals;
   elicitation::ForceTermsFrom force_terms;
+  std::vector<study::DataFinding::Kind> accepted;
 };
 
 /// `force terms from the vote: very_small 0 0 0.2 0.3; ...; the universe ends at 1.1 N`.
@@ -96,7 +98,7 @@ void writeForce(const elicitation::BuiltModel& built, elicitation::ForceTermsFro
 
 std::string summary(const BuildOptions& options, const Results& results) {
   const auto& built = results.built;
-  std::string text = dataAsText(results.data);
+  std::string text = dataAsText(results.data, results.accepted);
   text += base::oneLine(options.out + ": " + built.model.name) + "; experts " +
           std::to_string(built.model.experts.size()) + '\n';
   for (const auto& expert : built.model.experts) {
@@ -137,6 +139,9 @@ std::string asJson(const BuildOptions& options, const Results& results) {
   base::JsonWriter json;
   json.beginObject().key("model").value(options.out).key("name").value(built.model.name);
   writeData(results.data, json);
+  json.key("accepted").beginArray(base::JsonWriter::Layout::kInline);
+  for (const auto kind : results.accepted) json.value(name(kind));
+  json.endArray();
   json.key("experts").beginArray();
   for (const auto& expert : built.model.experts) {
     json.beginObject(base::JsonWriter::Layout::kInline).key("id").value(expert.id);
@@ -156,10 +161,12 @@ std::string asJson(const BuildOptions& options, const Results& results) {
 Result<Output> build(const BuildOptions& options) {
   auto weights = weightSettings(options.weights);
   if (!weights) return tl::unexpected(weights.error());
+  const auto accepted = acceptedKinds(options.accept);
+  if (!accepted) return tl::unexpected(accepted.error());
   const auto tables = session::readStudy(options.study, elicitation::ngtInputIds());
   if (!tables) return tl::unexpected(tables.error());
   const auto data = session::dataFindings(tables->study);
-  if (auto ok = study::refuseData(data); !ok) return study::inStudyFolder(ok.error(), options.study);
+  if (auto ok = study::refuseData(data, *accepted); !ok) return study::inStudyFolder(ok.error(), options.study);
 
   elicitation::BuildSettings settings;
   settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
@@ -170,6 +177,9 @@ Result<Output> build(const BuildOptions& options) {
   settings.averaging = options.averaging;
   settings.force_terms = options.force_terms;
   settings.force_end_n = options.force_end_n;
+  if (auto members = acceptedJson(data, *accepted); !members.empty()) {
+    settings.extra.push_back({"accepted_data", std::move(members)});
+  }
   const std::string weights_file = weights->table_file;
   settings.weights = std::move(*weights);
   settings.terms = options.own_terms ? elicitation::SpeedTermsOf::kOwn : elicitation::SpeedTermsOf::kAveraged;
@@ -180,8 +190,10 @@ Result<Output> build(const BuildOptions& options) {
   std::string no_intervals;
   const auto intervals = speedIntervals(tables->study, *built, settings, options.replicates, no_intervals);
   if (!no_intervals.empty()) built->notes.push_back(no_intervals);
-  Results results{*built, data,      elicitation::ruleLint(built->model, *compiled, built->experts),
-                  {},     intervals, options.force_terms};
+  for (auto& note : acceptedNotes(data, *accepted)) built->notes.push_back(std::move(note));
+  Results results{*built,   data,      elicitation::ruleLint(built->model, *compiled, built->experts),
+                  {},       intervals, options.force_terms,
+                  *accepted};
   if (options.json) {
     auto weighted = elicitation::compareWeights(*built, tables->study, settings);
     if (!weighted) return inFile(weighted.error(), options.study);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 
+#include "app/cli/accepted_data.h"
 #include "core/base/close_match.h"
 #include "core/base/text.h"
 
@@ -65,6 +66,15 @@ CLI::Validator wholeNumberUpTo(std::uint64_t largest) {
         return whole ? std::string() : refused(text, "a whole number from 0 to " + std::to_string(largest));
       },
       "");
+}
+
+void addAccept(CLI::App& command, std::vector<std::string>& kinds, const std::string& what) {
+  command
+      .add_option("--accept", kinds,
+                  "A kind of refused data that does not stop the " + what +
+                      ", because the data are right as they are; again for each kind")
+      ->allow_extra_args(false)
+      ->check(oneOf(acceptableWords()));
 }
 
 std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<std::string>& arguments) {

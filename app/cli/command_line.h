@@ -47,6 +47,9 @@ std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<st
 
 inline void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
 
+/// `--accept KIND`, as often as there are kinds (accepted_data.h); `what` is what they do not stop.
+void addAccept(CLI::App& command, std::vector<std::string>& kinds, const std::string& what);
+
 /// `study` with its subcommands (study_commands.h).
 void addStudyCommands(CLI::App& app, Chosen& chosen);
 

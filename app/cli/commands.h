@@ -51,6 +51,8 @@ base::Result<Output> cluster(const ClusterOptions& options);
 struct VoteOptions {
   std::string judgements;  ///< judgements.csv or a table of counts as in Table 2
   std::string series = "ascending";
+  elicitation::ForceTermsFrom force_terms = elicitation::ForceTermsFrom::kVote;
+  std::optional<double> force_end_n;
   bool json = false;
 };
 /// The vote on each force and the terms that follow from it.
@@ -75,7 +77,8 @@ struct BuildOptions {
   elicitation::Averaging averaging = elicitation::Averaging::kMean;
   elicitation::ForceTermsFrom force_terms = elicitation::ForceTermsFrom::kVote;
   std::optional<double> force_end_n;
-  std::size_t replicates = 2000;  ///< of the strokes, for intervals; 0: none
+  std::vector<std::string> accept;  ///< kinds of findings that do not stop the build (accepted_data.h)
+  std::size_t replicates = 2000;    ///< of the strokes, for intervals; 0: none
   bool own_terms = false;
   bool json = false;
 };

@@ -4,12 +4,14 @@
 
 namespace tactus::cli {
 
-std::string dataAsText(const std::vector<study::DataFinding>& findings) {
+std::string dataAsText(const std::vector<study::DataFinding>& findings,
+                       std::span<const study::DataFinding::Kind> accepted) {
   if (findings.empty()) return {};
   std::string text = "look at the data first: " + std::to_string(findings.size()) + '\n';
   for (const auto& finding : findings) {
     const bool refused = finding.severity == study::DataFinding::Severity::kRefused;
-    text += wrapped(study::text(finding), refused ? "  refused: " : "  ", 4);
+    const bool is_accepted = study::isAccepted(finding, accepted);
+    text += wrapped(study::text(finding), is_accepted ? "  accepted: " : refused ? "  refused: " : "  ", 4);
   }
   return text;
 }

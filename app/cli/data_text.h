@@ -1,6 +1,7 @@
 // What to look at in the data of a study, as text and as JSON.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,10 @@
 
 namespace tactus::cli {
 
-/// `look at the data first: 2` and one sentence for each finding with table and line; empty where there is none.
-std::string dataAsText(const std::vector<study::DataFinding>& findings);
+/// `look at the data first: 2` and one sentence for each finding with table and line; empty where there is none. Those
+/// that are refused are marked, and so are those of them whose kind is `accepted`.
+std::string dataAsText(const std::vector<study::DataFinding>& findings,
+                       std::span<const study::DataFinding::Kind> accepted = {});
 
 /// The findings as the member `data` of the object that `json` is in: `kind`, `severity`, `participant`, `table`,
 /// `line`, `column` (null where there is none) and `sentence`.

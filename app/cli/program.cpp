@@ -62,6 +62,26 @@ std::vector<std::string> readingIds() {
   return ids;
 }
 
+/// The options of `build` and `vote` for the terms of the force.
+template <class Options>
+void addForceTerms(CLI::App& command, Options& o) {
+  command
+      .add_option_function<std::string>(
+          "--force-terms",
+          [&o](const std::string& word) {
+            using enum elicitation::ForceTermsFrom;
+            o.force_terms = word == name(kFrequency) ? kFrequency : word == name(kThresholds) ? kThresholds : kVote;
+          },
+          "Terms of the force from the judgements")
+      ->check(oneOf({"vote", "frequency", "thresholds"}))
+      ->default_str("vote");
+  command
+      .add_option(
+          "--force-end", o.force_end_n,
+          "End of the universe of the force in N (default: the last force that half of the participants judged)")
+      ->check(numberThat("a number from 0.001 to 100", [](double x) { return x >= 0.001 && x <= 100; }));
+}
+
 void addCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "demo", "The whole main job on the published data: study, models, export and report", demo,
              [](CLI::App& command, DemoOptions& o) {
@@ -110,23 +130,8 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                 "Of the speed terms over the participants; weighted_mean goes by --weights")
             ->check(oneOf({"mean", "weighted_mean", "median"}))
             ->default_str("mean");
-        command
-            .add_option_function<std::string>(
-                "--force-terms",
-                [&o](const std::string& word) {
-                  using enum elicitation::ForceTermsFrom;
-                  o.force_terms = word == name(kFrequency)    ? kFrequency
-                                  : word == name(kThresholds) ? kThresholds
-                                                              : kVote;
-                },
-                "Terms of the force from the judgements")
-            ->check(oneOf({"vote", "frequency", "thresholds"}))
-            ->default_str("vote");
-        command
-            .add_option("--force-end", o.force_end_n,
-                        "End of the universe of the force in N (default: the last force that half of the participants "
-                        "judged)")
-            ->check(numberThat("a number from 0.001 to 100", [](double x) { return x >= 0.001 && x <= 100; }));
+        addForceTerms(command, o);
+        addAccept(command, o.accept, "build");
         command
             .add_option("--replicates", o.replicates,
                         "Draws of whole strokes for the intervals of the speeds, 0 for none")
@@ -158,6 +163,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                    ->required()
                    ->check(notEmpty());
                command.add_option("--series", o.series, "Series of stimuli to count")->check(notEmpty());
+               addForceTerms(command, o);
                addJson(command, o.json);
              });
   addCommand(app, chosen, "agreement", "How far raters agree: answers, judgements or a table of counts", agreement,

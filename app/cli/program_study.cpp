@@ -38,6 +38,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
              [](CLI::App& command, StudyImportOptions& o) {
                addFile(command, o.file);
                command.add_option("FOLDER", o.folder, "Folder with the CSV tables")->required()->check(notEmpty());
+               addAccept(command, o.accept, "import");
                addJson(command, o.json);
              });
   addCommand(study, chosen, "export", "Write everything as CSV tables with a codebook", studyExport,

@@ -41,6 +41,7 @@ base::Result<Output> studyMerge(const StudyMergeOptions& options);
 struct StudyImportOptions {
   std::string file;  ///< is made where it is not there
   std::string folder;
+  std::vector<std::string> accept;  ///< kinds of findings that do not stop the import (accepted_data.h)
   bool json = false;
 };
 /// Adds the CSV tables of a folder, or a full export.

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/cli/accepted_data.h"
 #include "app/cli/data_text.h"
 #include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
@@ -56,11 +57,13 @@ Result<Imported> intoStudy(const std::string& path, const study::Study& tables, 
 }
 
 Result<Output> importFolder(const StudyImportOptions& options) {
+  const auto accepted = acceptedKinds(options.accept);
+  if (!accepted) return tl::unexpected(accepted.error());
   // Everything that can be wrong with the tables is found before a file is made.
   const auto tables = session::readTables(options.folder, elicitation::ngtInputIds());
   if (!tables) return tl::unexpected(tables.error());
   const auto data = session::dataFindings(tables->study);
-  if (auto ok = study::refuseData(data); !ok) return study::inStudyFolder(ok.error(), options.folder);
+  if (auto ok = study::refuseData(data, *accepted); !ok) return study::inStudyFolder(ok.error(), options.folder);
   const auto hash =
       base::listingSha256(options.folder, {std::string(study::kParticipantsTable), std::string(study::kSpeedsTable),
                                            std::string(study::kJudgementsTable), std::string(study::kAnswersTable),
@@ -73,6 +76,7 @@ Result<Output> importFolder(const StudyImportOptions& options) {
   std::vector<std::string> notes = std::move(done->warnings);
   notes.insert(notes.end(), tables->notes.begin(), tables->notes.end());
   notes.insert(notes.end(), imported->notes.begin(), imported->notes.end());
+  for (auto& note : acceptedNotes(data, *accepted)) notes.push_back(std::move(note));
   if (options.json) {
     base::JsonWriter json;
     json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
@@ -82,7 +86,7 @@ Result<Output> importFolder(const StudyImportOptions& options) {
     json.endObject();
     return Output{json.text(), {}};
   }
-  return Output{dataAsText(data) + "Added persons " + std::to_string(imported->persons) + ", sessions " +
+  return Output{dataAsText(data, *accepted) + "Added persons " + std::to_string(imported->persons) + ", sessions " +
                     std::to_string(imported->sessions) + ", records " + std::to_string(imported->records) + " to " +
                     base::oneLine(options.file) + '\n',
                 std::move(notes)};

@@ -3,10 +3,12 @@
 #include "app/cli/commands.h"
 #include "app/session/table_words.h"
 #include "core/base/json/json_writer.h"
+#include "core/base/rounded_number.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "elicitation/force/force_frequency.h"
 #include "elicitation/force/force_terms.h"
+#include "elicitation/force/force_terms_from.h"
 #include "elicitation/force/force_voting.h"
 #include "elicitation/variables/ngt_variables.h"
 
@@ -19,7 +21,8 @@ using elicitation::VoteStep;
 
 struct Count {
   std::vector<elicitation::VoteCounts> steps;
-  std::optional<int> enrolled;  ///< known from judgements, not from a table of counts
+  std::vector<study::ForceJudgement> judgements;  ///< empty from a table of counts
+  std::optional<int> enrolled;                    ///< known from judgements, not from a table of counts
   std::vector<std::string> warnings;
 };
 
@@ -47,6 +50,7 @@ Result<Count> countFile(const VoteOptions& options, const std::vector<std::strin
   }
   count.steps = std::move(*steps);
   count.enrolled = elicitation::countParticipants(*judgements);
+  count.judgements = std::move(*judgements);
   return count;
 }
 
@@ -99,7 +103,18 @@ std::string termsText(const std::vector<fuzzy::Term>& terms) {
   return text;
 }
 
-std::string asText(const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
+/// The terms by the way that was asked for. An error about the end names its option.
+Result<elicitation::ForceTerms> termsOf(const VoteOptions& options, const fuzzy::Variable& output, const Count& count,
+                                        const std::vector<VoteStep>& steps) {
+  if (options.force_terms == elicitation::ForceTermsFrom::kThresholds && !count.enrolled) {
+    return base::fail(base::ErrorCode::kValue, "--force-terms", "thresholds with a table of counts",
+                      "a table of judgements, because thresholds are those of each participant");
+  }
+  return elicitation::forceTermsFrom(options.force_terms, output, count.judgements, options.series, steps,
+                                     options.force_end_n);
+}
+
+std::string asText(const VoteOptions& options, const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
                    const elicitation::FrequencyTerms& frequency, const std::vector<std::string>& ids) {
   std::string text = "votes for " + base::oneLine(base::joined(ids, ", ")) + ":\n" + padded("force_n", 9) +
                      padded("votes", 14) + padded("term", 14) + "why\n";
@@ -107,7 +122,9 @@ std::string asText(const std::vector<VoteStep>& steps, const elicitation::ForceT
     text += padded(base::formatNumber(step.force_n), 9) + padded(votesText(step), 14) +
             padded(step.term ? ids[*step.term] : "-", 14) + why(step) + '\n';
   }
-  text += "\nterms of the force from the vote (corners in N)\n" + termsText(terms.output.terms);
+  text += "\nterms of the force from the " + std::string(name(options.force_terms)) + " (corners in N)\n" +
+          termsText(terms.output.terms) + "the universe ends at " + base::roundedNumber(terms.output.max) +
+          " N: " + terms.end_reason + '\n';
   return text + "\nfor comparison, from all answers (frequency curve, corners in N, rms error " +
          base::formatFixed(frequency.rms_error, 3) + ")\n" + termsText(frequency.output.terms);
 }
@@ -140,7 +157,7 @@ void writeFrequency(JsonWriter& json, const elicitation::FrequencyTerms& frequen
   json.key("rms_error").value(frequency.rms_error).endObject();
 }
 
-std::string asJson(const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
+std::string asJson(const VoteOptions& options, const std::vector<VoteStep>& steps, const elicitation::ForceTerms& terms,
                    const elicitation::FrequencyTerms& frequency, const std::vector<std::string>& ids,
                    const std::vector<std::string>& warnings) {
   JsonWriter json;
@@ -154,7 +171,7 @@ std::string asJson(const std::vector<VoteStep>& steps, const elicitation::ForceT
     for (const int votes : step.votes) json.value(votes);
     json.endArray().endObject();
   }
-  json.endArray();
+  json.endArray().key("terms_from").value(name(options.force_terms)).key("end_n").value(terms.output.max);
   writeTerms(json, terms.output.terms);
   json.key("interpolated").values(terms.interpolated).key("absent").values(terms.absent);
   writeFrequency(json, frequency);
@@ -171,14 +188,14 @@ Result<Output> vote(const VoteOptions& options) {
   auto count = countFile(options, ids);
   if (!count) return tl::unexpected(count.error());
   const auto steps = elicitation::vote(count->steps, count->enrolled);
-  const auto terms = elicitation::forceTerms(output, steps);
+  const auto terms = termsOf(options, output, *count, steps);
   if (!terms) return inFile(terms.error(), options.judgements);
-  const auto frequency = elicitation::frequencyTerms(output, steps);
+  const auto frequency = elicitation::frequencyTerms(output, steps, options.force_end_n);
   if (!frequency) return inFile(frequency.error(), options.judgements);
   auto& warnings = count->warnings;
   warnings.insert(warnings.end(), terms->notes.begin(), terms->notes.end());
-  if (options.json) return Output{asJson(steps, *terms, *frequency, ids, warnings), {}};
-  return Output{asText(steps, *terms, *frequency, ids), warnings};
+  if (options.json) return Output{asJson(options, steps, *terms, *frequency, ids, warnings), {}};
+  return Output{asText(options, steps, *terms, *frequency, ids), warnings};
 }
 
 }  // namespace tactus::cli

@@ -1,6 +1,9 @@
 // What to look at in the data of a study before its numbers are believed.
 #pragma once
 
+#include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +29,9 @@ struct DataFinding {
     kWithoutJudgements,
     kWithoutAnswers,
     kSimulatedAndReal,
+    kSummaryRow,
+    kCodeLikeDate,
+    kWeightsMixed,
     // strokes
     kUnknownLevel,
     kLevelWithoutStrokes,
@@ -36,6 +42,7 @@ struct DataFinding {
     kDepthUnit,
     kTimeUnit,
     kSeveralUnits,
+    kColumnsSwapped,
     kSpeedSign,
     kSpeedAgainstDepth,
     kSpeedScale,
@@ -52,6 +59,7 @@ struct DataFinding {
     kOutliers,
     kLevelsSwapped,
     // judgements
+    kUnknownSeries,
     kUnknownForceTerm,
     kForceUnit,
     kScaleReversed,
@@ -71,6 +79,10 @@ struct DataFinding {
     kAnswerPattern,
     kAnswersReversed,
     kAnswersCopied,
+    kAnswersShifted,
+    // rules
+    kOneConsequent,
+    kRulesCopied,
   };
 
   Kind kind = Kind::kCodesAlike;
@@ -81,6 +93,9 @@ struct DataFinding {
   std::string found;        ///< kRefused only: for the error
   std::string wanted;       ///< kRefused only: the remedy, for the error
 };
+
+/// Puts `more` behind `findings`.
+void append(std::vector<DataFinding>& findings, std::vector<DataFinding> more);
 
 /// The id of a kind, for JSON: `speed_unit`, `rows_twice`, …
 std::string_view name(DataFinding::Kind kind) noexcept;
@@ -95,7 +110,22 @@ std::string text(const DataFinding& finding);
 DataFinding refusal(DataFinding::Kind kind, std::string participant, TableCell cell, const std::string& what,
                     const std::string& remedy);
 
-/// The error of the first finding that is refused, which says how many more there are; success where there is none.
-base::Result<void> refuseData(const std::vector<DataFinding>& findings);
+/// The kinds that can be refused though the data are right: an unusual unit, an unusual person. Words that the study
+/// does not have are none of them, because no model can be built of those.
+inline constexpr std::array<DataFinding::Kind, 8> kAcceptable = {
+    DataFinding::Kind::kSpeedUnit,    DataFinding::Kind::kDepthUnit,      DataFinding::Kind::kTimeUnit,
+    DataFinding::Kind::kSeveralUnits, DataFinding::Kind::kColumnsSwapped, DataFinding::Kind::kSpeedSign,
+    DataFinding::Kind::kForceUnit,    DataFinding::Kind::kYearsUnlikely};
+
+/// The one of kAcceptable with this id, or nothing.
+std::optional<DataFinding::Kind> acceptableKind(std::string_view id) noexcept;
+
+/// Whether a person said of a refused finding that the data are right as they are: its kind is in `accepted`.
+bool isAccepted(const DataFinding& finding, std::span<const DataFinding::Kind> accepted) noexcept;
+
+/// The error of the first finding that is refused and not accepted, which says how many more there are; success where
+/// there is none.
+base::Result<void> refuseData(const std::vector<DataFinding>& findings,
+                              std::span<const DataFinding::Kind> accepted = {});
 
 }  // namespace tactus::study

@@ -6,12 +6,10 @@
 #include <set>
 #include <utility>
 
-#include "core/base/check.h"
 #include "core/base/rounded_number.h"
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
-#include "elicitation/force/force_frequency.h"
-#include "elicitation/force/force_thresholds.h"
+#include "elicitation/force/force_terms_from.h"
 #include "elicitation/force/step_forces.h"
 #include "elicitation/model/model_checks.h"
 #include "elicitation/model/model_provenance.h"
@@ -126,19 +124,6 @@ Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings
   return {};
 }
 
-Result<ForceTerms> forceTermsOf(const study::Study& study, const BuildSettings& settings, const fuzzy::Variable& output,
-                                std::span<const VoteStep> votes) {
-  switch (settings.force_terms) {
-    case ForceTermsFrom::kVote:
-      return forceTerms(output, votes, settings.force_end_n);
-    case ForceTermsFrom::kFrequency:
-      return frequencyTerms(output, votes, settings.force_end_n);
-    case ForceTermsFrom::kThresholds:
-      return thresholdTerms(output, study.judgements, settings.series, votes, settings.force_end_n);
-  }
-  TACTUS_CHECK(false);
-}
-
 /// Which steps a reader should look at again.
 std::vector<std::string> voteNotes(std::span<const VoteStep> votes, ForceTermsFrom force_terms) {
   std::vector<std::string> raised;
@@ -172,7 +157,8 @@ Result<void> buildForce(const study::Study& study, const BuildSettings& settings
   const auto counts = countVotes(study.judgements, settings.series, ids);
   if (!counts) return tl::unexpected(counts.error());
   out.votes = vote(*counts, static_cast<int>(study.participants.size()));
-  auto terms = forceTermsOf(study, settings, out.model.output, out.votes);
+  auto terms = forceTermsFrom(settings.force_terms, out.model.output, study.judgements, settings.series, out.votes,
+                              settings.force_end_n);
   if (!terms) return study::inTable(terms.error(), study::kJudgementsTable, study.judgements.front().line);
   const double default_max_n = out.model.output.max;
   out.force_terms = std::move(*terms);

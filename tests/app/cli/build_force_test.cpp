@@ -84,6 +84,46 @@ TEST_F(BuildForce, TheEndCanBeAskedFor) {
   EXPECT_EQ(force.at("terms")[4], json::parse(R"({"id": "very_large", "points": [0.4, 0.5, 0.8, 0.8]})"));
 }
 
+/// `vote` and `build` have the same options and give the same terms.
+TEST_F(BuildForce, VoteGivesTheTermsThatBuildBuildsOf) {
+  judge({"vvssmmlVVV", "vssmmlVb", "vvssmlVVVVV"});
+  for (const char* way : {"vote", "frequency", "thresholds"}) {
+    for (const char* end : {"", "0.8", "1.4"}) {
+      SCOPED_TRACE(std::string(way) + ", end " + end);
+      std::vector<std::string> options = {"--force-terms", way};
+      if (*end != 0) options.insert(options.end(), {"--force-end", end});
+      ASSERT_EQ(build(options).status, 0);
+      options.insert(options.begin(), {"vote", folder_.file("judgements.csv"), "--json"});
+      const ProgramRun run(options);
+      ASSERT_EQ(run.status, 0) << run.err;
+      const json result = json::parse(run.out);
+      const json output = model().at("output");
+      EXPECT_EQ(result.at("terms_from"), way);
+      EXPECT_EQ(result.at("end_n"), output.at("max"));
+      ASSERT_EQ(result.at("terms").size(), output.at("terms").size());
+      for (std::size_t i = 0; i < result.at("terms").size(); ++i) {
+        EXPECT_EQ(result.at("terms")[i].at("id"), output.at("terms")[i].at("id"));
+        EXPECT_EQ(result.at("terms")[i].at("points"), output.at("terms")[i].at("points"));
+      }
+    }
+  }
+  const ProgramRun text({"vote", folder_.file("judgements.csv"), "--force-terms", "thresholds"});
+  EXPECT_NE(text.out.find("terms of the force from the thresholds (corners in N)"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("the universe ends at "), std::string::npos) << text.out;
+}
+
+TEST_F(BuildForce, CountsKnowNoThresholds) {
+  const std::string counts = folder_.file("counts.csv");
+  writeText(counts, "force_n,very_small,small,medium,large,very_large\n0.1,4,0,0,0,0\n0.2,1,3,0,0,0\n");
+  EXPECT_EQ(ProgramRun({"vote", counts, "--force-terms", "frequency"}).status, 0);
+  const ProgramRun run({"vote", counts, "--force-terms", "thresholds"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "tactus: " + counts +
+                         ": --force-terms: found thresholds with a table of counts, wanted a table of judgements, "
+                         "because thresholds are those of each participant\n");
+  EXPECT_EQ(ProgramRun({"vote", counts, "--force-end", "0"}).status, 2);
+}
+
 TEST_F(BuildForce, AnEndThatLeavesARuleWithoutItsTermIsRefused) {
   judge({"vsmlV", "vsmlV", "vsmlV"});
   const ProgramRun run = build({"--force-end", "0.4"});

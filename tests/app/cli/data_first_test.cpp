@@ -83,8 +83,8 @@ TEST_F(DataFirst, UnitsThatCannotBeMeantAreRefusedWithTheRemedy) {
   });
   const std::string sentence =
       "/speeds.csv: line 2, column 'speed_mm_s': found that in all 12 strokes of N1 the speeds look like cm/s, wanted "
-      "multiply speed_mm_s by 10 there, so that s, mm and mm/s fit each other (1 more: tactus study check lists "
-      "them)\n";
+      "multiply speed_mm_s by 10 there, so that s, mm and mm/s fit each other, or --accept speed_unit if the data "
+      "are right as they are (1 more: tactus study check lists them)\n";
   const ProgramRun built = build();
   EXPECT_EQ(built.status, 1);
   EXPECT_EQ(built.err, "tactus: " + study_ + sentence);
@@ -100,6 +100,43 @@ TEST_F(DataFirst, UnitsThatCannotBeMeantAreRefusedWithTheRemedy) {
       << checked.out;
   EXPECT_NE(unwrapped(checked.out).find("The forces of N4 reach 1"), std::string::npos) << checked.out;
   EXPECT_NE(unwrapped(checked.out).find("look like mN: divide force_n by 1000"), std::string::npos) << checked.out;
+}
+
+TEST_F(DataFirst, WhatWasRefusedWronglyCanBeAcceptedAndIsRecorded) {
+  write([](study::Study& study) {
+    for (auto& row : study.speeds) row.speed_mm_s /= row.participant == "N1" || row.participant == "N5" ? 10 : 1;
+    study.participants[3].years_experience = 300;
+  });
+  EXPECT_EQ(build({"--accept", "speed_unit"}).status, 1);
+  const ProgramRun built = build({"--accept", "speed_unit", "--accept", "years_unlikely", "--accept", "force_unit"});
+  ASSERT_EQ(built.status, 0) << built.err;
+  EXPECT_NE(built.out.find("\n  accepted: speeds.csv, line 2: In all 12 strokes of N1"), std::string::npos)
+      << built.out;
+  const std::string text = unwrapped(built.out);
+  EXPECT_NE(text.find("note: Accepted as it is: speed_unit of N1, N5; years_unlikely of N4."), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("note: Nothing was refused for force_unit: --accept has no effect."), std::string::npos) << text;
+  EXPECT_EQ(json::parse(readText(out_)).at("provenance").at("settings").at("accepted_data"),
+            json::parse(R"({"speed_unit": ["N1", "N5"], "years_unlikely": ["N4"]})"));
+  const json result = json::parse(build({"--accept", "speed_unit", "--accept", "years_unlikely", "--json"}).out);
+  EXPECT_EQ(result.at("accepted"), json({"speed_unit", "years_unlikely"}));
+  EXPECT_EQ(result.at("data").size(), 3U);
+
+  const ProgramRun imported({"study", "import", file_, study_, "--accept", "speed_unit", "--accept", "years_unlikely"});
+  EXPECT_EQ(imported.status, 0) << imported.err;
+}
+
+TEST_F(DataFirst, AWordThatIsNoKindToAcceptIsNamedWithTheKnownOnes) {
+  writeGood();
+  const ProgramRun run = build({"--accept", "sped_unit"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("found 'sped_unit', wanted one of speed_unit, depth_unit, time_unit, several_units, "
+                         "speed_sign, force_unit, years_unlikely (speed_unit?)"),
+            std::string::npos)
+      << run.err;
+  EXPECT_EQ(build({"--accept", "unknown_level"}).status, 2) << "no model can be built of it";
+  EXPECT_EQ(build().status, 0);
+  EXPECT_FALSE(json::parse(readText(out_)).at("provenance").at("settings").contains("accepted_data"));
 }
 
 TEST_F(DataFirst, AStudyFileIsLookedAtToo) {

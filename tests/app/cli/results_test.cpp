@@ -83,6 +83,8 @@ TEST(Vote, Table2GivesItsElevenWinners) {
   EXPECT_EQ(result.at("steps").at(8).at("reason"), "tie_higher");
   EXPECT_EQ(result.at("terms").at(3).at("id"), "large");
   EXPECT_EQ(result.at("terms").at(3).at("points"), json({0.6, 0.7, 0.7, 0.8}));
+  EXPECT_EQ(result.at("terms_from"), "vote");
+  EXPECT_EQ(result.at("end_n"), 1.1);
 }
 
 }  // namespace
