@@ -10,6 +10,7 @@
 
 #include "core/base/close_match.h"
 #include "core/base/text.h"
+#include "core/study/record_findings.h"
 #include "experiments/force_series.h"
 #include "experiments/judgement_checks.h"
 
@@ -34,11 +35,6 @@ constexpr double kLargestForceN = 20;
 constexpr double kOftenFalling = 0.25;
 constexpr double kNewtonsPerGram = 0.00980665;
 
-DataFinding finding(Kind kind, Severity severity, const ForceJudgement& row, std::string_view column,
-                    std::string sentence) {
-  return {kind, severity, row.participant, {study::kJudgementsTable, row.line, column}, std::move(sentence), {}, {}};
-}
-
 std::string newtons(double force_n) { return base::formatNumber(std::round(force_n * 1e4) / 1e4) + " N"; }
 
 /// 2.5 times the smallest difference of forces that a hand feels: sqrt(0.04^2 + (0.12 F)^2) N (King 2010, Feyzabadi
@@ -51,6 +47,7 @@ class OneParticipant {
   OneParticipant(Judged judged, std::span<const std::string> terms) : judged_(std::move(judged)), terms_(terms) {}
 
   std::vector<DataFinding> findings() {
+    checkSeries();
     checkTerms();
     checkUnit();
     checkOneWord();
@@ -68,13 +65,28 @@ class OneParticipant {
     return static_cast<std::size_t>(term - terms_.begin());
   }
 
+  void checkSeries() {
+    static const std::vector<std::string> known = {kAscending, kDescending, kRandom, kFamiliarisation};
+    const auto unknown = std::find_if(judged_.begin(), judged_.end(), [](const auto* row) {
+      return std::find(known.begin(), known.end(), row->series) == known.end();
+    });
+    if (unknown == judged_.end()) return;
+    const auto& row = **unknown;
+    const std::string called = row.series.empty() ? "A judgement of " + row.participant + " is of no series"
+                                                  : "The series " + base::quoted(row.series) + " of " +
+                                                        row.participant + " is none of " + base::joined(known, ", ");
+    out_.push_back(study::remark(Kind::kUnknownSeries, Severity::kWarning, row, "series",
+                                 called + ": it has no vote on the words for forces" +
+                                     (row.series.empty() ? " (merged cells? fill them down)." : ".")));
+  }
+
   void checkTerms() {
     for (const auto* row : judged_) {
       if (row->kind != Answer::kTerm || place(*row)) continue;
       const std::string wanted = "one of " + base::joined(terms_, ", ") + base::suggestion(row->term, terms_);
-      auto unknown = finding(Kind::kUnknownForceTerm, Severity::kRefused, *row, "term",
-                             "The term " + base::quoted(row->term) + " of " + row->participant + " is not " + wanted +
-                                 ", not_felt, beyond_practice or empty.");
+      auto unknown = study::remark(Kind::kUnknownForceTerm, Severity::kRefused, *row, "term",
+                                   "The term " + base::quoted(row->term) + " of " + row->participant + " is not " +
+                                       wanted + ", not_felt, beyond_practice or empty.");
       unknown.found = base::quoted(row->term);
       unknown.wanted = wanted;
       out_.push_back(std::move(unknown));
@@ -88,15 +100,15 @@ class OneParticipant {
     const double most = (*largest)->force_n;
     if (most <= kOddForceN) return;
     if (most <= kLargestForceN) {
-      out_.push_back(finding(Kind::kForceUnit, Severity::kWarning, **largest, "force_n",
-                             (*largest)->participant + " judged " + newtons(most) +
-                                 ", more than the device of the study gives: a misplaced decimal point?"));
+      out_.push_back(study::remark(Kind::kForceUnit, Severity::kWarning, **largest, "force_n",
+                                   (*largest)->participant + " judged " + newtons(most) +
+                                       ", more than the device of the study gives: a misplaced decimal point?"));
       return;
     }
     const auto large =
         std::count_if(judged_.begin(), judged_.end(), [](const auto* row) { return row->force_n > kOddForceN; });
     if (judged_.size() > 2 && 2 * static_cast<std::size_t>(large) < judged_.size()) {
-      out_.push_back(study::refusal(Kind::kForceUnit, (*largest)->participant, cell(**largest, "force_n"),
+      out_.push_back(study::refusal(Kind::kForceUnit, (*largest)->participant, study::cellOf(**largest, "force_n"),
                                     "the force of " + newtons(most) + " that " + (*largest)->participant +
                                         " judged is more than any device of the study gives",
                                     "correct the row: a misplaced decimal point?"));
@@ -104,14 +116,10 @@ class OneParticipant {
     }
     const bool grams = most * kNewtonsPerGram > 0.3 && most * 1e-3 < 0.3;
     out_.push_back(study::refusal(
-        Kind::kForceUnit, (*largest)->participant, cell(*judged_.front(), "force_n"),
+        Kind::kForceUnit, (*largest)->participant, study::cellOf(*judged_.front(), "force_n"),
         "the forces of " + (*largest)->participant + " reach " + newtons(most) + " and look like " +
             (grams ? "grams" : "mN"),
         grams ? "multiply force_n by 0.00980665, so that it is in N" : "divide force_n by 1000, so that it is in N"));
-  }
-
-  static study::TableCell cell(const ForceJudgement& row, std::string_view column) {
-    return {study::kJudgementsTable, row.line, column};
   }
 
   void checkOneWord() {
@@ -125,9 +133,9 @@ class OneParticipant {
       ++count;
     }
     if (count < kFewestForOneWord || words.size() != 1) return;
-    out_.push_back(finding(Kind::kOneWord, Severity::kWarning, *first, "term",
-                           first->participant + " calls all " + std::to_string(count) + " forces " +
-                               base::quoted(first->term) + ": such judgements say nothing of the force."));
+    out_.push_back(study::remark(Kind::kOneWord, Severity::kWarning, *first, "term",
+                                 first->participant + " calls all " + std::to_string(count) + " forces " +
+                                     base::quoted(first->term) + ": such judgements say nothing of the force."));
   }
 
   void checkReversed() {
@@ -147,9 +155,10 @@ class OneParticipant {
     }
     if (count < kFewestForReversed || falling <= 2 * rising) return;
     reversed_ = true;
-    out_.push_back(finding(Kind::kScaleReversed, Severity::kWarning, *judged_.front(), "term",
-                           judged_.front()->participant + " calls larger forces smaller in " + std::to_string(falling) +
-                               " of " + std::to_string(rising + falling) + " pairs: the scale the other way round?"));
+    out_.push_back(study::remark(Kind::kScaleReversed, Severity::kWarning, *judged_.front(), "term",
+                                 judged_.front()->participant + " calls larger forces smaller in " +
+                                     std::to_string(falling) + " of " + std::to_string(rising + falling) +
+                                     " pairs: the scale the other way round?"));
   }
 
   std::map<std::string, Judged> bySeries() const {
@@ -184,16 +193,16 @@ class OneParticipant {
       }
     }
     if (early != nullptr) {
-      out_.push_back(finding(Kind::kBeyondTooEarly, Severity::kWarning, *early, "term",
-                             early->participant + " calls " + newtons(early->force_n) +
-                                 " beyond practice, and the larger " + newtons(term_above->force_n) + ' ' +
-                                 base::quoted(term_above->term) + lineOf(*term_above) + '.'));
+      out_.push_back(study::remark(Kind::kBeyondTooEarly, Severity::kWarning, *early, "term",
+                                   early->participant + " calls " + newtons(early->force_n) +
+                                       " beyond practice, and the larger " + newtons(term_above->force_n) + ' ' +
+                                       base::quoted(term_above->term) + lineOf(*term_above) + '.'));
     }
     if (unfelt != nullptr) {
-      out_.push_back(finding(Kind::kNotFeltAboveFelt, Severity::kWarning, *unfelt, "term",
-                             unfelt->participant + " did not feel " + newtons(unfelt->force_n) +
-                                 ", and calls the smaller " + newtons(term_below->force_n) + ' ' +
-                                 base::quoted(term_below->term) + lineOf(*term_below) + '.'));
+      out_.push_back(study::remark(Kind::kNotFeltAboveFelt, Severity::kWarning, *unfelt, "term",
+                                   unfelt->participant + " did not feel " + newtons(unfelt->force_n) +
+                                       ", and calls the smaller " + newtons(term_below->force_n) + ' ' +
+                                       base::quoted(term_below->term) + lineOf(*term_below) + '.'));
     }
   }
 
@@ -208,10 +217,11 @@ class OneParticipant {
       for (std::size_t i = 1; i < rows.size(); ++i) {
         const double step_n = rows[i]->force_n - rows[i - 1]->force_n;
         if (up ? step_n > 0 : step_n < 0) continue;
-        out_.push_back(finding(Kind::kForceOrder, Severity::kWarning, *rows[i], "force_n",
-                               "In the " + name + " series of " + rows[i]->participant + " step " +
-                                   std::to_string(rows[i]->step) + " is at " + newtons(rows[i]->force_n) + ", after " +
-                                   newtons(rows[i - 1]->force_n) + ": the series goes another way."));
+        out_.push_back(study::remark(Kind::kForceOrder, Severity::kWarning, *rows[i], "force_n",
+                                     "In the " + name + " series of " + rows[i]->participant + " step " +
+                                         std::to_string(rows[i]->step) + " is at " + newtons(rows[i]->force_n) +
+                                         ", after " + newtons(rows[i - 1]->force_n) +
+                                         ": the series goes another way."));
         return;
       }
     }
@@ -244,8 +254,8 @@ class OneParticipant {
       const bool again = std::any_of(out_.begin(), out_.end(),
                                      [kind](const DataFinding& other) { return other.kind == kind->second; });
       if (again) continue;
-      out_.push_back(finding(kind->second, Severity::kNote, *judged_.front(), "term",
-                             judged_.front()->participant + ": " + said.sentence));
+      out_.push_back(study::remark(kind->second, Severity::kNote, *judged_.front(), "term",
+                                   judged_.front()->participant + ": " + said.sentence));
     }
   }
 
@@ -291,9 +301,10 @@ std::vector<DataFinding> judgementFindings(std::span<const ForceJudgement> judge
     if (!sayEnough(words)) continue;
     const auto [original, is_new] = first_with.try_emplace(words, judged.front());
     if (is_new) continue;
-    out.push_back(finding(Kind::kJudgementsCopied, Severity::kNote, *judged.front(), "term",
-                          judged.front()->participant + " gave the same words as " + original->second->participant +
-                              " at all " + std::to_string(words.size()) + " steps: copied, or chance?"));
+    out.push_back(study::remark(Kind::kJudgementsCopied, Severity::kNote, *judged.front(), "term",
+                                judged.front()->participant + " gave the same words as " +
+                                    original->second->participant + " at all " + std::to_string(words.size()) +
+                                    " steps: copied, or chance?"));
   }
   return out;
 }

@@ -4,76 +4,28 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
+
+#include "experiments/stroke_likeness.h"
 
 namespace tactus::experiments {
 namespace {
 
 using study::DataFinding;
 
-constexpr std::size_t kFewestRows = 8;
-constexpr std::size_t kFewestValues = 5;
-constexpr double kRounding = 2e-3;  // of the spread: what rounding a shifted column leaves
-constexpr double kNoise = 0.03;     // of the spread
 constexpr std::size_t kFewestShifted = 2;
 constexpr std::size_t kFewestNoisy = 6;
+constexpr double kNearMean = 0.05;  // of a mean speed: rows left out change it by less
 
-/// A stroke as numbers to compare.
-struct Speeds {
-  const TableStroke* stroke;
-  std::vector<double> mm_s;
-  double spread = 0;  // standard deviation
-};
-
-std::optional<Speeds> speedsOf(const TableStroke& stroke) {
-  if (stroke.rows.size() < kFewestRows) return std::nullopt;
-  Speeds out{&stroke, {}, 0};
-  std::set<double> values;
-  double sum = 0;
-  for (const auto* row : stroke.rows) {
-    out.mm_s.push_back(row->speed_mm_s);
-    if (values.size() < kFewestValues) values.insert(row->speed_mm_s);
-    sum += row->speed_mm_s;
-  }
-  if (values.size() < kFewestValues) return std::nullopt;
-  const auto count = static_cast<double>(out.mm_s.size());
-  double squares = 0;
-  for (const double speed : out.mm_s) squares += (speed - sum / count) * (speed - sum / count);
-  out.spread = std::sqrt(squares / count);
-  return out;
-}
-
-enum class Likeness { kNone, kNoisy, kShifted, kSame };
-
-/// How alike two strokes of as many rows are.
-Likeness likeness(const Speeds& a, const Speeds& b) {
-  if (a.mm_s.size() != b.mm_s.size()) return Likeness::kNone;
-  if (a.mm_s == b.mm_s) return Likeness::kSame;
-  double shift = 0;
-  for (std::size_t i = 0; i < a.mm_s.size(); ++i) shift += b.mm_s[i] - a.mm_s[i];
-  shift /= static_cast<double>(a.mm_s.size());
-  double squares = 0;
-  double largest = 0;
-  const double most = kNoise * kNoise * a.spread * a.spread * static_cast<double>(a.mm_s.size());
-  for (std::size_t i = 0; i < a.mm_s.size(); ++i) {
-    const double rest = b.mm_s[i] - a.mm_s[i] - shift;
-    squares += rest * rest;
-    largest = std::max(largest, std::abs(rest));
-    if (squares > most) return Likeness::kNone;
-  }
-  return largest <= kRounding * a.spread ? Likeness::kShifted : Likeness::kNoisy;
-}
-
-using Group = std::vector<Speeds>;
-using Place = std::pair<std::string_view, int>;
+using Group = std::vector<StrokeNumbers>;
 
 /// Two strokes that are the same, the original first.
 struct Pair {
   const TableStroke* from;
   const TableStroke* copy;
+  bool in_part = false;  ///< rows are missing in one of them
 };
 
 DataFinding copied(const Pair& first, const std::string& how) {
@@ -89,39 +41,66 @@ DataFinding copied(const Pair& first, const std::string& how) {
 
 std::string ofWhom(const TableStroke& stroke) { return stroke.name() + " of " + std::string(stroke.participant); }
 
-/// Strokes with the same speeds row for row, whoever's and wherever they are.
-std::map<std::string_view, std::vector<Pair>> samePairs(const std::vector<Group>& groups) {
-  std::unordered_map<std::size_t, std::vector<const Speeds*>> by_hash;
-  std::map<std::string_view, std::vector<Pair>> out;
+using Pairs = std::map<std::string_view, std::vector<Pair>>;
+
+/// Strokes with the same speeds row for row, whoever's and wherever they are. The others go into `rest`.
+Pairs samePairs(const std::vector<Group>& groups, std::vector<const StrokeNumbers*>& rest) {
+  std::unordered_map<std::size_t, std::vector<const StrokeNumbers*>> by_hash;
+  Pairs out;
   for (const auto& group : groups) {
-    for (const auto& speeds : group) {
-      std::size_t hash = speeds.mm_s.size();
-      for (const double speed : speeds.mm_s) hash = hash * 1099511628211ULL ^ std::hash<double>{}(speed);
+    for (const auto& numbers : group) {
+      std::size_t hash = numbers.mm_s.size();
+      for (const double speed : numbers.mm_s) hash = hash * 1099511628211ULL ^ std::hash<double>{}(speed);
       auto& alike = by_hash[hash];
-      const auto original = std::find_if(alike.begin(), alike.end(), [&speeds](const Speeds* other) {
-        return likeness(*other, speeds) == Likeness::kSame;
+      const auto original = std::find_if(alike.begin(), alike.end(), [&numbers](const StrokeNumbers* other) {
+        return rowLikeness(*other, numbers) == Likeness::kSame;
       });
       if (original != alike.end()) {
-        out[speeds.stroke->participant].push_back({(*original)->stroke, speeds.stroke});
+        out[numbers.stroke->participant].push_back({(*original)->stroke, numbers.stroke});
       } else {
-        alike.push_back(&speeds);
+        alike.push_back(&numbers);
+        rest.push_back(&numbers);
       }
     }
   }
   return out;
 }
 
-/// How alike the strokes of two participants are that have one level and number, if all of them are.
+/// Adds strokes that are another one with rows left out; `strokes` in the order of the table.
+void addParts(const std::vector<const StrokeNumbers*>& strokes, Pairs& out) {
+  std::vector<std::size_t> by_mean(strokes.size());
+  for (std::size_t i = 0; i < by_mean.size(); ++i) by_mean[i] = i;
+  std::sort(by_mean.begin(), by_mean.end(),
+            [&strokes](std::size_t a, std::size_t b) { return strokes[a]->mean < strokes[b]->mean; });
+  std::vector<bool> is_copy(strokes.size());
+  for (std::size_t i = 0; i < by_mean.size(); ++i) {
+    const double most = (1 + kNearMean) * strokes[by_mean[i]]->mean;
+    for (std::size_t k = i + 1; k < by_mean.size() && strokes[by_mean[k]]->mean <= most; ++k) {
+      const auto [first, second] = std::minmax(by_mean[i], by_mean[k]);
+      if (is_copy[second] || !isPart(*strokes[first], *strokes[second])) continue;
+      is_copy[second] = true;
+      out[strokes[second]->stroke->participant].push_back({strokes[first]->stroke, strokes[second]->stroke, true});
+    }
+  }
+}
+
+/// How alike two strokes of two participants are.
+Likeness likeness(const StrokeNumbers& a, const StrokeNumbers& b) {
+  const auto rows = rowLikeness(a, b);
+  return rows == Likeness::kNone && isSameMotion(a, b) ? Likeness::kNoisy : rows;
+}
+
+/// The first strokes of two participants whose strokes are alike wherever both have one of a level and number.
 std::optional<Pair> likeAll(const Group& original, const Group& copy) {
-  std::map<Place, const Speeds*> places;
-  for (const auto& speeds : original) places[{speeds.stroke->level, speeds.stroke->number}] = &speeds;
   std::size_t both = 0;
   Likeness least = Likeness::kSame;
-  for (const auto& speeds : copy) {
-    const auto place = places.find({speeds.stroke->level, speeds.stroke->number});
-    if (place == places.end()) continue;
+  for (const auto& numbers : copy) {
+    const auto other = std::find_if(original.begin(), original.end(), [&numbers](const StrokeNumbers& one) {
+      return one.stroke->number == numbers.stroke->number && one.stroke->level == numbers.stroke->level;
+    });
+    if (other == original.end()) continue;
     ++both;
-    least = std::min(least, likeness(*place->second, speeds));
+    least = std::min(least, likeness(*other, numbers));
     if (least == Likeness::kNone) return std::nullopt;
   }
   const std::size_t fewest = least == Likeness::kNoisy ? kFewestNoisy : kFewestShifted;
@@ -136,18 +115,21 @@ std::vector<DataFinding> strokeCopyFindings(std::span<const TableStroke> strokes
   for (const auto& of_one : byParticipant(strokes)) {
     Group group;
     for (const auto* stroke : of_one) {
-      if (auto speeds = speedsOf(*stroke)) group.push_back(std::move(*speeds));
+      if (auto numbers = numbersOf(*stroke)) group.push_back(std::move(*numbers));
     }
     if (!group.empty()) groups.push_back(std::move(group));
   }
-  const auto same = samePairs(groups);
+  std::vector<const StrokeNumbers*> rest;
+  auto same = samePairs(groups, rest);
+  addParts(rest, same);
   std::vector<DataFinding> out;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const std::string who(groups[i].front().stroke->participant);
     if (const auto found = same.find(who); found != same.end()) {
       const auto& pairs = found->second;
       std::string sentence = "The speeds of " + ofWhom(*pairs.front().copy) + " are those of " +
-                             ofWhom(*pairs.front().from) + ", row for row: copied?";
+                             ofWhom(*pairs.front().from) +
+                             (pairs.front().in_part ? ", with rows left out: copied?" : ", row for row: copied?");
       if (pairs.size() > 1) sentence += " There are " + std::to_string(pairs.size()) + " such strokes.";
       out.push_back(copied(pairs.front(), sentence));
       continue;
@@ -157,7 +139,7 @@ std::vector<DataFinding> strokeCopyFindings(std::span<const TableStroke> strokes
       if (!first) continue;
       out.push_back(copied(*first, "All strokes of " + who + " have the speeds of those of " +
                                        std::string(first->from->participant) +
-                                       ", but for a constant or a little noise: copied?"));
+                                       ", but for a constant, a lag or a little noise: copied?"));
       break;
     }
   }

@@ -14,8 +14,9 @@ namespace tactus::experiments {
 /// - the same speeds as another stroke, row for row, or
 /// - the same speeds but for a constant, as all strokes of the same level and number of another participant (two or
 ///   more), or
-/// - speeds that differ by noise of at most 3 % of their spread, again for all strokes of another participant, six or
-///   more.
+/// - the rows of another stroke, some of them left out (20 or more), with a constant in times and in depths or none, or
+/// - speeds that differ by a lag of at most 0.3 s and noise of at most 3 % of their spread, again for all strokes of
+///   another participant, six or more.
 std::vector<study::DataFinding> strokeCopyFindings(std::span<const TableStroke> strokes);
 
 }  // namespace tactus::experiments

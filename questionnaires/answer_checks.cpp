@@ -5,11 +5,13 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "core/base/close_match.h"
 #include "core/base/text.h"
+#include "core/study/record_findings.h"
 
 namespace tactus::questionnaires {
 namespace {
@@ -24,6 +26,9 @@ constexpr double kOneAnswerShare = 0.9;
 constexpr double kOpposite = -0.5;
 constexpr double kCopiedShare = 0.95;
 constexpr std::size_t kFewestOthers = 2;
+// Correlations of well-made answers: tests/app/session/false_alarms_test.cpp.
+constexpr double kShifted = 0.5;
+constexpr double kShiftedBetter = 0.3;
 // A pattern of three can be meant: the form asks about three levels of one input after another.
 constexpr std::array<std::size_t, 3> kPatterns = {2, 4, 5};
 
@@ -35,14 +40,10 @@ struct Sheet {
   const std::string& who() const { return rows.front()->participant; }
 };
 
-DataFinding finding(Kind kind, Severity severity, const Answer& row, std::string_view column, std::string sentence) {
-  return {kind, severity, row.participant, {study::kAnswersTable, row.line, column}, std::move(sentence), {}, {}};
-}
-
 DataFinding unknown(Kind kind, const Answer& row, std::string_view column, const std::string& found,
                     const std::string& wanted) {
-  auto out = finding(kind, Severity::kRefused, row, column,
-                     row.participant + " has " + found + " to form " + row.form + "; wanted " + wanted + '.');
+  auto out = study::remark(kind, Severity::kRefused, row, column,
+                           row.participant + " has " + found + " to form " + row.form + "; wanted " + wanted + '.');
   out.found = found;
   out.wanted = wanted;
   return out;
@@ -62,7 +63,7 @@ class FormChecks {
     for (std::size_t i = 0; i < sheets_.size(); ++i) {
       if (checkOneAnswer(sheets_[i]) || checkPattern(sheets_[i])) continue;
       checkOpposite(i);
-      checkCopied(i);
+      if (!checkCopied(i)) checkShifted(i);
     }
     return std::move(out_);
   }
@@ -108,11 +109,11 @@ class FormChecks {
     for (const auto& [item, term] : sheet.terms) ++counts[static_cast<std::size_t>(term)];
     const auto most = std::max_element(counts.begin(), counts.end());
     if (static_cast<double>(*most) < kOneAnswerShare * static_cast<double>(sheet.terms.size())) return false;
-    out_.push_back(finding(Kind::kOneAnswer, Severity::kWarning, *sheet.rows.front(), "term",
-                           sheet.who() + " answers " + std::to_string(*most) + " of " +
-                               std::to_string(sheet.terms.size()) + " items with " +
-                               base::quoted(terms_[static_cast<std::size_t>(most - counts.begin())]) +
-                               ": the force would hardly depend on anything."));
+    out_.push_back(study::remark(Kind::kOneAnswer, Severity::kWarning, *sheet.rows.front(), "term",
+                                 sheet.who() + " answers " + std::to_string(*most) + " of " +
+                                     std::to_string(sheet.terms.size()) + " items with " +
+                                     base::quoted(terms_[static_cast<std::size_t>(most - counts.begin())]) +
+                                     ": the force would hardly depend on anything."));
     return true;
   }
 
@@ -120,37 +121,65 @@ class FormChecks {
     if (sheet.terms.size() < kFewest) return false;
     std::vector<int> terms;
     for (const auto& [item, term] : sheet.terms) terms.push_back(term);
+    std::size_t runs = 1;
+    for (std::size_t i = 1; i < terms.size(); ++i) runs += terms[i] == terms[i - 1] ? 0 : 1;
+    if (runs == std::set<int>(terms.begin(), terms.end()).size()) {
+      out_.push_back(study::remark(
+          Kind::kAnswerPattern, Severity::kWarning, *sheet.rows.front(), "term",
+          "All equal answers of " + sheet.who() + " stand one below the other: the column sorted without its items?"));
+      return true;
+    }
     for (const std::size_t length : kPatterns) {
       const auto begin = static_cast<std::ptrdiff_t>(length);
       if (!std::equal(terms.begin() + begin, terms.end(), terms.begin())) continue;
-      out_.push_back(finding(Kind::kAnswerPattern, Severity::kWarning, *sheet.rows.front(), "term",
-                             sheet.who() + " repeats the same " + std::to_string(length) +
-                                 " answers through the whole form: filled in without reading?"));
+      out_.push_back(study::remark(Kind::kAnswerPattern, Severity::kWarning, *sheet.rows.front(), "term",
+                                   sheet.who() + " repeats the same " + std::to_string(length) +
+                                       " answers through the whole form: filled in without reading?"));
       return true;
     }
     return false;
   }
 
-  /// Correlation of the answers of one participant with the mean of the others', over items that two others answered.
-  void checkOpposite(std::size_t i) {
+  /// Correlation of the answers of one participant with the mean that the others gave to the item `shift` further on,
+  /// over items that two others answered.
+  std::optional<double> agreement(std::size_t i, int shift) const {
     std::vector<std::pair<double, double>> pairs;
     for (const auto& [item, term] : sheets_[i].terms) {
       double sum = 0;
       std::size_t count = 0;
       for (std::size_t k = 0; k < sheets_.size(); ++k) {
-        const auto other = sheets_[k].terms.find(item);
+        const auto other = sheets_[k].terms.find(item + shift);
         if (k == i || other == sheets_[k].terms.end()) continue;
         sum += other->second;
         ++count;
       }
       if (count >= kFewestOthers) pairs.emplace_back(term, sum / static_cast<double>(count));
     }
-    if (pairs.size() < kFewest) return;
-    const auto r = correlation(pairs);
+    return pairs.size() < kFewest ? std::nullopt : correlation(pairs);
+  }
+
+  void checkOpposite(std::size_t i) {
+    const auto r = agreement(i, 0);
     if (!r || *r > kOpposite) return;
-    out_.push_back(finding(Kind::kAnswersReversed, Severity::kWarning, *sheets_[i].rows.front(), "term",
-                           sheets_[i].who() + " answers the opposite of the others (correlation " +
-                               base::formatFixed(*r, 2) + "): the scale the other way round?"));
+    out_.push_back(study::remark(Kind::kAnswersReversed, Severity::kWarning, *sheets_[i].rows.front(), "term",
+                                 sheets_[i].who() + " answers the opposite of the others (correlation " +
+                                     base::formatFixed(*r, 2) + "): the scale the other way round?"));
+  }
+
+  /// Whether the answers fit the items before or after far better than their own.
+  void checkShifted(std::size_t i) {
+    const auto own = agreement(i, 0);
+    if (!own) return;
+    for (const int shift : {1, -1}) {
+      const auto r = agreement(i, shift);
+      if (!r || *r < kShifted || *r < *own + kShiftedBetter) continue;
+      out_.push_back(study::remark(Kind::kAnswersShifted, Severity::kWarning, *sheets_[i].rows.front(), "item",
+                                   "The answers of " + sheets_[i].who() + " fit what the others say of the item " +
+                                       (shift > 0 ? "after" : "before") + " (correlation " + base::formatFixed(*r, 2) +
+                                       ") far better than of the same item (" + base::formatFixed(*own, 2) +
+                                       "): shifted by a row?"));
+      return;
+    }
   }
 
   static std::optional<double> correlation(const std::vector<std::pair<double, double>>& pairs) {
@@ -172,7 +201,7 @@ class FormChecks {
     return ab / std::sqrt(aa * bb);
   }
 
-  void checkCopied(std::size_t i) {
+  bool checkCopied(std::size_t i) {
     for (std::size_t k = 0; k < i; ++k) {
       std::size_t both = 0;
       std::map<int, std::size_t> differences;
@@ -186,13 +215,14 @@ class FormChecks {
       for (const int shift : {0, 1, -1}) {
         const std::size_t alike = differences[shift];
         if (static_cast<double>(alike) < kCopiedShare * static_cast<double>(both)) continue;
-        out_.push_back(finding(Kind::kAnswersCopied, Severity::kWarning, *sheets_[i].rows.front(), "term",
-                               "The answers of " + sheets_[i].who() + " are those of " + sheets_[k].who() +
-                                   (shift == 0 ? "" : ", one term away,") + " in " + std::to_string(alike) + " of " +
-                                   std::to_string(both) + " items: copied?"));
-        return;
+        out_.push_back(study::remark(Kind::kAnswersCopied, Severity::kWarning, *sheets_[i].rows.front(), "term",
+                                     "The answers of " + sheets_[i].who() + " are those of " + sheets_[k].who() +
+                                         (shift == 0 ? "" : ", one term away,") + " in " + std::to_string(alike) +
+                                         " of " + std::to_string(both) + " items: copied?"));
+        return true;
       }
     }
+    return false;
   }
 
   const study::Form& form_;

@@ -1,15 +1,16 @@
 #include "app/session/data_checks.h"
 
 #include <algorithm>
-#include <iterator>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
+#include "app/session/given_rule_checks.h"
 #include "app/session/known_forms.h"
 #include "app/session/participant_checks.h"
 #include "elicitation/variables/ngt_variables.h"
 #include "experiments/judgement_tables.h"
+#include "experiments/stroke_columns.h"
 #include "experiments/stroke_copies.h"
 #include "experiments/stroke_rows.h"
 #include "experiments/stroke_units.h"
@@ -20,10 +21,6 @@ namespace tactus::session {
 namespace {
 
 using Findings = std::vector<study::DataFinding>;
-
-void append(Findings& findings, Findings more) {
-  findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
 
 std::vector<std::string> termIds(const std::vector<fuzzy::Term>& terms) {
   std::vector<std::string> ids;
@@ -46,6 +43,10 @@ Findings strokeFindings(const study::Study& study) {
   Findings out;
   for (const auto& of_one : participants) {
     append(out, experiments::levelFindings(of_one, levels, usual));
+    if (auto swapped = experiments::swappedColumns(of_one)) {
+      out.push_back(std::move(*swapped));
+      continue;  // what the columns say under the wrong names means nothing
+    }
     append(out, experiments::unitFindings(of_one));
     append(out, experiments::rowFindings(of_one));
     append(out, experiments::valueFindings(of_one));
@@ -68,6 +69,7 @@ Findings dataFindings(const study::Study& study) {
   append(findings, strokeFindings(study));
   append(findings, experiments::judgementFindings(study.judgements, termIds(elicitation::ngtOutput().terms)));
   append(findings, questionnaires::answerFindings(study.answers, knownForms()));
+  append(findings, givenRuleFindings(study.rules));
 
   std::unordered_map<std::string, std::size_t> place;
   for (const auto& participant : study.participants) place.try_emplace(participant.code, place.size() + 1);

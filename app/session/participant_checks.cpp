@@ -7,8 +7,12 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/tables/odd_cell.h"
 #include "core/base/text.h"
 #include "core/study/code_key.h"
+#include "core/study/record_findings.h"
+#include "core/study/summary_word.h"
+#include "experiments/force_series.h"
 
 namespace tactus::session {
 namespace {
@@ -24,23 +28,15 @@ constexpr double kMostYears = 80;
 constexpr double kFirstCalendarYear = 1900;
 constexpr double kLastCalendarYear = 2100;
 
-study::TableCell cellOf(const Participant& participant, std::string_view column) {
-  return {study::kParticipantsTable, participant.line, column};
-}
-
-DataFinding finding(Kind kind, Severity severity, const Participant& participant, std::string_view column,
-                    std::string sentence) {
-  return {kind, severity, participant.code, cellOf(participant, column), std::move(sentence), {}, {}};
-}
-
 void addAlike(const study::Study& study, std::vector<DataFinding>& out) {
   std::map<std::string, const Participant*> first_with;
   for (const auto& participant : study.participants) {
     const auto [first, is_new] = first_with.try_emplace(study::codeKey(participant.code), &participant);
     if (is_new) continue;
-    out.push_back(finding(Kind::kCodesAlike, Severity::kWarning, participant, "participant",
-                          "The codes " + base::quoted(first->second->code) + " and " + base::quoted(participant.code) +
-                              " differ only in capitals, spaces, dashes or zeros: one person under two codes?"));
+    out.push_back(study::remark(Kind::kCodesAlike, Severity::kWarning, participant, "participant",
+                                "The codes " + base::quoted(first->second->code) + " and " +
+                                    base::quoted(participant.code) +
+                                    " differ only in capitals, spaces, dashes or zeros: one person under two codes?"));
   }
 }
 
@@ -62,9 +58,9 @@ bool looksLikeName(std::string_view code) {
 void addNames(const study::Study& study, std::vector<DataFinding>& out) {
   for (const auto& participant : study.participants) {
     if (!looksLikeName(participant.code)) continue;
-    out.push_back(finding(Kind::kCodeLikeName, Severity::kWarning, participant, "participant",
-                          "The code " + base::quoted(participant.code) +
-                              " looks like a name: give a random code, which every file then shows."));
+    out.push_back(study::remark(Kind::kCodeLikeName, Severity::kWarning, participant, "participant",
+                                "The code " + base::quoted(participant.code) +
+                                    " looks like a name: give a random code, which every file then shows."));
   }
 }
 
@@ -74,12 +70,12 @@ void addYears(const study::Study& study, std::vector<DataFinding>& out) {
     const double years = *participant.years_experience;
     const std::string said = base::formatNumber(years) + " years of experience";
     if (years <= kMostYears) {
-      out.push_back(finding(Kind::kYearsUnlikely, Severity::kWarning, participant, "years_experience",
-                            participant.code + " has " + said + ": an age?"));
+      out.push_back(study::remark(Kind::kYearsUnlikely, Severity::kWarning, participant, "years_experience",
+                                  participant.code + " has " + said + ": an age?"));
       continue;
     }
     const bool calendar = years >= kFirstCalendarYear && years <= kLastCalendarYear;
-    out.push_back(study::refusal(Kind::kYearsUnlikely, participant.code, cellOf(participant, "years_experience"),
+    out.push_back(study::refusal(Kind::kYearsUnlikely, participant.code, study::cellOf(participant, "years_experience"),
                                  "the participant " + participant.code + " has " + said,
                                  calendar ? "give the years since then instead of a year of the calendar"
                                           : "give years (months? divide by 12), or leave the cell empty"));
@@ -101,10 +97,12 @@ Codes codesWithRules(const study::Study& study) {
   return codes;
 }
 
+/// Who gave a term in a series that votes, or in one that is unknown, which is said of itself.
 Codes codesWithTerms(const study::Study& study) {
   Codes codes;
   for (const auto& judgement : study.judgements) {
-    if (judgement.kind == study::ForceJudgement::Kind::kTerm) codes.insert(judgement.participant);
+    const bool other = judgement.series == experiments::kDescending || judgement.series == experiments::kRandom;
+    if (judgement.kind == study::ForceJudgement::Kind::kTerm && !other) codes.insert(judgement.participant);
   }
   return codes;
 }
@@ -118,14 +116,15 @@ struct Block {
 void addAbsent(const study::Study& study, std::vector<DataFinding>& out) {
   const std::vector<Block> blocks = {
       {Kind::kWithoutStrokes, codesOf(study.speeds), "strokes", "the speeds of the others are used"},
-      {Kind::kWithoutJudgements, codesWithTerms(study), "force judgements", "the words for forces are the others'"},
+      {Kind::kWithoutJudgements, codesWithTerms(study), "force judgements in an ascending series",
+       "the words for forces are the others'"},
       {Kind::kWithoutAnswers, codesWithRules(study), "answers and no rules", "no expert of the model"}};
   for (const auto& block : blocks) {
     if (block.codes.empty()) continue;  // an absent table is said once, not of everybody
     for (const auto& participant : study.participants) {
       if (block.codes.contains(participant.code)) continue;
-      out.push_back(finding(block.kind, Severity::kWarning, participant, "participant",
-                            participant.code + " has no " + block.what + ": " + block.consequence + '.'));
+      out.push_back(study::remark(block.kind, Severity::kWarning, participant, "participant",
+                                  participant.code + " has no " + block.what + ": " + block.consequence + '.'));
     }
   }
 }
@@ -139,10 +138,44 @@ void addMixed(const study::Study& study, std::vector<DataFinding>& out) {
     simulated.push_back(participant.code);
   }
   if (first == nullptr || simulated.size() == study.participants.size()) return;
-  auto mixed = finding(Kind::kSimulatedAndReal, Severity::kWarning, *first, "simulated",
-                       "Simulated participants stand beside real ones: " + base::joined(simulated, ", ") + '.');
+  auto mixed = study::remark(Kind::kSimulatedAndReal, Severity::kWarning, *first, "simulated",
+                             "Simulated participants stand beside real ones: " + base::joined(simulated, ", ") + '.');
   mixed.participant.clear();
   out.push_back(std::move(mixed));
+}
+
+void addSummaries(const study::Study& study, std::vector<DataFinding>& out) {
+  for (const auto& participant : study.participants) {
+    if (!study::isSummaryWord(participant.code)) continue;
+    out.push_back(study::remark(Kind::kSummaryRow, Severity::kWarning, participant, "participant",
+                                "The participant " + base::quoted(participant.code) +
+                                    " looks like a line below the table: remove it, it counts as a person."));
+  }
+}
+
+void addDates(const study::Study& study, std::vector<DataFinding>& out) {
+  for (const auto& participant : study.participants) {
+    if (!base::looksLikeDate(participant.code)) continue;
+    out.push_back(study::remark(Kind::kCodeLikeDate, Severity::kNote, participant, "participant",
+                                "The code " + base::quoted(participant.code) +
+                                    " looks like a date that a spreadsheet made of another code, such as 1-5."));
+  }
+}
+
+/// Shares beside percent: both above 0, the larger above 1, the smaller at most 1 and less than a twentieth of it.
+void addWeights(const study::Study& study, std::vector<DataFinding>& out) {
+  const Participant* least = nullptr;
+  const Participant* most = nullptr;
+  for (const auto& participant : study.participants) {
+    if (participant.weight.value_or(0) <= 0) continue;
+    if (least == nullptr || *participant.weight < *least->weight) least = &participant;
+    if (most == nullptr || *participant.weight > *most->weight) most = &participant;
+  }
+  if (least == nullptr || *least->weight > 1 || *most->weight <= 1 || *most->weight < 20 * *least->weight) return;
+  out.push_back(study::remark(Kind::kWeightsMixed, Severity::kWarning, *most, "weight",
+                              "The weight of " + most->code + " is " + base::formatNumber(*most->weight) +
+                                  ", that of " + least->code + ' ' + base::formatNumber(*least->weight) +
+                                  ": percent beside shares?"));
 }
 
 }  // namespace
@@ -151,7 +184,10 @@ std::vector<DataFinding> participantFindings(const study::Study& study) {
   std::vector<DataFinding> out;
   addAlike(study, out);
   addNames(study, out);
+  addDates(study, out);
+  addSummaries(study, out);
   addYears(study, out);
+  addWeights(study, out);
   addAbsent(study, out);
   addMixed(study, out);
   return out;

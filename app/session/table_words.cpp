@@ -1,9 +1,11 @@
 #include "app/session/table_words.h"
 
+#include <array>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include "core/base/tables/odd_cell.h"
 #include "core/base/text.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
@@ -21,6 +23,8 @@ class Words {
   explicit Words(std::string_view table) : table_(table) {}
 
   void add(const std::string& id) { ids_[base::columnKey(id)] = id; }
+  /// Another word for an id.
+  void add(const std::string& word, const std::string& id) { ids_[word] = id; }
   void add(const std::vector<fuzzy::Term>& terms) {
     for (const auto& term : terms) add(term.id);
   }
@@ -31,6 +35,13 @@ class Words {
     if (word.empty() || id == ids_.end() || id->second == word) return word;
     ++read_[{word, id->second}];
     return id->second;
+  }
+
+  /// Whether `word` stands where there is no term; that is noted too.
+  bool isMissing(const std::string& word) {
+    const bool missing = base::isMissingWord(word);
+    if (missing) ++read_[{word, "no answer"}];
+    return missing;
   }
 
   void addNotes(std::vector<std::string>& notes) const {
@@ -46,6 +57,26 @@ class Words {
   std::map<std::pair<std::string, std::string>, std::size_t> read_;
 };
 
+/// What people call a series.
+constexpr std::array<std::pair<const char*, const char*>, 17> kSeriesWords = {
+    {{"asc", experiments::kAscending},
+     {"ascend", experiments::kAscending},
+     {"ascending_series", experiments::kAscending},
+     {"increasing", experiments::kAscending},
+     {"rising", experiments::kAscending},
+     {"up", experiments::kAscending},
+     {"upward", experiments::kAscending},
+     {"upwards", experiments::kAscending},
+     {"aufsteigend", experiments::kAscending},
+     {"desc", experiments::kDescending},
+     {"descend", experiments::kDescending},
+     {"descending_series", experiments::kDescending},
+     {"decreasing", experiments::kDescending},
+     {"falling", experiments::kDescending},
+     {"down", experiments::kDescending},
+     {"absteigend", experiments::kDescending},
+     {"random_order", experiments::kRandom}}};
+
 std::vector<fuzzy::Term> termsOf(std::string_view input) {
   for (auto& variable : elicitation::ngtInputs()) {
     if (variable.id == input) return variable.terms;
@@ -56,6 +87,7 @@ std::vector<fuzzy::Term> termsOf(std::string_view input) {
 void readJudgements(study::Study& study, std::vector<std::string>& notes) {
   Words series(study::kJudgementsTable);
   for (const char* id : {experiments::kAscending, experiments::kDescending, experiments::kRandom}) series.add(id);
+  for (const auto& [word, id] : kSeriesWords) series.add(word, id);
   Words terms(study::kJudgementsTable);
   terms.add(elicitation::ngtOutput().terms);
   terms.add("not_felt");
@@ -63,6 +95,11 @@ void readJudgements(study::Study& study, std::vector<std::string>& notes) {
   for (auto& row : study.judgements) {
     row.series = series.read(row.series);
     if (row.kind != Kind::kTerm) continue;
+    if (terms.isMissing(row.term)) {
+      row.kind = Kind::kNoAnswer;
+      row.term.clear();
+      continue;
+    }
     row.term = terms.read(row.term);
     if (row.term == "not_felt") row.kind = Kind::kNotFelt;
     if (row.term == "beyond_practice") row.kind = Kind::kBeyondPractice;
@@ -104,7 +141,13 @@ std::vector<std::string> readWords(study::Study& study) {
   readJudgements(study, notes);
   Words answers(study::kAnswersTable);
   answers.add(elicitation::ngtOutput().terms);
-  for (auto& answer : study.answers) answer.term = answers.read(answer.term);
+  for (auto& answer : study.answers) {
+    if (answer.status == study::Answer::Status::kAnswered && answers.isMissing(answer.term)) {
+      answer.status = study::Answer::Status::kSkipped;
+      answer.term.clear();
+    }
+    answer.term = answers.read(answer.term);
+  }
   answers.addNotes(notes);
   readRules(study, notes);
   return notes;

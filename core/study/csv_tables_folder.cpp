@@ -31,7 +31,7 @@ class FolderReader {
     const auto path = fileOf(name);
     if (!path) return tl::unexpected(path.error());
     if (path->empty()) {
-      absent_.emplace_back(name);
+      absent_.push_back(std::string(name) + besides(name));
       return {};
     }
     if (path->filename() != name) {
@@ -60,6 +60,20 @@ class FolderReader {
   }
 
  private:
+  /// ` (there is 'speeds (1).csv', which is not read)` where a file's name begins like that of the absent table.
+  std::string besides(std::string_view name) const {
+    const std::string stem = fs::path(name).stem().string();
+    std::vector<std::string> like;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder_, ignored)) {
+      const std::string file = entry.path().filename().string();
+      if (base::lowered(file).starts_with(stem) && entry.is_regular_file(ignored)) like.push_back(base::quoted(file));
+    }
+    if (like.empty()) return {};
+    std::sort(like.begin(), like.end());
+    return " (there is " + base::joined(like, ", ") + ", which is not read)";
+  }
+
   /// The file that holds the table `name`, empty where there is none: of this name, or the only one whose name differs
   /// in capitals or ends in .txt or .tsv.
   Result<fs::path> fileOf(std::string_view name) const {

@@ -7,9 +7,11 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/tables/odd_cell.h"
 #include "core/base/text.h"
 #include "core/study/csv_columns.h"
 #include "core/study/csv_tables.h"
+#include "core/study/summary_word.h"
 
 namespace tactus::study {
 namespace {
@@ -65,11 +67,18 @@ class RowReader {
 
   std::string requiredName(std::size_t column, std::string_view wanted) {
     std::string cell = name(column);
-    if (cell.empty()) refuse(column, ErrorCode::kValue, std::string(wanted));
+    if (cell.empty()) refuse(column, ErrorCode::kValue, std::string(wanted) + " (merged cells? fill them down)");
     return cell;
   }
 
-  double number(std::size_t column) { return keep(table_.number(row_, column), 0.0); }
+  /// A term, an empty cell, or a dash in its place.
+  std::string term(std::size_t column) { return text(column) == "-" ? "-" : name(column); }
+
+  double number(std::size_t column) {
+    if (base::isMissingWord(text(column)))
+      refuse(column, ErrorCode::kValue, "a finite number; leave a row without one out");
+    return keep(table_.number(row_, column), 0.0);
+  }
 
   int integer(std::size_t column) {
     const long long value = keep(table_.integer(row_, column), 0LL);
@@ -90,6 +99,10 @@ class RowReader {
   /// Empty, or a number from 0.
   std::optional<double> optionalAmount(std::size_t column) {
     if (text(column).empty()) return std::nullopt;
+    if (base::isMissingWord(text(column))) {
+      refuse(column, ErrorCode::kValue, "a number of at least 0, or an empty cell");
+      return std::nullopt;
+    }
     const double value = number(column);
     if (value < 0) refuse(column, ErrorCode::kValue, "a number of at least 0, or an empty cell");
     return value;
@@ -129,7 +142,11 @@ Result<std::vector<Record>> readRows(const CsvTable& table, Read read) {
     RowReader cells(table, row);
     records.push_back(read(cells));
     records.back().line = cells.line();
-    if (cells.error()) return tl::unexpected(*cells.error());
+    if (!cells.error()) continue;
+    auto error = *cells.error();
+    const auto code = base::trimmed(table.cell(row, table.find("participant").value_or(0)));
+    if (isSummaryWord(code)) error.wanted = "data alone: remove the line of " + base::quoted(code);
+    return tl::unexpected(std::move(error));
   }
   return records;
 }
@@ -236,7 +253,7 @@ Result<std::vector<ForceJudgement>> readJudgements(const CsvTable& table) {
     judgement.step = cells.ordinal(column[2]);
     judgement.force_n = cells.number(column[3]);
     if (judgement.force_n < 0) cells.refuse(column[3], ErrorCode::kValue, "a force of 0 N or more");
-    std::tie(judgement.kind, judgement.term) = judgementOf(cells.name(column[4]));
+    std::tie(judgement.kind, judgement.term) = judgementOf(cells.term(column[4]));
     if (!seen.emplace(judgement.participant, judgement.series, judgement.step).second) {
       cells.refuse(column[2], ErrorCode::kValue, "step " + std::to_string(judgement.step) + " of this series again",
                    "each step of a series once for a participant");
@@ -256,7 +273,7 @@ Result<std::vector<Answer>> readAnswers(const CsvTable& table) {
     answer.participant = cells.requiredName(column[0], "the code of a participant");
     answer.form = cells.requiredName(column[1], "the id of a form");
     answer.item = cells.integer(column[2]);
-    answer.term = cells.name(column[3]);
+    answer.term = cells.term(column[3]);
     answer.status = statusOf(cells, column[4], !answer.term.empty());
     const bool answered = answer.status == Answer::Status::kAnswered;
     if (answered && answer.term.empty()) {
@@ -300,7 +317,9 @@ Result<std::vector<GivenRule>> readRules(const CsvTable& table, const std::vecto
     terms.push_back(rule.then);
     if (!cells.text(column[2]).empty()) rule.weight = cells.number(column[2]);
     if (!(rule.weight >= 0 && rule.weight <= 1)) {
-      cells.refuse(column[2], ErrorCode::kValue, "a weight from 0 to 1, or an empty cell for 1");
+      cells.refuse(column[2], ErrorCode::kValue,
+                   rule.weight > 1 ? "a weight from 0 to 1, or an empty cell for 1 (percent? divide by 100)"
+                                   : "a weight from 0 to 1, or an empty cell for 1");
     }
     if (!seen.emplace(rule.participant, rule.form, std::move(terms)).second) {
       cells.refuse(column[1], ErrorCode::kValue, "the same rule twice", "each rule once for a participant");

@@ -12,6 +12,7 @@
 #include "core/base/name_list.h"
 #include "core/base/tables/csv_splitter.h"
 #include "core/base/tables/decimal_comma.h"
+#include "core/base/tables/odd_cell.h"
 #include "core/base/tables/text_encoding.h"
 #include "core/base/text.h"
 
@@ -58,6 +59,13 @@ Result<void> CsvTable::takeRow(const std::vector<std::string_view>& cells, std::
     if (!beside && filled > columns_.size()) wanted += " (decimal commas? then semicolons between the cells)";
     return fail(ErrorCode::kSchema, "line " + std::to_string(line), std::to_string(cells.size()) + " cells",
                 std::move(wanted));
+  }
+  const auto is_name = [](std::string_view cell, const std::string& column) { return trimmed(cell) == column; };
+  const bool header = has_header_ && columns_.size() > 1 && is_name(cells[0], columns_[0]) &&
+                      std::equal(columns_.begin(), columns_.end(), cells.begin(),
+                                 [&is_name](const std::string& column, auto cell) { return is_name(cell, column); });
+  if (header) {
+    return fail(ErrorCode::kSchema, "line " + std::to_string(line), "the header again", "it once, in the first line");
   }
   for (std::size_t i = 0; i < columns_.size(); ++i)
     starts_.push_back(static_cast<std::uint32_t>(cells[i].data() - text_->data()));
@@ -177,8 +185,7 @@ Result<std::size_t> CsvTable::require(std::string_view name) const {
 Result<double> CsvTable::number(std::size_t row, std::size_t column) const {
   const auto value = parseNumber(trimmed(cell(row, column)));
   if (value && std::isfinite(*value)) return *value;
-  const bool comma = cell(row, column).find(',') != std::string_view::npos;
-  return refuse(row, column, ErrorCode::kValue, comma ? "a finite number with a decimal point" : "a finite number");
+  return refuse(row, column, ErrorCode::kValue, numberWanted(cell(row, column)));
 }
 
 Result<long long> CsvTable::integer(std::size_t row, std::size_t column) const {

@@ -27,7 +27,8 @@ class CsvTable {
   /// comments; empty lines, rows of empty cells and empty columns at the end are skipped. Where it is plain, tables of
   /// other spreadsheets are read too, and `readAs` says so: semicolons or tabs (csv_splitter.h), decimal commas
   /// (decimal_comma.h; the cells then hold points), other encodings (text_encoding.h).
-  /// Refused: no header, a doubled or empty column name, a row with another number of cells than the header, an open
+  /// Refused: no header, a doubled or empty column name, a row with another number of cells than the header, the header
+  /// again below, an open
   /// quote, text of no known encoding, a line longer than 1 MiB, more than 2 GiB.
   static Result<CsvTable> parse(std::string text, std::string file, Header header = Header::kRequired);
 
