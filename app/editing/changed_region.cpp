@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "app/editing/edit_impact.h"
-#include "core/fuzzy/membership.h"
+#include "core/fuzzy/support.h"
 
 namespace tactus::editing {
 namespace {
@@ -21,9 +21,8 @@ struct Span {
 };
 
 Span supportOf(const Term& term, const Variable& variable) {
-  const auto f = fuzzy::MembershipFunction::of(term);
-  if (f.gaussian) return {variable.min, variable.max};
-  return {std::clamp(f.a, variable.min, variable.max), std::clamp(f.d, variable.min, variable.max)};
+  const auto [low, high] = fuzzy::supportOf(fuzzy::MembershipFunction::of(term));
+  return {std::clamp(low, variable.min, variable.max), std::clamp(high, variable.min, variable.max)};
 }
 
 bool sameFunction(const Term& one, const Term& other) { return one.shape == other.shape && one.points == other.points; }

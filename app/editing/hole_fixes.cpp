@@ -8,7 +8,7 @@
 #include "app/editing/rules_of_term.h"
 #include "app/editing/term_list.h"
 #include "core/analysis/coverage.h"
-#include "core/fuzzy/membership.h"
+#include "core/fuzzy/support.h"
 
 namespace tactus::editing {
 namespace {
@@ -59,20 +59,29 @@ bool isUsed(const ForceModel& model, const Expert& expert, const fuzzy::Variable
   });
 }
 
-/// Terms in use on both sides of a gap; null where there is none.
+/// Terms in use on both sides of a gap; null where there is none. A Gaussian has no edge that could be stretched.
 struct Neighbours {
-  Term* left = nullptr;
+  Term* left = nullptr;  ///< the nearest that can be stretched
   Term* right = nullptr;
+  const Term* nearest_left = nullptr;  ///< of any shape
+  const Term* nearest_right = nullptr;
 };
+
+fuzzy::Support supportOf(const Term& term) { return fuzzy::supportOf(MembershipFunction::of(term)); }
 
 Neighbours neighboursOf(const ForceModel& model, const Expert& expert, const fuzzy::Variable& input,
                         std::vector<Term>& terms, const InputRange& gap) {
   Neighbours out;
   for (Term& term : terms) {
-    if (term.shape == Shape::kGaussian || !isUsed(model, expert, input, term.id)) continue;
-    const auto f = MembershipFunction::of(term);
-    if (f.d <= gap.low && (out.left == nullptr || f.d > out.left->points.back())) out.left = &term;
-    if (f.a >= gap.high && (out.right == nullptr || f.a < out.right->points.front())) out.right = &term;
+    if (!isUsed(model, expert, input, term.id)) continue;
+    const auto [low, high] = supportOf(term);
+    const bool can_stretch = term.shape != Shape::kGaussian;
+    const auto later = [high = high](const Term* other) { return other == nullptr || high > supportOf(*other).high; };
+    const auto sooner = [low = low](const Term* other) { return other == nullptr || low < supportOf(*other).low; };
+    if (high <= gap.low && can_stretch && later(out.left)) out.left = &term;
+    if (high <= gap.low && later(out.nearest_left)) out.nearest_left = &term;
+    if (low >= gap.high && can_stretch && sooner(out.right)) out.right = &term;
+    if (low >= gap.high && sooner(out.nearest_right)) out.nearest_right = &term;
   }
   return out;
 }
@@ -98,17 +107,18 @@ std::optional<Result<Edit>> stretched(const ForceModel& model, std::size_t reade
   const TermListId list = listOf(expert, gap.input);
   const auto open = openList(out, list);
   if (!open) return std::nullopt;
-  const auto [left, right] = neighboursOf(out, expert, input, *open->terms, gap);
-  Term* const term = to_the_right ? left : right;
-  const Term* const facing = to_the_right ? right : left;
+  const auto neighbours = neighboursOf(out, expert, input, *open->terms, gap);
+  Term* const term = to_the_right ? neighbours.left : neighbours.right;
+  const Term* const facing = to_the_right ? neighbours.nearest_right : neighbours.nearest_left;
   if (term == nullptr) return std::nullopt;
   const double end = to_the_right ? input.max : input.min;
   double from = end;
   double to = end;
   if (facing != nullptr) {
     const auto f = MembershipFunction::of(*facing);
-    from = to_the_right ? f.a : f.c;
-    to = to_the_right ? f.b : f.d;
+    const auto [low, high] = supportOf(*facing);
+    from = to_the_right ? low : f.gaussian ? f.mean : f.c;
+    to = !to_the_right ? high : f.gaussian ? f.mean : f.b;
   }
   stretch(*term, to_the_right, from, to);
   text = "Stretch " + (list.expert.empty() ? "" : labelOf(expert) + "'s ") + labelOf(*term) + " over the gap";

@@ -4,6 +4,8 @@
 #include "core/analysis/coverage.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -15,6 +17,7 @@
 #include "core/base/check.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
+#include "core/fuzzy/support.h"
 
 namespace tactus::analysis {
 namespace {
@@ -60,27 +63,6 @@ std::vector<LiveRule> liveRules(const ForceModel& model, std::span<const std::si
   return rules;
 }
 
-/// The last number on the way from the mean of a Gaussian, where it is 1, to `outside`, where it is 0, that has a
-/// membership above 0.
-double lastAbove0(const MembershipFunction& gaussian, double outside) {
-  double inside = gaussian.mean;
-  while (true) {
-    const double middle = inside + (outside - inside) / 2;
-    if (middle == inside || middle == outside) return inside;
-    (gaussian(middle) > 0 ? inside : outside) = middle;
-  }
-}
-
-/// Where the membership is above 0: of a trapezoid its feet, of a Gaussian where the exponential underflows, about
-/// 38.6 sigma from the mean, to the last digit. There the Gaussian ends like a vertical edge.
-std::pair<double, double> supportOf(const MembershipFunction& f) {
-  if (!f.gaussian) return {f.a, f.d};
-  constexpr double kFar = 80;  // sigma, with one digit more where sigma is below the distance of neighbouring numbers
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {lastAbove0(f, std::nextafter(f.mean - kFar * f.sigma, -kInfinity)),
-          lastAbove0(f, std::nextafter(f.mean + kFar * f.sigma, kInfinity))};
-}
-
 std::vector<Cell> cellsOf(const fuzzy::Variable& variable, std::size_t input, const std::vector<LiveRule>& rules) {
   std::vector<double> ends = {variable.min, variable.max};
   std::set<std::pair<double, double>> gaussians;  // mean and sigma of those that are cut already
@@ -88,7 +70,7 @@ std::vector<Cell> cellsOf(const fuzzy::Variable& variable, std::size_t input, co
     for (const auto& condition : rule) {
       const auto& f = condition.function;
       if (condition.input != input || (f.gaussian && !gaussians.emplace(f.mean, f.sigma).second)) continue;
-      const auto [low, high] = supportOf(f);
+      const auto [low, high] = fuzzy::supportOf(f);
       for (const double end : {low, high}) {
         if (end > variable.min && end < variable.max) ends.push_back(end);
       }
@@ -218,6 +200,55 @@ std::string unmistakable(const std::string& id, const ForceModel& model) {
   return quoted + '"';
 }
 
+/// `value` with so many digits that count.
+double rounded(double value, int digits) {
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, digits).ptr;
+  std::from_chars(text.begin(), end, value);
+  return value;
+}
+
+/// Ends of an input's terms, whoever's. Those of Gaussians have seventeen digits, which a person cannot read.
+struct TermEnds {
+  std::set<double> all;
+  std::set<double> of_gaussians;
+};
+
+TermEnds termEnds(const fuzzy::Variable& input, const ForceModel& model) {
+  TermEnds ends;
+  ends.all = {input.min, input.max};
+  const auto add = [&ends](const std::vector<fuzzy::Term>& terms) {
+    for (const auto& term : terms) {
+      const auto f = MembershipFunction::of(term);
+      const auto [low, high] = fuzzy::supportOf(f);
+      for (const double end : {low, high}) {
+        ends.all.insert(end);
+        if (f.gaussian) ends.of_gaussians.insert(end);
+      }
+    }
+  };
+  add(input.terms);
+  for (const auto& expert : model.experts) {
+    for (const auto& own : expert.overrides) {
+      if (own.variable == input.id) add(own.terms);
+    }
+  }
+  return ends;
+}
+
+/// The end of a hole as text. That of a Gaussian has six digits, or as many as tell it from all other ends.
+std::string endAsText(double value, const TermEnds& ends) {
+  if (!ends.of_gaussians.contains(value)) return base::formatNumber(value);
+  for (int digits = 6; digits < std::numeric_limits<double>::max_digits10; ++digits) {
+    const double shown = rounded(value, digits);
+    const bool unique = std::none_of(ends.all.begin(), ends.all.end(), [&](double other) {
+      return other != value && (other == shown || rounded(other, digits) == shown);
+    });
+    if (unique) return base::formatNumber(shown);
+  }
+  return base::formatNumber(value);
+}
+
 }  // namespace
 
 std::string describe(const Hole& hole, const ForceModel& model) {
@@ -231,8 +262,9 @@ std::string describe(const Hole& hole, const ForceModel& model,
     const auto& range = hole.ranges[i];
     if (range.whole_universe) continue;
     if (!text.empty()) text += ", ";
-    text += name_of(model.inputs[i]) + ' ' + base::formatNumber(range.low);
-    if (range.high != range.low) text += " to " + base::formatNumber(range.high);
+    const auto ends = termEnds(model.inputs[i], model);
+    text += name_of(model.inputs[i]) + ' ' + endAsText(range.low, ends);
+    if (range.high != range.low) text += " to " + endAsText(range.high, ends);
     if (model.inputs[i].unit != "1") text += ' ' + model.inputs[i].unit;
   }
   return text.empty() ? "everywhere" : text;

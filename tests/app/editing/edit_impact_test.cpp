@@ -53,6 +53,20 @@ TEST(EditImpact, AHoleThatOpensIsCountedNotCompared) {
   EXPECT_EQ(impact.closed, 0);
 }
 
+/// exp(-u^2 / 2) is 0 in doubles from u = 38.604 on: a narrow Gaussian changes nothing beyond 38.604 sigma.
+TEST(EditImpact, AGaussianChangesNoMoreThanItCovers) {
+  auto model = oneRule();
+  model.inputs[0].terms.push_back({"narrow", "", fuzzy::Shape::kGaussian, {5, 0.05}});
+  model.experts[0].rules.push_back({{{"x", "narrow"}}, "high"});
+  auto moved = model;
+  moved.inputs[0].terms[1].points = {5.5, 0.05};
+  const auto region = changedRegion(model, moved);
+  ASSERT_EQ(region.size(), 1);
+  EXPECT_NEAR(region[0].low, 5 - 1.9302, 1e-4);
+  EXPECT_NEAR(region[0].high, 5.5 + 1.9302, 1e-4);
+  EXPECT_FALSE(region[0].whole_universe);
+}
+
 TEST(EditImpact, OnlyTheChangedRegionIsLookedAt) {
   const auto model = support::s4AsPrinted();
   const auto moved = must(moveVertex(model, {kDepth, "nasopharynx", 3}, 132));

@@ -78,6 +78,27 @@ TEST(HoleAcceptance, StaysWhileAnotherExpertHasTheHole) {
   EXPECT_EQ(must(ways[0].second).model.accepted_holes, Names{kHole});
 }
 
+/// A trapezoid to 2 mm, a Gaussian from 3.0698 mm on: the trapezoid falls where the Gaussian rises, to its mean.
+TEST(HoleFixes, ATermIsStretchedToAGaussianAndNotOverIt) {
+  fuzzy::ForceModel model = support::s4AsPrinted();
+  auto& depth = model.inputs[2];
+  const double end = depth.max;
+  depth.terms = {{"first", "", fuzzy::Shape::kTrapezoid, {0, 0, 1, 2}},
+                 {"narrow", "", fuzzy::Shape::kGaussian, {5, 0.05}},
+                 {"last", "", fuzzy::Shape::kTrapezoid, {6, 7, end, end}}};
+  model.experts[0].rules = {
+      {{{"depth", "first"}}, "small"}, {{{"depth", "narrow"}}, "medium"}, {{{"depth", "last"}}, "large"}};
+  model.experts[0].overrides.clear();
+  const auto hole = holeOf(model);
+  EXPECT_EQ(analysis::describe(hole, model), "depth 2 to 3.0698 mm");
+  const auto ways = closeHole(model, "S4", hole);
+  ASSERT_EQ(ways.size(), 2);
+  EXPECT_EQ(ways[0].first, "Stretch first over the gap");
+  const auto points = must(ways[0].second).model.inputs[2].terms[0].points;
+  EXPECT_NEAR(points[2], 5 - 1.9302, 1e-4);
+  EXPECT_EQ(points[3], 5);
+}
+
 TEST(HoleAcceptance, OfferedWaysStayFewWhereEveryExpertHasAListOfHisOwn) {
   auto model = support::s4AsPrinted();
   for (int i = 0; i < 20; ++i) {

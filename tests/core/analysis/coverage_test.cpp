@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -132,6 +133,33 @@ TEST(Coverage, NarrowGaussiansEndWhereTheyUnderflow) {
   EXPECT_TRUE(coverage(model, everyone(model)).holes.empty());
   model = gaussianModel({{50, 3}});
   EXPECT_TRUE(coverage(model, everyone(model)).holes.empty());
+}
+
+TEST(Coverage, AHoleBesideAGaussianHasANameThatCanBeRead) {
+  // 20 -+ 38.604 * 0.1 (above); the last digits of the exact ends are nobody's concern.
+  const auto model = gaussianModel({{20, 0.1}});
+  const auto found = coverage(model, everyone(model));
+  ASSERT_EQ(found.holes.size(), 2);
+  EXPECT_EQ(describe(found.holes[0], model), "x 0 to 16.1396");
+  EXPECT_EQ(describe(found.holes[1], model), "x 23.8604 to 100");
+}
+
+TEST(Coverage, TwoHolesNeverHaveOneName) {
+  base::Random random(13);
+  for (int m = 0; m < 300; ++m) {
+    std::vector<std::pair<double, double>> gaussians;
+    double mean = random.uniform(0, 5);
+    for (int t = 0, count = 2 + random.below(5); t < count; ++t) {
+      const double sigma = std::pow(10, random.uniform(-14, -1));
+      gaussians.emplace_back(mean, sigma);
+      mean += 80 * sigma * random.uniform(0.9, 1.1);  // side by side, some with a gap of a few digits between
+    }
+    const auto model = gaussianModel(gaussians);
+    std::set<std::string> names;
+    const auto found = coverage(model, everyone(model));
+    for (const auto& hole : found.holes) names.insert(describe(hole, model));
+    EXPECT_EQ(names.size(), found.holes.size()) << "model " << m;
+  }
 }
 
 TEST(Coverage, GaussianEdgesAreThoseOfTheEvaluationToTheLastDigit) {
