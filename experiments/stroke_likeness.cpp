@@ -17,8 +17,11 @@ constexpr double kSameTimeS = 6e-4;  // tables round to a millisecond
 constexpr double kSameDepthMm = 0.02;
 constexpr double kSameSpeedMmS = 1e-6;
 constexpr double kLongestLagS = 0.3;
-constexpr double kCompared = 0.9;  // of the longer stroke
+constexpr double kCompared = 0.8;  // of the longer stroke: a fast one has a dozen rows at 100 Hz
+constexpr double kMuch = 0.25;
 constexpr std::size_t kPoints = 64;
+constexpr int kRowsAround = 4;   // how far noise moves the place where a speed is first reached
+constexpr int kRefinements = 3;  // of the lag
 
 const study::SpeedSample& rowOf(const StrokeNumbers& numbers, std::size_t i) { return *numbers.stroke->rows[i]; }
 
@@ -88,6 +91,19 @@ Compared compare(const StrokeNumbers& a, const StrokeNumbers& b, double lag_s, d
   return {std::sqrt(squares / kPoints), slopes > 0 ? lag_s - product / slopes : lag_s};
 }
 
+/// Whether the speeds are the same with a lag near `lag_s`.
+bool isSameWithLag(const StrokeNumbers& a, const StrokeNumbers& b, double lag_s, double longer_s) {
+  for (int i = 0; i < kRefinements; ++i) {
+    const double from_s = std::max(a.time_s.front(), b.time_s.front() - lag_s);
+    const double to_s = std::min(a.time_s.back(), b.time_s.back() - lag_s);
+    if (to_s - from_s < kCompared * longer_s) return false;
+    const auto compared = compare(a, b, lag_s, from_s, to_s);
+    if (compared.noise <= kNoise * a.spread) return true;
+    lag_s = compared.better_lag_s;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<StrokeNumbers> numbersOf(const TableStroke& stroke) {
@@ -146,18 +162,15 @@ bool isSameMotion(const StrokeNumbers& a, const StrokeNumbers& b) {
   const double longer_s = std::max(lengthS(a), lengthS(b));
   if (std::abs(lengthS(a) - lengthS(b)) > (1 - kCompared) * longer_s) return false;
   // Quick, and generous: most pairs of strokes end here.
-  if (std::abs(a.largest - b.largest) > 0.15 * a.largest || std::abs(a.spread - b.spread) > 0.15 * a.spread)
+  if (std::abs(a.largest - b.largest) > kMuch * a.largest || std::abs(a.spread - b.spread) > kMuch * a.spread)
     return false;
-  double lag_s = halfwayS(b) - halfwayS(a);
-  for (int i = 0; i < 6; ++i) {
-    const double from_s = std::max(a.time_s.front(), b.time_s.front() - lag_s);
-    const double to_s = std::min(a.time_s.back(), b.time_s.back() - lag_s);
-    if (to_s - from_s < kCompared * longer_s) return false;
-    const auto compared = compare(a, b, lag_s, from_s, to_s);
-    const double start_lag_s = b.time_s.front() - a.time_s.front();
-    if (compared.noise <= kNoise * a.spread)
-      return std::abs(lag_s) <= kLongestLagS || std::abs(lag_s - start_lag_s) <= kLongestLagS;
-    lag_s = compared.better_lag_s;
+  // A copy mostly keeps the rows of its original, and noise in them is only the same where they meet.
+  const double start_lag_s = b.time_s.front() - a.time_s.front();
+  const double step_s = lengthS(a) / static_cast<double>(a.time_s.size() - 1);
+  const double rows = std::round((halfwayS(b) - halfwayS(a) - start_lag_s) / step_s);
+  for (int row = -kRowsAround; row <= kRowsAround; ++row) {
+    const double lag_s = start_lag_s + (rows + row) * step_s;
+    if (std::abs(lag_s - start_lag_s) <= kLongestLagS && isSameWithLag(a, b, lag_s, longer_s)) return true;
   }
   return false;
 }

@@ -38,7 +38,7 @@ Likeness rowLikeness(const StrokeNumbers& a, const StrokeNumbers& b);
 bool isPart(const StrokeNumbers& a, const StrokeNumbers& b);
 
 /// Whether the speeds are the same over time but for a lag of at most 0.3 s, a constant, and noise of at most 3 % of
-/// their spread, while nine tenths of the longer stroke are compared.
+/// their spread, while four fifths of the longer stroke are compared.
 bool isSameMotion(const StrokeNumbers& a, const StrokeNumbers& b);
 
 }  // namespace tactus::experiments

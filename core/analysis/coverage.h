@@ -47,9 +47,9 @@ inline constexpr std::size_t kCoverageAllowance = 20'000'000;
 Coverage coverage(const fuzzy::ForceModel& model, std::span<const std::size_t> experts,
                   std::size_t allowance = kCoverageAllowance);
 
-/// The name of a hole: `depth 125 to 138 mm`, the ranges that are not whole universes; `everywhere` where all are. Where
-/// a Gaussian ends the number is rounded to six digits, or to more where another term ends there too. Two holes of one
-/// model never have the same name, whatever the ids of its inputs.
+/// The name of a hole: `depth 125 to 138 mm`, the ranges that are not whole universes; `everywhere` where all are.
+/// Where a Gaussian ends the number is rounded to six digits, or to more where another term ends there too. Two holes
+/// of one model never have the same name, whatever the ids of its inputs.
 std::string describe(const Hole& hole, const fuzzy::ForceModel& model);
 /// The same with another name for each input, `Insertion depth 125 to 138 mm`.
 std::string describe(const Hole& hole, const fuzzy::ForceModel& model,

@@ -56,8 +56,8 @@ bool looksLikeDate(std::string_view cell) {
 }
 
 bool isMissingWord(std::string_view cell) {
-  static constexpr std::array<std::string_view, 14> kWords = {
-      "-", "--", "\u2013", "\u2014", "na", "n/a", "n.a.", "n.a", "#n/a", "none", "null", "nan", "?", "missing"};
+  static constexpr std::array<std::string_view, 13> kWords = {"-",   "--",   "\u2013", "\u2014", "na", "n/a",    "n.a.",
+                                                              "n.a", "#n/a", "null",   "nan",    "?",  "missing"};
   const std::string word = lowered(trimmed(cell));
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }

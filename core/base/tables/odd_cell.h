@@ -10,7 +10,8 @@ namespace tactus::base {
 /// `05.01.2026`, `1/5/26`. Months in English and German.
 bool looksLikeDate(std::string_view cell);
 
-/// Whether people write the cell where there is no value: a dash, `NA`, `n/a`, `#N/A`, `none`, `null`, `?`.
+/// Whether people write the cell where there is no value: a dash, `NA`, `n/a`, `#N/A`, `null`, `?`. Not `none`, which
+/// can mean that nothing was felt.
 bool isMissingWord(std::string_view cell);
 
 /// What is wanted instead of `cell`, which is no finite number: `a finite number`, and the remedy where the cause is

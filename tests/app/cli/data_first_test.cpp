@@ -131,7 +131,7 @@ TEST_F(DataFirst, AWordThatIsNoKindToAcceptIsNamedWithTheKnownOnes) {
   const ProgramRun run = build({"--accept", "sped_unit"});
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("found 'sped_unit', wanted one of speed_unit, depth_unit, time_unit, several_units, "
-                         "speed_sign, force_unit, years_unlikely (speed_unit?)"),
+                         "columns_swapped, speed_sign, force_unit, years_unlikely (speed_unit?)"),
             std::string::npos)
       << run.err;
   EXPECT_EQ(build({"--accept", "unknown_level"}).status, 2) << "no model can be built of it";

@@ -92,7 +92,7 @@ TEST(HoleFixes, ATermIsStretchedToAGaussianAndNotOverIt) {
   const auto hole = holeOf(model);
   EXPECT_EQ(analysis::describe(hole, model), "depth 2 to 3.0698 mm");
   const auto ways = closeHole(model, "S4", hole);
-  ASSERT_EQ(ways.size(), 2);
+  ASSERT_EQ(ways.size(), 3);
   EXPECT_EQ(ways[0].first, "Stretch first over the gap");
   const auto points = must(ways[0].second).model.inputs[2].terms[0].points;
   EXPECT_NEAR(points[2], 5 - 1.9302, 1e-4);

@@ -166,8 +166,8 @@ std::vector<Mistake> rowMistakes() {
          int count = 0;
          copyFrom<SpeedSample>(study.speeds, "N1",
                                [&count](SpeedSample& row) { row.speed_mm_s += 0.1 * (++count % 7 - 3); });
-         removeRows<SpeedSample>(study.speeds, [](const auto& row) { return row.time_s < 0.015; });
-         eachSample(study, [](SpeedSample& row) { row.time_s -= 0.02; });
+         removeRows<SpeedSample>(study.speeds, [](const auto& row) { return row.time_s < 0.005; });
+         eachSample(study, [](SpeedSample& row) { row.time_s -= 0.01; });
        },
        "stroke_copied"},
       {"AStrokeCopiedToTheNextNumberWithRowsLeftOut",

@@ -75,7 +75,8 @@ TEST(CsvSpreadsheets, NumbersThatNobodyCanBeSureOfAreRefused) {
   EXPECT_EQ(numberError("a;b\n0.5;1,5\n"),
             "t.csv: line 2, column 'b': found '1,5', wanted a finite number with a decimal point");
   EXPECT_EQ(numberError("a;b\n0,5;1.234,5\n"),
-            "t.csv: line 2, column 'b': found '1.234,5', wanted a finite number with a decimal point");
+            "t.csv: line 2, column 'b': found '1.234,5', wanted a finite number with a decimal point, without "
+            "separators of thousands");
   EXPECT_EQ(errorOf("a,b\n1,5,2\n"),
             "t.csv: line 2: found 3 cells, wanted 2 as in the first line (decimal commas? then semicolons between the "
             "cells)");

@@ -15,9 +15,9 @@ TEST(OddCell, DatesOfSpreadsheets) {
 }
 
 TEST(OddCell, WordsForNothing) {
-  for (const char* word : {"-", "\u2013", "\u2014", "NA", "n/a", "N.A.", "#N/A", "none", "NULL", "?", " na "})
+  for (const char* word : {"-", "\u2013", "\u2014", "NA", "n/a", "N.A.", "#N/A", "NULL", "?", " na "})
     EXPECT_TRUE(isMissingWord(word)) << word;
-  for (const char* word : {"", "0", "small", "--x", "nan1", "no"}) EXPECT_FALSE(isMissingWord(word)) << word;
+  for (const char* word : {"", "0", "small", "--x", "nan1", "no", "none"}) EXPECT_FALSE(isMissingWord(word)) << word;
 }
 
 TEST(OddCell, WhatIsWantedNamesAPlainCause) {
