@@ -11,7 +11,6 @@
 #include "core/base/error.h"
 #include "core/study/session_records.h"
 #include "experiments/force_series.h"
-#include "experiments/force_source.h"
 
 namespace tactus::experiments {
 
@@ -38,7 +37,6 @@ struct ForcePlan {
   bool finished = false;  ///< nothing is left to do; the rest then says nothing
   ForceStep step;
   int attempt = 1;
-  ForceSource force_source = ForceSource::kStimulus;
   double pause_before_s = 0;           ///< without force, before the step can start
   double start_zone_mm = 0;            ///< it starts when the stylus is held within this way of its place of rest
   double ramp_s = 0;                   ///< from no force to the full force

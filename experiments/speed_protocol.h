@@ -10,7 +10,6 @@
 
 #include "core/base/error.h"
 #include "core/study/session_records.h"
-#include "experiments/force_source.h"
 #include "experiments/stroke.h"
 
 namespace tactus::experiments {
@@ -41,8 +40,7 @@ struct SpeedPlan {
   int count = 0;
   int attempt = 1;
   std::string repeat_reason;  ///< one sentence why the stroke is repeated; empty at the first attempt
-  ForceSource force_source = ForceSource::kOff;
-  int accepted = 0;  ///< progress: accepted strokes without practice, of all levels
+  int accepted = 0;           ///< progress: accepted strokes without practice, of all levels
   int wanted = 0;
 
   bool operator==(const SpeedPlan&) const = default;

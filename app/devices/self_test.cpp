@@ -50,19 +50,19 @@ void SelfTest::order(ForceSource source) {
   next_ = std::move(orders);
 }
 
-void SelfTest::enter(Stage stage) {
-  stage_ = stage;
+void SelfTest::enter(Phase phase) {
+  phase_ = phase;
   seen_ = {};
   held_ = {};
   tries_ = 0;
-  if (stage == Stage::kDone) order(ForceSource::kOff);
+  if (phase == Phase::kDone) order(ForceSource::kOff);
 }
 
 void SelfTest::pass(Check check, std::string found) { results_.push_back({check, true, std::move(found), {}}); }
 
 void SelfTest::fail(Check check, std::string found, std::string advice) {
   results_.push_back({check, false, std::move(found), std::move(advice)});
-  enter(Stage::kDone);
+  enter(Phase::kDone);
 }
 
 bool SelfTest::passed() const noexcept {
@@ -71,16 +71,16 @@ bool SelfTest::passed() const noexcept {
 }
 
 Check SelfTest::current() const noexcept {
-  switch (stage_) {
-    case Stage::kSamples:
+  switch (phase_) {
+    case Phase::kSamples:
       return Check::kSamples;
-    case Stage::kMotion:
+    case Phase::kMotion:
       return Check::kMotion;
-    case Stage::kButton:
+    case Phase::kButton:
       return Check::kButton;
-    case Stage::kForceOff:
+    case Phase::kForceOff:
       return Check::kForceOff;
-    case Stage::kPulse:
+    case Phase::kPulse:
       return Check::kPulse;
     default:
       return Check::kDirection;
@@ -93,18 +93,18 @@ void SelfTest::feed(const Sample& sample) {
     seen_.since_ns = sample.time_ns;
     seen_.start_mm = sample.position_mm;
   }
-  if (stage_ != Stage::kAsk && static_cast<double>(sample.time_ns - seen_.since_ns) * 1e-9 > settings_.patience_s)
+  if (phase_ != Phase::kAsk && static_cast<double>(sample.time_ns - seen_.since_ns) * 1e-9 > settings_.patience_s)
     return lostPatience();
-  switch (stage_) {
-    case Stage::kSamples:
+  switch (phase_) {
+    case Phase::kSamples:
       return checkSamples(sample);
-    case Stage::kMotion:
+    case Phase::kMotion:
       return checkMotion(sample);
-    case Stage::kButton:
+    case Phase::kButton:
       return checkButton(sample);
-    case Stage::kForceOff:
+    case Phase::kForceOff:
       return checkForceOff(sample);
-    case Stage::kPulse:
+    case Phase::kPulse:
       return checkPulse(sample);
     default:
       return;
@@ -123,7 +123,7 @@ void SelfTest::checkSamples(const Sample& sample) {
     return fail(Check::kSamples, position, "calibrate the device: no hand reaches so far");
   pass(Check::kSamples, oldest + ", " + position);
   pass(Check::kCalibration, "the device reports no fault");
-  enter(Stage::kMotion);
+  enter(Phase::kMotion);
 }
 
 void SelfTest::checkMotion(const Sample& sample) {
@@ -136,7 +136,7 @@ void SelfTest::checkMotion(const Sample& sample) {
   }
   if (seen_.inwards_mm < settings_.move_mm || moved_mm > settings_.move_mm / 2) return;
   pass(Check::kMotion, mm(seen_.inwards_mm) + " inwards and back");
-  enter(Stage::kButton);
+  enter(Phase::kButton);
 }
 
 void SelfTest::checkButton(const Sample& sample) {
@@ -146,7 +146,7 @@ void SelfTest::checkButton(const Sample& sample) {
   int number = 1;
   while (((seen_.button >> (number - 1)) & 1u) == 0) ++number;
   pass(Check::kButton, "button " + std::to_string(number) + " went down and up");
-  enter(Stage::kForceOff);
+  enter(Phase::kForceOff);
 }
 
 void SelfTest::checkForceOff(const Sample& sample) {
@@ -165,7 +165,7 @@ void SelfTest::checkForceOff(const Sample& sample) {
   held_ = {};
   if (drift_mm_ <= settings_.most_drift_mm) {
     pass(Check::kForceOff, "held for 1 s, moved by " + mm(drift_mm_));
-    return enter(Stage::kPulse);
+    return enter(Phase::kPulse);
   }
   if (++tries_ < kMostTries) return;
   fail(Check::kForceOff, "held without force it moved by " + mm(drift_mm_),
@@ -214,7 +214,7 @@ void SelfTest::pulseEnded() {
                 "look at the force cap and the continuous force");
   pass(Check::kPulse, passed + " reached the device");
   order(ForceSource::kFree);
-  enter(Stage::kAsk);
+  enter(Phase::kAsk);
 }
 
 double SelfTest::shiftMm() const {
@@ -236,11 +236,11 @@ bool SelfTest::clearlyInwards() const {
 }
 
 void SelfTest::cancel() {
-  if (!finished()) enter(Stage::kDone);
+  if (!finished()) enter(Phase::kDone);
 }
 
 void SelfTest::answer(Felt felt) {
-  if (stage_ != Stage::kAsk) return;
+  if (phase_ != Phase::kAsk) return;
   const double shift_mm = shiftMm();
   const std::string moved = "the hand moved by " + mm(std::abs(shift_mm)) + (shift_mm > 0 ? " inwards" : " outwards");
   if (felt == Felt::kNothing)
@@ -253,7 +253,7 @@ void SelfTest::answer(Felt felt) {
     return fail(Check::kDirection, "a pull toward the person was felt, but " + moved,
                 "repeat the test; if this comes again, calibrate the sign of the force");
   pass(Check::kDirection, "a pull toward the person, " + moved);
-  enter(Stage::kDone);
+  enter(Phase::kDone);
 }
 
 }  // namespace tactus::devices

@@ -55,7 +55,7 @@ enum class Felt : std::uint8_t { kToward, kAway, kNothing };
 /// Ends after the first check that fails: the next ones would mean nothing.
 class SelfTest {
  public:
-  enum class Stage : std::uint8_t { kSamples, kMotion, kButton, kForceOff, kPulse, kAsk, kDone };
+  enum class Phase : std::uint8_t { kSamples, kMotion, kButton, kForceOff, kPulse, kAsk, kDone };
 
   explicit SelfTest(SelfTestSettings settings);
 
@@ -67,13 +67,13 @@ class SelfTest {
   void feed(const haptics::Sample& sample);
   /// The servo tripped; the test ends.
   void tripped(const haptics::Trip& trip);
-  /// The person's answer, in the stage kAsk.
+  /// The person's answer, in the phase kAsk.
   void answer(Felt felt);
   /// Ends the test without a result of the present check; the last orders are those for no force.
   void cancel();
 
-  Stage stage() const noexcept { return stage_; }
-  bool finished() const noexcept { return stage_ == Stage::kDone; }
+  Phase phase() const noexcept { return phase_; }
+  bool finished() const noexcept { return phase_ == Phase::kDone; }
   /// Every check passed.
   bool passed() const noexcept;
   /// What the person is to do now: one sentence, empty where there is nothing to do.
@@ -95,7 +95,7 @@ class SelfTest {
     double mm() const noexcept { return count > 0 ? sum_mm / count : 0; }
   };
 
-  /// What was seen since the stage began.
+  /// What was seen since the phase began.
   struct Seen {
     std::int64_t since_ns = 0;  ///< time of its first sample
     int ticks = 0;
@@ -116,7 +116,7 @@ class SelfTest {
     int rest = 0;          ///< ticks to wait
   };
 
-  void enter(Stage stage);
+  void enter(Phase phase);
   void order(haptics::ForceSource source);
   void pass(Check check, std::string found);
   void fail(Check check, std::string found, std::string advice);
@@ -132,7 +132,7 @@ class SelfTest {
   void lostPatience();
 
   SelfTestSettings settings_;
-  Stage stage_ = Stage::kSamples;
+  Phase phase_ = Phase::kSamples;
   std::vector<CheckResult> results_;
   std::optional<haptics::ServoOrders> next_;
   std::uint64_t orders_ = 0;  ///< samples from before these say nothing

@@ -25,7 +25,7 @@ class Conversation {
   void follow(const SelfTest& test) {
     for (; told_ < test.results().size(); ++told_) guide_.tell(test.results()[told_]);
     const std::string sentence = test.instruction();
-    const bool question = test.stage() == SelfTest::Stage::kAsk;
+    const bool question = test.phase() == SelfTest::Phase::kAsk;
     if (sentence == last_ || sentence.empty() || question) return;
     last_ = sentence;
     guide_.instruct(sentence);
@@ -57,18 +57,18 @@ class SimulatedPerson {
   explicit SimulatedPerson(haptics::VirtualDevice& device) : device_(device) {}
 
   void act(SelfTest& test) {
-    if (test.stage() != stage_) ticks_ = 0;
-    stage_ = test.stage();
+    if (test.phase() != phase_) ticks_ = 0;
+    phase_ = test.phase();
     ++ticks_;
-    switch (stage_) {
-      case SelfTest::Stage::kMotion:
+    switch (phase_) {
+      case SelfTest::Phase::kMotion:
         return device_.setTarget(ticks_ < 1000 ? 50 : 0);
-      case SelfTest::Stage::kButton:
+      case SelfTest::Phase::kButton:
         return device_.setButton(ticks_ > 1000 && ticks_ < 1300);
-      case SelfTest::Stage::kForceOff:
-      case SelfTest::Stage::kPulse:
-        return device_.setButton(ticks_ > 300 || stage_ == SelfTest::Stage::kPulse);
-      case SelfTest::Stage::kAsk:
+      case SelfTest::Phase::kForceOff:
+      case SelfTest::Phase::kPulse:
+        return device_.setButton(ticks_ > 300 || phase_ == SelfTest::Phase::kPulse);
+      case SelfTest::Phase::kAsk:
         device_.setButton(false);
         return test.answer(felt(test));
       default:
@@ -85,7 +85,7 @@ class SimulatedPerson {
   }
 
   haptics::VirtualDevice& device_;
-  SelfTest::Stage stage_ = SelfTest::Stage::kSamples;
+  SelfTest::Phase phase_ = SelfTest::Phase::kSamples;
   int ticks_ = 0;
 };
 
@@ -100,7 +100,7 @@ SelfTest inRealTime(haptics::Servo& servo, const SelfTestSettings& settings, Sel
     servo.heartbeat(now_ns);
     advance(test, servo, conversation);
     if (const haptics::Trip silent = watch.look(servo.ticks(), now_ns)) test.tripped(silent);
-    if (test.stage() == SelfTest::Stage::kAsk) {
+    if (test.phase() == SelfTest::Phase::kAsk) {
       const Felt felt = guide.ask(test.instruction());
       if (guide.interrupted()) break;
       test.answer(felt);

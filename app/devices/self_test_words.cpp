@@ -34,17 +34,17 @@ std::string_view describe(Check check) noexcept {
 }
 
 std::string SelfTest::instruction() const {
-  switch (stage_) {
-    case Stage::kMotion:
+  switch (phase_) {
+    case Phase::kMotion:
       return "Move the handle about 5 cm away from you, then back.";
-    case Stage::kButton:
+    case Phase::kButton:
       return "Press a button of the handle and let it go.";
-    case Stage::kForceOff:
+    case Phase::kForceOff:
       return "Hold the handle loosely and still. Press the button and keep it pressed.";
-    case Stage::kPulse:
+    case Phase::kPulse:
       return "Keep the button pressed. You will feel " + std::to_string(settings_.pulses) + " soft pulls of " +
              formatNumber(settings_.pulse_n) + " N.";
-    case Stage::kAsk:
+    case Phase::kAsk:
       return "Did it pull toward you, push away from you, or did you feel nothing?";
     default:
       return {};
@@ -62,15 +62,15 @@ void SelfTest::tripped(const haptics::Trip& trip) {
 
 void SelfTest::lostPatience() {
   const std::string waited = " within " + formatNumber(settings_.patience_s) + " s";
-  switch (stage_) {
-    case Stage::kMotion:
+  switch (phase_) {
+    case Phase::kMotion:
       return fail(Check::kMotion,
                   "moved by " + mm(seen_.inwards_mm) + " inwards and " + mm(seen_.outwards_mm) + " outwards" + waited,
                   "move it at least " + formatNumber(settings_.move_mm) + " mm away from you and back");
-    case Stage::kButton:
+    case Phase::kButton:
       return fail(Check::kButton, (seen_.button_up ? "no press and release" : "a button that stays down") + waited,
                   "press a button of the device; without one it cannot be used");
-    case Stage::kForceOff:
+    case Phase::kForceOff:
       return fail(Check::kForceOff, "the button was not held for 1.3 s" + waited,
                   "press the button and keep it pressed");
     default:

@@ -21,9 +21,9 @@ using base::Result;
 constexpr int kLeastRating = 1;
 constexpr int kMostRating = 7;
 
-tl::unexpected<base::Error> notNow(std::string what, Stage stage) {
-  return fail(ErrorCode::kValue, "session", std::move(what) + " in the stage " + base::quoted(name(stage)),
-              "what the stage asks for");
+tl::unexpected<base::Error> notNow(std::string what, SessionPart part) {
+  return fail(ErrorCode::kValue, "session", std::move(what) + " in the part " + base::quoted(name(part)),
+              "what this part of the session asks for");
 }
 
 }  // namespace
@@ -104,12 +104,12 @@ Result<Session> Session::resume(store::StudyFile& file, const study::RecordId& s
     if (person.id == record->person) state->simulated = person.simulated;
   }
   if (auto ok = state->readBack(); !ok) return tl::unexpected(ok.error());
-  state->announced = state->stage();
+  state->announced = state->part();
   if (auto ok = state->log(kResumed, detail("stage", name(state->announced))); !ok) return tl::unexpected(ok.error());
   return Session(std::move(state));
 }
 
-Stage Session::stage() const { return state_->stage(); }
+SessionPart Session::part() const { return state_->part(); }
 std::optional<Block> Session::block() const { return state_->block(); }
 const study::SessionRecord& Session::record() const { return state_->record; }
 const SessionSettings& Session::settings() const { return state_->settings; }
@@ -128,7 +128,7 @@ std::size_t Session::blocksDone() const {
 }
 
 Result<void> Session::tell(study::ProfileRecord profile) {
-  if (state_->aborted) return notNow("a profile", stage());
+  if (state_->aborted) return notNow("a profile", part());
   profile.entry = state_->entry();
   if (state_->profile) profile.entry.supersedes = state_->profile->entry.id;
   return state_->store(profile, [&] { state_->profile = profile; });
@@ -136,7 +136,7 @@ Result<void> Session::tell(study::ProfileRecord profile) {
 
 Result<void> Session::addStroke(const experiments::Stroke& stroke, study::Recording recording,
                                 std::size_t recording_first) {
-  if (stage() != Stage::kSpeed) return notNow("a stroke", stage());
+  if (part() != SessionPart::kSpeed) return notNow("a stroke", part());
   auto record = state_->speed->record(stroke, std::move(recording), recording_first);
   record.entry = state_->entry();
   auto after = *state_->speed;
@@ -145,7 +145,7 @@ Result<void> Session::addStroke(const experiments::Stroke& stroke, study::Record
 }
 
 Result<void> Session::rejectStroke(const study::RecordId& stroke, const std::string& reason) {
-  if (!state_->speed || state_->aborted) return notNow("a stroke taken back", stage());
+  if (!state_->speed || state_->aborted) return notNow("a stroke taken back", part());
   const auto strokes = store::strokes(state_->file, {{}, state_->record.id, false}, store::Recordings::kLeaveOut);
   if (!strokes) return tl::unexpected(strokes.error());
   const auto it = std::find_if(strokes->begin(), strokes->end(),
@@ -167,7 +167,7 @@ Result<void> Session::rejectStroke(const study::RecordId& stroke, const std::str
 }
 
 Result<void> Session::judge(const experiments::ForceAnswer& answer) {
-  if (stage() != Stage::kForce) return notNow("a judgement", stage());
+  if (part() != SessionPart::kForce) return notNow("a judgement", part());
   auto record = state_->force->record(answer);
   if (!record) return tl::unexpected(record.error());
   record->entry = state_->entry();
@@ -177,7 +177,7 @@ Result<void> Session::judge(const experiments::ForceAnswer& answer) {
 }
 
 Result<void> Session::reply(const questionnaires::Reply& reply, double response_s) {
-  if (stage() != Stage::kForm) return notNow("an answer", stage());
+  if (part() != SessionPart::kForm) return notNow("an answer", part());
   auto record = state_->form->draft(reply);
   if (!record) return tl::unexpected(record.error());
   const auto supersedes = record->entry.supersedes;
@@ -196,7 +196,7 @@ bool Session::forward() { return state_->form && state_->form->forward(); }
 bool Session::goToFirstOpen() { return state_->form && state_->form->goToFirstOpen(); }
 
 Result<void> Session::rate(int effort, int comfort) {
-  if (stage() != Stage::kRating) return notNow("a rating", stage());
+  if (part() != SessionPart::kRating) return notNow("a rating", part());
   for (const int rating : {effort, comfort}) {
     if (rating < kLeastRating || rating > kMostRating) {
       return fail(ErrorCode::kValue, "rating", std::to_string(rating), "1 to 7");
@@ -208,27 +208,27 @@ Result<void> Session::rate(int effort, int comfort) {
 }
 
 Result<void> Session::pause(const std::string& reason) {
-  if (stage() == Stage::kAborted || state_->paused) return notNow("a pause", stage());
+  if (part() == SessionPart::kAborted || state_->paused) return notNow("a pause", part());
   const study::EventRecord event{state_->entry(), kPaused, detail("reason", reason)};
   return state_->store(event, [&] { state_->paused = true; });
 }
 
 Result<void> Session::unpause() {
-  if (!state_->paused) return notNow("the end of a pause", stage());
+  if (!state_->paused) return notNow("the end of a pause", part());
   const study::EventRecord event{state_->entry(), kUnpaused, {}};
   return state_->store(event, [&] { state_->paused = false; });
 }
 
 Result<void> Session::skipBlock(const std::string& reason) {
   const auto at = state_->block();
-  if (!at || stage() == Stage::kAborted) return notNow("a block to leave out", stage());
+  if (!at || part() == SessionPart::kAborted) return notNow("a block to leave out", part());
   study::EventRecord event{state_->entry(), kBlockSkipped, detail("block", name(*at))};
   event.entry.reason = reason;
   return state_->store(event, [&] { state_->skipped.insert(*at); });
 }
 
 Result<void> Session::abort(const std::string& reason) {
-  if (stage() == Stage::kAborted) return notNow("a second end", stage());
+  if (part() == SessionPart::kAborted) return notNow("a second end", part());
   const study::EventRecord event{state_->entry(), kAborted, detail("reason", reason)};
   return state_->store(event, [&] { state_->aborted = true; });
 }

@@ -20,7 +20,7 @@
 namespace tactus::session {
 
 /// Where a session stands.
-enum class Stage {
+enum class SessionPart {
   kProfile,   ///< the participant tells of themselves
   kSpeed,     ///< `speed()` says what comes next
   kForce,     ///< `force()` does
@@ -31,7 +31,7 @@ enum class Stage {
 };
 
 /// `profile`, `speed`, `force`, `form`, `rating`, `finished`, `aborted`.
-std::string_view name(Stage stage) noexcept;
+std::string_view name(SessionPart part) noexcept;
 
 /// What a session needs besides its study file.
 struct SessionTools {
@@ -74,7 +74,7 @@ class Session {
   Session& operator=(Session&&) noexcept;
   ~Session();
 
-  Stage stage() const;
+  SessionPart part() const;
   /// The block that is being done or rated; nothing before the first and after the last.
   std::optional<Block> block() const;
   std::size_t blocksDone() const;
@@ -82,7 +82,7 @@ class Session {
   const SessionSettings& settings() const;
   bool isPaused() const;
 
-  /// Each throws nothing and is valid in every stage of a session that has the block; nullptr where it has not.
+  /// Each throws nothing and is valid in every part of a session that has the block; nullptr where it has not.
   const experiments::SpeedProtocol* speed() const;
   const experiments::ForceProtocol* force() const;
   const questionnaires::QuestionnaireRun* form() const;

@@ -13,21 +13,21 @@ std::string detail(const char* key, std::string_view value) {
   return nlohmann::json{{key, value}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-std::string_view name(Stage stage) noexcept {
-  switch (stage) {
-    case Stage::kProfile:
+std::string_view name(SessionPart part) noexcept {
+  switch (part) {
+    case SessionPart::kProfile:
       return "profile";
-    case Stage::kSpeed:
+    case SessionPart::kSpeed:
       return "speed";
-    case Stage::kForce:
+    case SessionPart::kForce:
       return "force";
-    case Stage::kForm:
+    case SessionPart::kForm:
       return "form";
-    case Stage::kRating:
+    case SessionPart::kRating:
       return "rating";
-    case Stage::kFinished:
+    case SessionPart::kFinished:
       return "finished";
-    case Stage::kAborted:
+    case SessionPart::kAborted:
       return "aborted";
   }
   return "";
@@ -61,21 +61,21 @@ std::optional<Block> SessionState::block() const {
   return std::nullopt;
 }
 
-Stage SessionState::stage() const {
-  if (aborted) return Stage::kAborted;
-  if (!profile) return Stage::kProfile;
+SessionPart SessionState::part() const {
+  if (aborted) return SessionPart::kAborted;
+  if (!profile) return SessionPart::kProfile;
   const auto at = block();
-  if (!at) return Stage::kFinished;
-  if (isDone(*at)) return Stage::kRating;
+  if (!at) return SessionPart::kFinished;
+  if (isDone(*at)) return SessionPart::kRating;
   switch (*at) {
     case Block::kSpeed:
-      return Stage::kSpeed;
+      return SessionPart::kSpeed;
     case Block::kForce:
-      return Stage::kForce;
+      return SessionPart::kForce;
     case Block::kForm:
-      return Stage::kForm;
+      return SessionPart::kForm;
   }
-  return Stage::kFinished;
+  return SessionPart::kFinished;
 }
 
 Result<void> SessionState::log(const char* kind, std::string text) {

@@ -43,12 +43,12 @@ struct SessionState {
   std::set<Block> skipped;
   bool paused = false;
   bool aborted = false;
-  Stage announced = Stage::kProfile;  ///< of the last event `stage_entered`
+  SessionPart announced = SessionPart::kProfile;  ///< of the last event `stage_entered`
 
   bool isDone(Block block) const;
   /// The block that is being done or rated.
   std::optional<Block> block() const;
-  Stage stage() const;
+  SessionPart part() const;
 
   /// What a new record begins with.
   study::Entry entry();
@@ -65,7 +65,7 @@ struct SessionState {
     if (auto ok = store::append(file, made); !ok) return ok;
     take();
     // The record is what counts. Where the log only repeats where it leads, a failure is left to the next write.
-    if (stage() != announced && log(kStageEntered, detail("stage", name(stage())))) announced = stage();
+    if (part() != announced && log(kStageEntered, detail("stage", name(part())))) announced = part();
     return {};
   }
 

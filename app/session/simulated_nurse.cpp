@@ -75,27 +75,27 @@ base::Random SimulatedNurse::randomFor(const std::string& step) const {
 }
 
 Result<void> SimulatedNurse::doNext(Session& session) {
-  switch (session.stage()) {
-    case Stage::kProfile:
+  switch (session.part()) {
+    case SessionPart::kProfile:
       pass_time_(60);
       return session.tell(traits_.profile);
-    case Stage::kSpeed:
+    case SessionPart::kSpeed:
       return doStroke(session);
-    case Stage::kForce:
+    case SessionPart::kForce:
       return doJudgement(session);
-    case Stage::kForm:
+    case SessionPart::kForm:
       return doAnswer(session);
-    case Stage::kRating:
+    case SessionPart::kRating:
       return doRating(session);
-    case Stage::kFinished:
-    case Stage::kAborted:
+    case SessionPart::kFinished:
+    case SessionPart::kAborted:
       break;
   }
   return fail(ErrorCode::kValue, "session", "its end", "a session that asks for something");
 }
 
 Result<void> SimulatedNurse::finish(Session& session) {
-  while (session.stage() != Stage::kFinished) {
+  while (session.part() != SessionPart::kFinished) {
     if (auto ok = doNext(session); !ok) return ok;
   }
   return {};

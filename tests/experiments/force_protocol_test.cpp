@@ -133,7 +133,6 @@ TEST(ForceProtocol, TimingIsDataForTheScreenAndTheServo) {
     const auto plan = protocol.next();
     EXPECT_EQ(plan.ramp_s, 0.15);
     EXPECT_EQ(plan.pause_before_s, 2);
-    EXPECT_EQ(plan.force_source, ForceSource::kStimulus);
     EXPECT_EQ(plan.hold_limit_s.has_value(), i >= 9) << i;  // 0.9 N is above 0.88 N
     EXPECT_EQ(plan.hold_limit_s.value_or(3), 3);
     give(protocol, term("medium"));

@@ -41,7 +41,6 @@ TEST(SpeedProtocol, AsksAsInThePaperWithPracticeFirst) {
   std::vector<std::string> asked;
   while (!protocol.next().finished) {
     const auto plan = protocol.next();
-    EXPECT_EQ(plan.force_source, ForceSource::kOff);
     EXPECT_TRUE(plan.repeat_reason.empty());
     asked.push_back(told(plan));
     ASSERT_TRUE(protocol.add(answer(protocol, StrokeVerdict::kAccepted)).has_value());

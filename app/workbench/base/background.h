@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "app/workbench/base/mailbox.h"
+#include "app/workbench/base/call_queue.h"
 
 namespace tactus::workbench {
 
@@ -39,7 +39,7 @@ class Background {
 
   bool busy_ = false;         ///< of the GUI's thread alone
   std::uint64_t newest_ = 0;  ///< likewise: the number of the job that counts
-  Mailbox answers_;
+  CallQueue answers_;
   std::mutex mutex_;  ///< guards the next three
   std::condition_variable_any wake_;
   std::function<void(const std::stop_token&)> waiting_;

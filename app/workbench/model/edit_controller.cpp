@@ -123,15 +123,6 @@ QString EditController::redoText() const {
   return canRedo() ? text(history_->labelOf(*history_->states()[history_->current()].redo)) : QString();
 }
 
-std::vector<EditController::Entry> EditController::entries() {
-  std::vector<Entry> out;
-  if (!history_) return out;
-  for (const editing::StateId state : history_->line()) {
-    out.push_back({state, text(history_->labelOf(state)), effectOf(state), state == history_->current()});
-  }
-  return out;
-}
-
 void EditController::undo() {
   if (!canUndo()) return;
   commit();

@@ -70,15 +70,6 @@ class EditController : public QObject {
   QString undoText() const;
   QString redoText() const;
 
-  /// One state of the model in the undo list.
-  struct Entry {
-    editing::StateId state = 0;
-    QString label;   ///< what changed
-    QString effect;  ///< `max ΔF 0.032 N (0.4 JND)`; empty for the model that was opened
-    bool current = false;
-  };
-  /// From the model that was opened over the current state to the end of redo.
-  std::vector<Entry> entries();
   /// What the edit that made `state` did to the force, computed when first asked for: `max ΔF 0.032 N (0.4 JND)`. Empty
   /// for the model that was opened, and until a state that is not in memory has been read.
   QString effectOf(editing::StateId state);

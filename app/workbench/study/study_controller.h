@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/workbench/base/build_note.h"
-#include "app/workbench/base/mailbox.h"
+#include "app/workbench/base/call_queue.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/study/study_contents.h"
@@ -101,7 +101,7 @@ class StudyController : public QObject {
  private:
   void post(StudyWorker::Task task) { worker_.post(std::move(task)); }
   /// Hands `call` from the thread of the worker to this one.
-  void answer(Mailbox::Call call) { answers_.post(std::move(call)); }
+  void answer(CallQueue::Call call) { answers_.post(std::move(call)); }
   bool mayLeave(const QString& path);
   void whenWritten(std::function<void(bool)> then);
   void begin(const QString& path, bool make);
@@ -125,7 +125,7 @@ class StudyController : public QObject {
   std::vector<BuildNote> notes_;
   std::size_t events_ordered_ = 0;  ///< events of the history that are stored or ordered to be
   QString refused_;                 ///< why a version was refused for another reason than the disk
-  Mailbox answers_;
+  CallQueue answers_;
   StudyOrders orders_{worker_, answers_};
   VersionTexts texts_{worker_, answers_};
   StudyWorker worker_;  ///< last: its end waits for the thread, which answers to all above

@@ -14,7 +14,7 @@ constexpr int kRetryMs = 3000;  // a disk that refused is asked again
 
 }  // namespace
 
-StudyOrders::StudyOrders(StudyWorker& worker, Mailbox& answers, QObject* parent)
+StudyOrders::StudyOrders(StudyWorker& worker, CallQueue& answers, QObject* parent)
     : QObject(parent), worker_(worker), answers_(answers) {
   slow_timer_.setSingleShot(true);
   slow_timer_.setInterval(kSlowMs);

@@ -9,7 +9,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/workbench/base/mailbox.h"
+#include "app/workbench/base/call_queue.h"
 #include "app/workbench/study/study_worker.h"
 
 namespace tactus::workbench {
@@ -20,7 +20,7 @@ class StudyOrders : public QObject {
 
  public:
   /// `worker` and `answers` may come to life later, and must do so before the first order; `worker` ends before this.
-  StudyOrders(StudyWorker& worker, Mailbox& answers, QObject* parent = nullptr);
+  StudyOrders(StudyWorker& worker, CallQueue& answers, QObject* parent = nullptr);
 
   /// What to do with the study, in its thread; and what then, here.
   using Work = std::function<base::Result<void>(store::StudyFile&, study::RecordIds&)>;
@@ -55,7 +55,7 @@ class StudyOrders : public QObject {
     Refused refused;
   };
   StudyWorker& worker_;
-  Mailbox& answers_;
+  CallQueue& answers_;
   std::deque<Waiting> waiting_;  ///< what follows each order that is not written yet
   QString failure_;
   bool slow_ = false;

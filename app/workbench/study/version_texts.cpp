@@ -13,7 +13,7 @@ constexpr std::size_t kAtOnce = 20;  // few, so that edits are stored in between
 
 }  // namespace
 
-VersionTexts::VersionTexts(StudyWorker& worker, Mailbox& answers, QObject* parent)
+VersionTexts::VersionTexts(StudyWorker& worker, CallQueue& answers, QObject* parent)
     : QObject(parent), worker_(worker), answers_(answers), shelf_(std::make_shared<Shelf>()) {}
 
 void VersionTexts::begin(const std::vector<study::ModelVersion>& versions, std::size_t most_ahead_bytes) {

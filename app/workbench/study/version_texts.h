@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "app/workbench/base/mailbox.h"
+#include "app/workbench/base/call_queue.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/study/study_worker.h"
 
@@ -24,7 +24,7 @@ class VersionTexts : public QObject {
   static constexpr std::size_t kMostAheadBytes = std::size_t{64} << 20U;
 
   /// `worker` ends before this; `answers` is where it answers.
-  VersionTexts(StudyWorker& worker, Mailbox& answers, QObject* parent = nullptr);
+  VersionTexts(StudyWorker& worker, CallQueue& answers, QObject* parent = nullptr);
 
   /// Forgets everything and reads those of `versions` (of the study that is open, oldest first) ahead that were added
   /// last, about `most_ahead_bytes` of text, so that undo finds them at once.
@@ -51,7 +51,7 @@ class VersionTexts : public QObject {
   void read(std::vector<study::RecordId> wanted, std::function<void()> then);
 
   StudyWorker& worker_;
-  Mailbox& answers_;
+  CallQueue& answers_;
   std::shared_ptr<Shelf> shelf_;
 };
 

@@ -41,14 +41,14 @@ struct Played {
   std::function<void(haptics::DeviceState&)> on_read;
   double force_factor = 1;
   Felt felt = Felt::kToward;
-  /// What the person does; by default what is asked. `tick`: of the stage, from 1.
-  std::function<void(haptics::VirtualDevice&, SelfTest::Stage, int tick)> person = dutiful;
+  /// What the person does; by default what is asked. `tick`: of the phase, from 1.
+  std::function<void(haptics::VirtualDevice&, SelfTest::Phase, int tick)> person = dutiful;
 
-  static void dutiful(haptics::VirtualDevice& device, SelfTest::Stage stage, int tick) {
-    using Stage = SelfTest::Stage;
-    if (stage == Stage::kMotion) device.setTarget(tick < 800 ? 40 : 0);
-    device.setButton((stage == Stage::kButton && tick > 800 && tick < 900) ||
-                     (stage == Stage::kForceOff && tick > 100) || stage == Stage::kPulse);
+  static void dutiful(haptics::VirtualDevice& device, SelfTest::Phase phase, int tick) {
+    using Phase = SelfTest::Phase;
+    if (phase == Phase::kMotion) device.setTarget(tick < 800 ? 40 : 0);
+    device.setButton((phase == Phase::kButton && tick > 800 && tick < 900) ||
+                     (phase == Phase::kForceOff && tick > 100) || phase == Phase::kPulse);
   }
 
   /// The test as it ended; it must end within two virtual minutes.
@@ -61,7 +61,7 @@ struct Played {
     (void)altered.start();
     haptics::Servo servo(altered);
     SelfTest test(settings);
-    SelfTest::Stage stage = test.stage();
+    SelfTest::Phase phase = test.phase();
     int tick = 0;
     for (std::int64_t now_ns = 1'000'000; !test.finished() && now_ns < 120'000'000'000; now_ns += 1'000'000) {
       if (auto orders = test.takeOrders()) test.posted(servo.post(std::move(*orders)));
@@ -69,10 +69,10 @@ struct Played {
       haptics::Sample room[2];
       for (const auto& sample : servo.drain(room)) test.feed(sample);
       if (const auto record = servo.takeFlightRecord()) test.tripped(record->trip);
-      if (test.stage() == SelfTest::Stage::kAsk) test.answer(felt);
-      tick = test.stage() == stage ? tick + 1 : 1;
-      stage = test.stage();
-      person(virtual_device, stage, tick);
+      if (test.phase() == SelfTest::Phase::kAsk) test.answer(felt);
+      tick = test.phase() == phase ? tick + 1 : 1;
+      phase = test.phase();
+      person(virtual_device, phase, tick);
     }
     return test;
   }

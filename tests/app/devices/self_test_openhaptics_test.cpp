@@ -10,7 +10,7 @@ namespace {
 
 using haptics::OpenHapticsDevice;
 using haptics::Vector3;
-using Stage = SelfTest::Stage;
+using Phase = SelfTest::Phase;
 
 /// A hand like a spring of 100 N/m around where it wants to be; inwards is -z.
 class HandOnStandIn : public haptics::WithStandIn {
@@ -23,7 +23,7 @@ class HandOnStandIn : public haptics::WithStandIn {
     auto settings = settingsFor(device->info());
     settings.calibration_advice = device->calibrationAdvice();
     SelfTest test(settings);
-    Stage stage = test.stage();
+    Phase phase = test.phase();
     int tick = 0;
     while (!test.finished() && tick < 100000) {
       if (auto orders = test.takeOrders()) test.posted(servo.post(std::move(*orders)));
@@ -31,22 +31,22 @@ class HandOnStandIn : public haptics::WithStandIn {
       haptics::Sample room[2];
       for (const auto& sample : servo.drain(room)) test.feed(sample);
       if (const auto record = servo.takeFlightRecord()) test.tripped(record->trip);
-      if (test.stage() == Stage::kAsk) test.answer(test.shiftMm() < 0 ? Felt::kToward : Felt::kAway);
-      tick = test.stage() == stage ? tick + 1 : 1;
-      stage = test.stage();
-      hold(stage, tick, sign_of_force);
+      if (test.phase() == Phase::kAsk) test.answer(test.shiftMm() < 0 ? Felt::kToward : Felt::kAway);
+      tick = test.phase() == phase ? tick + 1 : 1;
+      phase = test.phase();
+      hold(phase, tick, sign_of_force);
     }
     device->ownLoop()->end();
     return test;
   }
 
-  void hold(Stage stage, int tick, double sign_of_force) {
+  void hold(Phase phase, int tick, double sign_of_force) {
     // 50 mm inwards and back, 100 mm/s.
-    const double wish_mm = stage == Stage::kMotion ? std::min(0.1 * tick, std::max(0.0, 100 - 0.1 * tick)) : 0;
+    const double wish_mm = phase == Phase::kMotion ? std::min(0.1 * tick, std::max(0.0, 100 - 0.1 * tick)) : 0;
     const double force_n = sign_of_force * standIn().force_n[2];
     standIn().position_mm[2] = -wish_mm + force_n / 0.1;
-    const bool button = (stage == Stage::kButton && tick > 100 && tick < 200) ||
-                        (stage == Stage::kForceOff && tick > 100) || stage == Stage::kPulse;
+    const bool button = (phase == Phase::kButton && tick > 100 && tick < 200) ||
+                        (phase == Phase::kForceOff && tick > 100) || phase == Phase::kPulse;
     standIn().buttons = button ? 1 : 0;
   }
 };

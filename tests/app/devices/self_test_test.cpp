@@ -13,14 +13,14 @@ using haptics::DeviceState;
 using haptics::FaultEvent;
 using haptics::InjectedFault;
 using haptics::VirtualDevice;
-using Stage = SelfTest::Stage;
+using Phase = SelfTest::Phase;
 
 /// The only check that failed, which is the last one.
 CheckResult failure(const SelfTest& test) {
   EXPECT_TRUE(test.finished());
   EXPECT_FALSE(test.passed());
   if (test.results().empty()) {
-    ADD_FAILURE() << "no result in stage " << static_cast<int>(test.stage());
+    ADD_FAILURE() << "no result in phase " << static_cast<int>(test.phase());
     return {};
   }
   for (std::size_t i = 0; i + 1 < test.results().size(); ++i) EXPECT_TRUE(test.results()[i].passed);
@@ -156,10 +156,10 @@ TEST(SelfTest, AnyButtonWillDo) {
 
 TEST(SelfTest, ADeviceThatPullsByItselfIsFound) {
   Played played;
-  played.person = [](VirtualDevice& device, Stage stage, int tick) {
-    Played::dutiful(device, stage, tick);
+  played.person = [](VirtualDevice& device, Phase phase, int tick) {
+    Played::dutiful(device, phase, tick);
     // 10 mm/s while it is held: the hand is carried along.
-    if (stage == Stage::kForceOff) device.setTarget(-0.01 * tick);
+    if (phase == Phase::kForceOff) device.setTarget(-0.01 * tick);
   };
   const auto failed = failure(played.run());
   EXPECT_EQ(failed.check, Check::kForceOff);
@@ -168,19 +168,19 @@ TEST(SelfTest, ADeviceThatPullsByItselfIsFound) {
 
 TEST(SelfTest, AButtonThatIsLetGoBeginsTheMeasurementAnew) {
   Played played;
-  played.person = [](VirtualDevice& device, Stage stage, int tick) {
-    Played::dutiful(device, stage, tick);
-    if (stage == Stage::kForceOff && tick > 900 && tick < 1000) device.setButton(false);
-    if (stage == Stage::kPulse && tick > 300 && tick < 400) device.setButton(false);  // in the first pull
+  played.person = [](VirtualDevice& device, Phase phase, int tick) {
+    Played::dutiful(device, phase, tick);
+    if (phase == Phase::kForceOff && tick > 900 && tick < 1000) device.setButton(false);
+    if (phase == Phase::kPulse && tick > 300 && tick < 400) device.setButton(false);  // in the first pull
   };
   EXPECT_TRUE(played.run().passed());
 }
 
 TEST(SelfTest, WhoLetsGoInEachPullIsToldSo) {
   Played played;
-  played.person = [](VirtualDevice& device, Stage stage, int tick) {
-    Played::dutiful(device, stage, tick);
-    if (stage == Stage::kPulse) device.setButton(tick % 400 > 50);
+  played.person = [](VirtualDevice& device, Phase phase, int tick) {
+    Played::dutiful(device, phase, tick);
+    if (phase == Phase::kPulse) device.setButton(tick % 400 > 50);
   };
   const auto failed = failure(played.run());
   EXPECT_EQ(failed.check, Check::kPulse);
@@ -229,7 +229,7 @@ TEST(SelfTest, TheForceIsNeverLargerThanThePulseAndOffAtTheEnd) {
   (void)(*made)->start();
   haptics::Servo servo(**made);
   SelfTest test(played.settings);
-  Stage stage = test.stage();
+  Phase phase = test.phase();
   int tick = 0;
   std::int64_t now_ns = 0;
   double last_n = 0;
@@ -242,10 +242,10 @@ TEST(SelfTest, TheForceIsNeverLargerThanThePulseAndOffAtTheEnd) {
       last_n = sample.force_n;
       test.feed(sample);
     }
-    if (test.stage() == Stage::kAsk) test.answer(Felt::kToward);
-    tick = test.stage() == stage ? tick + 1 : 1;
-    stage = test.stage();
-    Played::dutiful(**made, stage, tick);
+    if (test.phase() == Phase::kAsk) test.answer(Felt::kToward);
+    tick = test.phase() == phase ? tick + 1 : 1;
+    phase = test.phase();
+    Played::dutiful(**made, phase, tick);
   }
   EXPECT_TRUE(test.passed());
   EXPECT_NEAR(largest_n, 0.1, 1e-12);  // sums of the ramp

@@ -77,13 +77,13 @@ Recorded recordsOf(const store::StudyFile& file) {
   return out;
 }
 
-RecordId lastId(const store::StudyFile& file, const RecordId& session, Stage stage) {
+RecordId lastId(const store::StudyFile& file, const RecordId& session, SessionPart part) {
   const store::Selection own{{}, session, true};
   const auto last = [](const auto& records) { return records->back().entry.id; };
-  if (stage == Stage::kProfile) return last(store::profiles(file, own));
-  if (stage == Stage::kSpeed) return last(store::strokes(file, own, store::Recordings::kLeaveOut));
-  if (stage == Stage::kForce) return last(store::judgements(file, own));
-  if (stage == Stage::kForm) return last(store::answers(file, own));
+  if (part == SessionPart::kProfile) return last(store::profiles(file, own));
+  if (part == SessionPart::kSpeed) return last(store::strokes(file, own, store::Recordings::kLeaveOut));
+  if (part == SessionPart::kForce) return last(store::judgements(file, own));
+  if (part == SessionPart::kForm) return last(store::answers(file, own));
   // After the form the nurse may still correct an answer instead of rating it.
   const auto answers = store::answers(file, own);
   const auto ratings = store::ratings(file, own);
@@ -117,10 +117,10 @@ int runSession(const std::string& path, const NurseTraits& traits, int out) {
   const auto judged = store::judgements(*file, {{}, session->record().id, true});
   if (!judged) return 4;
   SimulatedNurse nurse(traits, 9, {}, *judged);
-  while (session->stage() != Stage::kFinished) {
-    const Stage stage = session->stage();
+  while (session->part() != SessionPart::kFinished) {
+    const SessionPart part = session->part();
     if (!nurse.doNext(*session)) return 5;
-    const RecordId id = lastId(*file, session->record().id, stage);
+    const RecordId id = lastId(*file, session->record().id, part);
     if (::write(out, id.bytes.data(), id.bytes.size()) != static_cast<ssize_t>(id.bytes.size())) return 6;
   }
   return file->close() ? 0 : 7;

@@ -80,22 +80,22 @@ class SessionTest : public testing::Test {
   /// Does what the session asks for next, not always well.
   void doNext(base::Random& random) {
     base::Result<void> done;
-    switch (session_->stage()) {
-      case Stage::kProfile: {
+    switch (session_->part()) {
+      case SessionPart::kProfile: {
         study::ProfileRecord profile;
         profile.years_experience = 12;
         profile.category = "expert";
         done = session_->tell(profile);
         break;
       }
-      case Stage::kSpeed: {
+      case SessionPart::kSpeed: {
         experiments::Stroke stroke{2, 8, 0.002, 0.007, 0, 60, experiments::StrokeVerdict::kAccepted};
         if (random.below(4) == 0) stroke.verdict = experiments::StrokeVerdict::kTooShort;
         study::Recording recording{1000, {{"depth", "mm", {0, 0, 5, 15, 30, 45, 55, 60, 60, 60}}}};
         done = session_->addStroke(stroke, recording, 0);
         break;
       }
-      case Stage::kForce: {
+      case SessionPart::kForce: {
         ForceAnswer answer;
         answer.forward_mm = random.below(5) == 0 ? 0 : 40;
         answer.forward_speed_mm_s = 60;
@@ -110,7 +110,7 @@ class SessionTest : public testing::Test {
         done = session_->judge(answer);
         break;
       }
-      case Stage::kForm: {
+      case SessionPart::kForm: {
         const int which = random.below(10);
         if (which == 0) {
           done = session_->reply({Status::kSkipped, {}}, 2);
@@ -121,11 +121,11 @@ class SessionTest : public testing::Test {
         }
         break;
       }
-      case Stage::kRating:
+      case SessionPart::kRating:
         done = session_->rate(2, 6);
         break;
-      case Stage::kFinished:
-      case Stage::kAborted:
+      case SessionPart::kFinished:
+      case SessionPart::kAborted:
         FAIL() << "nothing is left to do";
     }
     ASSERT_TRUE(done) << done.error().message();
@@ -133,19 +133,19 @@ class SessionTest : public testing::Test {
 
   /// Everything that a screen would show.
   std::string shown() const {
-    std::string text(name(session_->stage()));
+    std::string text(name(session_->part()));
     text += ' ' + std::to_string(session_->blocksDone());
-    if (session_->stage() == Stage::kSpeed) {
+    if (session_->part() == SessionPart::kSpeed) {
       const auto plan = session_->speed()->next();
       text += ' ' + plan.level + ' ' + std::to_string(plan.number) + ' ' + std::to_string(plan.attempt) +
               (plan.repeat_reason.empty() ? "" : " again");
     }
-    if (session_->stage() == Stage::kForce) {
+    if (session_->part() == SessionPart::kForce) {
       const auto plan = session_->force()->next();
       text += ' ' + plan.step.series + ' ' + std::to_string(plan.step.step) + ' ' + std::to_string(plan.attempt) + ' ' +
               std::to_string(plan.step.force_n);
     }
-    if (session_->stage() == Stage::kForm) {
+    if (session_->part() == SessionPart::kForm) {
       text += ' ' + std::to_string(session_->form()->page()->question->number) + ' ' +
               std::to_string(session_->form()->page()->position);
     }
@@ -165,9 +165,9 @@ TEST_F(SessionTest, GoesThroughItsStagesInOrder) {
   begin(start());
   base::Random random(1);
   std::vector<std::string> stages;
-  for (int step = 0; session_->stage() != Stage::kFinished; ++step) {
+  for (int step = 0; session_->part() != SessionPart::kFinished; ++step) {
     ASSERT_LT(step, 300);
-    const std::string now(name(session_->stage()));
+    const std::string now(name(session_->part()));
     if (stages.empty() || stages.back() != now) stages.push_back(now);
     ASSERT_NO_FATAL_FAILURE(doNext(random));
   }
@@ -189,10 +189,10 @@ TEST_F(SessionTest, GoesThroughItsStagesInOrder) {
 TEST_F(SessionTest, GoesOnAfterARestartAtAnyMoment) {
   begin(start());
   base::Random random(2);
-  for (int step = 0; session_->stage() != Stage::kFinished; ++step) {
+  for (int step = 0; session_->part() != SessionPart::kFinished; ++step) {
     ASSERT_LT(step, 300);
     ASSERT_NO_FATAL_FAILURE(doNext(random));
-    if (session_->stage() == Stage::kFinished) break;
+    if (session_->part() == SessionPart::kFinished) break;
     if (random.below(3) != 0) continue;
     const std::string before = shown();
     ASSERT_NO_FATAL_FAILURE(restart());
@@ -207,7 +207,7 @@ TEST_F(SessionTest, ARestartChangesNothingOfWhatComesNext) {
   const auto run = [&](bool with_restarts) {
     std::vector<std::string> seen;
     base::Random random(3);
-    while (session_->stage() != Stage::kFinished) {
+    while (session_->part() != SessionPart::kFinished) {
       seen.push_back(shown());
       doNext(random);
       if (with_restarts && seen.size() % 9 == 0) restart();
@@ -277,7 +277,7 @@ TEST_F(SessionTest, AProfileIsCorrectedByAFurtherRecord) {
   ASSERT_TRUE(session_->tell(profile));
   ASSERT_NE(session_->profile(), nullptr);
   EXPECT_EQ(session_->profile()->years_experience, 13);
-  EXPECT_EQ(session_->stage(), Stage::kSpeed);
+  EXPECT_EQ(session_->part(), SessionPart::kSpeed);
   EXPECT_EQ(store::profiles(*file_)->size(), 1U);
   const auto history = store::profiles(*file_, {{}, {}, true});
   ASSERT_EQ(history->size(), 2U);
@@ -309,9 +309,9 @@ TEST_F(SessionTest, ABlockCanBeLeftOut) {
   ASSERT_TRUE(session_->skipBlock("the device is broken"));
   EXPECT_EQ(session_->block(), Block::kForce);
   ASSERT_TRUE(session_->skipBlock("the device is broken"));
-  EXPECT_EQ(session_->stage(), Stage::kForm);
+  EXPECT_EQ(session_->part(), SessionPart::kForm);
   ASSERT_NO_FATAL_FAILURE(restart());
-  EXPECT_EQ(session_->stage(), Stage::kForm);
+  EXPECT_EQ(session_->part(), SessionPart::kForm);
   EXPECT_EQ(session_->blocksDone(), 2U);
 }
 
@@ -326,9 +326,9 @@ TEST_F(SessionTest, PausesAndEndsAreKept) {
   ASSERT_TRUE(session_->pause("a reason \xE4 in Latin-1"));  // is stored with U+FFFD in place of the byte
   ASSERT_TRUE(session_->unpause());
   ASSERT_TRUE(session_->abort("fire drill"));
-  EXPECT_EQ(session_->stage(), Stage::kAborted);
+  EXPECT_EQ(session_->part(), SessionPart::kAborted);
   ASSERT_NO_FATAL_FAILURE(restart());
-  EXPECT_EQ(session_->stage(), Stage::kAborted);
+  EXPECT_EQ(session_->part(), SessionPart::kAborted);
   EXPECT_FALSE(session_->tell({}));
   EXPECT_FALSE(session_->skipBlock(""));
   EXPECT_FALSE(session_->abort(""));
@@ -339,18 +339,18 @@ TEST_F(SessionTest, UsabilityIsASessionOfItsOwn) {
   with.kind = study::SessionKind::kUsability;
   begin(with);
   ASSERT_TRUE(session_->tell({}));
-  EXPECT_EQ(session_->stage(), Stage::kForm);
+  EXPECT_EQ(session_->part(), SessionPart::kForm);
   EXPECT_EQ(session_->speed(), nullptr);
   EXPECT_EQ(session_->force(), nullptr);
   for (int item = 0; item < 6; ++item) ASSERT_TRUE(session_->reply({Status::kAnswered, "6"}, 1));
   EXPECT_FALSE(session_->reply({Status::kAnswered, "6"}, 1));
   session_->back();  // before the rating an answer can be changed
-  EXPECT_EQ(session_->stage(), Stage::kForm);
+  EXPECT_EQ(session_->part(), SessionPart::kForm);
   ASSERT_TRUE(session_->reply({Status::kAnswered, "7"}, 1));
   EXPECT_FALSE(session_->rate(0, 4));
   EXPECT_FALSE(session_->rate(4, 8));
   ASSERT_TRUE(session_->rate(1, 7));
-  EXPECT_EQ(session_->stage(), Stage::kFinished);
+  EXPECT_EQ(session_->part(), SessionPart::kFinished);
 }
 
 TEST_F(SessionTest, RecordsOfASimulatedPersonSaySo) {

@@ -73,7 +73,7 @@ TEST_F(SimulatedNurseTest, DoesAllThatASessionAsksFor) {
   SimulatedNurse nurse(clumsyNurse(), 7, [this](double seconds) { clock_.pass(seconds); });
   const auto done = nurse.finish(session);
   ASSERT_TRUE(done) << done.error().message();
-  EXPECT_EQ(session.stage(), Stage::kFinished);
+  EXPECT_EQ(session.part(), SessionPart::kFinished);
   EXPECT_FALSE(nurse.doNext(session));
 
   int accepted = 0, too_short = 0;
@@ -127,7 +127,7 @@ TEST_F(SimulatedNurseTest, GoesOnAfterARestartAsItWouldHave) {
 
   auto session = begin();
   const auto id = session.record().id;
-  for (int step = 0; session.stage() != Stage::kFinished; ++step) {
+  for (int step = 0; session.part() != SessionPart::kFinished; ++step) {
     ASSERT_LT(step, 300);
     if (step % 5 == 4) session = *Session::resume(*file_, id, clock_.tools(++tools_seed_));
     const auto judged = store::judgements(*file_, {{}, id, true});

@@ -7,7 +7,7 @@
 #include <semaphore>
 #include <vector>
 
-#include "app/workbench/base/mailbox.h"
+#include "app/workbench/base/call_queue.h"
 
 namespace tactus::workbench {
 namespace {
@@ -55,10 +55,10 @@ TEST(Worker, EndsWhenEverythingIsDone) {
   EXPECT_EQ(done, upTo(kTasks + 1));
 }
 
-TEST(Mailbox, CallsInOrderOnTheThreadOfTheGui) {
+TEST(CallQueue, CallsInOrderOnTheThreadOfTheGui) {
   const auto gui = std::this_thread::get_id();
   std::vector<int> called;
-  Mailbox box;
+  CallQueue box;
   Worker worker;
   for (const int number : upTo(kTasks)) {
     worker.post([&, number] {
@@ -73,12 +73,12 @@ TEST(Mailbox, CallsInOrderOnTheThreadOfTheGui) {
   EXPECT_EQ(called, upTo(kTasks));
 }
 
-TEST(Mailbox, MakesNoCallOnceItIsGone) {
+TEST(CallQueue, MakesNoCallOnceItIsGone) {
   bool called = false;
   bool told = false;
-  Mailbox other;
+  CallQueue other;
   {
-    Mailbox box;
+    CallQueue box;
     box.post([&] { called = true; });
   }
   other.post([&] { told = true; });
@@ -87,8 +87,8 @@ TEST(Mailbox, MakesNoCallOnceItIsGone) {
 }
 
 // A call may make another one, or end the box that makes it.
-TEST(Mailbox, MayGoInTheMiddleOfACall) {
-  auto box = std::make_unique<Mailbox>();
+TEST(CallQueue, MayGoInTheMiddleOfACall) {
+  auto box = std::make_unique<CallQueue>();
   bool ended = false;
   box->post([&] {
     box->post([&] { ADD_FAILURE() << "called by a box that is gone"; });

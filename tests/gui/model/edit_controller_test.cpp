@@ -48,7 +48,7 @@ TEST_F(EditControllerTest, AGestureIsOneEntry) {
   for (const double to : {3.5, 3.0, 2.0}) edits.update(editing::moveVertex(edits.base(), kNearShoulder, to));
   edits.commit();
   EXPECT_EQ(shown().inputs[1].terms[0].points[2], 2);
-  EXPECT_EQ(edits.entries().size(), 2U);
+  EXPECT_EQ(edits.history().line().size(), 2U);
   edits.undo();
   EXPECT_EQ(shown(), tests::twoExperts());
 }
@@ -107,12 +107,12 @@ TEST_F(EditControllerTest, AnyEntryCanBeReturnedTo) {
   edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 3));
   edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 2));
   edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 1));
-  const auto entries = edits.entries();
-  ASSERT_EQ(entries.size(), 4U);
-  EXPECT_TRUE(entries[3].current);
-  edits.returnTo(entries[1].state);
+  const auto states = edits.history().line();
+  ASSERT_EQ(states.size(), 4U);
+  EXPECT_EQ(states[3], edits.history().current());
+  edits.returnTo(states[1]);
   EXPECT_EQ(shown().inputs[1].terms[0].points[2], 3);
-  edits.returnTo(entries[0].state);
+  edits.returnTo(states[0]);
   EXPECT_EQ(shown(), tests::twoExperts());
 }
 

@@ -99,7 +99,7 @@ TEST_F(StudyControllerTest, OpensTheLatestModelWithItsHistory) {
   EXPECT_TRUE(study->keepsModel());
   EXPECT_EQ(study->savedText(), QStringLiteral("Stored in sample.tactus"));
   EXPECT_FALSE(models.isModified());
-  EXPECT_EQ(edits.entries().size(), 3U);
+  EXPECT_EQ(edits.history().line().size(), 3U);
   ASSERT_TRUE(edits.canUndo());
   ASSERT_TRUE(edits.canRedo());
   // The texts of older states arrive in the background.

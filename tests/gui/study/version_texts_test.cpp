@@ -33,7 +33,7 @@ class VersionTextsTest : public testing::Test {
 
   tests::ModelFolder folder;
   std::vector<study::ModelVersion> versions;
-  Mailbox answers;
+  CallQueue answers;
   VersionTexts texts{worker, answers};
   StudyWorker worker;  // last, as in the controller
 };

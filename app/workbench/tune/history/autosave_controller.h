@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/workbench/base/mailbox.h"
+#include "app/workbench/base/call_queue.h"
 #include "app/workbench/base/worker.h"
 #include "app/workbench/tune/history/autosave_folder.h"
 
@@ -64,7 +64,7 @@ class AutosaveController : public QObject {
   bool again_ = false;  ///< there is something newer than what it writes
   quint64 number_ = 0;  ///< of the last writing that was begun
   QString failure_;
-  Mailbox answers_;
+  CallQueue answers_;
   Worker worker_;  ///< last: it waits for its end before the rest is gone
 };
 

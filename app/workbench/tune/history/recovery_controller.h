@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/base/mailbox.h"
+#include "app/workbench/base/call_queue.h"
 #include "app/workbench/base/worker.h"
 #include "app/workbench/tune/history/autosave_folder.h"
 
@@ -79,7 +79,7 @@ class RecoveryController : public QObject {
   std::vector<Replaced> replaced_;  ///< to be deleted once that is written
   bool busy_ = false;
   QString wanted_;  ///< the study that has to be opened first
-  Mailbox answers_;
+  CallQueue answers_;
   Worker worker_;  ///< last: it waits for its end before the rest is gone
 };
 

@@ -135,7 +135,7 @@ TEST_F(FindingsControllerTest, AFixIsOneEntryOfTheUndoList) {
   ASSERT_TRUE(findings.apply(near));
   // Its edge became the left edge of Far: down from 6 to 7 mm.
   EXPECT_EQ(edits.model().inputs[kDepth].terms[0].points, (std::vector<double>{0, 0, 6, 7}));
-  EXPECT_EQ(edits.entries().size(), 2U);
+  EXPECT_EQ(edits.history().line().size(), 2U);
   EXPECT_FALSE(findings.isCurrent());
   ASSERT_TRUE(waitForFindings());
   for (const auto& shown : findings.findings()) {

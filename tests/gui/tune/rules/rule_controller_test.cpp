@@ -95,7 +95,7 @@ TEST_F(RuleControllerTest, StepsOfAWeightAreOneEntry) {
   for (const double weight : {0.95, 0.9, 0.85}) rules.weigh(3, weight);
   rules.endWeighing();
   EXPECT_EQ(rule(3).weight, 0.85);
-  EXPECT_EQ(edits.entries().size(), 2U);
+  EXPECT_EQ(edits.history().line().size(), 2U);
   rules.weigh(3, 0.8);
   edits.undo();  // in the middle of the steps
   EXPECT_EQ(rule(3).weight, 0.85);

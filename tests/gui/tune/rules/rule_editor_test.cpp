@@ -29,7 +29,7 @@ TEST_F(RuleEditorTest, ANumberKeyAnswersAndGoesOn) {
   QTest::keyClick(grids, Qt::Key_1, Qt::KeypadModifier);
   EXPECT_EQ(answer({0, 2, 5}), "very_small");
   EXPECT_EQ(rules.selected(), (RuleCell{1, 0, 0})) << "behind the last cell of a grid comes the next one";
-  EXPECT_EQ(edits.entries().size(), 2U) << "very small was the answer already";
+  EXPECT_EQ(edits.history().line().size(), 2U) << "very small was the answer already";
 }
 
 TEST_F(RuleEditorTest, KeysBeyondTheWordsDoNothing) {
@@ -105,12 +105,12 @@ TEST_F(RuleEditorTest, TheBarBelowHasWeightAndEnabled) {
   QTest::keyClicks(weight, QStringLiteral("0.25"));
   QTest::keyClick(weight, Qt::Key_Return);
   EXPECT_EQ(rules.cell({0, 2, 4}).weight, 0.25);
-  EXPECT_EQ(edits.entries().size(), 2U);
+  EXPECT_EQ(edits.history().line().size(), 2U);
   QTest::keyClick(weight, Qt::Key_Up);
   QTest::keyClick(weight, Qt::Key_Up);
   QTest::keyClick(weight, Qt::Key_Return);
   EXPECT_NEAR(rules.cell({0, 2, 4}).weight, 0.35, 1e-12);
-  EXPECT_EQ(edits.entries().size(), 3U);
+  EXPECT_EQ(edits.history().line().size(), 3U);
   auto* enabled = named<QCheckBox>("The selected rule is enabled");
   QTest::mouseClick(enabled, Qt::LeftButton, {}, QPoint(8, enabled->height() / 2));
   EXPECT_FALSE(rules.cell({0, 2, 4}).enabled);

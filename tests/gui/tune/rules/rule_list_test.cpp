@@ -95,7 +95,7 @@ TEST_F(RuleListTest, ARowIsEditedInItsPlace) {
   words->setCurrentIndex(4);
   emit words->activated(4);
   EXPECT_EQ(rules.expert().rules[2].then, "very_large");
-  EXPECT_EQ(edits.entries().size(), 4U);
+  EXPECT_EQ(edits.history().line().size(), 4U);
   for (int i = 0; i < 3; ++i) edits.undo();
   EXPECT_TRUE(editing::sameBits(edits.model(), start));
 }
@@ -203,7 +203,7 @@ TEST_F(RuleListTest, AWeightWithManyDigitsKeepsThem) {
   QTest::keyClick(number, Qt::Key_Return);  // as it is
   QCoreApplication::processEvents();
   EXPECT_EQ(rule(2).weight, 1.0 / 3);
-  EXPECT_EQ(edits.entries().size(), 2U);
+  EXPECT_EQ(edits.history().line().size(), 2U);
 
   clickRow(table, 2);
   QTest::mouseClick(button<QToolButton>("Edit…"), Qt::LeftButton);

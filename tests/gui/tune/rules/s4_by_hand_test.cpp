@@ -161,7 +161,7 @@ TEST_F(S4ByHand, UndoLeadsBackToTheStartBitForBit) {
   EXPECT_EQ(rules.cell({0, 2, 4}).then, "medium");
   EXPECT_EQ(rules.cell({0, 2, 6}).then, "medium");
 
-  EXPECT_EQ(edits.entries().size(), 1U + 45U + 1U);
+  EXPECT_EQ(edits.history().line().size(), 1U + 45U + 1U);
   edits.undo();
   EXPECT_TRUE(editing::sameBits(edits.model(), filled));
   while (edits.canUndo()) edits.undo();

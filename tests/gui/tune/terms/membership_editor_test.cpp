@@ -87,7 +87,7 @@ TEST_F(MembershipEditorTest, AVertexFollowsTheMouse) {
   EXPECT_NEAR(points(0)[3], 5 + 60 * perPixel(), kRounded);
   EXPECT_EQ(points(0)[2], 4);
   EXPECT_EQ(models.current()->model, edits.model());
-  EXPECT_EQ(edits.entries().size(), 2U);
+  EXPECT_EQ(edits.history().line().size(), 2U);
   edits.undo();
   EXPECT_EQ(edits.model(), tests::twoExperts());
 }
@@ -146,7 +146,7 @@ TEST_F(MembershipEditorTest, ArrowKeysMoveWhatIsSelected) {
   EXPECT_EQ(points(0)[3], 61);
   QTest::keyClick(plot, Qt::Key_Left, Qt::ShiftModifier);
   EXPECT_EQ(points(0)[3], 51);
-  EXPECT_EQ(edits.entries().size(), 3U);
+  EXPECT_EQ(edits.history().line().size(), 3U);
   QTest::keyClick(plot, Qt::Key_Up);
   EXPECT_EQ(terms.selected(), (Grip{0, Grip::Part::kVertex, 2, false}));
 }

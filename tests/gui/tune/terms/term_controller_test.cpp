@@ -109,7 +109,7 @@ TEST_F(TermControllerTest, ArrowKeysStepFineAndCoarseAsOneGesture) {
   terms.step(-1, true);
   EXPECT_EQ(points(0)[3], 52);
   terms.endSteps();
-  EXPECT_EQ(edits.entries().size(), 2U);
+  EXPECT_EQ(edits.history().line().size(), 2U);
   edits.undo();
   EXPECT_EQ(edits.model(), tests::twoExperts());
 }

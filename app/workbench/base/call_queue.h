@@ -9,11 +9,11 @@
 namespace tactus::workbench {
 
 /// Lives in the GUI's thread.
-class Mailbox : public QObject {
+class CallQueue : public QObject {
  public:
   using Call = std::function<void()>;
 
-  explicit Mailbox(QObject* parent = nullptr);
+  explicit CallQueue(QObject* parent = nullptr);
 
   /// `call` is made by the event loop of the GUI's thread, after those that were posted before; never, once the box is
   /// gone. What `post` saw is seen by the call. Thread: any.

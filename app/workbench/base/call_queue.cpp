@@ -1,4 +1,4 @@
-#include "app/workbench/base/mailbox.h"
+#include "app/workbench/base/call_queue.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -14,15 +14,15 @@ QEvent::Type postedEvent() {
 
 }  // namespace
 
-Mailbox::Mailbox(QObject* parent) : QObject(parent) {}
+CallQueue::CallQueue(QObject* parent) : QObject(parent) {}
 
-void Mailbox::post(Call call) {
+void CallQueue::post(Call call) {
   const std::lock_guard lock(mutex_);
   calls_.push_back(std::move(call));
   QCoreApplication::postEvent(this, new QEvent(postedEvent()));
 }
 
-bool Mailbox::event(QEvent* event) {
+bool CallQueue::event(QEvent* event) {
   // The event is handed over by the lock too, not only by the queue of Qt, which the thread sanitizer does not see.
   std::unique_lock lock(mutex_);
   if (event->type() != postedEvent()) {
