@@ -164,8 +164,8 @@ void MainWindow::buildFeelMenu() {
 
 void MainWindow::showFeel() {
   const bool open = models_.current() != nullptr;
-  feel_start_->setEnabled(open && feel_.state() == FeelState::kStopped);
-  feel_stop_->setEnabled(feel_.isRunning() || feel_.state() == FeelState::kOpening);
+  feel_start_->setEnabled(open && feel_.state() == FeelController::State::kStopped);
+  feel_stop_->setEnabled(feel_.isRunning() || feel_.state() == FeelController::State::kOpening);
   flex_->setEnabled(open);
   new_placement_->setEnabled(feel_.isRunning());
 }

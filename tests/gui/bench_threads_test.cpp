@@ -40,7 +40,7 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
   search.search();
   feel.start(QStringLiteral("virtual"));
   ASSERT_TRUE(feel.isRunning());
-  feel.setHeld(true);
+  feel.session().setHeld(true);
 
   base::Random random(3);
   std::size_t runs = 1;
@@ -48,9 +48,9 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
   for (int k = 0; k < count; ++k) {
     const std::string what = hand.play();
     ASSERT_EQ(hand.check(false), "") << "gesture " << k << ", " << what;
-    feel.setTarget(random.uniform(0, 120));
+    feel.session().setTarget(random.uniform(0, 120));
     if (k % 10 == 0) feel.setNeckFlexed(k % 20 == 0);
-    if (k % 7 == 0) feel.setHeld(k % 14 == 0);
+    if (k % 7 == 0) feel.session().setHeld(k % 14 == 0);
     if (k % 11 == 0 && findings.isCurrent() && !findings.findings().empty()) {
       findings.choose(static_cast<std::size_t>(random.below(static_cast<int>(findings.findings().size()))));
     }
@@ -63,7 +63,7 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
       ++runs;
     }
     QCoreApplication::processEvents();
-    if (feel.state() == FeelState::kTripped) feel.rearm();
+    if (feel.state() == FeelController::State::kTripped) feel.session().rearm();
   }
   bench.edits.commit();
   findings.setWatched(true);
@@ -73,7 +73,7 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
   const auto last = feel.latest().orders;
   feel.newPlacement();
   ASSERT_TRUE(QTest::qWaitFor([&] { return feel.latest().orders > last; }, kPatience));
-  EXPECT_GT(feel.statistics().ticks, 0U);
+  EXPECT_GT(feel.session().statistics().ticks, 0U);
   EXPECT_GT(runs, 1U);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !search.isSearching(); }, kPatience));
   feel.stop();

@@ -13,7 +13,7 @@ constexpr int kBeatMs = 16;
 
 }  // namespace
 
-class SteppedFeel::Loop final : public workbench::FeelLoop {
+class SteppedFeel::Loop final : public workbench::ServoLoop {
  public:
   Loop(SteppedFeel& owner, haptics::Servo& servo) : owner_(owner), servo_(servo) { owner_.loop_ = this; }
   ~Loop() override { owner_.loop_ = nullptr; }
@@ -41,8 +41,8 @@ class SteppedFeel::Loop final : public workbench::FeelLoop {
   bool running_ = false;
 };
 
-workbench::FeelSettings SteppedFeel::settings() {
-  workbench::FeelSettings settings;
+workbench::DeviceAccess SteppedFeel::settings() {
+  workbench::DeviceAccess settings;
   settings.open_device = [this](const std::string&) -> base::Result<devices::OpenedDevice> {
     auto device = haptics::VirtualDevice::make(device_);
     if (!device) return tl::unexpected(device.error());
@@ -83,8 +83,8 @@ class SlowDevice final : public haptics::HapticDevice {
 
 }  // namespace
 
-workbench::FeelSettings SteppedFeel::slowSettings(const std::atomic<bool>& lets_go) {
-  workbench::FeelSettings slow = settings();
+workbench::DeviceAccess SteppedFeel::slowSettings(const std::atomic<bool>& lets_go) {
+  workbench::DeviceAccess slow = settings();
   slow.open_device = [open = slow.open_device, &lets_go](const std::string& id) {
     auto opened = open(id);
     if (opened) opened->device = std::make_unique<SlowDevice>(std::move(opened->device), lets_go);
@@ -94,11 +94,11 @@ workbench::FeelSettings SteppedFeel::slowSettings(const std::atomic<bool>& lets_
   return slow;
 }
 
-void SteppedFeel::advance(workbench::FeelController& feel, int milliseconds) {
+void SteppedFeel::advance(workbench::DeviceSession& session, int milliseconds) {
   for (int ms = 1; ms <= milliseconds; ++ms) {
     now_ns_ += kTickNs;
     if (loop_ != nullptr) loop_->tick();
-    if (ms % kBeatMs == 0 || ms == milliseconds) feel.beat();
+    if (ms % kBeatMs == 0 || ms == milliseconds) session.beat();
   }
 }
 
@@ -109,22 +109,22 @@ void SteppedFeel::hang(int milliseconds) {
   }
 }
 
-void SteppedFeel::stall(workbench::FeelController& feel, int milliseconds) {
+void SteppedFeel::stall(workbench::DeviceSession& session, int milliseconds) {
   for (int ms = 1; ms <= milliseconds; ++ms) {
     now_ns_ += kTickNs;
-    if (ms % kBeatMs == 0 || ms == milliseconds) feel.beat();
+    if (ms % kBeatMs == 0 || ms == milliseconds) session.beat();
   }
 }
 
-void SteppedFeel::moveTo(workbench::FeelController& feel, double position_mm, double speed_mm_s) {
-  const double start_mm = feel.targetMm();
+void SteppedFeel::moveTo(workbench::DeviceSession& session, double position_mm, double speed_mm_s) {
+  const double start_mm = session.targetMm();
   const double way_mm = position_mm - start_mm;
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(way_mm) / speed_mm_s * 1000 / kBeatMs)));
   for (int i = 1; i <= steps; ++i) {
-    feel.setTarget(start_mm + way_mm * i / steps);
-    advance(feel, kBeatMs);
+    session.setTarget(start_mm + way_mm * i / steps);
+    advance(session, kBeatMs);
   }
-  advance(feel, 100);
+  advance(session, 100);
 }
 
 }  // namespace tactus::tests

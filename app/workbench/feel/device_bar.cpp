@@ -104,17 +104,17 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   connect(devices_, &QComboBox::currentIndexChanged, this, &DeviceBar::showState);
   connect(look_, &QToolButton::clicked, &search_, &DeviceSearch::search);
   connect(start_, &QPushButton::clicked, this, &DeviceBar::toggle);
-  connect(rearm_, &QPushButton::clicked, &feel_, &FeelController::rearm);
+  connect(rearm_, &QPushButton::clicked, &feel_.session(), &DeviceSession::rearm);
   connect(grip_, &QComboBox::activated, this, &DeviceBar::chooseGrip);
   connect(zone_, &NumberBox::valueChanged, this, &DeviceBar::chooseGrip);
   connect(&search_, &DeviceSearch::searching, this, &DeviceBar::showState);
   connect(&search_, &DeviceSearch::found, this, &DeviceBar::listDevices);
   connect(&feel_, &FeelController::stateChanged, this, &DeviceBar::showState);
-  connect(&feel_, &FeelController::tripChanged, this, &DeviceBar::showState);
+  connect(&feel_.session(), &DeviceSession::tripChanged, this, &DeviceBar::showState);
   listDevices();
 }
 
-void DeviceBar::chooseGrip() { feel_.setGrip({grip_->currentIndex() == 1, zone_->value()}); }
+void DeviceBar::chooseGrip() { feel_.session().setGrip({grip_->currentIndex() == 1, zone_->value()}); }
 
 void DeviceBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
@@ -160,8 +160,8 @@ void DeviceBar::listDevices() {
 
 void DeviceBar::showState() {
   const bool running = feel_.isRunning();
-  const bool opening = feel_.state() == FeelState::kOpening;
-  const bool stopping = feel_.state() == FeelState::kStopping;
+  const bool opening = feel_.state() == FeelController::State::kOpening;
+  const bool stopping = feel_.state() == FeelController::State::kStopping;
   const bool busy = running || opening || stopping;
   devices_->setEnabled(!busy);
   look_->setEnabled(!busy && !search_.isSearching());
@@ -172,9 +172,9 @@ void DeviceBar::showState() {
   {
     const QSignalBlocker no_grip(grip_);
     const QSignalBlocker no_zone(zone_);
-    grip_->setCurrentIndex(feel_.grip().latch ? 1 : 0);
-    zone_->setValue(feel_.grip().release_zone_mm);
-    zone_->setVisible(feel_.grip().latch);
+    grip_->setCurrentIndex(feel_.session().grip().latch ? 1 : 0);
+    zone_->setValue(feel_.session().grip().release_zone_mm);
+    zone_->setVisible(feel_.session().grip().latch);
   }
   grip_->setToolTip(grip_->currentData(Qt::ToolTipRole).toString());
   const auto& list = search_.list().devices;
@@ -187,15 +187,15 @@ void DeviceBar::showState() {
 void DeviceBar::showMessage() {
   const bool running = feel_.isRunning();
   advises_ = false;
-  rearm_->setVisible(running && feel_.trip());
-  rearm_->setEnabled(feel_.state() == FeelState::kTripped);
-  if (const auto trip = feel_.trip()) {
+  rearm_->setVisible(running && feel_.session().trip());
+  rearm_->setEnabled(feel_.state() == FeelController::State::kTripped);
+  if (const auto trip = feel_.session().trip()) {
     // Of a run that has ended the cause stays said.
     const QString what = running ? tr("%1 (%2). No force until you arm again.") : tr("%1 (%2).");
     setMessage(what.arg(trip->sentence, trip->at.toString(QStringLiteral("HH:mm:ss"))), true);
   } else if (!failure_.isEmpty()) {
     setMessage(failure_, true);
-  } else if (const QString advice = feel_.axisAdvice(); !advice.isEmpty() && feel_.strokes() == 0) {
+  } else if (const QString advice = feel_.session().axisAdvice(); !advice.isEmpty() && feel_.strokes() == 0) {
     advises_ = true;
     setMessage(tr("If pushing in pulls out: %1").arg(advice), false);
   } else {
@@ -223,17 +223,17 @@ void DeviceBar::setMessage(const QString& sentence, bool bad) {
 // Where there is little room.
 QString DeviceBar::stateWord() const {
   switch (feel_.state()) {
-    case FeelState::kStopped:
+    case FeelController::State::kStopped:
       return tr("Stopped");
-    case FeelState::kOpening:
+    case FeelController::State::kOpening:
       return tr("Starting");
-    case FeelState::kStopping:
+    case FeelController::State::kStopping:
       return tr("Stopping");
-    case FeelState::kTripped:
+    case FeelController::State::kTripped:
       return tr("Tripped");
-    case FeelState::kRearming:
+    case FeelController::State::kRearming:
       return tr("Let go");
-    case FeelState::kRunning:
+    case FeelController::State::kRunning:
       break;
   }
   return feel_.isReplay() ? tr("Replay") : tr("Running");
@@ -241,24 +241,24 @@ QString DeviceBar::stateWord() const {
 
 QString DeviceBar::stateText() const {
   switch (feel_.state()) {
-    case FeelState::kStopped:
+    case FeelController::State::kStopped:
       return model_open_ ? tr("Stopped: nothing is computed.") : tr("Open a model to feel it.");
-    case FeelState::kOpening:
+    case FeelController::State::kOpening:
       return tr("Starting the device…");
-    case FeelState::kStopping:
+    case FeelController::State::kStopping:
       return tr("No force. The device is stopping…");
-    case FeelState::kTripped:
+    case FeelController::State::kTripped:
       return tr("Tripped: no force.");
-    case FeelState::kRearming:
+    case FeelController::State::kRearming:
       return tr("Let go of the tube, then it arms again.");
-    case FeelState::kRunning:
+    case FeelController::State::kRunning:
       break;
   }
-  QStringList parts{feel_.isReplay() ? tr("Replaying a recording") : tr("Running"), feel_.priorityText()};
+  QStringList parts{feel_.isReplay() ? tr("Replaying a recording") : tr("Running"), feel_.session().priorityText()};
   if (const auto latency = feel_.editLatency())
     parts << tr("edit felt after %1 (longest %2)")
                  .arg(ticksText(latency->last_ticks), numberText(static_cast<double>(latency->longest_ticks)));
-  const haptics::LoopStatistics statistics = feel_.statistics();
+  const haptics::LoopStatistics statistics = feel_.session().statistics();
   if (statistics.missed > 0) parts << tr("%1 ticks late").arg(statistics.missed);
   if (statistics.restarts > 0) parts << tr("force begun anew after %1 stalls").arg(statistics.restarts);
   return parts.join(QStringLiteral(" · "));
@@ -266,7 +266,7 @@ QString DeviceBar::stateText() const {
 
 void DeviceBar::toggle() {
   failure_.clear();
-  if (feel_.state() == FeelState::kStopped) {
+  if (feel_.state() == FeelController::State::kStopped) {
     feel_.start(devices_->currentData().toString());
   } else {
     feel_.stop();

@@ -200,8 +200,8 @@ void FeelPanel::arrange() {
 void FeelPanel::toggle() { device_->toggle(); }
 
 void FeelPanel::connectAll() {
-  connect(pad_, &TubePad::targetMoved, &feel_, &FeelController::setTarget);
-  connect(pad_, &TubePad::gripped, &feel_, &FeelController::setHeld);
+  connect(pad_, &TubePad::targetMoved, &feel_.session(), &DeviceSession::setTarget);
+  connect(pad_, &TubePad::gripped, &feel_.session(), &DeviceSession::setHeld);
   connect(split_, &QCheckBox::toggled, this, [this](bool split) {
     trace_->setSplit(split);
     showLegend();
@@ -264,11 +264,11 @@ void FeelPanel::showFelt() {
   TubePad::Reading reading;
   reading.hand_mm = sample.position_mm;
   reading.tube_mm = sample.position_mm - sample.stretch_mm;
-  reading.target_mm = feel_.targetMm();
+  reading.target_mm = feel_.session().targetMm();
   reading.running = feel_.isRunning();
   reading.replay = feel_.isReplay();
-  reading.live = feel_.isHandLive();
-  reading.latch = feel_.grip().latch;
+  reading.live = feel_.session().isHandLive();
+  reading.latch = feel_.session().grip().latch;
   reading.held = sample.phase != render::Phase::kReleased;
   reading.armed = armed_;
   reading.recorded_s = recorded_s_;
@@ -318,7 +318,7 @@ QString FeelPanel::limitText() const {
 }
 
 bool FeelPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ApplicationDeactivate && !feel_.grip().latch) feel_.setHeld(false);
+  if (event->type() == QEvent::ApplicationDeactivate && !feel_.session().grip().latch) feel_.session().setHeld(false);
   const bool asks = event->type() == QEvent::ShortcutOverride;
   const bool press = event->type() == QEvent::KeyPress || asks;
   if (asking_ || (!press && event->type() != QEvent::KeyRelease)) return QWidget::eventFilter(watched, event);
@@ -331,9 +331,9 @@ bool FeelPanel::eventFilter(QObject* watched, QEvent* event) {
   if (press && key->key() == Qt::Key_Escape) return escape(*watched, *key, asks);
   if (key->key() != Qt::Key_Space) return QWidget::eventFilter(watched, event);
   // Whatever has opened since the press, the hand lets go.
-  if (!press && !key->isAutoRepeat()) feel_.setHeld(false);
+  if (!press && !key->isAutoRepeat()) feel_.session().setHeld(false);
   if (wantsSpace()) return QWidget::eventFilter(watched, event);
-  if (press && !key->isAutoRepeat()) feel_.setHeld(true);
+  if (press && !key->isAutoRepeat()) feel_.session().setHeld(true);
   event->accept();
   return true;
 }

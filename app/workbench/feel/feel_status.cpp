@@ -16,14 +16,14 @@ FeelStatus::FeelStatus(const FeelController& feel, QWidget* parent) : QLabel(par
 
 void FeelStatus::showState() {
   const auto device = feel_.device();
-  const bool tripped = device && feel_.trip();
+  const bool tripped = device && feel_.session().trip();
   QPalette colors = palette();
   colors.setColor(QPalette::WindowText, tripped ? theme::errorInk() : theme::mutedInk());
   setPalette(colors);
   if (!device) {
-    setText(feel_.state() == FeelState::kOpening    ? tr("Feel: starting…")
-            : feel_.state() == FeelState::kStopping ? tr("Feel: stopping…")
-                                                    : tr("Feel: stopped"));
+    setText(feel_.state() == FeelController::State::kOpening    ? tr("Feel: starting…")
+            : feel_.state() == FeelController::State::kStopping ? tr("Feel: stopping…")
+                                                                : tr("Feel: stopped"));
   } else {
     const QString name = device->simulated ? tr("simulated device") : workbench::text(device->name);
     setText(tripped ? tr("Feel: tripped, %1").arg(name) : tr("Feel: running, %1").arg(name));

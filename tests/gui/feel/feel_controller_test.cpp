@@ -32,7 +32,7 @@ class FeelControllerTest : public testing::Test {
   // Takes the tube and pushes it into the near region, slowly; the fade-in of the arming is over then.
   void push() {
     time.advance(feel, 20);  // the hand has to be seen open once
-    feel.setHeld(true);
+    feel.session().setHeld(true);
     time.advance(feel, 1200);
     time.moveTo(feel, 5, 5);
   }
@@ -51,12 +51,12 @@ class FeelControllerTest : public testing::Test {
 };
 
 TEST_F(FeelControllerTest, StartsOnTheVirtualDeviceAndSaysThatItIsSimulated) {
-  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  EXPECT_EQ(feel.state(), FeelController::State::kStopped);
   feel.start(QStringLiteral("virtual"));
-  EXPECT_EQ(feel.state(), FeelState::kRunning);
+  EXPECT_EQ(feel.state(), FeelController::State::kRunning);
   ASSERT_TRUE(feel.device());
   EXPECT_TRUE(feel.device()->simulated);
-  EXPECT_TRUE(feel.isHandLive());
+  EXPECT_TRUE(feel.session().isHandLive());
   EXPECT_TRUE(isHeldByKey(*feel.device()));
   time.advance(feel, 50);
   EXPECT_EQ(feel.latest().tick, 50u);
@@ -92,7 +92,7 @@ TEST_F(FeelControllerTest, AnEditIsFeltWithinTwoTicks) {
   time.advance(feel, 16);
   ASSERT_TRUE(feel.editLatency());
   EXPECT_LE(feel.editLatency()->longest_ticks, kMostTicks);
-  EXPECT_LE(feel.statistics().longest_wait_ticks, kMostTicks);
+  EXPECT_LE(feel.session().statistics().longest_wait_ticks, kMostTicks);
   // The difference fades within 50 ms; then the tube has the force of the other rule.
   time.advance(feel, 60);
   EXPECT_NEAR(feel.latest().model_force_n, kHighN, kRounding);
@@ -116,7 +116,7 @@ TEST_F(FeelControllerTest, StopGivesZeroAndNothingIsComputedAfterwards) {
   push();
   ASSERT_GT(feel.latest().force_n, 0);
   feel.stop();
-  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  EXPECT_EQ(feel.state(), FeelController::State::kStopped);
   EXPECT_EQ(feel.latest().force_n, 0);
   EXPECT_FALSE(feel.device());
 
@@ -127,17 +127,17 @@ TEST_F(FeelControllerTest, StopGivesZeroAndNothingIsComputedAfterwards) {
   time.advance(feel, 50);
   EXPECT_EQ(time.ticks(), ticks);
   EXPECT_EQ(advanced.count(), 0);
-  EXPECT_EQ(feel.statistics().ticks, 0u);
+  EXPECT_EQ(feel.session().statistics().ticks, 0u);
 }
 
 TEST_F(FeelControllerTest, APlacementEndsWithItsNumbers) {
   feel.start(QStringLiteral("virtual"));
   const QSignalSpy ended(&feel, &FeelController::placementEnded);
   push();
-  feel.setHeld(false);
+  feel.session().setHeld(false);
   time.advance(feel, 100);
   time.moveTo(feel, 0, 50);
-  feel.setHeld(true);
+  feel.session().setHeld(true);
   time.moveTo(feel, 3, 5);
   const double depth_mm = feel.depthMm();
   feel.newPlacement();
@@ -185,24 +185,24 @@ TEST_F(FeelControllerTest, ASlowDeviceStartsAndStopsInTheBackground) {
   };
   FeelController slow{scene, time.slowSettings(lets_go)};
   slow.start(QStringLiteral("slow"));
-  EXPECT_EQ(slow.state(), FeelState::kOpening);
+  EXPECT_EQ(slow.state(), FeelController::State::kOpening);
   EXPECT_FALSE(slow.isRunning());
   let();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kRunning; }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatienceMs));
   EXPECT_TRUE(slow.isRunning());
 
   // The call comes back while the device still stops, and what is shown has no force any more.
   lets_go.store(false);
   slow.stop();
-  EXPECT_EQ(slow.state(), FeelState::kStopping);
+  EXPECT_EQ(slow.state(), FeelController::State::kStopping);
   EXPECT_FALSE(slow.isRunning());
   EXPECT_EQ(slow.latest().force_n, 0);
   const QSignalSpy failed(&slow, &FeelController::failed);
   slow.start(QStringLiteral("slow"));
-  EXPECT_EQ(slow.state(), FeelState::kStopping);
+  EXPECT_EQ(slow.state(), FeelController::State::kStopping);
   EXPECT_EQ(failed.count(), 1);
   let();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kStopped; }, kPatienceMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kStopped; }, kPatienceMs));
 }
 
 TEST_F(FeelControllerTest, ADeviceThatStillStartsCanBeStopped) {
@@ -210,10 +210,10 @@ TEST_F(FeelControllerTest, ADeviceThatStillStartsCanBeStopped) {
   FeelController slow{scene, time.slowSettings(lets_go)};
   slow.start(QStringLiteral("slow"));
   slow.stop();
-  EXPECT_EQ(slow.state(), FeelState::kStopping);
+  EXPECT_EQ(slow.state(), FeelController::State::kStopping);
   lets_go.store(true);
   lets_go.notify_all();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kStopped; }, kPatienceMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kStopped; }, kPatienceMs));
   EXPECT_FALSE(slow.isRunning());
 }
 
@@ -221,14 +221,14 @@ TEST_F(FeelControllerTest, AGripThatIsChosenWhileADeviceStartsCounts) {
   std::atomic<bool> lets_go{false};
   FeelController slow{scene, time.slowSettings(lets_go)};
   slow.start(QStringLiteral("slow"));
-  slow.setGrip({true, -20});
+  slow.session().setGrip({true, -20});
   lets_go.store(true);
   lets_go.notify_all();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kRunning; }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatienceMs));
   time.advance(slow, 50);
-  slow.setHeld(true);
+  slow.session().setHeld(true);
   time.advance(slow, 50);
-  slow.setHeld(false);
+  slow.session().setHeld(false);
   time.advance(slow, 50);
   // One press took the tube, and nothing has to be held.
   EXPECT_TRUE(slow.latest().enabled);
@@ -240,7 +240,7 @@ TEST_F(FeelControllerTest, AProgramThatEndsWaitsForADeviceThatStops) {
   {
     FeelController slow{scene, time.slowSettings(lets_go)};
     slow.start(QStringLiteral("slow"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelState::kRunning; }, kPatienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatienceMs));
     lets_go.store(false);
     slow.stop();
     late = std::thread([&] {
@@ -260,7 +260,7 @@ TEST_F(FeelControllerTest, AModelThatCannotBeFeltEndsTheForceOfTheOneBefore) {
   fuzzy::ForceModel inches = tests::twoExperts();
   inches.inputs[kDepth].unit = "in";
   models.open(folder.write(inches, QStringLiteral("inches.tactus.json")));
-  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  EXPECT_EQ(feel.state(), FeelController::State::kStopped);
   EXPECT_EQ(failed.count(), 1);
 }
 
@@ -270,9 +270,36 @@ TEST_F(FeelControllerTest, RefusesWhatCannotBeFelt) {
   models.open(folder.write(inches, QStringLiteral("inches.tactus.json")));
   const QSignalSpy failed(&feel, &FeelController::failed);
   feel.start(QStringLiteral("virtual"));
-  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  EXPECT_EQ(feel.state(), FeelController::State::kStopped);
   ASSERT_EQ(failed.count(), 1);
   EXPECT_TRUE(failed[0][0].toString().contains(QLatin1String("'in'"))) << failed[0][0].toString().toStdString();
+}
+
+TEST(FeelWithoutAModel, IsRefusedInWords) {
+  ModelController models;
+  SceneController scene(models);
+  tests::SteppedFeel time;
+  FeelController feel(scene, time.settings());
+  const QSignalSpy failed(&feel, &FeelController::failed);
+  feel.start(QStringLiteral("virtual"));
+  EXPECT_EQ(feel.state(), FeelController::State::kStopped);
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_EQ(failed[0][0].toString(), QStringLiteral("No model is open; open one to feel it."));
+}
+
+TEST_F(FeelControllerTest, AModelThatIsOpenedWhileADeviceStartsIsTheOneThatIsFelt) {
+  std::atomic<bool> lets_go{false};
+  FeelController slow{scene, time.slowSettings(lets_go)};
+  slow.start(QStringLiteral("slow"));
+  ASSERT_TRUE(models.edit(harder()));
+  lets_go.store(true);
+  lets_go.notify_all();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatienceMs));
+  time.advance(slow, 20);
+  slow.session().setHeld(true);
+  time.advance(slow, 1200);
+  time.moveTo(slow, 5, 5);
+  EXPECT_NEAR(slow.latest().model_force_n, kHighN, kRounding);
 }
 
 class FeelTripTest : public testing::Test {
@@ -287,7 +314,7 @@ class FeelTripTest : public testing::Test {
     models.open(folder.write(tests::twoExperts()));
     feel.start(QStringLiteral("virtual"));
     time.advance(feel, 20);
-    feel.setHeld(true);
+    feel.session().setHeld(true);
     time.advance(feel, 1100);
   }
 
@@ -299,25 +326,25 @@ class FeelTripTest : public testing::Test {
 };
 
 TEST_F(FeelTripTest, IsShownWithCauseValueAndTime) {
-  EXPECT_EQ(feel.state(), FeelState::kTripped);
-  ASSERT_TRUE(feel.trip());
-  EXPECT_TRUE(feel.trip()->at.isValid());
+  EXPECT_EQ(feel.state(), FeelController::State::kTripped);
+  ASSERT_TRUE(feel.session().trip());
+  EXPECT_TRUE(feel.session().trip()->at.isValid());
   // A device that stalls takes no force either, which trips first: within a tick or two after 50 ms.
-  const std::string sentence = feel.trip()->sentence.toStdString();
+  const std::string sentence = feel.session().trip()->sentence.toStdString();
   EXPECT_TRUE(sentence.starts_with("No force reached the device for too long: 0.05")) << sentence;
   EXPECT_TRUE(sentence.ends_with("s, allowed 0.050 s")) << sentence;
   EXPECT_EQ(feel.latest().force_n, 0);
 }
 
 TEST_F(FeelTripTest, ArmsAgainOnceTheHandHasLetGo) {
-  feel.rearm();
+  feel.session().rearm();
   time.advance(feel, 100);
-  EXPECT_EQ(feel.state(), FeelState::kRearming);
-  feel.setHeld(false);
+  EXPECT_EQ(feel.state(), FeelController::State::kRearming);
+  feel.session().setHeld(false);
   time.advance(feel, 100);
-  EXPECT_EQ(feel.state(), FeelState::kRunning);
-  EXPECT_FALSE(feel.trip());
-  feel.setHeld(true);
+  EXPECT_EQ(feel.state(), FeelController::State::kRunning);
+  EXPECT_FALSE(feel.session().trip());
+  feel.session().setHeld(true);
   time.advance(feel, 1200);
   time.moveTo(feel, 5, 5);
   EXPECT_GT(feel.latest().force_n, 0.1);
@@ -340,7 +367,7 @@ class FeelConditionTest : public testing::TestWithParam<const char*> {
     scene.setValue(0, 20);
     feel.start(QStringLiteral("virtual"));
     time.advance(feel, 20);
-    feel.setHeld(true);
+    feel.session().setHeld(true);
     time.advance(feel, 1200);
     time.moveTo(feel, 4, 5);
   }
@@ -390,10 +417,10 @@ TEST(FeelThread, RunsBesideTheProgram) {
   models.open(folder.write(tests::twoExperts()));
   feel.start(QStringLiteral("virtual"));
   ASSERT_TRUE(feel.isRunning());
-  EXPECT_FALSE(feel.priorityText().isEmpty());
-  feel.setHeld(true);
+  EXPECT_FALSE(feel.session().priorityText().isEmpty());
+  feel.session().setHeld(true);
   for (int edit = 0; edit < 40; ++edit) {
-    feel.setTarget(0.1 * edit);
+    feel.session().setTarget(0.1 * edit);
     fuzzy::ForceModel model = scene.model()->model;
     model.inputs[kDepth].terms[0].points[3] = 5 + 0.01 * (edit % 2);
     ASSERT_TRUE(models.edit(std::move(model)));
@@ -412,7 +439,7 @@ TEST_F(FeelControllerTest, ALoopThatStopsCallingIsNoticedAndSaidAfterASecond) {
   time.stall(feel, 990);
   EXPECT_TRUE(feel.isRunning());
   time.stall(feel, 40);
-  EXPECT_EQ(feel.state(), FeelState::kStopped);
+  EXPECT_EQ(feel.state(), FeelController::State::kStopped);
   ASSERT_EQ(failures.count(), 1);
   const QString sentence = failures.front().front().toString();
   EXPECT_TRUE(sentence.startsWith(
@@ -428,17 +455,17 @@ TEST_F(FeelControllerTest, AStallThatTheDeviceDoesNotBridgeBeginsANewFadeIn) {
   FeelController felt{scene, stalling.settings()};
   felt.start(QStringLiteral("virtual"));
   stalling.advance(felt, 20);
-  felt.setHeld(true);
+  felt.session().setHeld(true);
   stalling.advance(felt, 1200);
   stalling.moveTo(felt, 5, 5);
   const double before_n = felt.latest().force_n;
   ASSERT_GT(before_n, 0.1);
   stalling.stall(felt, 70);
   stalling.advance(felt, 2);
-  EXPECT_EQ(felt.state(), FeelState::kRunning);
+  EXPECT_EQ(felt.state(), FeelController::State::kRunning);
   EXPECT_LT(felt.latest().force_n, 0.01 * before_n);
   EXPECT_TRUE(felt.latest().limited & haptics::kLimitedByGap);
-  EXPECT_EQ(felt.statistics().restarts, 1u);
+  EXPECT_EQ(felt.session().statistics().restarts, 1u);
 }
 
 /// The rating of this device is so low that a push of half a minute uses its budget.
@@ -450,7 +477,7 @@ TEST_F(FeelControllerTest, TheMotorsAreAsWarmAfterStopAndStartAsBefore) {
   const auto hold = [&] {
     felt.start(QStringLiteral("virtual"));
     warm.advance(felt, 20);
-    felt.setHeld(true);
+    felt.session().setHeld(true);
     warm.advance(felt, 1200);
     warm.moveTo(felt, 10, 20);
   };

@@ -167,7 +167,7 @@ TEST_F(FeelPanelTest, ALatchTakesTheTubeWithOnePress) {
   auto* grip = panel.findChildren<QComboBox*>().back();
   grip->setCurrentIndex(1);
   emit grip->activated(1);
-  EXPECT_TRUE(feel.grip().latch);
+  EXPECT_TRUE(feel.session().grip().latch);
   click("Start");
   time.advance(feel, 50);
   const auto press = [this] {

@@ -256,7 +256,7 @@ void FeelStore::play(const study::RecordId& id, const study::Recording& recordin
 
 // A device behind a driver takes its time to stop, and is waited for.
 void FeelStore::playNext() {
-  if (!next_ || feel_.state() != FeelState::kStopped) return;
+  if (!next_ || feel_.state() != FeelController::State::kStopped) return;
   Next next = std::move(*next_);
   next_.reset();
   replay_ = std::move(next.replay);

@@ -45,10 +45,10 @@ class FeelStoreTest : public testing::Test {
     time.advance(feel, 20);  // the hand has to be seen open once
     for (const double from_mm : {0.0, 0.0}) {
       time.moveTo(feel, from_mm, 20);
-      feel.setHeld(true);
+      feel.session().setHeld(true);
       time.advance(feel, 100);
       time.moveTo(feel, 4, 8);
-      feel.setHeld(false);
+      feel.session().setHeld(false);
       time.advance(feel, 100);
     }
   }
@@ -370,10 +370,10 @@ TEST_F(FeelStoreTest, AReplayWaitsForADeviceThatTakesItsTimeToStop) {
   FeelController slow(scene, time.slowSettings(lets_go));
   FeelStore other(slow, scene, study);
   slow.start(QStringLiteral("virtual"));
-  ASSERT_TRUE(comesTrue([&] { return slow.state() == FeelState::kRunning; }));
+  ASSERT_TRUE(comesTrue([&] { return slow.state() == FeelController::State::kRunning; }));
   lets_go = false;
   other.replay(study.recordings()[0].start.entry.id);
-  ASSERT_TRUE(comesTrue([&] { return slow.state() == FeelState::kStopping; }));
+  ASSERT_TRUE(comesTrue([&] { return slow.state() == FeelController::State::kStopping; }));
   EXPECT_FALSE(other.replayed());
   lets_go = true;
   lets_go.notify_all();

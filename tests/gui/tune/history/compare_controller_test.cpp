@@ -36,7 +36,7 @@ class CompareControllerTest : public testing::Test {
 
   void push() {
     time.advance(feel, 20);
-    feel.setHeld(true);
+    feel.session().setHeld(true);
     time.advance(feel, 1200);
     time.moveTo(feel, 5, 5);
   }

@@ -1,4 +1,4 @@
-#include "app/workbench/feel/feel_grip.h"
+#include "app/workbench/device/device_grip.h"
 
 namespace tactus::workbench {
 
@@ -6,7 +6,7 @@ using haptics::EnableKind;
 
 bool isHeldByKey(const haptics::DeviceInfo& device) { return device.simulated || device.buttons == 0; }
 
-haptics::EnableSettings enableOf(const haptics::DeviceInfo& device, const FeelGrip& grip) {
+haptics::EnableSettings enableOf(const haptics::DeviceInfo& device, const DeviceGrip& grip) {
   haptics::EnableSettings enable;
   enable.kind = grip.latch ? EnableKind::kLatch : isHeldByKey(device) ? EnableKind::kPedal : EnableKind::kButton;
   enable.release_zone_mm = grip.release_zone_mm;

@@ -1,4 +1,4 @@
-#include "app/workbench/feel/feel_loop.h"
+#include "app/workbench/device/servo_loop.h"
 
 #include <QCoreApplication>
 
@@ -8,9 +8,9 @@
 namespace tactus::workbench {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("FeelLoop", text); }
+class ThreadedLoop final : public ServoLoop {
+  Q_DECLARE_TR_FUNCTIONS(ServoLoop)
 
-class ThreadedLoop final : public FeelLoop {
  public:
   explicit ThreadedLoop(haptics::Servo& servo) : thread_(servo) {}
 
@@ -30,6 +30,6 @@ class ThreadedLoop final : public FeelLoop {
 
 }  // namespace
 
-std::unique_ptr<FeelLoop> threadedLoop(haptics::Servo& servo) { return std::make_unique<ThreadedLoop>(servo); }
+std::unique_ptr<ServoLoop> threadedLoop(haptics::Servo& servo) { return std::make_unique<ThreadedLoop>(servo); }
 
 }  // namespace tactus::workbench

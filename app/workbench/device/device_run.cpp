@@ -1,4 +1,4 @@
-#include "app/workbench/feel/feel_run.h"
+#include "app/workbench/device/device_run.h"
 
 #include <utility>
 
@@ -12,20 +12,20 @@ constexpr std::size_t kMostDrained = 16'384;
 
 }  // namespace
 
-base::Result<std::unique_ptr<FeelRun>> FeelRun::begin(devices::OpenedDevice opened, const MakeFeelLoop& make_loop,
-                                                      haptics::ServoOrders orders,
-                                                      std::shared_ptr<haptics::ThermalLedger> thermal) {
+base::Result<std::unique_ptr<DeviceRun>> DeviceRun::begin(devices::OpenedDevice opened, const MakeServoLoop& make_loop,
+                                                          haptics::ServoOrders orders,
+                                                          std::shared_ptr<haptics::ThermalLedger> thermal) {
   if (auto started = opened.device->start(); !started) return tl::unexpected(started.error());
   // Not make_unique: the constructor is private, so that no run exists whose device has not been started.
-  std::unique_ptr<FeelRun> run(new FeelRun(std::move(opened), make_loop, std::move(orders), std::move(thermal)));
+  std::unique_ptr<DeviceRun> run(new DeviceRun(std::move(opened), make_loop, std::move(orders), std::move(thermal)));
   run->post();
   run->heartbeat();
   if (auto started = run->loop_->start(); !started) return tl::unexpected(started.error());
   return run;
 }
 
-FeelRun::FeelRun(devices::OpenedDevice opened, const MakeFeelLoop& make_loop, haptics::ServoOrders orders,
-                 std::shared_ptr<haptics::ThermalLedger> thermal)
+DeviceRun::DeviceRun(devices::OpenedDevice opened, const MakeServoLoop& make_loop, haptics::ServoOrders orders,
+                     std::shared_ptr<haptics::ThermalLedger> thermal)
     : thermal_(std::move(thermal)),
       device_(std::move(opened.device)),
       live_hand_(dynamic_cast<haptics::VirtualDevice*>(device_.get())),
@@ -39,13 +39,13 @@ FeelRun::FeelRun(devices::OpenedDevice opened, const MakeFeelLoop& make_loop, ha
   orders_.limits = haptics::LimitSettings::forDevice(device_->info());
 }
 
-FeelRun::~FeelRun() { end(); }
+DeviceRun::~DeviceRun() { end(); }
 
-std::uint64_t FeelRun::post() { return servo_->post(orders_); }
+std::uint64_t DeviceRun::post() { return servo_->post(orders_); }
 
-std::span<const haptics::Sample> FeelRun::drain() { return servo_->drain(drained_); }
+std::span<const haptics::Sample> DeviceRun::drain() { return servo_->drain(drained_); }
 
-void FeelRun::end() noexcept {
+void DeviceRun::end() noexcept {
   servo_->stop();
   loop_->stop();
   device_->stop();

@@ -1,0 +1,284 @@
+#include "app/workbench/device/device_session.h"
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/device/device_run.h"
+#include "core/haptics/safety/trip.h"
+#include "core/haptics/simulated/virtual_device.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kBeatMs = 16;  // the refresh of a screen
+constexpr int kLookMs = 30;  // while a device starts or stops
+
+QString sentenceCase(QString sentence) {
+  if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+  return sentence;
+}
+
+void addTo(haptics::ServoOrders& orders, ForceOrders force) {
+  orders.source = force.source;
+  orders.scene = std::move(force.scene);
+  orders.placement = force.placement;
+  orders.stimulus = force.stimulus;
+}
+
+}  // namespace
+
+DeviceSession::DeviceSession(DeviceAccess access, QObject* parent) : QObject(parent), access_(std::move(access)) {
+  beat_.setInterval(kBeatMs);
+  beat_.setTimerType(Qt::PreciseTimer);
+  look_.setInterval(kLookMs);
+  connect(&beat_, &QTimer::timeout, this, &DeviceSession::beat);
+  connect(&look_, &QTimer::timeout, this, &DeviceSession::lookAtDevice);
+}
+
+DeviceSession::~DeviceSession() = default;
+
+std::optional<haptics::DeviceInfo> DeviceSession::device() const {
+  if (!run_) return std::nullopt;
+  return run_->info();
+}
+
+bool DeviceSession::isHandLive() const { return run_ && run_->liveHand() != nullptr; }
+
+QString DeviceSession::axisAdvice() const {
+  return run_ && run_->info().position_axes > 1 ? text(run_->axisAdvice()) : QString();
+}
+
+QString DeviceSession::priorityText() const { return run_ ? run_->loop().priorityText() : QString(); }
+
+haptics::LoopStatistics DeviceSession::statistics() const {
+  return run_ ? run_->servo().statistics() : haptics::LoopStatistics{};
+}
+
+std::uint64_t DeviceSession::ticks() const { return run_ ? run_->servo().ticks() : 0; }
+
+void DeviceSession::start(const QString& id, ForceOrders force) {
+  const std::string device = id.toStdString();
+  startOn({[open_device = access_.open_device, device] { return open_device(device); },
+           access_.is_slow && access_.is_slow(device), false},
+          std::move(force));
+}
+
+void DeviceSession::startReplay(std::unique_ptr<haptics::HapticDevice> device, ForceOrders force) {
+  // A function can be copied, a device cannot.
+  const auto opened = std::make_shared<devices::OpenedDevice>();
+  opened->device = std::move(device);
+  startOn({[opened]() -> base::Result<devices::OpenedDevice> { return std::move(*opened); }, false, true},
+          std::move(force));
+}
+
+void DeviceSession::startOn(Beginning beginning, ForceOrders force) {
+  if (run_) stop();
+  if (state_ != State::kStopped) {
+    emit failed(tr("The device before is still starting or stopping; try again when it has stopped."));
+    return;
+  }
+  force_ = std::move(force);
+  haptics::ServoOrders orders;
+  addTo(orders, force_);
+  orders.armed = true;
+  slow_ = beginning.slow;
+  const auto open =
+      [open_device = beginning.open, make_loop = access_.make_loop, grip = grip_, replay = beginning.replay,
+       thermal = access_.thermal](haptics::ServoOrders given) -> base::Result<std::unique_ptr<DeviceRun>> {
+    auto opened = open_device();
+    if (!opened) return tl::unexpected(opened.error());
+    given.enable = replay ? enableOfReplay() : enableOf(opened->device->info(), grip);
+    return DeviceRun::begin(std::move(*opened), make_loop, std::move(given), thermal);
+  };
+  if (!slow_) {
+    begin(open(std::move(orders)), beginning.replay);
+    return;
+  }
+  opening_ = std::async(std::launch::async, open, std::move(orders));
+  enter(State::kOpening);
+  look_.start();
+}
+
+void DeviceSession::begin(base::Result<std::unique_ptr<DeviceRun>> run, bool replay) {
+  if (!run) {
+    if (state_ != State::kStopped) enter(State::kStopped);
+    emit failed(text(run.error().message()));
+    return;
+  }
+  run_ = std::move(*run);
+  replay_ = replay;
+  ++runs_;
+  latest_ = {};
+  loop_watch_ = {};
+  trip_.reset();
+  held_ = false;
+  target_mm_ = 0;
+  arming_ = 0;
+  if (state_ == State::kOpening) {
+    // What changed while the device started.
+    run_->orders().enable = enableOf(run_->info(), grip_);
+    addTo(run_->orders(), force_);
+    run_->post();
+  }
+  beat_.start();
+  emit began();
+  emit tripChanged();
+  enter(State::kRunning);
+}
+
+std::optional<std::uint64_t> DeviceSession::setForce(ForceOrders force) {
+  force_ = std::move(force);
+  if (!run_) return std::nullopt;
+  addTo(run_->orders(), force_);
+  return run_->post();
+}
+
+void DeviceSession::stop() {
+  if (state_ == State::kOpening) {
+    // It is ended as soon as it has started; its first orders are armed, but no hand has taken the tube.
+    enter(State::kStopping);
+    return;
+  }
+  if (!run_) return;
+  beat_.stop();
+  run_->servo().stop();
+  if (!slow_) run_->end();
+  take(run_->drain());
+  emit ending();
+  if (slow_) {
+    endInBackground(std::move(run_));
+    look_.start();
+  }
+  run_.reset();
+  latest_.force_n = latest_.source_force_n = latest_.model_force_n = latest_.stretch_mm = 0;
+  latest_.phase = render::Phase::kReleased;
+  latest_.enabled = false;
+  held_ = false;
+  enter(slow_ ? State::kStopping : State::kStopped);
+}
+
+void DeviceSession::endInBackground(std::unique_ptr<DeviceRun> run) {
+  // Its destructor stops loop and device.
+  ending_ = std::async(
+      std::launch::async, [](std::unique_ptr<DeviceRun> last) { last.reset(); }, std::move(run));
+}
+
+void DeviceSession::lookAtDevice() {
+  const auto ready = [](const auto& future) {
+    return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  if (ready(opening_)) {
+    auto run = opening_.get();
+    if (state_ == State::kOpening) {
+      look_.stop();
+      begin(std::move(run), false);
+    } else if (run) {
+      endInBackground(std::move(*run));
+    } else {
+      look_.stop();
+      enter(State::kStopped);
+    }
+  } else if (ready(ending_)) {
+    look_.stop();
+    ending_.get();
+    enter(State::kStopped);
+  }
+}
+
+void DeviceSession::setGrip(const DeviceGrip& grip) {
+  if (grip == grip_) return;
+  grip_ = grip;
+  setHeld(false);
+  if (run_ && !replay_) {
+    run_->orders().enable = enableOf(run_->info(), grip_);
+    run_->post();
+  }
+  emit stateChanged();
+}
+
+void DeviceSession::rearm() {
+  if (state_ != State::kTripped) return;
+  run_->orders().armed = false;
+  arming_ = run_->post();
+  enter(State::kRearming);
+}
+
+void DeviceSession::setHeld(bool held) {
+  held_ = held && run_ != nullptr;
+  if (run_) run_->servo().pedal(held_);
+}
+
+void DeviceSession::setTarget(double position_mm) {
+  target_mm_ = position_mm;
+  if (isHandLive()) run_->liveHand()->setTarget(position_mm);
+}
+
+void DeviceSession::beat() {
+  if (!run_) return;
+  run_->heartbeat();
+  emit beating();
+  if (!run_) return;
+  const auto samples = run_->drain();
+  const bool any = !samples.empty();
+  take(samples);
+  if (!run_ || !watchLoop()) return;
+  watchTrip();
+  watchRelease();
+  if (any) emit advanced();
+}
+
+void DeviceSession::take(std::span<const haptics::Sample> samples) {
+  if (samples.empty()) return;
+  latest_ = samples.back();
+  emit sampled(samples);
+}
+
+/// A servo that is not called cannot trip, and nothing that is asked for arrives: false ends the run.
+bool DeviceSession::watchLoop() {
+  const haptics::Trip silent = loop_watch_.look(run_->servo().ticks(), run_->loop().nowNs());
+  if (!silent) return true;
+  stop();
+  emit failed(
+      tr("The loop of the device's driver has ended: %1. Look at cable and supply of the device, then start again.")
+          .arg(text(haptics::sentence(silent))));
+  return false;
+}
+
+void DeviceSession::watchTrip() {
+  // A sample from before the arming still tells of the trip that it cleared.
+  const bool armed = state_ == State::kRunning && latest_.orders >= arming_;
+  if (armed && latest_.trip != haptics::TripCause::kNone) {
+    const std::string_view cause = haptics::describe(latest_.trip);
+    trip_ = DeviceTrip{sentenceCase(text(std::string(cause))), QTime::currentTime()};
+    enter(State::kTripped);
+    emit tripChanged();
+  }
+  if (!run_) return;
+  // The record of the trip, which knows value and limit, is complete 0.2 s after it.
+  if (const auto record = run_->servo().takeFlightRecord(); record && trip_) {
+    trip_->sentence = sentenceCase(text(haptics::sentence(record->trip)));
+    const bool uncalibrated = record->trip.cause == haptics::TripCause::kDeviceFault &&
+                              record->trip.value == static_cast<double>(haptics::DeviceFault::kNotCalibrated);
+    if (uncalibrated) trip_->sentence += QStringLiteral("; ") + text(run_->calibrationAdvice());
+    emit tripChanged();
+  }
+}
+
+void DeviceSession::watchRelease() {
+  if (!run_ || state_ != State::kRearming || latest_.orders < arming_) return;
+  if (isDown(run_->orders().enable, latest_, held_)) return;
+  run_->orders().armed = true;
+  arming_ = run_->post();
+  trip_.reset();
+  emit tripChanged();
+  enter(State::kRunning);
+}
+
+void DeviceSession::enter(State state) {
+  state_ = state;
+  emit stateChanged();
+}
+
+}  // namespace tactus::workbench

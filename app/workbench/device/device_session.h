@@ -1,0 +1,166 @@
+// The life of one haptic device, for any source of force: start, samples, trip, re-arm and stop. It needs no model: a
+// feature says with ForceOrders where the force comes from. DeviceSearch finds the devices.
+// A run is the time from a start of a device to its stop.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTime>
+#include <QTimer>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "app/workbench/device/device_access.h"
+#include "app/workbench/device/device_grip.h"
+#include "core/haptics/device/device.h"
+#include "core/haptics/servo/loop_statistics.h"
+#include "core/haptics/servo/loop_watch.h"
+#include "core/haptics/servo/sample.h"
+#include "core/haptics/sources/force_source.h"
+#include "core/haptics/sources/servo_scene.h"
+
+namespace tactus::workbench {
+
+class DeviceRun;
+
+/// Where the force comes from. The session adds what belongs to the device: axis, limits, grip and arming.
+struct ForceOrders {
+  haptics::ForceSource source = haptics::ForceSource::kFree;
+  std::shared_ptr<const haptics::ServoScene> scene;  ///< for kInsertion
+  std::uint64_t placement = 0;                       ///< for kInsertion: another number begins another placement
+  haptics::Stimulus stimulus;                        ///< for kStimulus: another number begins another stimulus
+};
+
+/// The cause of a trip, for the screen.
+struct DeviceTrip {
+  QString sentence;  ///< the cause, with value and limit if known
+  QTime at;          ///< time of day
+};
+
+/// Thread: gui. Only the servo of DeviceRun runs on another thread.
+class DeviceSession : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State {
+    kStopped,   ///< no servo, nothing is computed
+    kOpening,   ///< a slow device is starting; no force yet
+    kRunning,   ///< the servo runs; forces are possible
+    kTripped,   ///< zero force until the user arms it again
+    kRearming,  ///< armed again as soon as the hand lets go
+    kStopping,  ///< zero force; a slow device is stopping
+  };
+
+  explicit DeviceSession(DeviceAccess access = realDevices(), QObject* parent = nullptr);
+  /// Ends the run; waits for a device that is still starting or stopping.
+  ~DeviceSession() override;
+
+  State state() const { return state_; }
+  /// Whether there is a run: running, tripped or re-arming.
+  bool isRunning() const { return run_ != nullptr; }
+  /// Whether the device of the current run moves by itself, as a recording did.
+  bool isReplay() const { return run_ && replay_; }
+  /// The device of the current run; nothing while stopped.
+  std::optional<haptics::DeviceInfo> device() const;
+  /// Whether mouse and keyboard drive the hand.
+  bool isHandLive() const;
+  const DeviceGrip& grip() const { return grip_; }
+  /// What to do if inward and outward are swapped; empty for a device with one axis.
+  QString axisAdvice() const;
+  QString priorityText() const;
+  /// The trip of the current or the last run, until it is armed again or the next run starts.
+  const std::optional<DeviceTrip>& trip() const { return trip_; }
+
+  /// The newest sample; after a run, the last sample with force 0.
+  const haptics::Sample& latest() const { return latest_; }
+  /// The target of a live hand along its axis, mm.
+  double targetMm() const { return target_mm_; }
+  /// Of the current run; empty while stopped.
+  haptics::LoopStatistics statistics() const;
+  /// Ticks of the current run so far; 0 while stopped.
+  std::uint64_t ticks() const;
+  /// The number of runs so far, from 1.
+  std::uint64_t runs() const { return runs_; }
+
+  /// Starts on the device `id` of the list of devices. Ends with `stateChanged` or `failed`. A current run is stopped
+  /// first. Refused: a start or a stop is in progress.
+  void start(const QString& id, ForceOrders force = {});
+  /// The same on `device`, which moves by itself as a recording did; its button is the hand.
+  void startReplay(std::unique_ptr<haptics::HapticDevice> device, ForceOrders force);
+  /// Changes where the force comes from; in force from the next tick on. Returns the number of these orders, as samples
+  /// carry it. Nothing while no run is in progress: a device that is starting then begins with them.
+  std::optional<std::uint64_t> setForce(ForceOrders force);
+
+ public slots:
+  /// In any state: zero force from the next tick on. Then the run ends.
+  void stop();
+  void setGrip(const tactus::workbench::DeviceGrip& grip);
+  /// Arms again after a trip: disarms, waits until the hand lets go, and arms.
+  void rearm();
+  /// Sets the state of the pedal, key or mouse button that holds the tube.
+  void setHeld(bool held);
+  /// Sets the target position of a live hand along its axis, mm.
+  void setTarget(double position_mm);
+  /// Processes the new samples. Called 60 times a second during a run.
+  void beat();
+
+ signals:
+  void stateChanged();
+  void tripChanged();
+  /// A run has begun, and `stateChanged` is about to say so: time to forget the previous run.
+  void began();
+  /// A beat is about to read the new samples: the last chance to change the orders before it.
+  void beating();
+  /// All samples since the last time, oldest first. Valid during the call.
+  void sampled(std::span<const tactus::haptics::Sample> samples);
+  /// A beat has processed new samples. At most 60 times a second, and never while stopped.
+  void advanced();
+  /// The run is about to end: there is no more force, and all samples were sent.
+  void ending();
+  /// One sentence: what could not be started, or why the run ended.
+  void failed(const QString& sentence);
+
+ private:
+  /// The parameters of a run that is about to begin.
+  struct Beginning {
+    std::function<base::Result<devices::OpenedDevice>()> open;
+    bool slow = false;  ///< starts in the background
+    bool replay = false;
+  };
+  void startOn(Beginning beginning, ForceOrders force);
+  void begin(base::Result<std::unique_ptr<DeviceRun>> run, bool replay);
+  void endInBackground(std::unique_ptr<DeviceRun> run);
+  void lookAtDevice();
+  void take(std::span<const haptics::Sample> samples);
+  bool watchLoop();
+  void watchTrip();
+  void watchRelease();
+  void enter(State state);
+
+  const DeviceAccess access_;
+  QTimer beat_;
+  std::unique_ptr<DeviceRun> run_;
+  bool slow_ = false;  ///< the device of the current run stops in the background
+  // Devices that start or stop in the background. The destructors of these futures wait for them.
+  std::future<base::Result<std::unique_ptr<DeviceRun>>> opening_;
+  std::future<void> ending_;
+  QTimer look_;
+
+  State state_ = State::kStopped;
+  ForceOrders force_;
+  DeviceGrip grip_;
+  haptics::Sample latest_;
+  std::optional<DeviceTrip> trip_;
+  double target_mm_ = 0;
+  bool held_ = false;
+  bool replay_ = false;
+  std::uint64_t runs_ = 0;
+  std::uint64_t arming_ = 0;  ///< while re-arming: number of the orders that disarm, then of the orders that arm
+  haptics::LoopWatch loop_watch_;
+};
+
+}  // namespace tactus::workbench
