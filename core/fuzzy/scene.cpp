@@ -24,7 +24,8 @@ struct OwnedProgram {
 
 }  // namespace
 
-base::Result<Scene> Scene::specialise(const CompiledModel& model, std::span<const std::optional<double>> fixed) {
+base::Result<Scene> Scene::specialise(const CompiledModel& model, std::span<const std::optional<double>> fixed,
+                                      SceneUse use) {
   TACTUS_CHECK(fixed.size() == model.inputCount());
   Scene scene;
   scene.model_ = model;
@@ -41,6 +42,7 @@ base::Result<Scene> Scene::specialise(const CompiledModel& model, std::span<cons
       scene.free_.push_back(i);
     }
   }
+  if (use == SceneUse::kPoints) return scene;
   const auto owned =
       std::make_shared<const OwnedProgram>(model.tables().program.batch, std::span(clamped).first(fixed.size()));
   scene.program_ = {owned, &owned->program};
@@ -57,6 +59,7 @@ Evaluation Scene::evaluate(std::span<const double> free_inputs) const noexcept {
 
 void Scene::evaluateBatch(std::span<const std::span<const double>> free_inputs, BatchResult out) const noexcept {
   TACTUS_CHECK(free_inputs.size() == free_.size());
+  TACTUS_CHECK(program_ != nullptr);
   evaluateBatchOf(model_.tables(), *program_, free_inputs, free_, std::span(point_).first(model_.inputCount()), out);
 }
 

@@ -15,30 +15,39 @@ namespace tactus::fuzzy {
 
 struct BatchProgram;
 
+/// What a scene is made for. One point of a scene costs what a point of the model costs: its cost is the centroids, not
+/// the rules that a scene could leave out (docs/numerics.md). Only a batch gains from tables of its own.
+enum class SceneUse {
+  kPoints,   ///< `evaluate` alone: nothing is specialised
+  kBatches,  ///< `evaluateBatch` too: rules and memberships of the fixed inputs are folded
+};
+
 /// The force as a function of the inputs that still vary. Immutable; it keeps what it needs of the model, so the model
 /// may go away.
 class Scene {
  public:
   /// `fixed`: one entry per input of the model, a value where it is fixed, nothing where it varies. Any subset may be
   /// fixed, all or none included. Refused: a fixed value that is not finite.
-  static base::Result<Scene> specialise(const CompiledModel& model, std::span<const std::optional<double>> fixed);
+  static base::Result<Scene> specialise(const CompiledModel& model, std::span<const std::optional<double>> fixed,
+                                        SceneUse use = SceneUse::kBatches);
 
   std::size_t freeInputCount() const noexcept { return free_.size(); }
 
-  /// The averaged force; `free_inputs` holds the varying inputs in the order of the model. Agrees with
-  /// CompiledModel::evaluate to 4 ulp, `fired` exactly.
+  /// The averaged force; `free_inputs` holds the varying inputs in the order of the model. The same bits as
+  /// CompiledModel::evaluate.
   /// Thread: any. Real-time safe: yes.
   Evaluation evaluate(std::span<const double> free_inputs) const noexcept;
 
-  /// The same at many points: one array per varying input, all as long as the results.
+  /// The same at many points, to 4 ulp, `fired` exactly: one array per varying input, all as long as the results. For a
+  /// scene made for batches.
   /// Thread: any. Real-time safe: yes.
   void evaluateBatch(std::span<const std::span<const double>> free_inputs, BatchResult out) const noexcept;
 
  private:
   CompiledModel model_;
-  std::shared_ptr<const BatchProgram> program_;
-  std::array<double, kMostInputs> point_{};  ///< all inputs, clamped; the fixed ones at their values
-  std::vector<std::size_t> free_;            ///< indices of the varying inputs
+  std::shared_ptr<const BatchProgram> program_;  ///< null in a scene for points
+  std::array<double, kMostInputs> point_{};      ///< all inputs, clamped; the fixed ones at their values
+  std::vector<std::size_t> free_;                ///< indices of the varying inputs
 };
 
 }  // namespace tactus::fuzzy

@@ -133,7 +133,7 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
   if (auto units = checkUnits(model, depth, speed); !units) return tl::unexpected(units.error());
   const auto fixed = fixedInputs(model, conditions, depth, speed);
   if (!fixed) return tl::unexpected(fixed.error());
-  auto specialised = fuzzy::Scene::specialise(*compiled, *fixed);
+  auto specialised = fuzzy::Scene::specialise(*compiled, *fixed, fuzzy::SceneUse::kPoints);
   if (!specialised) return tl::unexpected(specialised.error());
 
   const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(*specialised)));
