@@ -19,9 +19,11 @@ constexpr double kSameSpeedMmS = 1e-6;
 constexpr double kLongestLagS = 0.3;
 constexpr double kCompared = 0.8;  // of the longer stroke: a fast one has a dozen rows at 100 Hz
 constexpr double kMuch = 0.25;
+constexpr double kPartMuch = 0.1;
 constexpr std::size_t kPoints = 64;
-constexpr int kRowsAround = 4;   // how far noise moves the place where a speed is first reached
-constexpr int kRefinements = 3;  // of the lag
+constexpr int kRowsAround = 4;     // how far noise moves the place where a speed is first reached
+constexpr double kHopeless = 0.2;  // of the spread: more than noise and a wrong row give
+constexpr int kRefinements = 3;    // of the lag
 
 const study::SpeedSample& rowOf(const StrokeNumbers& numbers, std::size_t i) { return *numbers.stroke->rows[i]; }
 
@@ -68,6 +70,7 @@ struct Compared {
 };
 
 Compared compare(const StrokeNumbers& a, const StrokeNumbers& b, double lag_s, double from_s, double to_s) {
+  std::array<double, kPoints> moved{};  // speeds of b
   std::array<double, kPoints> rest{};
   std::array<double, kPoints> slope{};
   double mean_rest = 0;
@@ -75,16 +78,20 @@ Compared compare(const StrokeNumbers& a, const StrokeNumbers& b, double lag_s, d
   const double step_s = (to_s - from_s) / static_cast<double>(kPoints - 1);
   for (std::size_t i = 0; i < kPoints; ++i) {
     const double time_s = from_s + step_s * static_cast<double>(i);
-    rest[i] = speedAt(b, time_s + lag_s) - speedAt(a, time_s);
-    slope[i] = (speedAt(b, time_s + lag_s + 0.5 * step_s) - speedAt(b, time_s + lag_s - 0.5 * step_s)) / step_s;
+    moved[i] = speedAt(b, time_s + lag_s);
+    rest[i] = moved[i] - speedAt(a, time_s);
     mean_rest += rest[i] / kPoints;
-    mean_slope += slope[i] / kPoints;
+  }
+  for (std::size_t i = 1; i + 1 < kPoints; ++i) {
+    slope[i] = (moved[i + 1] - moved[i - 1]) / (2 * step_s);
+    mean_slope += slope[i] / (kPoints - 2);
   }
   double squares = 0;
   double product = 0;
   double slopes = 0;
   for (std::size_t i = 0; i < kPoints; ++i) {
     squares += (rest[i] - mean_rest) * (rest[i] - mean_rest);
+    if (i == 0 || i + 1 == kPoints) continue;
     product += (rest[i] - mean_rest) * (slope[i] - mean_slope);
     slopes += (slope[i] - mean_slope) * (slope[i] - mean_slope);
   }
@@ -99,6 +106,7 @@ bool isSameWithLag(const StrokeNumbers& a, const StrokeNumbers& b, double lag_s,
     if (to_s - from_s < kCompared * longer_s) return false;
     const auto compared = compare(a, b, lag_s, from_s, to_s);
     if (compared.noise <= kNoise * a.spread) return true;
+    if (compared.noise > kHopeless * a.spread) return false;
     lag_s = compared.better_lag_s;
   }
   return false;
@@ -151,6 +159,9 @@ bool isPart(const StrokeNumbers& a, const StrokeNumbers& b) {
   const auto& whole = a.mm_s.size() <= b.mm_s.size() ? b : a;
   const std::size_t rows = part.mm_s.size();
   if (!a.in_time || !b.in_time || rows < kFewestOfPart || 2 * rows < whole.mm_s.size()) return false;
+  // Rows left out change neither the largest speed nor the spread by much; most pairs of strokes end here.
+  if (part.largest > whole.largest || part.largest < (1 - kPartMuch) * whole.largest) return false;
+  if (std::abs(part.spread - whole.spread) > kPartMuch * whole.spread) return false;
   for (std::size_t begin = 0; begin + rows <= whole.mm_s.size(); ++begin) {
     if (std::abs(whole.mm_s[begin] - part.mm_s[0]) <= kSameSpeedMmS && continues(part, whole, begin)) return true;
   }

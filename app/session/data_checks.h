@@ -12,7 +12,7 @@ namespace tactus::session {
 /// What to look at in `study`, participant after participant in the order of the study, what is refused before what is
 /// doubtful. At most one finding of a kind for a participant; none for a study without ordinary mistakes. Terms and
 /// items are those of the nasogastric tube study (elicitation/variables/ngt_variables.h, known_forms.h).
-/// 200 participants with 12 strokes of 2000 rows each take seconds. Thread: any.
+/// 200 participants with 12 strokes of 730 rows each take 0.8 s (tests/app/session/data_counts.cpp). Thread: any.
 std::vector<study::DataFinding> dataFindings(const study::Study& study);
 
 }  // namespace tactus::session
