@@ -136,6 +136,11 @@ int Connection::onProgress(void* self) {
   return connection.steps_ < kFreeSteps + bytes * kStepsPerByte ? 0 : 1;
 }
 
+SQLite::Statement& Connection::kept(const std::string& sql) {
+  const auto found = kept_.find(sql);
+  return found != kept_.end() ? found->second : kept_.try_emplace(sql, database_, sql).first->second;
+}
+
 std::string Connection::answerOf(const std::string& sql) {
   SQLite::Statement statement(database_, sql);
   std::string answer;

@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
+#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <map>
 #include <memory>
@@ -44,6 +45,9 @@ class Connection {
   /// Names of the columns of tables, kept by columnsOf (record_checksum.h).
   std::map<std::string, std::vector<std::string>>& columns() { return columns_; }
 
+  /// The statement of `sql`, prepared when it is first asked for.
+  SQLite::Statement& kept(const std::string& sql);
+
   /// The first column of the last row that `sql` gives.
   std::string answerOf(const std::string& sql);
   long long pragma(const std::string& name);
@@ -81,6 +85,7 @@ class Connection {
   Mode mode_;
   SQLite::Database database_;
   std::map<std::string, std::vector<std::string>> columns_;
+  std::map<std::string, SQLite::Statement> kept_;  ///< by their text; goes before the database
   static int onProgress(void* self);
   long long steps_ = 0;
   long long more_bytes_ = 0;

@@ -26,7 +26,7 @@ std::int64_t nextSequence(Connection& connection, const RecordId& session) {
     if (i > 0) sql += " UNION ALL ";
     sql += "SELECT max(sequence) AS highest FROM " + std::string(kEntryTables[i]) + " WHERE session_id = ?1";
   }
-  Query query(connection, sql + ")");
+  KeptQuery query(connection, sql + ")");
   query.put(session).next();
   return query.integer();
 }
@@ -45,7 +45,7 @@ void insertEntry(Connection& connection, const Record& record) {
   constexpr EntryTable kTable = kEntryTable<Record>;
   const Entry& entry = record.entry;
   if (entry.supersedes) requireUncorrected(connection, kTable.name, *entry.supersedes);
-  Query insert(connection, insertion(connection, kTable.name));
+  KeptQuery insert(connection, insertion(connection, kTable.name));
   insert.put(entry.id).put(entry.session).put(nextSequence(connection, entry.session));
   insert.put(entry.when.utc_ms).put(entry.when.monotonic_ns).put(wordFor(entry.entered_by));
   insert.put(entry.supersedes).put(entry.reason);
@@ -60,8 +60,8 @@ void insertRecording(Connection& connection, const study::StrokeRecord& record) 
   for (const auto& channel : record.recording.channels) {
     channels += (channels.empty() ? "" : ", ") + channel.name + " " + channel.unit;
   }
-  Query insert(connection,
-               insertion(connection, "recording", {{"place", "(SELECT coalesce(max(place), 0) + 1 FROM recording)"}}));
+  KeptQuery insert(connection, insertion(connection, "recording",
+                                         {{"place", "(SELECT coalesce(max(place), 0) + 1 FROM recording)"}}));
   insert.put(record.entry.id).put(record.entry.session).put(record.recording.sample_rate_hz);
   insert.put(static_cast<std::int64_t>(record.recording.size())).put(channels).putBlob(*bytes).run();
 }

@@ -78,6 +78,12 @@ void Query::reset() {
   in_ = 1;
 }
 
+void Query::giveBack() {
+  // What went wrong was said when it happened; a reset says it again.
+  statement_.tryReset();
+  statement_.clearBindings();
+}
+
 bool Query::next() {
   out_ = 0;
   return statement_.executeStep();

@@ -16,7 +16,10 @@ namespace tactus::store {
 /// UTF-8, an id that names nothing.
 class Query {
  public:
-  Query(Connection& connection, const std::string& sql) : statement_(connection.database(), sql) {}
+  Query(Connection& connection, const std::string& sql)
+      : own_(std::in_place, connection.database(), sql), statement_(*own_) {}
+  Query(const Query&) = delete;
+  Query& operator=(const Query&) = delete;
 
   /// Binds the next parameter.
   Query& put(std::int64_t value);
@@ -54,10 +57,24 @@ class Query {
   void requireIntact(std::string_view table, const study::RecordId& id);
   std::optional<study::RecordId> idOrNothing();
 
+ protected:
+  /// A statement that stays the caller's.
+  explicit Query(SQLite::Statement& statement) : statement_(statement) {}
+  void giveBack();
+
  private:
-  SQLite::Statement statement_;
+  std::optional<SQLite::Statement> own_;
+  SQLite::Statement& statement_;
   int in_ = 1;
   int out_ = 0;
+};
+
+/// A query that the connection prepares once and keeps: for what every commit does. At most one of the same text at a
+/// time.
+class KeptQuery : public Query {
+ public:
+  KeptQuery(Connection& connection, const std::string& sql) : Query(connection.kept(sql)) {}
+  ~KeptQuery() { giveBack(); }
 };
 
 }  // namespace tactus::store
