@@ -1,12 +1,11 @@
 #include "core/store/fresh_file.h"
 
 #include <cerrno>
-#include <fcntl.h>
-#include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
+#include "core/base/files/file.h"
 #include "core/base/files/system_reason.h"
 #include "core/base/files/unfinished.h"
 
@@ -25,15 +24,6 @@ tl::unexpected<Error> thereAlready(const std::string& path) {
   return tl::unexpected(Error{ErrorCode::kIo, path, {}, "a file of this name", "a name that is not taken yet"});
 }
 
-/// Syncs a file or folder; 0 or the number of the error.
-int sync(const std::string& path, int flags) {
-  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
-  if (descriptor < 0) return errno;
-  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
-  ::close(descriptor);
-  return error;
-}
-
 /// Renames without ever replacing a file; 0 or the number of the error.
 int renameToFree(const std::string& from, const std::string& to) {
   if (::link(from.c_str(), to.c_str()) == 0) return ::unlink(from.c_str()) == 0 ? 0 : errno;
@@ -42,11 +32,6 @@ int renameToFree(const std::string& from, const std::string& to) {
   struct stat info {};
   if (::lstat(to.c_str(), &info) == 0) return EEXIST;
   return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
-}
-
-std::string folderOf(const std::string& path) {
-  const auto folder = std::filesystem::path(path).parent_path();
-  return folder.empty() ? "." : folder.string();
 }
 
 }  // namespace
@@ -83,13 +68,13 @@ Result<FreshFile> FreshFile::beside(const std::string& path) {
 }
 
 Result<void> FreshFile::place() {
-  int error = sync(temporary_, O_RDONLY);
+  int error = ::fsync(in_use_.number()) == 0 ? 0 : errno;
   if (error == 0) error = renameToFree(temporary_, path_);
   if (error == EEXIST) return thereAlready(path_);
   if (error != 0) return systemError(path_, error, "a file that can be written");
   temporary_.clear();
   in_use_.close();  // before anybody opens the database: a later close would take its locks away
-  error = sync(folderOf(path_), O_RDONLY | O_DIRECTORY);
+  error = base::syncFolderOf(path_);
   if (error != 0) return systemError(path_, error, "a folder that can be synced");
   return {};
 }

@@ -2,12 +2,12 @@
 
 #include <SQLiteCpp/Statement.h>
 #include <cerrno>
-#include <cstdlib>
 #include <sqlite3.h>
 #include <unistd.h>
 #include <utility>
 
 #include "core/base/files/system_reason.h"
+#include "core/base/files/unfinished.h"
 #include "core/store/opening.h"
 #include "core/store/query.h"
 
@@ -19,25 +19,22 @@ using base::ErrorCode;
 /// An empty file beside the study that only its owner may read; its name goes on every way out.
 class Beside {
  public:
-  explicit Beside(const std::string& study) : path_(study + ".XXXXXX") {
-    const int descriptor = ::mkstemp(path_.data());
-    if (descriptor < 0) {
-      throw Refusal{
-          {ErrorCode::kIo, study, {}, base::systemReason(errno), "a folder in which the study can be written anew"}};
-    }
-    ::close(descriptor);
+  explicit Beside(const std::string& study) : file_(base::makeUnfinishedFile(study, 0600)) {
+    if (file_.descriptor.isOpen()) return;
+    throw Refusal{
+        {ErrorCode::kIo, study, {}, base::systemReason(errno), "a folder in which the study can be written anew"}};
   }
   ~Beside() { removeName(); }
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
 
-  const std::string& path() const { return path_; }
+  const std::string& path() const { return file_.path; }
   void removeName() {
-    for (const char* tail : {"", "-journal", "-wal"}) ::unlink((path_ + tail).c_str());
+    for (const char* tail : {"", "-journal", "-wal"}) ::unlink((path() + tail).c_str());
   }
 
  private:
-  std::string path_;
+  base::Unfinished file_;
 };
 
 /// Writes all pages of `from` over those of the study, in one transaction.

@@ -9,10 +9,10 @@
 
 namespace tactus::store {
 
-/// Behind the study's name: the folder in which an import is prepared (base/unfinished.h).
+/// Behind the study's name: the folder in which an import or a demo's study is prepared (base/files/unfinished.h).
 inline constexpr std::string_view kImportEnding = ".import-";
 
-/// A crash leaves it behind: it blocks nothing, and the next import or export deletes it (app/session/leftovers.h).
+/// A crash leaves it behind: it blocks nothing, and the next export or demo deletes it (app/session/leftovers.h).
 class WorkFolder {
  public:
   /// Only the user can look into it (0700).

@@ -18,8 +18,6 @@
 namespace tactus::base {
 namespace {
 
-std::string reason(int error_number) { return systemReason(error_number); }
-
 tl::unexpected<Error> ioError(const std::string& path, std::string found, std::string wanted) {
   return tl::unexpected(Error{ErrorCode::kIo, path, {}, std::move(found), std::move(wanted)});
 }
@@ -43,7 +41,7 @@ Result<void> writeInto(const std::string& path, std::string_view bytes) {
   }
   if (file.number() >= 0) ::fcntl(file.number(), F_SETFL, O_WRONLY);
   if (file.number() >= 0 && writeAll(file.number(), bytes) && file.close()) return {};
-  return ioError(path, reason(errno), "a file that can be written");
+  return ioError(path, systemReason(errno), "a file that can be written");
 }
 
 /// What is no file and would be waited for or never end; nothing for files, and for what a shell pipes in (/dev/fd).
@@ -57,24 +55,15 @@ std::optional<std::string> notAFile(const std::string& path) {
   return std::nullopt;
 }
 
-/// Waits until the names in the folder of `path` are on the disk; 0 or the number of the error.
-int syncFolderOf(const std::string& path) {
-  const auto folder = std::filesystem::path(path).parent_path();
-  const Descriptor parent(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // A folder that may be written into but not listed cannot be asked, and some file systems keep names in order alone.
-  if (parent.number() < 0) return errno == EACCES ? 0 : errno;
-  if (::fsync(parent.number()) == 0 || errno == EINVAL || errno == ENOTSUP) return 0;
-  return errno;
-}
-
 }  // namespace
 
 Result<std::string> readFile(const std::string& path, std::size_t most_bytes) {
   if (const auto found = notAFile(path)) return ioError(path, *found, "a file");
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number() < 0) return ioError(path, path.empty() ? "an empty file name" : reason(errno), "a readable file");
+  if (file.number() < 0)
+    return ioError(path, path.empty() ? "an empty file name" : systemReason(errno), "a readable file");
   struct stat info {};
-  if (::fstat(file.number(), &info) != 0) return ioError(path, reason(errno), "a readable file");
+  if (::fstat(file.number(), &info) != 0) return ioError(path, systemReason(errno), "a readable file");
   if (S_ISDIR(info.st_mode)) return ioError(path, "a folder", "a file");
 
   const bool regular = S_ISREG(info.st_mode);
@@ -98,7 +87,7 @@ Result<std::string> readFile(const std::string& path, std::size_t most_bytes) {
       bytes.resize(std::max(length + kChunk, static_cast<std::size_t>(info.st_size) + 1));
     const ssize_t got = ::read(file.number(), bytes.data() + length, bytes.size() - length);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return ioError(path, reason(errno), "a readable file");
+    if (got < 0) return ioError(path, systemReason(errno), "a readable file");
     if (got == 0) break;
     length += static_cast<std::size_t>(got);
     if (length > most_bytes) return too_large(length);
@@ -110,14 +99,15 @@ Result<std::string> readFile(const std::string& path, std::size_t most_bytes) {
 Result<std::string> fileSha256(const std::string& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat info {};
-  if (!file.isOpen() || ::fstat(file.number(), &info) != 0) return ioError(path, reason(errno), "a readable file");
+  if (!file.isOpen() || ::fstat(file.number(), &info) != 0)
+    return ioError(path, systemReason(errno), "a readable file");
   if (!S_ISREG(info.st_mode)) return ioError(path, "no regular file", "a readable file");
   Sha256 hash;
   std::string chunk(std::size_t{1} << 16U, '\0');
   while (true) {
     const ssize_t got = ::read(file.number(), chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return ioError(path, reason(errno), "a readable file");
+    if (got < 0) return ioError(path, systemReason(errno), "a readable file");
     if (got == 0) return hash.text();
     hash.add(std::string_view(chunk).substr(0, static_cast<std::size_t>(got)));
   }
@@ -136,6 +126,15 @@ Result<std::string> listingSha256(const std::string& folder, const std::vector<s
   return listing.text();
 }
 
+int syncFolderOf(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  const Descriptor parent(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // A folder that may be written into but not listed cannot be asked, and some file systems keep names in order alone.
+  if (parent.number() < 0) return errno == EACCES ? 0 : errno;
+  if (::fsync(parent.number()) == 0 || errno == EINVAL || errno == ENOTSUP) return 0;
+  return errno;
+}
+
 Result<void> writeFileAtomically(const std::string& path, std::string_view bytes) {
   std::error_code ignored;
   std::string target = path;
@@ -151,19 +150,19 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view bytes
 
   // What replaces a file has its mode, and until then nobody else reads it.
   auto [temporary, file] = makeUnfinishedFile(target, exists ? 0600 : 0666);
-  if (!file.isOpen()) return ioError(path, reason(errno), "a folder that can be written to");
+  if (!file.isOpen()) return ioError(path, systemReason(errno), "a folder that can be written to");
 
   const bool written = writeAll(file.number(), bytes) &&
                        (!exists || ::fchmod(file.number(), info.st_mode & 07777U) == 0) && ::fsync(file.number()) == 0;
   const int write_error = errno;
   if (!written || !file.close() || std::rename(temporary.c_str(), target.c_str()) != 0) {
-    const std::string why = reason(written ? errno : write_error);
+    const std::string why = systemReason(written ? errno : write_error);
     ::unlink(temporary.c_str());
     return ioError(path, why, "a file that can be written");
   }
   // The rename itself must survive a power cut too.
   if (const int error = syncFolderOf(target); error != 0) {
-    return ioError(path, reason(error),
+    return ioError(path, systemReason(error),
                    "a folder that keeps its names (the file is written, but a power cut may undo it)");
   }
   return {};

@@ -32,6 +32,11 @@ Result<std::string> listingSha256(const std::string& folder, const std::vector<s
 /// regular file (a device, a pipe) is written into. A file that is replaced keeps its mode.
 Result<void> writeFileAtomically(const std::string& path, std::string_view bytes);
 
+/// Waits until the names in the folder of `path` are on the disk; 0 or the number of the error. A folder that cannot be
+/// asked counts as done: one that may be written into but not listed, or one on a file system that keeps names in
+/// order.
+int syncFolderOf(const std::string& path);
+
 /// An error where `path` leads out of `folder` by links: a folder that came from elsewhere must not reach other files.
 Result<void> requireBelow(const std::string& folder, const std::string& path);
 
