@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/report/demo_report.h"
 #include "app/session/known_forms.h"
+#include "app/session/leftovers.h"
 #include "app/session/simulated_study.h"
 #include "app/session/study_view.h"
 #include "app/simulation/scenario.h"
@@ -16,6 +17,7 @@
 #include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
 #include "core/store/study_file.h"
+#include "core/store/work_folder.h"
 #include "core/study/csv_tables.h"
 #include "elicitation/variables/ngt_variables.h"
 #include "questionnaires/published_rules.h"
@@ -111,7 +113,6 @@ constexpr std::string_view kStudyFile = "study/ngt-demo.tactus";
 Result<study::Study> runStudy(const std::string& folder, std::uint64_t seed, const std::string& reading) {
   if (auto made = base::makeFolder(folder + "/study"); !made) return tl::unexpected(made.error());
   const std::string path = folder + '/' + std::string(kStudyFile);
-  const std::string unfinished = path + ".unfinished";
   std::error_code problem;
   // Held until the new one stands in its place, so that none is replaced while a program works on it.
   std::optional<store::StudyFile> older;
@@ -120,7 +121,10 @@ Result<study::Study> runStudy(const std::string& folder, std::uint64_t seed, con
     if (!opened) return tl::unexpected(opened.error());
     older = std::move(*opened);
   }
-  for (const char* tail : {"", "-wal", "-journal", "-shm"}) std::filesystem::remove(unfinished + tail, problem);
+  session::removeOurs(session::leftoversOfStudy(path));
+  const auto work = store::WorkFolder::beside(path);
+  if (!work) return tl::unexpected(work.error());
+  const std::string unfinished = work->file(std::filesystem::path(path).filename().string());
   auto file = session::makeSimulatedNgtStudy(unfinished, seed, reading, std::string(kGenerator));
   if (!file) return tl::unexpected(file.error());
   auto view = session::studyForElicitation(*file);

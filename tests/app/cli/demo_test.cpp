@@ -1,11 +1,15 @@
 // The main job, end to end.
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/session/leftovers.h"
 #include "core/base/tables/csv.h"
+#include "core/base/files/unfinished.h"
 #include "core/model_io/model_file.h"
 #include "core/store/study_file.h"
+#include "core/store/work_folder.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/support/temp_folder.h"
@@ -44,7 +48,23 @@ TEST_F(Demo, DoesNotReplaceAStudyThatIsOpen) {
   const ProgramRun run({"demo", folder.file("demo")});
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.err.find("ngt-demo.tactus: found a study that is open elsewhere"), std::string::npos) << run.err;
-  EXPECT_FALSE(std::filesystem::exists(study + ".unfinished"));
+  EXPECT_TRUE(session::leftoversOfStudy(study).empty());
+}
+
+TEST_F(Demo, WhatAnInterruptedDemoLeftIsDeletedByTheNext) {
+  const support::TempFolder folder;
+  const std::string study = folder.file("demo/study/ngt-demo.tactus");
+  std::filesystem::create_directories(folder.file("demo/study"));
+  std::filesystem::copy_file(path("written-by-tactus-demo.txt"), folder.file("demo/written-by-tactus-demo.txt"));
+  {
+    const auto left = base::makeUnfinishedFolder(study, store::kImportEnding);
+    ASSERT_TRUE(left.descriptor.isOpen());
+    std::ofstream(left.path + "/ngt-demo.tactus") << "half a study";
+  }
+  ASSERT_EQ(session::leftoversOfStudy(study).size(), 1U);
+  ASSERT_EQ(ProgramRun({"demo", folder.file("demo")}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(study));
+  EXPECT_TRUE(session::leftoversOfStudy(study).empty());
 }
 
 TEST_F(Demo, WritesTheFilesItNames) {
