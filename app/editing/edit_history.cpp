@@ -36,11 +36,17 @@ std::string_view name(EventKind kind) noexcept {
 
 Result<EditHistory> EditHistory::open(const ForceModel& model, const std::string& label, const Stamp& stamp,
                                       study::RecordIds ids) {
-  auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(std::move(compiled.error()));
+  auto ready = editing::ready(model);
+  if (!ready) return tl::unexpected(std::move(ready.error()));
+  return open(std::move(*ready), label, stamp, ids);
+}
+
+EditHistory EditHistory::open(SharedModel model, const std::string& label, const Stamp& stamp, study::RecordIds ids) {
   EditHistory out(ids);
-  out.states_.push_back({{}, {}, 0, 0, std::make_shared<const KeptModel>(model, nullptr), {}});
-  out.enter(0, model, std::move(*compiled));
+  State opened;
+  opened.kept = std::make_shared<const KeptModel>(model->model, nullptr);
+  out.states_.push_back(std::move(opened));
+  out.enter(0, std::move(model));
   out.record(EventKind::kOpened, label, stamp, {});
   return out;
 }
@@ -52,7 +58,8 @@ void EditHistory::begin() {
 
 void EditHistory::update(Edit edit) {
   in_gesture_ = true;
-  shown_ = std::move(edit);
+  shown_ = Shown{std::make_shared<const ReadyModel>(ReadyModel{std::move(edit.model), std::move(edit.compiled)}),
+                 std::move(edit.label)};
 }
 
 void EditHistory::cancel() {
@@ -62,21 +69,21 @@ void EditHistory::cancel() {
 
 std::optional<StateId> EditHistory::commit(const Stamp& stamp) {
   in_gesture_ = false;
-  auto edit = std::exchange(shown_, std::nullopt);
-  if (!edit || sameBits(edit->model, model_)) return std::nullopt;
-  refreshChecks(edit->model, edit->compiled);
+  auto shown = std::exchange(shown_, std::nullopt);
+  if (!shown || sameBits(shown->ready->model, ready_->model)) return std::nullopt;
+  SharedModel made = withFreshChecks(std::move(shown->ready));
   const StateId before = current_;
   const StateId after = states_.size();
   State state;
   state.parent = before;
   state.event = events_.size();
   state.edits = states_[before].edits + 1;
-  state.kept = std::make_shared<const KeptModel>(edit->model, states_[before].kept.get());
+  state.kept = std::make_shared<const KeptModel>(made->model, states_[before].kept.get());
   states_.push_back(std::move(state));
   states_[before].redo = after;
   const study::RecordId parent = versionOf(before);
-  enter(after, std::move(edit->model), std::move(edit->compiled));
-  record(EventKind::kEdit, std::move(edit->label), stamp, parent);
+  enter(after, std::move(made));
+  record(EventKind::kEdit, std::move(shown->label), stamp, parent);
   return after;
 }
 
@@ -86,10 +93,10 @@ std::optional<StateId> EditHistory::apply(Edit edit, const Stamp& stamp) {
   return commit(stamp);
 }
 
-void EditHistory::enter(StateId state, ForceModel model, fuzzy::CompiledModel compiled) {
+void EditHistory::enter(StateId state, SharedModel model) {
   current_ = state;
-  model_ = std::move(model);
-  compiled_ = std::move(compiled);
+  before_ = std::exchange(ready_, std::move(model));
+  states_[state].ready = ready_;
 }
 
 void EditHistory::record(EventKind kind, std::string label, const Stamp& stamp, std::optional<study::RecordId> parent) {
@@ -97,12 +104,10 @@ void EditHistory::record(EventKind kind, std::string label, const Stamp& stamp, 
 }
 
 Result<void> EditHistory::moveTo(StateId state, EventKind kind, const Stamp& stamp) {
-  auto model = modelOf(state);
+  auto model = readyOf(state);
   if (!model) return tl::unexpected(std::move(model.error()));
-  auto compiled = fuzzy::compile(*model);
-  TACTUS_CHECK(compiled.has_value());
   const std::string label = labelOf(kind == EventKind::kUndo ? current_ : state);
-  enter(state, std::move(*model), std::move(*compiled));
+  enter(state, std::move(*model));
   record(kind, label, stamp, versionOf(state));
   return {};
 }
@@ -155,10 +160,24 @@ Result<ForceModel> EditHistory::modelOf(StateId state) const {
   if (state >= states_.size()) {
     return fail(ErrorCode::kReference, "state", std::to_string(state), "one of " + std::to_string(states_.size()));
   }
-  if (state == current_) return model_;
+  if (state == current_) return ready_->model;
   if (states_[state].kept) return states_[state].kept->restored();
   return fail(ErrorCode::kData, "model version " + study::toText(versionOf(state)), "a state that is not in memory",
               "its text from the study file");
+}
+
+Result<SharedModel> EditHistory::readyOf(StateId state) const {
+  if (state == current_) return ready_;
+  if (state < states_.size() && states_[state].kept) {
+    if (auto held = states_[state].ready.lock()) return held;
+  }
+  auto model = modelOf(state);
+  if (!model) return tl::unexpected(std::move(model.error()));
+  auto made = editing::ready(std::move(*model));
+  // Every state was compiled when it was made.
+  TACTUS_CHECK(made.has_value());
+  states_[state].ready = *made;
+  return *made;
 }
 
 std::optional<EditImpact> EditHistory::impact(StateId state) {
@@ -176,14 +195,11 @@ bool EditHistory::include(StateId state, const GhostCurve& curve, std::size_t in
 }
 
 Result<EditImpact> EditHistory::compare(StateId before, StateId after) const {
-  const auto one = modelOf(before);
+  const auto one = readyOf(before);
   if (!one) return tl::unexpected(one.error());
-  const auto other = modelOf(after);
+  const auto other = readyOf(after);
   if (!other) return tl::unexpected(other.error());
-  const auto compiled_one = fuzzy::compile(*one);
-  const auto compiled_other = fuzzy::compile(*other);
-  TACTUS_CHECK(compiled_one && compiled_other);
-  return editImpact(*one, *compiled_one, *other, *compiled_other);
+  return editImpact((*one)->model, (*one)->compiled, (*other)->model, (*other)->compiled);
 }
 
 void EditHistory::markStored(const study::RecordId& id) {

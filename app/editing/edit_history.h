@@ -12,6 +12,7 @@
 #include "app/editing/edit_impact.h"
 #include "app/editing/kept_model.h"
 #include "app/editing/model_ghost.h"
+#include "app/editing/ready_model.h"
 #include "core/study/record_id.h"
 
 namespace tactus::editing {
@@ -53,12 +54,13 @@ struct Event {
 
 /// What is known of one state.
 struct State {
-  std::optional<StateId> parent;          ///< the state that was edited
-  std::optional<StateId> redo;            ///< where redo goes from here
-  std::size_t event = 0;                  ///< index of the event that made it
-  std::size_t edits = 0;                  ///< gestures from the model that was opened to this state
-  std::shared_ptr<const KeptModel> kept;  ///< null where it has to be read from the study file
-  std::optional<EditImpact> impact;       ///< of the edit that made it, once it was asked for
+  std::optional<StateId> parent;                       ///< the state that was edited
+  std::optional<StateId> redo;                         ///< where redo goes from here
+  std::size_t event = 0;                               ///< index of the event that made it
+  std::size_t edits = 0;                               ///< gestures from the model that was opened to this state
+  std::shared_ptr<const KeptModel> kept;               ///< null where it has to be read from the study file
+  std::optional<EditImpact> impact;                    ///< of the edit that made it, once it was asked for
+  mutable std::weak_ptr<const ReadyModel> ready = {};  ///< while the history or its user holds it
 };
 
 /// Thread: one at a time.
@@ -67,10 +69,13 @@ class EditHistory {
   /// Starts with `model`, which must be valid. `ids` names the versions.
   static base::Result<EditHistory> open(const fuzzy::ForceModel& model, const std::string& label, const Stamp& stamp,
                                         study::RecordIds ids);
+  /// The same for a model that is compiled already.
+  static EditHistory open(SharedModel model, const std::string& label, const Stamp& stamp, study::RecordIds ids);
 
   /// What is felt and shown: the current state, or the edit of a gesture that is going on.
-  const fuzzy::ForceModel& model() const { return shown_ ? shown_->model : model_; }
-  const fuzzy::CompiledModel& compiled() const { return shown_ ? shown_->compiled : compiled_; }
+  const SharedModel& ready() const { return shown_ ? shown_->ready : ready_; }
+  const fuzzy::ForceModel& model() const { return ready()->model; }
+  const fuzzy::CompiledModel& compiled() const { return ready()->compiled; }
 
   /// A gesture (a drag, a run of arrow keys): every update is an edit of `base`, and all of it becomes one entry.
   /// Everything else that changes or names the state ends it with `commit`.
@@ -79,7 +84,7 @@ class EditHistory {
   /// What the gesture has changed so far, in words; empty where it changed nothing.
   std::string gestureLabel() const { return shown_ ? shown_->label : std::string(); }
   /// The model at the beginning of the gesture: what its edits start from.
-  const fuzzy::ForceModel& base() const { return model_; }
+  const fuzzy::ForceModel& base() const { return ready_->model; }
   /// Shows `edit`; begins a gesture where none goes on.
   void update(Edit edit);
   /// Makes the last update an entry. Nothing where there was none, or where it changed nothing.
@@ -114,6 +119,9 @@ class EditHistory {
 
   /// The model of a state, for comparing and A/B. Refused where it is not in memory.
   base::Result<fuzzy::ForceModel> modelOf(StateId state) const;
+  /// The same with its compiled form. Compiles only what neither the history nor its user holds: the current state and
+  /// the one before it are held.
+  base::Result<SharedModel> readyOf(StateId state) const;
   /// How much the edit that made `state` changed the force, computed when first asked for (editImpact says how long
   /// that takes). Nothing for a model that was opened, or where a model is not in memory.
   std::optional<EditImpact> impact(StateId state);
@@ -139,16 +147,21 @@ class EditHistory {
   explicit EditHistory(study::RecordIds ids) : ids_(ids) {}
   void record(EventKind kind, std::string label, const Stamp& stamp, std::optional<study::RecordId> parent);
   base::Result<void> moveTo(StateId state, EventKind kind, const Stamp& stamp);
-  void enter(StateId state, fuzzy::ForceModel model, fuzzy::CompiledModel compiled);
+  void enter(StateId state, SharedModel model);
 
   study::RecordIds ids_;
   std::vector<State> states_;
   std::vector<Event> events_;
   StateId current_ = 0;
-  fuzzy::ForceModel model_;  ///< of the current state
-  fuzzy::CompiledModel compiled_;
+  SharedModel ready_;   ///< of the current state
+  SharedModel before_;  ///< of the state that was current before; null at the beginning
   bool in_gesture_ = false;
-  std::optional<Edit> shown_;
+  /// The last update of a gesture.
+  struct Shown {
+    SharedModel ready;
+    std::string label;
+  };
+  std::optional<Shown> shown_;
 };
 
 }  // namespace tactus::editing

@@ -52,11 +52,11 @@ class HistoryReader {
     }
     auto last = model_io::parseModel(versions.back().text, "model version " + study::toText(versions.back().id));
     if (!last) return tl::unexpected(std::move(last.error()));
-    auto compiled = fuzzy::compile(last->model);
-    TACTUS_CHECK(compiled.has_value());
     const StateId current = out.events_.back().state;
     out.states_[current].kept = std::make_shared<const KeptModel>(last->model, nullptr);
-    out.enter(current, std::move(last->model), std::move(*compiled));
+    auto ready = editing::ready(std::move(last->model));
+    TACTUS_CHECK(ready.has_value());
+    out.enter(current, std::move(*ready));
     for (std::size_t v = stored; v < versions.size(); ++v) {
       if (auto kept = keep(out, out.events_[v], versions[v]); !kept) return tl::unexpected(std::move(kept.error()));
     }

@@ -68,7 +68,7 @@ bool FeelController::prepare() {
   }
   if (isRunning()) stop();
   if (state() != State::kStopped) return true;  // the session says why it does not start
-  auto servo_scene = servoSceneOf(scene_, kEditFadeS);
+  auto servo_scene = servoScene(kEditFadeS);
   if (!servo_scene) {
     emit failed(text(servo_scene.error().message()));
     return false;
@@ -165,10 +165,14 @@ void FeelController::onHandMoved(double depth_mm, double speed_mm_s) {
   if (const auto depth = inputNamed(model, kDepthId)) scene_.setValue(*depth, depth_mm);
 }
 
+base::Result<std::shared_ptr<const haptics::ServoScene>> FeelController::servoScene(double fade_s) {
+  return servoSceneOf(scene_, fade_s, cost_.of(*scene_.model()));
+}
+
 bool FeelController::postScene(double fade_s) {
   const std::uint64_t ticks_before = session_.ticks();
   conditions_new_ = false;
-  auto servo_scene = servoSceneOf(scene_, fade_s);
+  auto servo_scene = servoScene(fade_s);
   if (!servo_scene) {
     emit failed(tr("The edit is not felt: %1").arg(text(servo_scene.error().message())));
     return false;

@@ -15,6 +15,7 @@
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/feel/feel_history.h"
 #include "app/workbench/feel/feel_latency.h"
+#include "app/workbench/feel/force_cost.h"
 #include "app/workbench/feel/placement.h"
 
 namespace tactus::workbench {
@@ -57,6 +58,8 @@ class FeelController : public QObject {
   std::optional<PlacementSummary> lastPlacement() const { return last_placement_; }
   /// Nothing before the first edit of this run.
   const std::optional<EditLatency>& editLatency() const { return latency_.value(); }
+  /// How often the cost of the model was measured: once for each shape of a model that is felt.
+  int costMeasurements() const { return cost_.measurements(); }
   bool followsHand() const { return follows_hand_; }
   bool isNeckFlexed() const;
   /// The orders that began the current placement. Samples with older orders belong to the previous one.
@@ -111,6 +114,7 @@ class FeelController : public QObject {
   void onHandMoved(double depth_mm, double speed_mm_s);
   bool isFelt() const { return isRunning() || state() == State::kOpening; }
   Shown shown() const;
+  base::Result<std::shared_ptr<const haptics::ServoScene>> servoScene(double fade_s);
   bool postScene(double fade_s);
   void endPlacement();
 
@@ -128,6 +132,7 @@ class FeelController : public QObject {
   PlacementMeter meter_;
   std::optional<PlacementSummary> last_placement_;
   FeelLatency latency_;
+  ForceCost cost_;
 };
 
 }  // namespace tactus::workbench

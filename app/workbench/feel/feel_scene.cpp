@@ -5,8 +5,10 @@
 
 namespace tactus::workbench {
 
-base::Result<std::shared_ptr<const haptics::ServoScene>> servoSceneOf(const SceneController& scene, double fade_s) {
-  const fuzzy::ForceModel& model = scene.model()->model;
+base::Result<std::shared_ptr<const haptics::ServoScene>> servoSceneOf(const SceneController& scene, double fade_s,
+                                                                      double cost_s) {
+  const OpenModel& open = *scene.model();
+  const fuzzy::ForceModel& model = open.model;
   haptics::Conditions conditions;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const std::string& id = model.inputs[i].id;
@@ -15,7 +17,8 @@ base::Result<std::shared_ptr<const haptics::ServoScene>> servoSceneOf(const Scen
   haptics::SceneSettings settings;
   settings.moved = {kDepthId, kSpeedId};
   settings.fade_s = fade_s;
-  return haptics::ServoScene::make(model, conditions, settings);
+  settings.known_cost_s = cost_s;
+  return haptics::ServoScene::make(model, open.compiled, conditions, settings);
 }
 
 }  // namespace tactus::workbench

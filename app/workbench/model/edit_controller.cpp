@@ -43,17 +43,17 @@ void EditController::adopt(editing::EditHistory history, VersionReader read) {
   TACTUS_CHECK(isOpen());
   begin(std::move(history), std::move(read));
   if (!editing::sameBits(models_.current()->model, history_->model())) {
-    models_.edit(history_->model(), history_->compiled());
+    models_.edit(history_->ready());
   }
   emit modelReset();
   emit changed();
   emit historyChanged();
 }
 
-base::Result<fuzzy::ForceModel> EditController::modelOf(editing::StateId state) {
+base::Result<editing::SharedModel> EditController::readyOf(editing::StateId state) {
   TACTUS_CHECK(isOpen());
   if (auto there = fetch(state); !there) return tl::unexpected(there.error());
-  return history_->modelOf(state);
+  return history_->readyOf(state);
 }
 
 void EditController::setAuthor(const QString& name) { author_ = name.trimmed(); }
@@ -185,11 +185,8 @@ void EditController::signOff(const QString& who) {
 }
 
 void EditController::adoptModel() {
-  const OpenModel& open = *models_.current();
-  auto history = editing::EditHistory::open(open.model, tr("Opened").toStdString(), stamp(), study::RecordIds());
-  // The model that is open was compiled, so it is valid.
-  TACTUS_CHECK(history.has_value());
-  begin(std::move(*history), {});
+  begin(editing::EditHistory::open(models_.current()->shared, tr("Opened").toStdString(), stamp(), study::RecordIds()),
+        {});
   emit modelReset();
   emit historyChanged();
 }
@@ -202,7 +199,7 @@ void EditController::schedule() {
 void EditController::send() {
   due_ = false;
   frame_.start();
-  models_.edit(history_->model(), history_->compiled());
+  models_.edit(history_->ready());
   emit changed();
 }
 

@@ -44,7 +44,7 @@ class EditController : public QObject {
   /// one nobody can return to them.
   void adopt(editing::EditHistory history, VersionReader read = {});
   /// The model of any state, read where it is not in memory.
-  base::Result<fuzzy::ForceModel> modelOf(editing::StateId state);
+  base::Result<editing::SharedModel> readyOf(editing::StateId state);
   /// Who edits, from now on; empty where nobody said.
   void setAuthor(const QString& name);
   const QString& author() const { return author_; }

@@ -104,13 +104,7 @@ void GhostController::follow() {
   before_.reset();
   if (state) {
     // A state that is not in memory has no ghost.
-    auto model = edits_.history().modelOf(*state);
-    if (auto compiled = model.and_then([](const auto& found) { return fuzzy::compile(found); })) {
-      auto before = std::make_shared<OpenModel>();
-      before->model = std::move(*model);
-      before->compiled = std::move(*compiled);
-      before_ = std::move(before);
-    }
+    if (auto ready = edits_.history().readyOf(*state)) before_ = std::make_shared<const OpenModel>(std::move(*ready));
   }
   if (!reference_) emit changed();
 }

@@ -2,27 +2,35 @@
 
 #include <QFileInfo>
 
-#include "app/editing/edit.h"
 #include "core/base/check.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::workbench {
+namespace {
+
+/// `model` in the place of the one that `before` has.
+OpenModel inPlaceOf(const OpenModel& before, editing::SharedModel model) {
+  OpenModel next(std::move(model));
+  next.path = before.path;
+  next.in_study = before.in_study;
+  next.warnings = before.warnings;
+  next.simulated = before.simulated;
+  return next;
+}
+
+}  // namespace
+
 base::Result<void> ModelController::edit(fuzzy::ForceModel model) {
-  auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(compiled.error());
-  edit(std::move(model), std::move(*compiled));
+  auto ready = editing::ready(std::move(model));
+  if (!ready) return tl::unexpected(ready.error());
+  edit(std::move(*ready));
   return {};
 }
 
-void ModelController::edit(fuzzy::ForceModel model, fuzzy::CompiledModel compiled) {
+void ModelController::edit(editing::SharedModel model) {
   TACTUS_CHECK(current_ != nullptr);
-  OpenModel next;
-  next.path = current_->path;
-  next.in_study = current_->in_study;
-  next.model = std::move(model);
-  next.compiled = std::move(compiled);
-  next.warnings = current_->warnings;
-  next.simulated = current_->simulated || saysSimulated(next.model);
+  OpenModel next = inPlaceOf(*current_, std::move(model));
+  next.simulated = next.simulated || saysSimulated(next.model);
   current_ = std::make_shared<const OpenModel>(std::move(next));
   instead_.reset();
   emit edited();
@@ -96,10 +104,9 @@ void ModelController::save() {
 
 void ModelController::saveAs(const QString& path) {
   TACTUS_CHECK(current_ != nullptr);
-  OpenModel next = *current_;
-  next.path = QFileInfo(path).absoluteFilePath();
   // An edit changes the forces that travel with the model as checks; a file with wrong ones cannot be written.
-  editing::refreshChecks(next.model, next.compiled);
+  OpenModel next = inPlaceOf(*current_, editing::withFreshChecks(current_->shared));
+  next.path = QFileInfo(path).absoluteFilePath();
   const base::Result<void> written = model_io::writeModel(next.model, next.path.toStdString());
   if (!written) {
     emit saveFailed(next.path, QString::fromStdString(written.error().message()));

@@ -32,8 +32,8 @@ class ModelController : public QObject {
   /// Puts `model` in the place of the open one, which keeps its path, and emits `edited`. A model that does not make
   /// sense is refused with the error of `fuzzy::validate`. A model must be open.
   base::Result<void> edit(fuzzy::ForceModel model);
-  /// The same for a model that is compiled already: `compiled` is made from `model`.
-  void edit(fuzzy::ForceModel model, fuzzy::CompiledModel compiled);
+  /// The same for a model that is compiled already.
+  void edit(editing::SharedModel model);
   /// Opens a model that was read already, from a study for example; its path is where `save` writes it. Ends with
   /// `opened`.
   void openRead(OpenModel model);

@@ -71,13 +71,11 @@ std::optional<std::size_t> expertNamed(const fuzzy::ForceModel& model, const std
 base::Result<OpenModel> readOpenModel(const QString& path) {
   auto read = model_io::readModel(path.toStdString());
   if (!read) return tl::unexpected(read.error());
-  auto compiled = fuzzy::compile(read->model);
-  if (!compiled) return base::inFile(compiled.error(), path.toStdString());
+  auto ready = editing::ready(std::move(read->model));
+  if (!ready) return base::inFile(ready.error(), path.toStdString());
 
-  OpenModel open;
+  OpenModel open(std::move(*ready));
   open.path = path;
-  open.model = std::move(read->model);
-  open.compiled = std::move(*compiled);
   for (const std::string& warning : read->warnings) open.warnings << QString::fromStdString(warning);
   open.simulated = saysSimulated(open.model);
   return open;

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "app/editing/ready_model.h"
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
@@ -15,12 +17,17 @@
 namespace tactus::workbench {
 
 struct OpenModel {
-  QString path;           ///< of its file, or of the study that keeps it
-  bool in_study = false;  ///< the open study keeps it, version by version
-  fuzzy::ForceModel model;
-  fuzzy::CompiledModel compiled;
-  QStringList warnings;    ///< of reading the file, one sentence each
-  bool simulated = false;  ///< the model says that some of its data are simulated
+  /// `given` must not be null.
+  explicit OpenModel(editing::SharedModel given)
+      : shared(std::move(given)), model(shared->model), compiled(shared->compiled) {}
+
+  editing::SharedModel shared;           ///< the one model of history, plots and servo: handed on, never copied
+  const fuzzy::ForceModel& model;        ///< of `shared`
+  const fuzzy::CompiledModel& compiled;  ///< of `shared`
+  QString path;                          ///< of its file, or of the study that keeps it
+  bool in_study = false;                 ///< the open study keeps it, version by version
+  QStringList warnings;                  ///< of reading the file, one sentence each
+  bool simulated = false;                ///< the model says that some of its data are simulated
   /// Of a model that is shown in the place of the open one: the version that it is or was made from, and the expert who
   /// alone counts in it; empty: all do.
   std::optional<study::RecordId> version = std::nullopt;

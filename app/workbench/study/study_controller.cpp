@@ -24,6 +24,17 @@ Result<void> storeVersion(store::StudyFile& file, const editing::Event& event, c
   return stored;
 }
 
+// The model of a state for the other thread; the current one is shared.
+std::shared_ptr<const fuzzy::ForceModel> modelOf(const editing::EditHistory& history, editing::StateId state) {
+  if (state == history.current()) {
+    const editing::SharedModel ready = *history.readyOf(state);
+    return {ready, &ready->model};
+  }
+  auto model = history.modelOf(state);
+  TACTUS_CHECK(model.has_value());  // a state leaves the memory only once it is stored
+  return std::make_shared<const fuzzy::ForceModel>(std::move(*model));
+}
+
 // `study.tactus.json` beside the study, or the first of `study-2.tactus.json`, … that is not there.
 QString unusedModelPath(const QString& study) {
   const QFileInfo info(study);
@@ -287,11 +298,9 @@ void StudyController::setNotes(std::vector<BuildNote> notes) {
 }
 
 void StudyController::show(editing::EditHistory history) {
-  OpenModel open;
+  OpenModel open(history.ready());
   open.path = path_;
   open.in_study = true;
-  open.model = history.model();
-  open.compiled = history.compiled();
   open.simulated = saysSimulated(open.model);
   adopting_ = true;
   models_.openRead(std::move(open));
@@ -309,9 +318,7 @@ void StudyController::storeEvents() {
   for (; events_ordered_ < history.events().size(); ++events_ordered_) {
     const editing::Event& event = history.events()[events_ordered_];
     if (event.stored) continue;
-    auto model = history.modelOf(event.state);
-    TACTUS_CHECK(model.has_value());  // a state leaves the memory only once it is stored
-    order([event, model = std::make_shared<const fuzzy::ForceModel>(std::move(*model))](
+    order([event, model = modelOf(history, event.state)](
               store::StudyFile& file, study::RecordIds&) { return storeVersion(file, event, *model); },
           [this, id = event.id] { edits_.markStored(id); },
           [this](const QString& sentence) {
@@ -325,10 +332,8 @@ void StudyController::storeEvents() {
 // all of it can be kept elsewhere: as a file, after a crash, in another study.
 void StudyController::moveOut() {
   models_.moveOutOfStudy(unusedModelPath(path_));
-  auto history = editing::EditHistory::open(edits_.model(), tr("Left in %1").arg(fileName()).toStdString(),
-                                            edits_.stamp(), study::RecordIds());
-  TACTUS_CHECK(history.has_value());  // the model that is open was compiled
-  edits_.adopt(std::move(*history));
+  edits_.adopt(editing::EditHistory::open(edits_.history().ready(), tr("Left in %1").arg(fileName()).toStdString(),
+                                          edits_.stamp(), study::RecordIds()));
 }
 
 void StudyController::letGo() {

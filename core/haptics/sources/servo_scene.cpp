@@ -25,6 +25,7 @@ constexpr double kLongestFadeS = 60;
 /// The costliest point is rarely the first, and the smallest of a few rounds is free of interruptions.
 constexpr int kPointsTried = 32;
 constexpr int kRounds = 5;
+constexpr int kMultipliers[fuzzy::kMostInputs] = {1, 13, 7, 19, 3, 23, 11, 29};
 
 const Variable* moved(const ForceModel& model, const std::string& id) {
   const auto found =
@@ -84,27 +85,6 @@ base::Result<std::vector<std::optional<double>>> fixedInputs(const ForceModel& m
       wanted.empty() ? "no conditions" : "conditions for " + base::joined(wanted, ", ") + " and nothing else");
 }
 
-/// The slowest of the points tried, each the fastest of its rounds; ends at the first point above `enough_s`.
-double measuredCostS(const ServoScene& scene, const Variable* depth, const Variable* speed, double enough_s) {
-  using Clock = std::chrono::steady_clock;
-  const auto along = [](const Variable* input, int step) {
-    return input == nullptr ? 0 : input->min + (input->max - input->min) * step / (kPointsTried - 1);
-  };
-  double cost_s = 0;
-  for (int i = 0; i < kPointsTried && !(cost_s > enough_s); ++i) {
-    // All depths, and with 13 coprime to 32 all speeds, well mixed.
-    const render::ForcePoint point{along(depth, i), along(speed, i * 13 % kPointsTried)};
-    double fastest_s = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < kRounds; ++round) {
-      const Clock::time_point start = Clock::now();
-      [[maybe_unused]] const volatile double force_n = scene.force(point).force_n;
-      fastest_s = std::min(fastest_s, std::chrono::duration<double>(Clock::now() - start).count());
-    }
-    cost_s = std::max(cost_s, fastest_s);
-  }
-  return cost_s;
-}
-
 std::uint64_t nextSerial() noexcept {
   static std::atomic<std::uint64_t> last{0};  // each stands for itself: relaxed
   return last.fetch_add(1, std::memory_order_relaxed) + 1;
@@ -114,16 +94,48 @@ std::string microseconds(double time_s) { return base::formatFixed(time_s * 1e6,
 
 }  // namespace
 
+double measuredCostS(const fuzzy::CompiledModel& compiled, double enough_s) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double kFar = std::numeric_limits<double>::max();
+  std::array<double, fuzzy::kMostInputs> point{};
+  const auto inputs = std::span(point).first(compiled.inputCount());
+  double cost_s = 0;
+  for (int i = 0; i < kPointsTried && !(cost_s > enough_s); ++i) {
+    for (std::size_t input = 0; input < inputs.size(); ++input) {
+      // All values of each input; multipliers coprime to 32 mix them well.
+      const double min = compiled.clampInput(input, -kFar);
+      const double max = compiled.clampInput(input, kFar);
+      const int step = i * kMultipliers[input] % kPointsTried;
+      inputs[input] = min + (max - min) * step / (kPointsTried - 1);
+    }
+    double fastest_s = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kRounds; ++round) {
+      const Clock::time_point start = Clock::now();
+      [[maybe_unused]] const volatile double force_n = compiled.evaluate(inputs).force_n;
+      fastest_s = std::min(fastest_s, std::chrono::duration<double>(Clock::now() - start).count());
+    }
+    cost_s = std::max(cost_s, fastest_s);
+  }
+  return cost_s;
+}
+
 ServoScene::ServoScene(fuzzy::Scene scene) : scene_(std::move(scene)), serial_(nextSerial()) {}
 
 base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceModel& model, const Conditions& conditions,
+                                                                 const SceneSettings& settings) {
+  const auto compiled = fuzzy::compile(model);
+  if (!compiled) return tl::unexpected(compiled.error());
+  return make(model, *compiled, conditions, settings);
+}
+
+base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceModel& model,
+                                                                 const fuzzy::CompiledModel& compiled,
+                                                                 const Conditions& conditions,
                                                                  const SceneSettings& settings) {
   if (!(settings.fade_s >= 0 && settings.fade_s <= kLongestFadeS)) {
     return base::fail(ErrorCode::kValue, "fade of the hand-over", base::formatNumber(settings.fade_s) + " s",
                       "0 to " + base::formatNumber(kLongestFadeS) + " s");
   }
-  const auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(compiled.error());
   const Variable* depth = moved(model, settings.moved.depth);
   const Variable* speed = moved(model, settings.moved.speed);
   if (depth != nullptr && depth == speed) {
@@ -133,7 +145,7 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
   if (auto units = checkUnits(model, depth, speed); !units) return tl::unexpected(units.error());
   const auto fixed = fixedInputs(model, conditions, depth, speed);
   if (!fixed) return tl::unexpected(fixed.error());
-  auto specialised = fuzzy::Scene::specialise(*compiled, *fixed, fuzzy::SceneUse::kPoints);
+  auto specialised = fuzzy::Scene::specialise(compiled, *fixed, fuzzy::SceneUse::kPoints);
   if (!specialised) return tl::unexpected(specialised.error());
 
   const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(*specialised)));
@@ -143,7 +155,11 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
   if (speed != nullptr) scene->speed_ = depth != nullptr && !speed_first ? 1 : 0;
   scene->depth_end_mm_ = depth != nullptr ? depth->max : std::numeric_limits<double>::infinity();
   scene->fade_s_ = settings.fade_s;
-  scene->cost_s_ = measuredCostS(*scene, depth, speed, settings.largest_cost_s);
+  if (settings.known_cost_s) {
+    scene->cost_s_ = *settings.known_cost_s;
+  } else if (std::isfinite(settings.largest_cost_s)) {
+    scene->cost_s_ = measuredCostS(compiled, settings.largest_cost_s);
+  }
   if (scene->cost_s_ > settings.largest_cost_s) {
     return base::fail(ErrorCode::kLimit, "cost of one force of the model", microseconds(scene->cost_s_),
                       "at most " + microseconds(settings.largest_cost_s) + ", so that the servo keeps its time");

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 #include "core/fuzzy/scene.h"
 #include "core/render/insertion_renderer.h"
@@ -34,16 +35,27 @@ struct SceneSettings {
   /// A model that needs longer for one force is refused: the servo has 1 ms for everything. Infinite: never refused,
   /// and then nothing depends on the clock of this machine.
   double largest_cost_s = 200e-6;
+  /// What one force of the model costs, measured before by `measuredCostS`, s. Nothing: measured by `make`.
+  std::optional<double> known_cost_s;
 };
+
+/// Cost of one force of `compiled`: the slowest of 32 points, spread over all inputs, each the fastest of five rounds;
+/// s, including the reading of the clock. No scene of the model costs more. It depends on the shape of the model
+/// (experts, rules, terms), hardly on its numbers. Stops at the first point above `enough_s`.
+double measuredCostS(const fuzzy::CompiledModel& compiled, double enough_s = SceneSettings().largest_cost_s);
 
 /// Immutable; made by whoever posts it, only read by the servo, freed by whoever posted it.
 class ServoScene {
  public:
   /// Refused with one sentence: an invalid model, a depth, speed or force in other units than mm, mm/s and N (a
   /// variable without a unit is taken as it is), a condition that is missing, unknown or not finite, a fade out of
-  /// range, a model that is too slow (at one of the points tried, all over its depth and speed, even the fastest of
-  /// several rounds exceeds the budget).
+  /// range, a model that is too slow (its cost exceeds the budget).
   static base::Result<std::shared_ptr<const ServoScene>> make(const fuzzy::ForceModel& model,
+                                                              const Conditions& conditions,
+                                                              const SceneSettings& settings = {});
+  /// The same for a model that is compiled already: `compiled` is made from `model`.
+  static base::Result<std::shared_ptr<const ServoScene>> make(const fuzzy::ForceModel& model,
+                                                              const fuzzy::CompiledModel& compiled,
                                                               const Conditions& conditions,
                                                               const SceneSettings& settings = {});
 
@@ -56,7 +68,7 @@ class ServoScene {
   /// End of the model's depth, offset included; infinite for a model without depth.
   double depthEndMm() const noexcept { return depth_end_mm_; }
   double fadeS() const noexcept { return fade_s_; }
-  /// What the slowest of the points tried cost, s, with the reading of the clock.
+  /// Cost of one force of the model, s: measured or as given. 0: not asked for, because the budget is infinite.
   double costS() const noexcept { return cost_s_; }
 
  private:

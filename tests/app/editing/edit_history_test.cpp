@@ -167,6 +167,20 @@ TEST_F(EditHistoryTest, StoredStatesLeaveTheMemory) {
   EXPECT_TRUE(sameBits(history_.model(), wanted));
 }
 
+TEST_F(EditHistoryTest, TheCurrentModelAndTheOneBeforeAreSharedNotMadeAgain) {
+  const SharedModel opened = history_.ready();
+  EXPECT_EQ(history_.readyOf(0).value(), opened);
+  history_.apply(foot(history_.model(), 130), kAnn);
+  const SharedModel edited = history_.ready();
+  EXPECT_NE(edited, opened);
+  EXPECT_EQ(history_.readyOf(0).value(), opened);
+  ASSERT_TRUE(history_.undo(kAnn));
+  EXPECT_EQ(history_.ready(), opened);
+  ASSERT_TRUE(history_.redo(kAnn));
+  EXPECT_EQ(history_.ready(), edited);
+  EXPECT_FALSE(history_.readyOf(9));
+}
+
 TEST(SameBits, TellsTheTwoZerosApart) {
   auto one = support::s4AsPrinted();
   auto other = one;

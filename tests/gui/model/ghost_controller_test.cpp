@@ -95,8 +95,9 @@ TEST_F(GhostControllerTest, AReferenceTakesItsPlaceUntilItIsCleared) {
   ghost.clearReference();
   EXPECT_EQ(ghost.label(), QStringLiteral("Before the last edit"));
 
-  auto strange = std::make_shared<OpenModel>(*other);
-  strange->model.inputs[1].max = 11;
+  fuzzy::ForceModel wider = other->model;
+  wider.inputs[1].max = 11;
+  const auto strange = std::make_shared<const OpenModel>(editing::ready(wider).value());
   EXPECT_FALSE(ghost.setReference(strange, QStringLiteral("other")).has_value());
   ASSERT_TRUE(ghost.setReference(other, QStringLiteral("again")).has_value());
   models.reopen();

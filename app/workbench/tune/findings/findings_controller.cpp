@@ -19,8 +19,11 @@ namespace tactus::workbench {
 
 /// Never changes once it is made, so both threads may read it.
 struct FindingsController::Report {
-  fuzzy::ForceModel model;
-  fuzzy::CompiledModel compiled;
+  explicit Report(editing::SharedModel linted) : ready(std::move(linted)) {}
+
+  const fuzzy::ForceModel& model() const { return ready->model; }
+
+  editing::SharedModel ready;
   elicitation::RuleLint lint;
   std::vector<ShownFinding> findings;
 };
@@ -106,7 +109,7 @@ std::shared_ptr<const std::vector<ShownFinding>> FindingsController::shared() co
 
 const elicitation::RuleLint* FindingsController::lint() const { return report_ ? &report_->lint : nullptr; }
 
-const fuzzy::ForceModel* FindingsController::lintedModel() const { return report_ ? &report_->model : nullptr; }
+const fuzzy::ForceModel* FindingsController::lintedModel() const { return report_ ? &report_->model() : nullptr; }
 
 void FindingsController::choose(std::size_t index) {
   TACTUS_CHECK(index < findings().size());
@@ -117,7 +120,7 @@ void FindingsController::choose(std::size_t index) {
   findFixes();
   const auto& finding = report_->findings[index].finding;
   emit lookedAt(finding.experts.size() == 1 ? text(finding.experts.front()) : QString(),
-                inputOf(report_->model, finding));
+                inputOf(report_->model(), finding));
 }
 
 void FindingsController::clearChoice() {
@@ -173,22 +176,17 @@ void FindingsController::refresh() {
     if (watched_ && chosen_ && fixes_.empty() && !isLookingForFixes()) findFixes();
     return;
   }
-  if (report_ && editing::sameBits(report_->model, edits_.model())) {
+  if (report_ && editing::sameBits(report_->model(), edits_.model())) {
     take(report_, revision_);
     return;
   }
   begun_ = true;
-  auto model = std::make_shared<const fuzzy::ForceModel>(edits_.model());
-  lint_worker_.run([this, model, revision = revision_](const std::stop_token& stop) -> Background::Deliver {
-    auto compiled = fuzzy::compile(*model);
-    // Every model of the history is valid.
-    TACTUS_CHECK(compiled.has_value());
-    auto report = std::make_shared<Report>();
-    report->lint = elicitation::ruleLint(*model, *compiled, {}, {}, stop);
+  lint_worker_.run([this, ready = edits_.history().ready(),
+                    revision = revision_](const std::stop_token& stop) -> Background::Deliver {
+    auto report = std::make_shared<Report>(ready);
+    report->lint = elicitation::ruleLint(ready->model, ready->compiled, {}, {}, stop);
     if (stop.stop_requested()) return {};
-    report->findings = shownFindings(*model, *compiled, report->lint);
-    report->model = *model;
-    report->compiled = std::move(*compiled);
+    report->findings = shownFindings(ready->model, ready->compiled, report->lint);
     return [this, report = std::shared_ptr<const Report>(std::move(report)), revision] { take(report, revision); };
   });
 }
@@ -221,7 +219,7 @@ void FindingsController::findFixes() {
       [this, report = report_, index = *chosen_, revision = revision_,
        curve = CurveSetting{scene_.xInput(), scene_.values()}](const std::stop_token& stop) -> Background::Deliver {
         auto offers = std::make_shared<std::vector<FixOffer>>(
-            offersFor(report->model, report->compiled, report->findings[index], curve, stop));
+            offersFor(report->model(), report->ready->compiled, report->findings[index], curve, stop));
         return [this, offers, index, revision] {
           if (revision != revision_ || chosen_ != index) return;
           fixes_ = std::move(*offers);

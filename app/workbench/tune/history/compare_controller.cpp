@@ -142,28 +142,24 @@ base::Result<std::shared_ptr<const OpenModel>> CompareController::make(const Com
   TACTUS_CHECK(edits_.isOpen());
   const std::shared_ptr<const OpenModel> open = models_.current();
   if (choice.kind == Kind::kOpen) return open;
-  base::Result<fuzzy::ForceModel> model = open->model;
+  base::Result<editing::SharedModel> model;
   const editing::EditHistory& history = edits_.history();
   StateId state = history.current();
   if (choice.kind == Kind::kExpert) {
-    model = alone(open->model, choice.expert);
+    model = editing::ready(alone(open->model, choice.expert));
   } else {
     state = choice.kind == Kind::kState ? choice.state : history.states()[state].parent.value_or(0);
-    model = edits_.modelOf(state);
+    model = edits_.readyOf(state);
   }
   if (!model) return tl::unexpected(model.error());
-  if (!sameInputs(*model, open->model)) {
+  if (!sameInputs((*model)->model, open->model)) {
     return base::fail(base::ErrorCode::kMismatch, nameOf(choice).toStdString(), "other inputs",
                       "the inputs of the open model");
   }
-  auto compiled = fuzzy::compile(*model);
-  if (!compiled) return tl::unexpected(compiled.error());
-  OpenModel out;
+  OpenModel out(std::move(*model));
   out.path = open->path;
   out.in_study = open->in_study;
-  out.simulated = open->simulated || saysSimulated(*model);
-  out.model = std::move(*model);
-  out.compiled = std::move(*compiled);
+  out.simulated = open->simulated || saysSimulated(out.model);
   out.version = history.versionOf(state);
   if (choice.kind == Kind::kExpert) out.only_expert = choice.expert;
   return std::make_shared<const OpenModel>(std::move(out));

@@ -117,10 +117,8 @@ void RecoveryController::begin(const LostWork& work, editing::EditHistory histor
       models_.openRead(std::move(*open));
     } else {
       // The file is gone or damaged; the history has every state of it.
-      OpenModel from_history;
+      OpenModel from_history(history.ready());
       from_history.path = work.document;
-      from_history.model = history.model();
-      from_history.compiled = history.compiled();
       from_history.simulated = saysSimulated(from_history.model);
       models_.openUnsaved(std::move(from_history));
     }

@@ -127,7 +127,31 @@ TEST(ServoScene, RefusesAModelThatIsTooSlow) {
   const auto error = refusal(support::s4Shifted(), between(), settings);
   EXPECT_EQ(error.code, ErrorCode::kLimit);
   EXPECT_EQ(error.place, "cost of one force of the model");
-  EXPECT_GT(sceneOf(support::s4Shifted(), between())->costS(), 0);
+  EXPECT_GT(measuredCostS(*fuzzy::compile(support::s4Shifted())), 0);
+}
+
+TEST(ServoScene, TakesACostThatIsKnown) {
+  const auto model = support::s4Shifted();
+  const auto compiled = *fuzzy::compile(model);
+  SceneSettings settings;
+  settings.largest_cost_s = 1e-12;  // less than any measured cost
+  settings.known_cost_s = 0.5e-12;
+  const auto scene = ServoScene::make(model, compiled, between(), settings);
+  ASSERT_TRUE(scene);
+  EXPECT_EQ((*scene)->costS(), 0.5e-12) << "as given, not measured";
+  settings.known_cost_s = 2e-12;
+  EXPECT_FALSE(ServoScene::make(model, compiled, between(), settings));
+}
+
+TEST(ServoScene, WithoutABudgetNothingIsMeasured) { EXPECT_EQ(sceneOf(support::s4Shifted(), between())->costS(), 0); }
+
+TEST(ServoScene, OfACompiledModelIsThatOfTheModel) {
+  const auto model = support::s4Shifted();
+  const auto scene = sceneOf(model, between());
+  const auto same = ServoScene::make(model, *fuzzy::compile(model), between());
+  ASSERT_TRUE(same) << same.error().message();
+  for (const double depth_mm : {10.0, 90.0, 150.0, 300.0})
+    EXPECT_EQ((*same)->force({depth_mm, 110}).force_n, scene->force({depth_mm, 110}).force_n);
 }
 
 }  // namespace
