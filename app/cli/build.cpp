@@ -66,6 +66,7 @@ tl::unexpected<base::Error> explained(base::Error error, const BuildOptions& opt
 struct Results {
   const elicitation::BuiltModel& built;
   const std::vector<study::DataFinding>& data;
+  const std::vector<std::string>& notices;
   elicitation::RuleLint lint;
   std::vector<elicitation::WeightedModel> weights;
   std::optional<elicitation::StudySpeedIntervals> speed_intervals;
@@ -147,7 +148,7 @@ std::string asJson(const BuildOptions& options, const Results& results) {
     json.beginObject(base::JsonWriter::Layout::kInline).key("id").value(expert.id);
     json.key("rules").value(expert.rules.size()).key("weight").value(expert.weight).endObject();
   }
-  json.endArray().key("notes").values(built.notes);
+  json.endArray().key("notes").values(built.notes).key("notices").values(results.notices);
   writeSpeeds(built, results.speed_intervals, json);
   writeForce(built, results.force_terms, json);
   writeFindings(results.lint.findings, json);
@@ -165,6 +166,8 @@ Result<Output> build(const BuildOptions& options) {
   if (!accepted) return tl::unexpected(accepted.error());
   const auto tables = session::readStudy(options.study, elicitation::ngtInputIds());
   if (!tables) return tl::unexpected(tables.error());
+  std::vector<std::string> notices;
+  for (const auto& notice : tables->notices) notices.push_back(options.study + ": " + notice);
   const auto data = session::dataFindings(tables->study);
   if (auto ok = study::refuseData(data, *accepted); !ok) return study::inStudyFolder(ok.error(), options.study);
 
@@ -191,8 +194,13 @@ Result<Output> build(const BuildOptions& options) {
   const auto intervals = speedIntervals(tables->study, *built, settings, options.replicates, no_intervals);
   if (!no_intervals.empty()) built->notes.push_back(no_intervals);
   for (auto& note : acceptedNotes(data, *accepted)) built->notes.push_back(std::move(note));
-  Results results{*built,   data,      elicitation::ruleLint(built->model, *compiled, built->experts),
-                  {},       intervals, options.force_terms,
+  Results results{*built,
+                  data,
+                  notices,
+                  elicitation::ruleLint(built->model, *compiled, built->experts),
+                  {},
+                  intervals,
+                  options.force_terms,
                   *accepted};
   if (options.json) {
     auto weighted = elicitation::compareWeights(*built, tables->study, settings);
@@ -200,7 +208,9 @@ Result<Output> build(const BuildOptions& options) {
     results.weights = std::move(*weighted);
   }
   if (auto written = model_io::writeModel(built->model, options.out); !written) return tl::unexpected(written.error());
-  return Output{options.json ? asJson(options, results) : summary(options, results), tables->notes};
+  auto warnings = notices;
+  warnings.insert(warnings.end(), tables->notes.begin(), tables->notes.end());
+  return Output{options.json ? asJson(options, results) : summary(options, results), std::move(warnings)};
 }
 
 }  // namespace tactus::cli

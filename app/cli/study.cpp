@@ -37,7 +37,7 @@ std::string infoAsText(const std::string& file, const store::StudyInfo& info) {
   return text;
 }
 
-std::string infoAsJson(const std::string& file, const store::StudyInfo& info) {
+std::string infoAsJson(const std::string& file, const store::StudyInfo& info, const std::vector<std::string>& notices) {
   base::JsonWriter json;
   json.beginObject().key("file").value(file).key("id").value(toText(info.id)).key("name").value(info.name);
   json.key("created_utc").value(utcText(info.created_utc_ms)).key("program").value(info.program);
@@ -45,7 +45,7 @@ std::string infoAsJson(const std::string& file, const store::StudyInfo& info) {
   json.key("placements").value(info.placements).key("feel_recordings").value(info.feel_recordings);
   json.key("rows");
   writeCounts(info.counts, json);
-  json.endObject();
+  json.key("notices").values(notices).endObject();
   return json.text();
 }
 
@@ -60,7 +60,8 @@ std::string mergesAsText(const std::vector<NamedMerge>& merges) {
   return text;
 }
 
-std::string mergesAsJson(const std::string& file, const std::vector<NamedMerge>& merges) {
+std::string mergesAsJson(const std::string& file, const std::vector<NamedMerge>& merges,
+                         const std::vector<std::string>& notices) {
   base::JsonWriter json;
   json.beginObject().key("file").value(file).key("merged").beginArray();
   for (const auto& [other, merge] : merges) {
@@ -68,15 +69,8 @@ std::string mergesAsJson(const std::string& file, const std::vector<NamedMerge>&
     writeMerge(merge, json);
     json.endObject();
   }
-  json.endArray().endObject();
+  json.endArray().key("notices").values(notices).endObject();
   return json.text();
-}
-
-/// What a person should know of the opening of a study, as warnings.
-std::vector<std::string> noticesOf(const std::string& path, const store::StudyFile& file) {
-  std::vector<std::string> warnings;
-  for (const auto& notice : file.notices()) warnings.push_back(path + ": " + notice);
-  return warnings;
 }
 
 }  // namespace
@@ -94,8 +88,9 @@ Result<Output> studyInfo(const StudyInfoOptions& options) {
   if (!file) return tl::unexpected(file.error());
   const auto info = store::studyInfo(*file);
   if (!info) return tl::unexpected(info.error());
-  return Output{options.json ? infoAsJson(options.file, *info) : infoAsText(options.file, *info),
-                noticesOf(options.file, *file)};
+  auto notices = noticesOf(*file);
+  std::string text = options.json ? infoAsJson(options.file, *info, notices) : infoAsText(options.file, *info);
+  return Output{std::move(text), std::move(notices)};
 }
 
 Result<Output> studyCheck(const StudyCheckOptions& options) {
@@ -142,9 +137,10 @@ Result<Output> studyMerge(const StudyMergeOptions& options) {
     if (!merge) return tl::unexpected(merge.error());
     merges.push_back({other, std::move(*merge)});
   }
-  auto warnings = noticesOf(options.file, *file);
+  auto warnings = noticesOf(*file);
+  std::string text = options.json ? mergesAsJson(options.file, merges, warnings) : mergesAsText(merges);
   for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
-  return Output{options.json ? mergesAsJson(options.file, merges) : mergesAsText(merges), std::move(warnings)};
+  return Output{std::move(text), std::move(warnings)};
 }
 
 }  // namespace tactus::cli

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "app/cli/study_commands.h"
+#include "app/cli/study_text.h"
 #include "core/base/json/json_writer.h"
 
 namespace tactus::cli {
@@ -25,14 +26,16 @@ base::Result<Output> studyExport(const StudyExportOptions& options) {
   settings.mark = options.mark ? store::ByteOrderMark::kWrite : store::ByteOrderMark::kNone;
   auto done = session::exportStudy(*file, options.folder, settings);
   if (!done) return tl::unexpected(done.error());
+  auto notices = noticesOf(*file);
   const std::string profile = options.shareable ? "shareable" : "full";
   if (options.json) {
     base::JsonWriter json;
     json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
     json.key("profile").value(profile).key("participants").value(done->participants);
-    json.key("notes").values(done->notes).endObject();
-    return Output{json.text(), {}};
+    json.key("notes").values(done->notes).key("notices").values(notices).endObject();
+    return Output{json.text(), std::move(notices)};
   }
+  done->notes.insert(done->notes.begin(), notices.begin(), notices.end());
   return Output{"Wrote the " + profile + " export of " + std::to_string(done->participants) + " participants to " +
                     base::oneLine(options.folder) + "; codebook.md says what the tables hold\n",
                 std::move(done->notes)};

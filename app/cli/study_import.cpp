@@ -26,7 +26,8 @@ using base::Result;
 /// What the tables of a folder gave, and what is to be said besides.
 struct Imported {
   session::StudyImport import;
-  std::vector<std::string> warnings;
+  std::vector<std::string> notices = {};   ///< of the opening of the study
+  std::vector<std::string> warnings = {};  ///< of its end
 };
 
 /// Imports into a new study, which appears whole or not at all: it is made beside its place.
@@ -43,7 +44,7 @@ Result<Imported> intoNewStudy(const std::string& path, const study::Study& table
   auto imported = session::importTables(tables, *file, source);
   if (!imported) return said_of_path(imported.error());
   if (auto placed = store::backUp(*file, path); !placed) return tl::unexpected(placed.error());
-  return Imported{std::move(*imported), {}};
+  return Imported{std::move(*imported)};
 }
 
 Result<Imported> intoStudy(const std::string& path, const study::Study& tables, const session::ImportSource& source) {
@@ -53,7 +54,8 @@ Result<Imported> intoStudy(const std::string& path, const study::Study& tables, 
   if (!file) return tl::unexpected(file.error());
   auto imported = session::importTables(tables, *file, source);
   if (!imported) return base::inFile(imported.error(), path);
-  return Imported{std::move(*imported), closeSaved(*file)};
+  auto notices = noticesOf(*file);
+  return Imported{std::move(*imported), std::move(notices), closeSaved(*file)};
 }
 
 Result<Output> importFolder(const StudyImportOptions& options) {
@@ -82,10 +84,12 @@ Result<Output> importFolder(const StudyImportOptions& options) {
     json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
     json.key("persons").value(imported->persons).key("sessions").value(imported->sessions);
     json.key("records").value(imported->records).key("notes").values(notes);
+    json.key("notices").values(done->notices);
     writeData(data, json);
     json.endObject();
-    return Output{json.text(), {}};
+    return Output{json.text(), std::move(done->notices)};
   }
+  notes.insert(notes.begin(), done->notices.begin(), done->notices.end());
   return Output{dataAsText(data, *accepted) + "Added persons " + std::to_string(imported->persons) + ", sessions " +
                     std::to_string(imported->sessions) + ", records " + std::to_string(imported->records) + " to " +
                     base::oneLine(options.file) + '\n',
@@ -106,7 +110,7 @@ Result<Output> restore(const StudyImportOptions& options, const std::string& rec
   base::JsonWriter json;
   json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
   writeMerge(merge, json);
-  json.endObject();
+  json.key("notices").values(std::vector<std::string>{}).endObject();  // a study that was made just now
   return Output{json.text(), {}};
 }
 
@@ -116,12 +120,14 @@ Result<Output> importRecords(const StudyImportOptions& options, const std::strin
   if (!file) return tl::unexpected(file.error());
   const auto merge = store::importRecords(*file, records, study::RecordIds().next(), utcNowMs());
   if (!merge) return tl::unexpected(merge.error());
-  auto warnings = closeSaved(*file);
+  auto warnings = noticesOf(*file);
+  const auto notices = warnings;
+  for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
   if (!options.json) return Output{base::oneLine(options.folder) + ": " + mergeAsText(*merge), std::move(warnings)};
   base::JsonWriter json;
   json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
   writeMerge(*merge, json);
-  json.endObject();
+  json.key("notices").values(notices).endObject();
   return Output{json.text(), std::move(warnings)};
 }
 

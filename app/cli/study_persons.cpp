@@ -49,6 +49,7 @@ Result<Output> finishWithdrawal(store::StudyFile& file, const StudyWithdrawOptio
     if (auto erased = store::erase(file); !erased) return tl::unexpected(erased.error());
     output.text += "; the erasure, which was interrupted, is finished now\n";
   }
+  output.warnings = noticesButErasure(file);
   if (auto closed = file.close(); !closed) return tl::unexpected(closed.error());
   addCopies(options.file, tombstone.person, {options.person}, output);
   return output;
@@ -63,10 +64,11 @@ Result<Output> studyRecode(const StudyRecodeOptions& options) {
   if (!person) return tl::unexpected(person.error());
   auto recoded = store::recode(*file, person->id, options.code, study::RecordIds().next(), utcNowMs());
   if (!recoded) return tl::unexpected(recoded.error());
+  auto notices = noticesOf(*file);
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   return Output{"The participant " + base::oneLine(person->code) + " (" + toText(person->id) + ") has the code " +
                     base::oneLine(options.code + " in " + options.file) + " now\n",
-                {}};
+                std::move(notices)};
 }
 
 Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
@@ -80,8 +82,9 @@ Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
   }
   const auto withdrawal = store::withdraw(*file, person->id, utcNowMs());
   if (!withdrawal) return tl::unexpected(withdrawal.error());
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   Output output;
+  output.warnings = noticesButErasure(*file);  // what was interrupted before is finished with it
+  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   output.text = "Removed " + std::to_string(withdrawal->records) + " records of " + base::oneLine(person->code) +
                 " from " + base::oneLine(options.file) + " and cleaned " + std::to_string(withdrawal->models) +
                 " versions of models. Backups and exports made before still hold them.\n";
@@ -101,8 +104,9 @@ Result<Output> studyErase(const StudyEraseOptions& options) {
   if (!erasure) return tl::unexpected(erasure.error());
   const auto withdrawn = store::tombstones(*file);
   if (!withdrawn) return tl::unexpected(withdrawn.error());
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   Output output;
+  output.warnings = noticesButErasure(*file);
+  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   output.text =
       base::oneLine(options.file) + ": " +
       (erasure->unfinished.empty() ? std::string("no erasure was interrupted")

@@ -15,6 +15,20 @@ base::Result<store::StudyFile> newStudy(const std::string& path, const std::stri
   return store::StudyFile::create(path, {study::RecordIds().next(), name, utcNowMs(), std::string(kGenerator)});
 }
 
+std::vector<std::string> noticesOf(const store::StudyFile& file) {
+  std::vector<std::string> warnings;
+  for (const auto& notice : file.notices()) warnings.push_back(file.path() + ": " + notice.sentence);
+  return warnings;
+}
+
+std::vector<std::string> noticesButErasure(const store::StudyFile& file) {
+  std::vector<std::string> warnings;
+  for (const auto& notice : file.notices()) {
+    if (notice.kind != store::Notice::Kind::kErasure) warnings.push_back(file.path() + ": " + notice.sentence);
+  }
+  return warnings;
+}
+
 std::vector<std::string> closeSaved(store::StudyFile& file) {
   const std::string path = file.path();
   const auto closed = file.close();

@@ -18,6 +18,11 @@ std::int64_t utcNowMs();
 /// Makes the study file `path` and opens it.
 base::Result<store::StudyFile> newStudy(const std::string& path, const std::string& name);
 
+/// `file: ` and each of what a person should know of the opening of a study (StudyFile::notices), as warnings.
+std::vector<std::string> noticesOf(const store::StudyFile& file);
+/// The same once nothing is left to be erased.
+std::vector<std::string> noticesButErasure(const store::StudyFile& file);
+
 /// Closes a study in which everything is saved. A failure of this last step is a warning: no record is lost.
 std::vector<std::string> closeSaved(store::StudyFile& file);
 

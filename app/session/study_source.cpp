@@ -24,7 +24,9 @@ base::Result<study::StudyTables> readStudy(const std::string& path, const std::v
   if (!file) return tl::unexpected(file.error());
   auto view = studyForElicitation(*file);
   if (!view) return tl::unexpected(view.error());
-  return study::StudyTables{std::move(view->study), std::move(view->notes)};
+  study::StudyTables tables{std::move(view->study), std::move(view->notes)};
+  for (const auto& notice : file->notices()) tables.notices.push_back(notice.sentence);
+  return tables;
 }
 
 }  // namespace tactus::session

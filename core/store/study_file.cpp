@@ -20,8 +20,7 @@ using Mode = Connection::Mode;
 
 }  // namespace
 
-StudyFile::StudyFile(std::unique_ptr<Connection> connection, Access access, int version,
-                     std::vector<std::string> notices)
+StudyFile::StudyFile(std::unique_ptr<Connection> connection, Access access, int version, std::vector<Notice> notices)
     : connection_(std::move(connection)),
       path_(connection_->path()),
       access_(access),

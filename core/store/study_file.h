@@ -36,6 +36,18 @@ struct OpenOptions {
   std::string vfs = {};
 };
 
+/// What happened to a study before or while it was opened and a person should know.
+struct Notice {
+  enum class Kind {
+    kJournal,  ///< records that were lost, or may have been, with a journal that was missing, cut or damaged
+    kErasure,  ///< an erasure that was interrupted; `erase` (withdrawal.h) finishes it
+  };
+  Kind kind = Kind::kJournal;
+  std::string sentence;  ///< without a capital and a full stop, as the message of an error; it does not name the study
+
+  bool operator==(const Notice&) const = default;
+};
+
 /// An open study file. While it is open no other program can open it. Records are written and read by the functions of
 /// the other headers of this folder; each write returns after it was committed and synced, so it survives a crash of
 /// the program and of the machine.
@@ -65,21 +77,20 @@ class StudyFile {
   /// Of the schema, from 1.
   int version() const { return version_; }
 
-  /// What happened to the study before or while it was opened and a person should know, one sentence each: records
-  /// that were lost with a damaged journal; where it is open for writing, an erasure that was interrupted.
-  const std::vector<std::string>& notices() const { return notices_; }
+  /// Of this opening; an erasure that was interrupted only where the study is open for writing.
+  const std::vector<Notice>& notices() const { return notices_; }
 
   /// For core/store only.
   Connection& connection() const;
 
  private:
-  StudyFile(std::unique_ptr<Connection> connection, Access access, int version, std::vector<std::string> notices);
+  StudyFile(std::unique_ptr<Connection> connection, Access access, int version, std::vector<Notice> notices);
 
   std::unique_ptr<Connection> connection_;
   std::string path_;
   Access access_ = Access::kReadWrite;
   int version_ = 0;
-  std::vector<std::string> notices_;
+  std::vector<Notice> notices_;
 };
 
 /// Version of SQLite that the program runs with, for reports.

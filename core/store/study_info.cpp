@@ -39,9 +39,18 @@ void checkChecksums(Connection& connection, Findings& findings) {
   }
 }
 
+std::vector<PastIncident> readIncidents(Connection& connection) {
+  Query query(connection, "SELECT utc_ms, detail FROM incident ORDER BY utc_ms, id");
+  std::vector<PastIncident> incidents;
+  while (query.next()) {
+    const std::int64_t utc_ms = query.integer();
+    incidents.push_back({utc_ms, query.text()});
+  }
+  return incidents;
+}
+
 void checkIncidents(Connection& connection, Findings& findings) {
-  Query query(connection, "SELECT detail FROM incident ORDER BY utc_ms, id");
-  while (query.next()) findings.push_back("incident: " + query.text());
+  for (const auto& incident : readIncidents(connection)) findings.push_back("incident: " + incident.sentence);
 }
 
 /// What is not finished, and what the opening for reading only said and could not note in the file.
@@ -49,7 +58,7 @@ void addNotices(const StudyFile& file, Findings& findings) {
   const std::string unfinished = unfinishedErasure(file.connection());
   if (!unfinished.empty()) findings.push_back("erasure: " + unfinished);
   if (file.access() != Access::kReadOnly) return;
-  for (const auto& notice : file.notices()) findings.push_back("incident: " + notice);
+  for (const auto& notice : file.notices()) findings.push_back("incident: " + notice.sentence);
 }
 
 void checkRecordings(Connection& connection, Findings& findings) {
@@ -106,6 +115,11 @@ Result<StudyInfo> studyInfo(const StudyFile& file) {
     info.feel_recordings = felt->recordings;
     return info;
   });
+}
+
+Result<std::vector<PastIncident>> pastIncidents(const StudyFile& file) {
+  Connection& connection = file.connection();
+  return guarded(connection, [&] { return readIncidents(connection); });
 }
 
 Result<std::vector<std::string>> checkStudy(const StudyFile& file) {

@@ -1,6 +1,7 @@
 // What a study file holds, at a glance.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,17 @@ struct StudyInfo {
 };
 
 base::Result<StudyInfo> studyInfo(const StudyFile& file);
+
+/// Something that lost records or may have, as it was noted at the opening that found it.
+struct PastIncident {
+  std::int64_t utc_ms = 0;
+  std::string sentence;  ///< as that of a Notice
+
+  bool operator==(const PastIncident&) const = default;
+};
+
+/// What happened to the study so far, the oldest first; that of this opening too where the study is open for writing.
+base::Result<std::vector<PastIncident>> pastIncidents(const StudyFile& file);
 
 /// Looks for anything that is not as it should be, one sentence each; empty when all is well: the integrity of the file
 /// and of its references, numbers missing in the order of a session (a lost record) or given twice (a session that went

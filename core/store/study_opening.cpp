@@ -266,11 +266,11 @@ Result<OpenedStudy> openAs(const std::string& path, const OpenOptions& options, 
     auto ready = guarded(db, [&] { readAsNewest(db, study.version); });
     if (!ready) return tl::unexpected(ready.error());
   }
-  if (incident) study.notices.push_back(incident->detail);
+  if (incident) study.notices.push_back({Notice::Kind::kJournal, incident->detail});
   if (mode == Mode::kReadWrite) {
     auto unfinished = guarded(db, [&] { return unfinishedErasure(db); });
     if (!unfinished) return tl::unexpected(unfinished.error());
-    if (!unfinished->empty()) study.notices.push_back(std::move(*unfinished));
+    if (!unfinished->empty()) study.notices.push_back({Notice::Kind::kErasure, std::move(*unfinished)});
   }
   return study;
 }

@@ -14,7 +14,7 @@ namespace tactus::store {
 struct OpenedStudy {
   std::unique_ptr<Connection> connection;
   int version = 0;
-  std::vector<std::string> notices;  ///< StudyFile::notices
+  std::vector<Notice> notices;  ///< StudyFile::notices
 };
 
 /// As StudyFile::open.

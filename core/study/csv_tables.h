@@ -13,7 +13,8 @@ namespace tactus::study {
 /// A study read from a folder, and what was passed over.
 struct StudyTables {
   Study study;
-  std::vector<std::string> notes;  ///< one sentence each: tables that are absent, columns that were ignored
+  std::vector<std::string> notes;         ///< one sentence each: tables that are absent, columns that were ignored
+  std::vector<std::string> notices = {};  ///< of the opening of a study file (store::StudyFile); none of a folder
 };
 
 /// Reads the tables of `folder`; the study takes the folder's name, each record keeps its line. `participants.csv` must

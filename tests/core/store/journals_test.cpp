@@ -45,7 +45,12 @@ class Journals : public testing::Test {
   std::pair<std::size_t, std::vector<std::string>> opened(const std::string& name) const {
     const auto file = StudyFile::open(path(name), {Access::kReadWrite, disk_.name()});
     if (!file) return {0, {file.error().message()}};
-    return {answers(*file)->size(), file->notices()};
+    std::vector<std::string> notices;
+    for (const auto& notice : file->notices()) {
+      EXPECT_EQ(notice.kind, Notice::Kind::kJournal);
+      notices.push_back(notice.sentence);
+    }
+    return {answers(*file)->size(), notices};
   }
   static std::string bytesOf(const std::string& path) {
     std::ostringstream out;
@@ -193,6 +198,10 @@ TEST_F(Journals, AMissingOneIsSaidAndNoted) {
   EXPECT_EQ(opened("b").second, Strings{});
   const auto file = StudyFile::open(path("b"));
   EXPECT_EQ(*checkStudy(*file), Strings{"incident: " + first.second[0]});
+  const auto past = pastIncidents(*file);
+  ASSERT_EQ(past->size(), 1U);
+  EXPECT_EQ(past->at(0).sentence, first.second[0]);
+  EXPECT_GT(past->at(0).utc_ms, 0);
 }
 
 TEST_F(Journals, ACutOneIsSaidWhereverItWasCut) {

@@ -234,7 +234,7 @@ TEST_F(Withdrawals, AnErasureThatIsNotFinishedIsKnownAndCanBeFinished) {
   EXPECT_EQ(*unfinishedErasures(*file), std::vector{study_.person.id});
   const std::string notice =
       "the erasure of 1 participant who withdrew was interrupted; finish it: tactus study erase " + path_;
-  EXPECT_EQ(file->notices(), std::vector{notice});
+  EXPECT_EQ(file->notices(), (std::vector{Notice{Notice::Kind::kErasure, notice}}));
   EXPECT_EQ(*checkStudy(*file), std::vector{"erasure: " + notice});
   const auto erasure = erase(*file);
   ASSERT_TRUE(erasure) << erasure.error().message();
