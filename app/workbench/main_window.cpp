@@ -336,7 +336,7 @@ void MainWindow::showStudy(const QString& name) {
   showTitle();
 }
 
-void MainWindow::showNotes(const std::vector<BuildNote>& notes) { bench_->header().showNotes(notes); }
+ModelHeader& MainWindow::header() { return bench_->header(); }
 
 void MainWindow::showTitle() {
   const QString study = study_.isEmpty() ? QString() : tr(" – study %1").arg(study_);

@@ -3,7 +3,6 @@
 
 #include <QMainWindow>
 
-#include "app/workbench/base/build_note.h"
 #include "app/workbench/kit/say.h"
 #include "app/workbench/shell/stage.h"
 
@@ -20,6 +19,7 @@ class FeelController;
 class FeelPanel;
 class MessageBanner;
 class ModelController;
+class ModelHeader;
 class OperatingStrip;
 class PanelArea;
 class RecentFiles;
@@ -44,8 +44,8 @@ class MainWindow : public QMainWindow, public MessagePlace {
   /// Says one sentence in the strip, for a while: what was done, or why something was not. Errors go to the banner.
   void say(const QString& sentence) override;
   void showError(const QString& sentence) override;
-  /// What the build from the answers says about the model.
-  void showNotes(const std::vector<BuildNote>& notes);
+  /// The line above the panels.
+  ModelHeader& header();
   /// The study that is open, by its file's name, in the title and beside the heading; empty: none.
   void showStudy(const QString& name);
   /// Adds a line over the screen, below the messages.

@@ -45,17 +45,17 @@ StudyParts::StudyParts(MainWindow& window, StudyController& study, FeelControlle
 }
 
 void StudyParts::buildMenu() {
-  auto* menu = new QMenu(tr("&Study"), &window_);
-  make_ = menu->addAction(tr("&New study…"));
+  menu_ = new QMenu(tr("&Study"), &window_);
+  make_ = menu_->addAction(tr("&New study…"));
   make_->setShortcut(QKeySequence::New);
-  show_ = menu->addAction(tr("Show the study's &model"));
-  menu->addSeparator();
-  put_ = menu->addAction(tr("&Put the open model into the study"));
-  build_ = menu->addAction(tr("&Build the averaged model from the answers"));
-  menu->addSeparator();
-  close_ = menu->addAction(tr("&Close the study"));
+  show_ = menu_->addAction(tr("Show the study's &model"));
+  menu_->addSeparator();
+  put_ = menu_->addAction(tr("&Put the open model into the study"));
+  build_ = menu_->addAction(tr("&Build the averaged model from the answers"));
+  menu_->addSeparator();
+  close_ = menu_->addAction(tr("&Close the study"));
   const QList<QAction*> menus = window_.menuBar()->actions();
-  window_.menuBar()->insertMenu(menus.value(2), menu);
+  window_.menuBar()->insertMenu(menus.value(2), menu_);
 }
 
 void StudyParts::connectAll() {

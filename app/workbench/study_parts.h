@@ -5,6 +5,7 @@
 #include <QObject>
 
 class QAction;
+class QMenu;
 
 namespace tactus::workbench {
 
@@ -21,6 +22,9 @@ class StudyParts : public QObject {
  public:
   StudyParts(MainWindow& window, StudyController& study, FeelController& feel, FeelStore& store,
              const ModelController& models, RecentFiles& recent);
+
+  /// For what else concerns the study.
+  QMenu& menu() { return *menu_; }
 
  protected:
   /// The window stays until everything is written, or until somebody gives it up.
@@ -41,6 +45,7 @@ class StudyParts : public QObject {
   FeelStore& store_;
   const ModelController& models_;
   RecentFiles& recent_;
+  QMenu* menu_ = nullptr;
   QAction* make_ = nullptr;
   QAction* show_ = nullptr;
   QAction* put_ = nullptr;

@@ -13,6 +13,7 @@
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/note_parts.h"
 #include "app/workbench/rule_parts.h"
 #include "app/workbench/shell/recent_files.h"
 #include "app/workbench/study/study_controller.h"
@@ -53,13 +54,10 @@ struct Workbench {
         curve_parts(window, models, edits, ghost, references, settings),
         finding_parts(window, findings, terms, rules),
         study_parts(window, study, feel, feel_store, models, recent),
+        note_parts(window, study_parts.menu(), study, edit_parts.editor()),
         history_parts(window, edit_parts.menu(), edits, compare, scene, feel, author) {
     history_parts.addRecovery(autosave, recovery, study);
     history_parts.addGhost(ghost);
-    QObject::connect(&study, &StudyController::notesChanged, &edit_parts.editor(), [this] {
-      edit_parts.editor().setNotes(study.notes());
-      window.showNotes(study.notes());
-    });
     compare.setCurve([this] {
       return scene.model() == nullptr ? CurveSetting() : CurveSetting{scene.xInput(), scene.values()};
     });
@@ -87,6 +85,7 @@ struct Workbench {
   CurveParts curve_parts;
   FindingParts finding_parts;
   StudyParts study_parts;
+  NoteParts note_parts;
   HistoryParts history_parts;
 };
 

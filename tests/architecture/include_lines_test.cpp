@@ -110,7 +110,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/device", room({"base"})},
       {"app/workbench/feel", room({"base", "kit", "model", "plot", "device"}, true)},
       {"app/workbench/feel/recordings", room({"base", "kit", "model", "plot", "device", "feel", "study"}, true)},
-      {"app/workbench/study", room({"base", "model"})},
+      {"app/workbench/study", room({"base", "kit", "model"})},
       {"app/workbench/shell", room({"base", "kit", "model"})},
       // The root composes them.
       {"app/workbench", room({"base", "kit", "model", "plot", "tune/terms", "tune/rules", "tune/findings",

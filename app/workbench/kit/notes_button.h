@@ -1,8 +1,9 @@
 // A button that says how many notes there are about something, and shows them below itself.
 #pragma once
 
-#include <QStringList>
 #include <QToolButton>
+
+#include "app/workbench/kit/notes_popup.h"
 
 namespace tactus::workbench {
 
@@ -12,15 +13,18 @@ class NotesButton : public QToolButton {
  public:
   explicit NotesButton(QWidget* parent = nullptr);
 
-  /// `title` stands above the notes. Without notes the button is hidden.
-  void setNotes(const QString& title, const QStringList& notes);
-  const QStringList& notes() const { return notes_; }
+  /// Shows `groups` under `words`, the text of the button, in the ink of warnings where `warns`. Without a sentence in
+  /// them the button is hidden.
+  void setNotes(const QString& words, const QVector<NoteGroup>& groups, bool warns = false);
+  /// `1 note`, `12 notes`: what the words can be.
+  static QString counted(qsizetype notes);
+  const QVector<NoteGroup>& notes() const { return groups_; }
 
  private:
   void showNotes();
 
-  QString title_;
-  QStringList notes_;
+  QVector<NoteGroup> groups_;
+  bool warns_ = false;
 };
 
 }  // namespace tactus::workbench

@@ -9,6 +9,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/card.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/note_groups.h"
 #include "app/workbench/kit/notes_button.h"
 #include "app/workbench/model/scene_controller.h"
 
@@ -20,6 +21,8 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
       name_(new ElidedLabel(this)),
       summary_(new QLabel(this)),
       study_(new ElidedLabel(this)),
+      notices_(new NotesButton(this)),
+      data_(new NotesButton(this)),
       notes_(new NotesButton(this)),
       simulated_(new Card(this)),
       terms_label_(new QLabel(tr("Te&rms:"), this)),
@@ -49,7 +52,11 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   layout->addWidget(simulated_, 0, Qt::AlignVCenter);
   layout->addWidget(summary_);
   layout->addWidget(study_);
-  layout->addWidget(notes_);
+  // What a number is trusted for stands together, closer than the rest.
+  auto* trust = new QHBoxLayout;
+  trust->setSpacing(theme::kGrid / 2);
+  for (NotesButton* button : {notices_, data_, notes_}) trust->addWidget(button);
+  layout->addLayout(trust);
   layout->addStretch(1);
   layout->addWidget(terms_label_);
   layout->addWidget(terms_of_);
@@ -59,10 +66,15 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   connect(terms_of_, &QComboBox::activated, this, &ModelHeader::onTermsChosen);
 }
 
-void ModelHeader::showNotes(const std::vector<BuildNote>& notes) {
-  QStringList sentences;
-  for (const BuildNote& note : notes) sentences << note.sentence;
-  notes_->setNotes(tr("Notes of the build"), sentences);
+void ModelHeader::showNotes(const BuildNotes& notes) {
+  data_->setNotes(tr("Look at the data first: %1").arg(notes.data.size()), {dataGroup(notes)}, true);
+  notes_->setNotes(NotesButton::counted(static_cast<qsizetype>(notes.build.size())), {buildGroup(notes)});
+}
+
+void ModelHeader::showNotices(const StudyNotices& notices) {
+  const QVector<NoteGroup> groups = noticeGroups(notices);
+  const qsizetype count = countOf(groups);
+  notices_->setNotes(count == 1 ? tr("1 notice") : tr("%1 notices").arg(count), groups, true);
 }
 
 void ModelHeader::showStudy(const QString& name) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/workbench/base/build_note.h"
+#include "app/workbench/base/study_notice.h"
 
 class QComboBox;
 class QLabel;
@@ -24,8 +25,10 @@ class ModelHeader : public QWidget {
  public:
   explicit ModelHeader(SceneController& scene, QWidget* parent = nullptr);
 
-  /// What the build from the answers says about the model.
-  void showNotes(const std::vector<BuildNote>& notes);
+  /// What is odd in the data of the study, and what the build from the answers says about the model.
+  void showNotes(const BuildNotes& notes);
+  /// What happened to the study.
+  void showNotices(const StudyNotices& notices);
   /// Which study is open; empty: none.
   void showStudy(const QString& name);
 
@@ -38,6 +41,8 @@ class ModelHeader : public QWidget {
   ElidedLabel* name_;
   QLabel* summary_;
   ElidedLabel* study_;
+  NotesButton* notices_;
+  NotesButton* data_;
   NotesButton* notes_;
   Card* simulated_;
   QLabel* terms_label_;

@@ -1,21 +1,25 @@
 #include "app/workbench/study/study_contents.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <algorithm>
 #include <chrono>
 #include <set>
 #include <utility>
 
 #include "app/editing/history_versions.h"
+#include "app/session/data_checks.h"
 #include "app/session/known_forms.h"
 #include "app/session/study_view.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/study/review_notes.h"
 #include "core/base/clock.h"
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
+#include "core/store/withdrawal.h"
 #include "elicitation/model/model_builder.h"
 
 namespace tactus::workbench {
@@ -73,7 +77,7 @@ void addBuilt(const store::StudyFile& file, const editing::Stamp& stamp, StudyCo
     return;
   }
   out.note = std::move(built->sentence);
-  out.build_notes = std::move(built->notes);
+  out.notes = std::move(built->notes);
   out.history = std::move(built->history);
   out.built = true;
 }
@@ -109,6 +113,8 @@ Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file) {
 Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp) {
   const auto view = session::studyForElicitation(file);
   if (!view) return tl::unexpected(view.error());
+  const auto data = session::dataFindings(view->study);
+  if (auto ok = study::refuseData(data); !ok) return base::inFile(ok.error(), file.path());
   elicitation::BuildSettings settings;
   settings.created_utc =
       base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(stamp.utc_ms)));
@@ -121,15 +127,42 @@ Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editin
   if (!history) return tl::unexpected(history.error());
   BuiltFromStudy out{
       std::move(*history), tr("Built from the answers in %1: %2.").arg(fileName(text(file.path())), experts), {}};
-  for (const std::string& note : view->notes) out.notes.push_back({text(note), {}});
-  for (std::size_t i = 0; i < built->notes.size(); ++i) {
-    out.notes.push_back({text(built->notes[i]), built->note_subjects[i]});
+  out.notes = {dataNotes(data), notesOf(view->notes, *built)};
+  const std::size_t count = out.notes.data.size() + out.notes.build.size();
+  if (count > 0) {
+    out.sentence += QLatin1Char(' ') + (count == 1 ? tr("There is a note about it beside the heading.")
+                                                   : tr("There are %1 notes about it beside the heading.").arg(count));
   }
-  if (!out.notes.empty()) {
-    out.sentence +=
-        QLatin1Char(' ') + (out.notes.size() == 1
-                                ? tr("There is a note about it beside the heading.")
-                                : tr("There are %1 notes about it beside the heading.").arg(out.notes.size()));
+  return out;
+}
+
+Result<StudyNotices> readNotices(const store::StudyFile& file) {
+  StudyNotices out;
+  const QString name = fileName(text(file.path()));
+  for (const store::Notice& notice : file.notices()) {
+    if (notice.kind != store::Notice::Kind::kJournal) continue;
+    out.now.push_back({tr("%1: %2. If records are missing, look for them in a backup or an export of the study.")
+                           .arg(name, harmless(text(notice.sentence))),
+                       false});
+  }
+  // As it is now, not as it was at the opening.
+  const auto unfinished = store::unfinishedErasures(file);
+  if (!unfinished) return tl::unexpected(unfinished.error());
+  if (!unfinished->empty()) {
+    const QString who = unfinished->size() == 1 ? tr("a participant who withdrew")
+                                                : tr("%1 participants who withdrew").arg(unfinished->size());
+    out.now.push_back(
+        {tr("%1: the erasure of %2 was interrupted. Traces of the data can still be in the file.").arg(name, who),
+         true});
+  }
+  const auto past = store::pastIncidents(file);
+  if (!past) return tl::unexpected(past.error());
+  for (const store::PastIncident& incident : *past) {
+    const auto said_now = [&incident](const store::Notice& notice) { return notice.sentence == incident.sentence; };
+    if (std::any_of(file.notices().begin(), file.notices().end(), said_now)) continue;
+    const auto when = QDateTime::fromMSecsSinceEpoch(incident.utc_ms);
+    out.before << tr("%1: %2.").arg(when.toString(QStringLiteral("yyyy-MM-dd HH:mm")),
+                                    harmless(text(incident.sentence)));
   }
   return out;
 }
@@ -146,6 +179,9 @@ Result<StudyContents> readContents(const store::StudyFile& file, const editing::
   // Records that only a newer program can read are no reason to keep the model from anybody.
   auto recordings = store::feelRecordings(file);
   if (recordings) out.recordings = std::move(*recordings);
+  auto notices = readNotices(file);
+  if (!notices) return tl::unexpected(notices.error());
+  out.notices = std::move(*notices);
   if (auto ok = addVersions(file, out); !ok) return tl::unexpected(ok.error());
   if (!out.history) addBuilt(file, stamp, out);
   return out;

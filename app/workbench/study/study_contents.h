@@ -9,6 +9,7 @@
 
 #include "app/editing/edit_history.h"
 #include "app/workbench/base/build_note.h"
+#include "app/workbench/base/study_notice.h"
 #include "core/store/feel_records.h"
 #include "core/store/study_file.h"
 #include "core/store/study_info.h"
@@ -36,7 +37,8 @@ struct StudyContents {
   std::optional<editing::EditHistory> history;  ///< of the model; nothing: there is none
   bool built = false;                           ///< the model was built just now and is no version yet
   QString note;                                 ///< one or two sentences for the person; may be empty
-  std::vector<BuildNote> build_notes;           ///< of the model that was built
+  BuildNotes notes;                             ///< where a model was built
+  StudyNotices notices;
 };
 
 /// Reads the study. `stamp`: of a model that is built. Thread: that of `file`.
@@ -46,10 +48,14 @@ base::Result<StudyContents> readContents(const store::StudyFile& file, const edi
 struct BuiltFromStudy {
   editing::EditHistory history;  ///< of its own
   QString sentence;              ///< of what it was built
-  std::vector<BuildNote> notes;
+  BuildNotes notes;
 };
-/// Builds the averaged model of the study anew. Thread: that of `file`.
+/// Builds the averaged model of the study anew; refused where its data cannot be meant (study::refuseData). Thread:
+/// that of `file`.
 base::Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp);
+
+/// What happened to the study. Thread: that of `file`.
+base::Result<StudyNotices> readNotices(const store::StudyFile& file);
 
 /// The participants of the study. Thread: that of `file`.
 base::Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file);

@@ -8,6 +8,7 @@
 #include "app/workbench/base/display_text.h"
 #include "core/base/check.h"
 #include "core/store/model_versions.h"
+#include "core/store/withdrawal.h"
 
 namespace tactus::workbench {
 namespace {
@@ -57,6 +58,7 @@ StudyController::StudyController(ModelController& models, EditController& edits,
     : QObject(parent), models_(models), edits_(edits) {
   connect(&orders_, &StudyOrders::changed, this, &StudyController::savedChanged);
   connect(&orders_, &StudyOrders::failed, this, [this](const QString& sentence) { emit failed(path_, sentence); });
+  connect(&review_, &StudyReview::changed, this, &StudyController::notesChanged);
   connect(&texts_, &VersionTexts::arrived, &edits_, &EditController::historyChanged);
   connect(&edits_, &EditController::historyChanged, this, &StudyController::storeEvents);
   connect(&models_, &ModelController::opened, this, &StudyController::savedChanged);
@@ -165,9 +167,10 @@ void StudyController::buildModel() {
         opening_ = false;
         if (*made) {
           show(std::move((*made)->history));
-          setNotes(std::move((*made)->notes));
+          review_.set(std::move((*made)->notes));
           emit said((*made)->sentence);
         } else {
+          review_.begin(modelVersion());  // what is in the way stands there too
           emit failed(path_, text(made->error().message()));
         }
         emit savedChanged();
@@ -184,8 +187,41 @@ void StudyController::putModel() {
   models_.moveIntoStudy(path_);
   has_model_ = true;
   storeEvents();
+  review_.begin(modelVersion());
   emit savedChanged();
   emit said(tr("%1 is a model of %2 now, with everything that was done to it.").arg(from, fileName()));
+}
+
+void StudyController::finishErasure() {
+  if (!takesOrders() || erasing_) return;
+  const auto end = std::make_shared<ErasureEnd>();
+  erasing_ = true;
+  emit noticesChanged();
+  // A failure is no error of the order: it would be done again and again, and nobody could leave the study meanwhile.
+  order(
+      [end](store::StudyFile& file, study::RecordIds&) -> Result<void> {
+        const auto erasure = store::erase(file);
+        end->failure = erasure ? QString() : text(erasure.error().message());
+        end->models_changed = erasure && erasure->models > 0;
+        if (auto notices = readNotices(file)) end->notices = std::move(*notices);
+        return {};
+      },
+      [this, end] { onErased(std::move(*end)); });
+}
+
+void StudyController::onErased(ErasureEnd end) {
+  erasing_ = false;
+  if (end.notices) setNotices(std::move(*end.notices));
+  emit noticesChanged();
+  if (!end.failure.isEmpty()) {
+    emit failed(path_, tr("The erasure is not finished: %1").arg(end.failure));
+    return;
+  }
+  emit said(tr("The erasure is finished: nothing of those who withdrew is left in %1. Backups and exports made before "
+               "can still hold their data.")
+                .arg(fileName()));
+  // Rules of somebody who withdrew were taken out of versions that are on the screen.
+  if (end.models_changed && keepsModel()) openModel();
 }
 
 void StudyController::storeNow() {
@@ -286,15 +322,20 @@ void StudyController::adopt(StudyContents& contents) {
   has_model_ = contents.history.has_value();
   texts_.begin(contents.versions);
   if (contents.history) show(std::move(*contents.history));
-  setNotes(std::move(contents.build_notes));
+  setNotices(std::move(contents.notices));
+  if (contents.built) {
+    review_.set(std::move(contents.notes));
+  } else {
+    review_.begin(contents.versions.empty() ? std::nullopt : std::optional(contents.versions.back().id));
+  }
   emit contentsChanged();
   if (!contents.note.isEmpty()) emit said(contents.note);
 }
 
-void StudyController::setNotes(std::vector<BuildNote> notes) {
-  if (notes == notes_) return;
-  notes_ = std::move(notes);
-  emit notesChanged();
+void StudyController::setNotices(StudyNotices notices) {
+  if (notices == notices_) return;
+  notices_ = std::move(notices);
+  emit noticesChanged();
 }
 
 void StudyController::show(editing::EditHistory history) {
@@ -341,6 +382,9 @@ void StudyController::letGo() {
   people_.clear();
   recordings_.clear();
   refused_.clear();
+  review_.clear();
+  erasing_ = false;
+  setNotices({});
   has_model_ = false;
   opening_ = closing_ = false;
   emit closed();

@@ -16,6 +16,7 @@
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/study/study_contents.h"
 #include "app/workbench/study/study_orders.h"
+#include "app/workbench/study/study_review.h"
 #include "app/workbench/study/study_worker.h"
 #include "app/workbench/study/version_texts.h"
 
@@ -45,8 +46,14 @@ class StudyController : public QObject {
   bool hasModel() const { return has_model_; }
   const std::vector<StudyPerson>& people() const { return people_; }
   const std::vector<store::FeelSummary>& recordings() const { return recordings_; }
-  /// What the build has about the model that was built last from the answers of this study, until another is opened.
-  const std::vector<BuildNote>& notes() const { return notes_; }
+  /// What is odd in the data of the study, and what the build says of its model. Comes some time after the opening.
+  const BuildNotes& notes() const { return review_.notes(); }
+  /// Still being computed.
+  bool isReviewing() const { return review_.isBusy(); }
+  /// What happened to the study.
+  const StudyNotices& notices() const { return notices_; }
+  /// `finishErasure` runs.
+  bool isErasing() const { return erasing_; }
 
   /// Something that was ordered is not written yet.
   bool isBusy() const { return orders_.isBusy(); }
@@ -79,6 +86,8 @@ class StudyController : public QObject {
   void buildModel();
   /// The open model and everything that was done to it become versions in the study.
   void putModel();
+  /// Erases what an interrupted erasure left, in the thread of the study; `said` or `failed` tells the end.
+  void finishErasure();
   /// Tries again at once what could not be written.
   void storeNow();
   /// Reads again who is in the study and what was recorded.
@@ -97,6 +106,8 @@ class StudyController : public QObject {
   void savedChanged();
   void contentsChanged();
   void notesChanged();
+  /// What `notices` or `isErasing` say changed.
+  void noticesChanged();
 
  private:
   void post(StudyWorker::Task task) { worker_.post(std::move(task)); }
@@ -108,7 +119,13 @@ class StudyController : public QObject {
   void changeOver(std::shared_ptr<StudyContents> contents);
   void adopt(StudyContents& contents);
   void show(editing::EditHistory history);
-  void setNotes(std::vector<BuildNote> notes);
+  void setNotices(StudyNotices notices);
+  struct ErasureEnd {
+    QString failure;
+    bool models_changed = false;
+    std::optional<StudyNotices> notices;
+  };
+  void onErased(ErasureEnd end);
   void storeEvents();
   void moveOut();
   void letGo();
@@ -122,12 +139,14 @@ class StudyController : public QObject {
   bool has_model_ = false;
   std::vector<StudyPerson> people_;
   std::vector<store::FeelSummary> recordings_;
-  std::vector<BuildNote> notes_;
+  StudyNotices notices_;
+  bool erasing_ = false;
   std::size_t events_ordered_ = 0;  ///< events of the history that are stored or ordered to be
   QString refused_;                 ///< why a version was refused for another reason than the disk
   CallQueue answers_;
   StudyOrders orders_{worker_, answers_};
   VersionTexts texts_{worker_, answers_};
+  StudyReview review_{worker_, answers_};
   StudyWorker worker_;  ///< last: its end waits for the thread, which answers to all above
 };
 

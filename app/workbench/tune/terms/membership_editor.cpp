@@ -17,6 +17,7 @@
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/note_groups.h"
 #include "app/workbench/kit/notes_button.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/kit/popup_form.h"
@@ -265,18 +266,15 @@ void MembershipEditor::showModes() {
   showNotes();
 }
 
-void MembershipEditor::setNotes(std::vector<BuildNote> notes) {
+void MembershipEditor::setNotes(BuildNotes notes) {
   notes_ = std::move(notes);
   showNotes();
 }
 
 void MembershipEditor::showNotes() {
-  QStringList sentences;
-  for (const BuildNote& note : notes_) {
-    if (terms_.isOpen() && note.subject == terms_.list().variable) sentences << note.sentence;
-  }
-  notes_button_->setNotes(terms_.isOpen() ? tr("Notes about %1").arg(labelOf(terms_.variable())) : QString(),
-                          sentences);
+  const QVector<NoteGroup> groups = terms_.isOpen() ? groupsAbout(notes_, terms_.variable()) : QVector<NoteGroup>();
+  const bool warns = !groups.isEmpty() && !groups.first().sentences.isEmpty();
+  notes_button_->setNotes(NotesButton::counted(countOf(groups)), groups, warns);
 }
 
 void MembershipEditor::showScope() {

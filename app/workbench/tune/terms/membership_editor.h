@@ -30,8 +30,8 @@ class MembershipEditor : public Card {
  public:
   MembershipEditor(EditController& edits, TermController& terms, SceneController& scene, QWidget* parent = nullptr);
 
-  /// What the build from the answers says about terms: shown beside those of the variable.
-  void setNotes(std::vector<BuildNote> notes);
+  /// What is odd in the data, and what the build from the answers says: shown beside the terms that it is about.
+  void setNotes(BuildNotes notes);
   /// Draws the shapes that `ghost` has as "before" as thin outlines. Once.
   void setGhost(const GhostController& ghost);
 
@@ -73,7 +73,7 @@ class MembershipEditor : public Card {
   QCheckBox* keeps_sum_;
   QToolButton* add_;
   NotesButton* notes_button_;
-  std::vector<BuildNote> notes_;
+  BuildNotes notes_;
   MembershipEditorPlot* plot_;
   ElidedLabel* hint_;
   QTimer* hint_time_;

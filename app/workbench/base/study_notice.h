@@ -1,0 +1,26 @@
+// What happened to a study, as the window says it.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace tactus::workbench {
+
+/// One thing to know of the opening of a study: what happened, what it means, and what to do.
+struct StudyNotice {
+  QString sentence;
+  /// An erasure that was interrupted: StudyController::finishErasure ends it.
+  bool can_be_finished = false;
+
+  bool operator==(const StudyNotice&) const = default;
+};
+
+struct StudyNotices {
+  std::vector<StudyNotice> now;  ///< of this opening
+  QStringList before;            ///< of earlier openings, a sentence each with its time, the oldest first
+
+  bool operator==(const StudyNotices&) const = default;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,59 @@
+#include "app/workbench/note_parts.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/note_groups.h"
+#include "app/workbench/main_window.h"
+#include "app/workbench/shell/model_header.h"
+#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/study_notice_strip.h"
+#include "app/workbench/tune/terms/membership_editor.h"
+
+namespace tactus::workbench {
+
+NoteParts::NoteParts(MainWindow& window, QMenu& menu, StudyController& study, MembershipEditor& editor)
+    : window_(window), study_(study), editor_(editor), strip_(new StudyNoticeStrip(study, &window)) {
+  window_.addStrip(strip_);
+  menu.addSeparator();
+  notices_ = menu.addAction(tr("What &happened to the study"));
+  data_ = menu.addAction(tr("&Look at the data first"));
+  build_ = menu.addAction(tr("N&otes of the build"));
+  connect(notices_, &QAction::triggered, this, [this] {
+    strip_->showAll();
+    if (!study_.notices().before.isEmpty()) popUp(noticeGroups(study_.notices()));
+  });
+  connect(data_, &QAction::triggered, this, [this] { popUp({dataGroup(study_.notes())}); });
+  connect(build_, &QAction::triggered, this, [this] { popUp({buildGroup(study_.notes())}); });
+  connect(&study_, &StudyController::notesChanged, this, &NoteParts::showNotes);
+  connect(&study_, &StudyController::noticesChanged, this, &NoteParts::showNotices);
+  // The notes of the build are of the study's model alone.
+  connect(&study_, &StudyController::savedChanged, this, &NoteParts::showNotes);
+  showNotes();
+  showNotices();
+}
+
+void NoteParts::showNotes() {
+  BuildNotes notes = study_.notes();
+  data_->setEnabled(!notes.data.empty());
+  build_->setEnabled(!notes.build.empty());
+  if (!study_.keepsModel()) notes.build.clear();
+  window_.header().showNotes(notes);
+  // What is odd in the data of the study says nothing of terms that are of another model.
+  editor_.setNotes(study_.keepsModel() ? std::move(notes) : BuildNotes());
+}
+
+void NoteParts::showNotices() {
+  const StudyNotices& notices = study_.notices();
+  notices_->setEnabled(!notices.now.empty() || !notices.before.isEmpty());
+  window_.header().showNotices(notices);
+}
+
+void NoteParts::popUp(const QVector<NoteGroup>& groups) {
+  const QMenuBar* bar = window_.menuBar();
+  showNotesPopup(window_, bar->mapToGlobal(QPoint(theme::kGrid, bar->height() + 4)), groups);
+}
+
+}  // namespace tactus::workbench

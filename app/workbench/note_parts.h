@@ -1,0 +1,42 @@
+// Puts into the window what there is to say about the open study: what happened to it, what is odd in its data, and
+// what the build says of its model.
+#pragma once
+
+#include <QObject>
+#include <QVector>
+
+#include "app/workbench/kit/notes_popup.h"
+
+class QAction;
+class QMenu;
+
+namespace tactus::workbench {
+
+class MainWindow;
+class MembershipEditor;
+class StudyController;
+class StudyNoticeStrip;
+
+class NoteParts : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `menu`: that of the study.
+  NoteParts(MainWindow& window, QMenu& menu, StudyController& study, MembershipEditor& editor);
+
+ private:
+  void showNotes();
+  void showNotices();
+  /// Below the menu bar.
+  void popUp(const QVector<NoteGroup>& groups);
+
+  MainWindow& window_;
+  StudyController& study_;
+  MembershipEditor& editor_;
+  StudyNoticeStrip* strip_;
+  QAction* notices_;
+  QAction* data_;
+  QAction* build_;
+};
+
+}  // namespace tactus::workbench

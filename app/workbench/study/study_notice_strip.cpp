@@ -1,0 +1,78 @@
+#include "app/workbench/study/study_notice_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/workbench/base/ink.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/study/study_controller.h"
+
+namespace tactus::workbench {
+
+StudyNoticeStrip::StudyNoticeStrip(StudyController& study, QWidget* parent)
+    : Card(parent), study_(study), lines_(new QVBoxLayout(this)) {
+  lines_->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  lines_->setSpacing(theme::kGrid);
+  setColors(theme::warningFill(), theme::warningInk());
+  hide();
+  connect(&study_, &StudyController::noticesChanged, this, &StudyNoticeStrip::fill);
+  // Another opening is another matter.
+  connect(&study_, &StudyController::opened, this, &StudyNoticeStrip::showAll);
+}
+
+void StudyNoticeStrip::showAll() {
+  closed_.clear();
+  fill();
+}
+
+void StudyNoticeStrip::fill() {
+  while (QLayoutItem* item = lines_->takeAt(0)) {
+    // A button of the line may be what led here.
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+  shown_.clear();
+  for (const StudyNotice& notice : study_.notices().now) {
+    if (!closed_.contains(notice.sentence)) addLine(notice);
+  }
+  setVisible(!shown_.isEmpty());
+}
+
+void StudyNoticeStrip::addLine(const StudyNotice& notice) {
+  shown_ << notice.sentence;
+  auto* line = new QWidget(this);
+  auto* label = new QLabel(notice.sentence, line);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  setInk(*label, theme::warningInk());
+  auto* layout = new QHBoxLayout(line);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(label, 1);
+  if (notice.can_be_finished) {
+    auto* finish = new QPushButton(study_.isErasing() ? tr("Erasing…") : tr("Finish the erasure"), line);
+    finish->setEnabled(!study_.isErasing());
+    finish->setToolTip(tr("Writes the file of the study anew, without what was removed"));
+    connect(finish, &QPushButton::clicked, &study_, &StudyController::finishErasure);
+    layout->addWidget(finish, 0, Qt::AlignVCenter);
+  }
+  auto* close = new QToolButton(line);
+  close->setText(QStringLiteral("✕"));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Close this message; the menu Study shows it again"));
+  close->setAccessibleName(tr("Close this message"));
+  close->setPalette(label->palette());
+  connect(close, &QToolButton::clicked, this, [this, sentence = notice.sentence] {
+    closed_ << sentence;
+    fill();
+  });
+  layout->addWidget(close, 0, Qt::AlignVCenter);
+  lines_->addWidget(line);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,37 @@
+// What happened to the open study, a line each over the screen: the sentence, the way out where there is one, and a
+// button that closes the line. Closed lines can be shown again.
+#pragma once
+
+#include <QStringList>
+
+#include "app/workbench/base/study_notice.h"
+#include "app/workbench/kit/card.h"
+
+class QVBoxLayout;
+
+namespace tactus::workbench {
+
+class StudyController;
+
+class StudyNoticeStrip : public Card {
+  Q_OBJECT
+
+ public:
+  explicit StudyNoticeStrip(StudyController& study, QWidget* parent = nullptr);
+
+  /// All of them again, those that were closed too.
+  void showAll();
+  /// The lines that are shown.
+  const QStringList& sentences() const { return shown_; }
+
+ private:
+  void fill();
+  void addLine(const StudyNotice& notice);
+
+  StudyController& study_;
+  QVBoxLayout* lines_;
+  QStringList shown_;
+  QStringList closed_;
+};
+
+}  // namespace tactus::workbench
