@@ -21,7 +21,7 @@ std::optional<std::string> firstText(const store::StudyFile& file, const study::
 
 }  // namespace
 
-StudyReview::StudyReview(StudyWorker& worker, Mailbox& answers, QObject* parent)
+StudyReview::StudyReview(StudyWorker& worker, CallQueue& answers, QObject* parent)
     : QObject(parent), worker_(worker), answers_(answers) {}
 
 void StudyReview::begin(const std::optional<study::RecordId>& model) {

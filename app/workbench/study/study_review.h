@@ -8,7 +8,7 @@
 
 #include "app/workbench/base/background.h"
 #include "app/workbench/base/build_note.h"
-#include "app/workbench/base/mailbox.h"
+#include "app/workbench/base/call_queue.h"
 #include "app/workbench/study/study_worker.h"
 
 namespace tactus::workbench {
@@ -19,7 +19,7 @@ class StudyReview : public QObject {
 
  public:
   /// `worker` ends before this; `answers` is where it answers.
-  StudyReview(StudyWorker& worker, Mailbox& answers, QObject* parent = nullptr);
+  StudyReview(StudyWorker& worker, CallQueue& answers, QObject* parent = nullptr);
 
   /// Forgets everything and looks at the study that is open. `model`: a version of the model whose notes are wanted.
   /// They come from building it once more; where that gives another model than the first version of this one, a note
@@ -40,7 +40,7 @@ class StudyReview : public QObject {
   void take(BuildNotes notes);
 
   StudyWorker& worker_;
-  Mailbox& answers_;
+  CallQueue& answers_;
   BuildNotes notes_;
   bool busy_ = false;
   std::uint64_t newest_ = 0;  ///< what was begun before does not count any more
