@@ -20,6 +20,7 @@
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/workbench.h"
 #include "core/base/check.h"
+#include "core/store/persons.h"
 #include "core/store/withdrawal.h"
 
 #include "tests/core/store/plain_sql.h"
@@ -34,7 +35,10 @@ using tests::comesTrue;
 
 class NotePartsTest : public testing::Test {
  protected:
-  void SetUp() override { window.show(); }
+  void SetUp() override {
+    window.resize(2000, 1000);  // there is room for each button in the heading
+    window.show();
+  }
 
   bool open() {
     window.openFile(path);
@@ -57,7 +61,7 @@ class NotePartsTest : public testing::Test {
   }
   static void oneWordOfN2(study::Study& nurses) {
     for (auto& judgement : nurses.judgements) {
-      if (judgement.participant == "N2") judgement.term = "small";
+      if (judgement.participant == "N2" && !judgement.term.empty()) judgement.term = "small";
     }
   }
   // The button of the heading whose text begins so, where it is shown.
@@ -170,6 +174,23 @@ TEST_F(NotePartsTest, TheyStandBesideTheHeadingAndAtTheNumberTheyBelongTo) {
   EXPECT_NE(headButton(QStringLiteral("Look at the data first: 1")), nullptr);
 }
 
+TEST_F(NotePartsTest, OneButtonStandsForAllWhereThereIsNoRoom) {
+  makeNurses(oneWordOfN2);
+  ASSERT_TRUE(open());
+  const auto build = static_cast<qsizetype>(bench.study.notes().build.size());
+  ASSERT_NE(headButton(NotesButton::counted(build)), nullptr);
+  window.header().setMaximumWidth(300);
+  ASSERT_TRUE(comesTrue([this] { return headButton(QStringLiteral("Look at the data first: 1")) == nullptr; }));
+  EXPECT_EQ(headButton(NotesButton::counted(build)), nullptr);
+  NotesButton* all = headButton(NotesButton::counted(build + 1));
+  ASSERT_NE(all, nullptr);
+  all->click();
+  EXPECT_EQ(popupSays().size(), build + 1 + 2);
+  window.header().setMaximumWidth(QWIDGETSIZE_MAX);
+  ASSERT_TRUE(comesTrue([&] { return all->isHidden(); }));
+  EXPECT_NE(headButton(QStringLiteral("Look at the data first: 1")), nullptr);
+}
+
 TEST_F(NotePartsTest, DataThatCannotBeMeantAreRefusedAndListed) {
   makeNurses([](study::Study& nurses) {
     for (auto& judgement : nurses.judgements) judgement.force_n *= 1000;  // mN
@@ -221,7 +242,11 @@ TEST_F(NotePartsTest, AMissingJournalIsSaidAndStaysReadable) {
 
 TEST_F(NotePartsTest, AnInterruptedErasureIsFinishedWithAButton) {
   study::RecordId person;
-  tests::makeStudyFile(path, [&](store::StudyFile&, study::RecordIds& ids) { person = ids.next(); });
+  tests::makeStudyFile(path, [&](store::StudyFile& file, study::RecordIds& ids) {
+    person = ids.next();
+    ASSERT_TRUE(store::append(file, study::Person{person, "calm-fox", false}));
+    ASSERT_TRUE(store::withdraw(file, person, 10));
+  });
   ASSERT_EQ(store::PlainSql(path.toStdString())
                 .complaint("INSERT INTO erasure VALUES (x'" + study::toText(person) + "', 10)"),
             "");

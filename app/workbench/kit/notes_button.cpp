@@ -1,5 +1,7 @@
 #include "app/workbench/kit/notes_button.h"
 
+#include <algorithm>
+
 #include "app/workbench/base/theme.h"
 
 namespace tactus::workbench {
@@ -30,6 +32,10 @@ void NotesButton::setNotes(const QString& words, const QVector<NoteGroup>& group
   if (warns) colors.setColor(QPalette::ButtonText, theme::warningInk());
   setPalette(colors);
   setVisible(!headings.isEmpty());
+}
+
+bool NotesButton::hasNotes() const {
+  return std::any_of(groups_.begin(), groups_.end(), [](const NoteGroup& one) { return !one.sentences.isEmpty(); });
 }
 
 void NotesButton::showNotes() { showNotesPopup(*this, mapToGlobal(QPoint(0, height() + 4)), groups_); }

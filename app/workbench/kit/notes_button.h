@@ -19,6 +19,8 @@ class NotesButton : public QToolButton {
   /// `1 note`, `12 notes`: what the words can be.
   static QString counted(qsizetype notes);
   const QVector<NoteGroup>& notes() const { return groups_; }
+  /// Whether there is a sentence in them.
+  bool hasNotes() const;
 
  private:
   void showNotes();

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <algorithm>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
@@ -24,6 +25,8 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
       notices_(new NotesButton(this)),
       data_(new NotesButton(this)),
       notes_(new NotesButton(this)),
+      all_(new NotesButton(this)),
+      buttons_(new QHBoxLayout),
       simulated_(new Card(this)),
       terms_label_(new QLabel(tr("Te&rms:"), this)),
       terms_of_(new QComboBox(this)) {
@@ -53,10 +56,9 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   layout->addWidget(summary_);
   layout->addWidget(study_);
   // What a number is trusted for stands together, closer than the rest.
-  auto* trust = new QHBoxLayout;
-  trust->setSpacing(theme::kGrid / 2);
-  for (NotesButton* button : {notices_, data_, notes_}) trust->addWidget(button);
-  layout->addLayout(trust);
+  buttons_->setSpacing(theme::kGrid / 2);
+  for (NotesButton* button : {notices_, data_, notes_, all_}) buttons_->addWidget(button);
+  layout->addLayout(buttons_);
   layout->addStretch(1);
   layout->addWidget(terms_label_);
   layout->addWidget(terms_of_);
@@ -69,18 +71,60 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
 void ModelHeader::showNotes(const BuildNotes& notes) {
   data_->setNotes(tr("Look at the data first: %1").arg(notes.data.size()), {dataGroup(notes)}, true);
   notes_->setNotes(NotesButton::counted(static_cast<qsizetype>(notes.build.size())), {buildGroup(notes)});
+  fitButtons();
 }
 
 void ModelHeader::showNotices(const StudyNotices& notices) {
   const QVector<NoteGroup> groups = noticeGroups(notices);
   const qsizetype count = countOf(groups);
   notices_->setNotes(count == 1 ? tr("1 notice") : tr("%1 notices").arg(count), groups, true);
+  fitButtons();
 }
 
 void ModelHeader::showStudy(const QString& name) {
   study_->setVisible(!name.isEmpty());
   study_->setFullText(tr("Study %1").arg(name));
+  // The model's name gives way first.
+  study_->setMinimumWidth(std::min(study_->sizeHint().width(), 24 * theme::kGrid));
   study_->setToolTip(tr("The study that is open: placements, recordings and versions of its model go there"));
+  fitButtons();
+}
+
+QSize ModelHeader::minimumSizeHint() const {
+  const QSize minimum = QWidget::minimumSizeHint();
+  if (!hasSeveralKinds() || !all_->isHidden()) return minimum;
+  return minimum - QSize(std::max(0, buttonsWidth() - all_->sizeHint().width()), 0);
+}
+
+void ModelHeader::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitButtons();
+}
+
+int ModelHeader::buttonsWidth() const {
+  int width = 0;
+  for (const NotesButton* button : {notices_, data_, notes_}) {
+    if (button->hasNotes()) width += button->sizeHint().width() + (width > 0 ? buttons_->spacing() : 0);
+  }
+  return width;
+}
+
+int ModelHeader::widthOfOthers() const {
+  buttons_->invalidate();  // what is shown of them changed
+  layout()->invalidate();
+  return layout()->sizeHint().width() - buttons_->sizeHint().width();
+}
+
+bool ModelHeader::hasSeveralKinds() const {
+  return int{notices_->hasNotes()} + int{data_->hasNotes()} + int{notes_->hasNotes()} > 1;
+}
+
+void ModelHeader::fitButtons() {
+  const QVector<NoteGroup> groups = notices_->notes() + data_->notes() + notes_->notes();
+  all_->setNotes(NotesButton::counted(countOf(groups)), groups, notices_->hasNotes() || data_->hasNotes());
+  const bool merged = hasSeveralKinds() && widthOfOthers() + buttonsWidth() > width();
+  for (NotesButton* button : {notices_, data_, notes_}) button->setVisible(button->hasNotes() && !merged);
+  all_->setVisible(merged);
 }
 
 void ModelHeader::adoptModel() {
@@ -101,6 +145,7 @@ void ModelHeader::adoptModel() {
   }
   terms_label_->setVisible(choices_.size() > 1);
   terms_of_->setVisible(choices_.size() > 1);
+  fitButtons();
 }
 
 void ModelHeader::countRules() {

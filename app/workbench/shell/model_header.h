@@ -1,5 +1,5 @@
 // The line above everything: name of the model, the study that is open, a plain label where it holds simulated data,
-// and whose terms are shown.
+// what there is to read about them, and whose terms are shown.
 #pragma once
 
 #include <QWidget>
@@ -10,6 +10,7 @@
 #include "app/workbench/base/study_notice.h"
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 
 namespace tactus::workbench {
@@ -32,7 +33,17 @@ class ModelHeader : public QWidget {
   /// Which study is open; empty: none.
   void showStudy(const QString& name);
 
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  // Where there is no room for all buttons beside the names, one stands for them.
+  void fitButtons();
+  int buttonsWidth() const;
+  int widthOfOthers() const;
+  bool hasSeveralKinds() const;
   void adoptModel();
   void countRules();
   void onTermsChosen(int index);
@@ -44,6 +55,8 @@ class ModelHeader : public QWidget {
   NotesButton* notices_;
   NotesButton* data_;
   NotesButton* notes_;
+  NotesButton* all_;  ///< in the place of these three
+  QHBoxLayout* buttons_;
   Card* simulated_;
   QLabel* terms_label_;
   QComboBox* terms_of_;

@@ -73,6 +73,7 @@ void StudyNoticeStrip::addLine(const StudyNotice& notice) {
   });
   layout->addWidget(close, 0, Qt::AlignVCenter);
   lines_->addWidget(line);
+  line->show();  // at once: a layout alone would show it only with the next event
 }
 
 }  // namespace tactus::workbench

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/store/entries.h"
+#include "core/store/persons.h"
+#include "core/store/withdrawal.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/core/store/plain_sql.h"
@@ -19,25 +21,30 @@ class StudyNotices : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return folder_.file(name); }
 
-  /// `name` as a crash leaves it, without its journal. The study is made anew each time, so that nothing was said of
-  /// it.
+  /// `name` as a crash leaves it, without its journal: with the person, without the answer that was saved last. The
+  /// study is made anew each time, so that nothing was said of it.
   std::string withoutJournal(const std::string& name) {
     store::SampleRecords records(++seed_);
     auto study = store::makeStudy(path("open.tactus"), records);
-    EXPECT_TRUE(store::append(study.file, records.answer(study.session.id)));
-    fs::copy_file(path("open.tactus"), path(name), fs::copy_options::overwrite_existing);
     person_ = study.person.code;
-    EXPECT_TRUE(study.file.close());
+    EXPECT_TRUE(study.file.close());  // what is there until now is worked into the file
+    auto file = store::StudyFile::open(path("open.tactus"));
+    EXPECT_TRUE(file && store::append(*file, records.answer(study.session.id)));
+    fs::copy_file(path("open.tactus"), path(name), fs::copy_options::overwrite_existing);
+    EXPECT_TRUE(file->close());
     fs::remove(path("open.tactus"));
     return path(name);
   }
-  /// The same, with a person and an answer, after an erasure of somebody else that was interrupted.
+  /// With a person, after an erasure of somebody else that was interrupted.
   std::string withUnfinishedErasure(const std::string& name) {
     store::SampleRecords records(++seed_);
     auto study = store::makeStudy(path(name), records);
     person_ = study.person.code;
+    const auto other = records.person("misty-lake");
+    EXPECT_TRUE(store::append(study.file, other));
+    EXPECT_TRUE(store::withdraw(study.file, other.id, 10));
     EXPECT_TRUE(study.file.close());
-    const std::string erasure = "INSERT INTO erasure VALUES (x'" + study::toText(records.id()) + "', 10)";
+    const std::string erasure = "INSERT INTO erasure VALUES (x'" + study::toText(other.id) + "', 10)";
     EXPECT_EQ(store::PlainSql(path(name)).complaint(erasure), "");
     return path(name);
   }
@@ -110,6 +117,8 @@ TEST_F(StudyNotices, BuildSaysThatTheJournalIsGone) {
   ASSERT_EQ(ProgramRun({"study", "import", path("open.tactus"), path("tables")}).status, 0);
   auto open = store::StudyFile::open(path("open.tactus"));
   ASSERT_TRUE(open);
+  store::SampleRecords records;
+  ASSERT_TRUE(store::append(*open, records.person("velvet-otter")));  // an opening that saved nothing needs no journal
   fs::copy_file(path("open.tactus"), file);
   expectNotice({"build", file, "--out", path("m.tactus.json"), "--replicates", "0", "--json"}, file, kGone);
   expectNotice({"build", file, "--out", path("m.tactus.json"), "--replicates", "0"}, file, kGone);
