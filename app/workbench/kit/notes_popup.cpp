@@ -49,6 +49,9 @@ void showNotesPopup(QWidget& parent, const QPoint& corner, const QVector<NoteGro
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidgetResizable(true);
   scroll->setWidget(list);
+  // One background, that of the popup.
+  scroll->viewport()->setAutoFillBackground(false);
+  list->setAutoFillBackground(false);
   auto* layout = new QVBoxLayout(popup);
   layout->addWidget(scroll);
   popup->setFixedWidth(kWidth);

@@ -16,7 +16,7 @@ StudyNoticeStrip::StudyNoticeStrip(StudyController& study, QWidget* parent)
     : Card(parent), study_(study), lines_(new QVBoxLayout(this)) {
   lines_->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
   lines_->setSpacing(theme::kGrid);
-  setColors(theme::warningFill(), theme::warningInk());
+  setColors(theme::warningFill(), theme::warningFill());
   hide();
   connect(&study_, &StudyController::noticesChanged, this, &StudyNoticeStrip::fill);
   // Another opening is another matter.

@@ -111,7 +111,6 @@ void MembershipEditor::buildPlace() {
   modes->addWidget(for_all_);
   modes->addWidget(keeps_sum_);
   modes->addStretch(1);
-  modes->addWidget(notes_button_);
   modes->addWidget(add_);
   modes->addWidget(new PlotMenu(
       *plot_, [this] { return table(); }, this));
@@ -122,7 +121,12 @@ void MembershipEditor::buildPlace() {
   layout->addWidget(variables_);
   layout->addLayout(modes);
   layout->addWidget(plot_, 1);
-  layout->addWidget(hint_);
+  // Beside the hint: the row above has no room to spare where somebody's scope is chosen.
+  auto* hints = new QHBoxLayout;
+  hints->setSpacing(theme::kGrid);
+  hints->addWidget(hint_, 1);
+  hints->addWidget(notes_button_);
+  layout->addLayout(hints);
   layout->addWidget(sliders_);
   layout->addWidget(table_);
 }
@@ -220,8 +224,7 @@ void MembershipEditor::showExperts() {
   for (const fuzzy::Expert& expert : model.experts) {
     const bool own = !editing::listOf(expert, variable).expert.empty();
     const bool alone = !own && editing::readersOf(model, {variable, {}}).size() == 1;
-    whose_->addItem(own || alone ? tr("Terms of %1").arg(labelOf(expert))
-                                 : tr("%1: shared terms (%2)").arg(text(expert.id), readers),
+    whose_->addItem(own || alone ? tr("Terms of %1").arg(labelOf(expert)) : tr("%1: shared terms").arg(text(expert.id)),
                     text(expert.id));
   }
   whose_->setCurrentIndex(std::max(0, whose_->findData(text(terms_.expert()))));
