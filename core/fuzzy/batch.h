@@ -8,15 +8,17 @@
 
 namespace tactus::fuzzy {
 
-/// Where the results of a batch go: as many forces and flags as points.
+/// The output arrays of a batch. Both are as long as the input arrays.
 struct BatchResult {
   std::span<double> force_n;      ///< as Evaluation::force_n
   std::span<std::uint8_t> fired;  ///< 1 or 0, as Evaluation::fired
 };
 
-/// The averaged force at every point. `inputs`: one array per input of the model, in its order and units, all as long
-/// as the results. Policies as in CompiledModel::evaluate; the forces agree with it to 4 ulp, `fired` exactly. Thread:
-/// any. Real-time safe: yes.
+/// The averaged force at every point.
+/// `inputs`: one array per model input, in the order and units of the model. All arrays have the length of the results.
+/// The forces agree with CompiledModel::evaluate to 4 ulp, `fired` exactly; out-of-range and non-finite inputs are
+/// treated as there.
+/// Thread: any. Real-time safe: yes.
 void evaluateBatch(const CompiledModel& model, std::span<const std::span<const double>> inputs,
                    BatchResult out) noexcept;
 

@@ -13,14 +13,14 @@ namespace tactus::fuzzy {
 
 /// The force at one point.
 struct Evaluation {
-  double force_n = 0;  ///< the default force where nothing fired; NaN where an input is not finite
-  bool fired = false;  ///< some expert's rule has a strength > 0
+  double force_n = 0;  ///< the default force if no rule fires; NaN if an input is not finite
+  bool fired = false;  ///< some expert has a rule with a strength > 0
 };
 
 struct ModelTables;
 
-/// What `compile` makes of a ForceModel. Immutable and cheap to copy (copies share their tables), so any number of
-/// threads may evaluate one model.
+/// The result of `compile`. Immutable and cheap to copy, because copies share their tables. Any number of threads may
+/// evaluate one model.
 class CompiledModel {
  public:
   std::size_t inputCount() const noexcept;
@@ -32,27 +32,29 @@ class CompiledModel {
   double weight(std::size_t expert) const noexcept;
 
   /// The averaged force (paper, Eq. 2): the weighted mean over the experts that do not abstain.
-  /// `inputs`: inputCount() values in the order and units of the model's inputs; outside the universe they are clamped.
-  /// Exact up to rounding for trapezoids and triangles; Gaussian output terms to 1e-12 of the output's range.
+  /// `inputs`: inputCount() values in the order and units of the model's inputs. Values outside the universe are
+  /// clamped.
+  /// Exact up to rounding for trapezoids and triangles. Error for Gaussian output terms: at most 1e-12 of the output
+  /// range.
   /// Thread: any. Real-time safe: yes (no allocation, no lock, bounded time).
   Evaluation evaluate(std::span<const double> inputs) const noexcept;
 
-  /// The force of one expert alone, whatever the weight.
+  /// The force of one expert alone, regardless of the expert's weight. `inputs` as for `evaluate`.
   /// Thread: any. Real-time safe: yes.
   Evaluation evaluateExpert(std::size_t expert, std::span<const double> inputs) const noexcept;
 
-  /// Aggregated output of one expert: for each of its output terms the largest firing strength, 0 where no rule fires.
-  /// `strengths` must have room for outputTerms(expert).size() values. Returns whether any is > 0.
+  /// The aggregated output of one expert: the largest firing strength of each output term, 0 if no rule fires for it.
+  /// `strengths`: outputTerms(expert).size() values, written here. Returns whether any of them is > 0.
   /// Thread: any. Real-time safe: yes.
   bool strengths(std::size_t expert, std::span<const double> inputs, std::span<double> strengths) const noexcept;
 
   /// The output terms of one expert, in the order of `strengths`.
   std::span<const MembershipFunction> outputTerms(std::size_t expert) const noexcept;
 
-  /// The value inside its universe that stands for `value` of input `input`.
+  /// `value` clamped to the universe of input `input`.
   double clampInput(std::size_t input, double value) const noexcept;
 
-  /// What the evaluators of this folder read (model_tables.h).
+  /// The tables for the evaluators of this folder (model_tables.h).
   const ModelTables& tables() const noexcept { return *tables_; }
 
  private:
@@ -61,7 +63,7 @@ class CompiledModel {
   std::shared_ptr<const ModelTables> tables_;
 };
 
-/// Validates `model` and compiles it. The error is that of `validate`.
+/// Validates `model` and compiles it. Returns the error of `validate` if the model is invalid.
 base::Result<CompiledModel> compile(const ForceModel& model);
 
 }  // namespace tactus::fuzzy

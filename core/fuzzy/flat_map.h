@@ -1,4 +1,4 @@
-// A small hash table in one array, for the indices that compiling builds and throws away.
+// A small hash table in one array, for the temporary indices of the compiler.
 #pragma once
 
 #include <bit>
@@ -9,13 +9,13 @@
 
 namespace tactus::fuzzy {
 
-/// From keys other than 0 to numbers.
+/// Maps keys other than 0 to numbers.
 class FlatMap {
  public:
-  /// With room for `expected` keys; it grows where there are more.
+  /// Allocates space for `expected` keys. The table grows if more are added.
   explicit FlatMap(std::size_t expected) { makeRoom(expected); }
 
-  /// What stands under `key`; where nothing does, `value` stands there from now on and comes back.
+  /// Returns the value of `key`. If the key is new, stores `value` under it and returns `value`.
   std::uint32_t findOrAdd(std::uint64_t key, std::uint32_t value) {
     std::size_t at = placeOf(key);
     if (cells_[at].key == key) return cells_[at].value;
@@ -34,7 +34,7 @@ class FlatMap {
     std::uint32_t value = 0;
   };
 
-  /// Where the key stands or would stand.
+  /// The cell of the key, or the empty cell in which it belongs.
   std::size_t placeOf(std::uint64_t key) const noexcept {
     // Fibonacci hashing: the upper bits of the product depend on all bits of the key.
     std::size_t at = key * 0x9E3779B97F4A7C15U >> shift_;
@@ -42,7 +42,7 @@ class FlatMap {
     return at;
   }
 
-  /// Empty cells, so many that at most half of them become full.
+  /// Allocates empty cells: at least twice as many as keys, so that probing stays short.
   void makeRoom(std::size_t expected) {
     cells_.assign(std::bit_ceil(2 * expected + 2), {});
     shift_ = 64 - static_cast<int>(std::bit_width(cells_.size() - 1));
@@ -58,7 +58,7 @@ class FlatMap {
   }
 
   std::vector<Cell> cells_;
-  std::size_t left_ = 0;  ///< keys that still find room
+  std::size_t left_ = 0;  ///< number of keys that can be added before the table grows
   int shift_ = 0;
 };
 

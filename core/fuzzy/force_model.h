@@ -1,5 +1,5 @@
-// The force model as people edit it and files hold it: variables, terms, rules, experts.
-// Plain data; `validate` says whether it makes sense, `compile` turns it into what evaluates (compiled_model.h).
+// The force model in its editable form, as in the model file: variables, terms, rules, experts.
+// Plain data. `validate` checks it; `compile` turns it into a CompiledModel for evaluation (compiled_model.h).
 // Semantics: docs/semantics.md.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace tactus::fuzzy {
 
-// Limits of a model. They bound the stack that evaluation needs; raising them costs stack space in every caller.
+// Limits of a model. They bound the stack space of an evaluation; a higher limit costs stack space in every caller.
 inline constexpr std::size_t kMostInputs = 8;
-inline constexpr std::size_t kMostTerms = 64;    ///< of one variable
-inline constexpr std::size_t kMostRules = 4096;  ///< of one expert
+inline constexpr std::size_t kMostTerms = 64;    ///< per variable
+inline constexpr std::size_t kMostRules = 4096;  ///< per expert
 inline constexpr std::size_t kMostExperts = 1024;
 
 enum class Shape {
@@ -25,7 +25,7 @@ enum class Shape {
   kGaussian,   ///< points mean, sigma > 0
 };
 
-/// All shapes, for whoever has to find one by its name.
+/// All shapes, for a search by name.
 inline constexpr Shape kShapes[] = {Shape::kTrapezoid, Shape::kTriangle, Shape::kGaussian};
 
 /// A linguistic term: a name for a fuzzy set on the universe of its variable.
@@ -33,7 +33,7 @@ struct Term {
   std::string id;
   std::string label;
   Shape shape = Shape::kTrapezoid;
-  std::vector<double> points;  ///< 4, 3 or 2 numbers in the unit of the variable, see Shape
+  std::vector<double> points;  ///< 4, 3 or 2 numbers (see Shape) in the unit of the variable
 
   bool operator==(const Term&) const = default;
 };
@@ -68,7 +68,7 @@ struct Rule {
   bool operator==(const Rule&) const = default;
 };
 
-/// A list of terms that takes the place of a variable's own list for one expert.
+/// A list of terms that replaces the variable's own list for one expert.
 struct TermOverride {
   std::string variable;
   std::vector<Term> terms;
@@ -92,7 +92,7 @@ enum class Implication {
   kScale,  ///< strength * membership
 };
 
-/// A reference evaluation that travels with a model and is repeated on import.
+/// A reference evaluation stored with a model. The program repeats it when it imports the model.
 struct Check {
   std::vector<double> in;  ///< one value per input, in the order of the inputs
   double force = 0;
@@ -109,11 +109,11 @@ struct NamedJson {
   bool operator==(const NamedJson&) const = default;
 };
 
-/// Where a model comes from.
+/// The origin of a model.
 struct Provenance {
   std::string study;
-  std::vector<NamedJson> settings;  ///< how it was made
-  std::vector<NamedJson> sources;   ///< from what
+  std::vector<NamedJson> settings;  ///< settings of the program that made the model
+  std::vector<NamedJson> sources;   ///< input data of the model
   std::string notes;
 
   bool operator==(const Provenance&) const = default;
@@ -127,12 +127,12 @@ struct ForceModel {
   std::vector<Variable> inputs;
   Variable output;
   Implication implication = Implication::kClip;  ///< conjunction is min, aggregation max, defuzzification centroid
-  double default_force_n = 0;                    ///< the force where every expert abstains
+  double default_force_n = 0;                    ///< the force if every expert abstains
   std::vector<std::string> accepted_holes;
   std::vector<Expert> experts;
   std::optional<RendererParameters> renderer;
   std::vector<Check> checks;
-  std::vector<NamedJson> extra;  ///< unknown top-level keys of the file it was read from
+  std::vector<NamedJson> extra;  ///< unknown top-level keys of the model file
 
   bool operator==(const ForceModel&) const = default;
 };
@@ -141,14 +141,14 @@ struct ForceModel {
 std::string_view name(Shape shape) noexcept;
 /// `clip`, `scale`.
 std::string_view name(Implication implication) noexcept;
-/// How many points a shape has: 4, 3, 2.
+/// The number of points of a shape: 4, 3, 2.
 std::size_t pointCount(Shape shape) noexcept;
 
-/// The term `id` of the list, or null.
+/// The term with the id `id`, or null.
 const Term* findTerm(const std::vector<Term>& terms, std::string_view id) noexcept;
 
-/// The terms of `variable` (one of the model's inputs or its output) as `expert` understands them: the expert's own
-/// list or the variable's.
+/// The terms of `variable` for `expert`: the expert's own list if there is one, else the variable's list. `variable` is
+/// an input of the model or its output.
 const std::vector<Term>& termsFor(const Expert& expert, const Variable& variable) noexcept;
 
 }  // namespace tactus::fuzzy

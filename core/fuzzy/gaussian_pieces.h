@@ -1,4 +1,4 @@
-// Where Gaussians and lines are highest, and integrals over pieces of Gaussians.
+// The upper envelope of Gaussians and lines, and integrals over pieces of Gaussians.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace tactus::fuzzy {
 /// Beyond this many sigmas exp(-u^2 / 2) is 0 in double precision.
 constexpr double kGaussianReach = 39;
 
-/// What a set is between two neighbouring corners: a line, or a Gaussian without inflection.
+/// A set between two neighboring corners: a line, or a part of a Gaussian without an inflection point.
 struct CurvePiece {
   bool curved;
   double x0, y0, slope;           ///< line through (x0, y0)
@@ -27,13 +27,16 @@ struct CurvePiece {
   double slopeAt(double x) const noexcept { return curved ? -at(x) * (x - mean) / (sigma * sigma) : slope; }
 };
 
-/// Writes the points in (x0, x1), between neighbouring corners, where `p` and `q` cross: at most two, each bracketed
-/// and bisected to the last bit. Returns the end of what it wrote. Thread: any. Real-time safe: yes.
+/// Writes the crossings of `p` and `q` in (x0, x1), an interval between neighboring corners. There are at most two;
+/// each is bracketed and bisected to the last bit. Returns the end of the written range.
+/// Thread: any. Real-time safe: yes.
 double* writeCrossings(const CurvePiece& p, const CurvePiece& q, double x0, double x1, double* out) noexcept;
 
-/// Calls `visit(piece, from, to)` for each part of [x0, x1] in turn, `piece` being the highest one there. `Piece` is a
-/// CurvePiece or derived from it; at most kMostTerms of them, all between the same neighbouring corners. Of pieces that
-/// coincide the first counts. A part is only empty where x0 == x1: corners that differ by less than an ulp.
+/// Calls `visit(piece, from, to)` for each part of [x0, x1] in turn; `piece` is the highest one there.
+/// `Piece` is CurvePiece or a type derived from it. `pieces`: at most kMostTerms, all between the same neighboring
+/// corners.
+/// If pieces coincide, the first one is visited. A part is empty only if x0 == x1 (corners that differ by less than an
+/// ulp).
 /// Thread: any. Real-time safe: yes, if `visit` is.
 template <class Piece, class Visit>
 void walkHighestPieces(std::span<const Piece> pieces, double x0, double x1, const Visit& visit) noexcept {
@@ -60,8 +63,8 @@ void walkHighestPieces(std::span<const Piece> pieces, double x0, double x1, cons
   }
 }
 
-/// Cuts the area under a curved piece over [x0, x1] into masses at points: calls `visit(x, mass)` for each. Ten-point
-/// Gauss-Legendre quadrature on parts so short that its error is below rounding.
+/// Replaces the area under a curved piece over [x0, x1] by point masses: calls `visit(x, mass)` for each. Uses
+/// ten-point Gauss-Legendre quadrature on parts so short that its error is below rounding.
 /// Thread: any. Real-time safe: yes, if `visit` is.
 template <class Visit>
 void visitGaussianMasses(const CurvePiece& piece, double x0, double x1, const Visit& visit) noexcept {

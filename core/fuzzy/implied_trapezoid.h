@@ -1,4 +1,4 @@
-// Trapezoids after implication, with corners finer than double.
+// Trapezoids after implication, with corners more precise than a double.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace tactus::fuzzy {
 
-/// A position as an unevaluated sum: the corner that clipping cuts into a ramp a few ulps wide lies between two
-/// doubles.
+/// A position as an unevaluated sum of two doubles. If clipping cuts a ramp that is a few ulps wide, the new corner
+/// lies between two neighboring doubles.
 struct Position {
   double high;
   double low = 0;  ///< less than half an ulp of `high`
@@ -24,15 +24,15 @@ struct Position {
   auto operator<=>(const Position&) const = default;
 };
 
-/// A trapezoid after implication: zero at `left`, at its height from `top_left` to `top_right`, zero at `right`.
+/// A trapezoid after implication: 0 at `left`, `height` from `top_left` to `top_right`, 0 at `right`.
 struct ImpliedTrapezoid {
   const MembershipFunction* function;
   double height;       ///< of the plateau, relative to the largest strength
-  double ramp_height;  ///< height at which the ramps of the term itself would reach 1
+  double ramp_height;  ///< height at which the ramps of the uncut term would reach membership 1
   Position left, top_left, top_right, right;
 
-  /// `f` with only the lowest part of its ramps, a share in (0, 1] of them: the strength where it clips, 1 where it
-  /// scales. Thread: any. Real-time safe: yes.
+  /// `f` with its ramps cut at `share` of their height. `share` in (0, 1]: the strength for clipping, 1 for scaling.
+  /// Thread: any. Real-time safe: yes.
   static ImpliedTrapezoid of(const MembershipFunction& f, double share, double height, double ramp_height) noexcept {
     return {&f,
             height,

@@ -1,10 +1,11 @@
-// Many points at once: lanes over points. Part of kernel_source.h.
+// Many points at once, one lane per point. Part of kernel_source.h. Words: program.h.
 
-/// Four registers: enough work side by side to hide the latencies.
+/// Four registers: enough independent work to hide the latency of the instructions.
 constexpr int kPoints = 4 * kWidth;
 using VB = Pack<kPoints>;
 
-/// Ramps of many points, cut at 1 where that can matter. They are not cut at 0: the strengths are.
+/// Memberships of many points in one term, cut at 1 if the term asks for it. Negative values stay, because the
+/// strengths are cut at 0 later.
 TACTUS_INLINE VB membership(const BatchTerm& term, const VB& x) noexcept {
   const Ramps& ramps = term.ramps;
   if (!ramps.has_fall && !ramps.has_rise) return spread<kPoints>(1);
@@ -33,7 +34,7 @@ TACTUS_INLINE VB strengthOf(const RuleGroup& group, const BatchRule* rule, const
   return smaller(best, pivot);
 }
 
-/// Adds the centroid of one expert to the force; points where its area is negligible are marked in `look_again`.
+/// Adds the centroid of one expert to the force. Marks the points with a negligible area in `look_again`.
 TACTUS_INLINE void addExpert(const Program& common, const BatchProgram& program, const BatchExpert& expert,
                              const VB* slots, VB& force, Bits* look_again) noexcept {
   const ClosedForm& form = common.forms[expert.form];
@@ -57,7 +58,8 @@ TACTUS_INLINE void addExpert(const Program& common, const BatchProgram& program,
   force = force + moment / area * expert.share;
 }
 
-/// The experts of `chunk` at kPoints points from `first` on; returns bits of those that must be looked at again.
+/// Evaluates the experts of `chunk` at kPoints points, starting with point `first`. Returns one bit per point that the
+/// general path must evaluate.
 TACTUS_INLINE std::uint32_t somePoints(const Program& common, const BatchProgram& program, const BatchChunk& chunk,
                                        const double* const* columns, std::size_t first, VB* slots,
                                        double* force_n) noexcept {

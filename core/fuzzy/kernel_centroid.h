@@ -1,7 +1,8 @@
 // Area and moment of output sets by their closed form. Part of kernel_source.h.
 
-/// Area and first moment of a trapezoid clipped at s, positions from the lower end of the universe. `Number` is a
-/// double, or one double per element of s. Symmetric trapezoids are told apart where that saves something.
+/// Area and first moment of a trapezoid clipped at s, with positions measured from the lower end of the universe.
+/// `Number` is a double, or one double per element of s. A symmetric trapezoid takes fewer operations if `Number` is a
+/// double.
 template <int count, class Number>
 TACTUS_INLINE void clip(const Pack<count>& s, const Polynomial<Number>& f, Pack<count>& area,
                         Pack<count>& moment) noexcept {
@@ -13,7 +14,7 @@ TACTUS_INLINE void clip(const Pack<count>& s, const Polynomial<Number>& f, Pack<
   moment = moment + (s * s) * (f.linear - s * f.cubic);
 }
 
-/// What a set scaled by `left` shares with the next one, scaled by `right`: a triangle between two ramps.
+/// The overlap of a set scaled by `left` with the next set, scaled by `right`: a triangle between two ramps.
 template <int count, class Number>
 TACTUS_INLINE void overlapScaled(const Pack<count>& left, const Pack<count>& right, const Overlap<Number>& overlap,
                                  Pack<count>& area, Pack<count>& moment) noexcept {
@@ -25,8 +26,8 @@ TACTUS_INLINE void overlapScaled(const Pack<count>& left, const Pack<count>& rig
   moment = area * ((share + 1) * (width * (1.0 / 3)) + overlap.start);
 }
 
-/// Takes from the sums what the output term `lane`, of strength s, shares with earlier ones. `strengths`: of the lanes
-/// before it; `live`: bits of those that are not 0 for all elements.
+/// Subtracts from the sums the overlaps of the output term `lane`, of strength s, with earlier terms.
+/// `strengths`: strengths of the earlier lanes. `live`: one bit per lane, set if its strength can be above 0.
 template <int count>
 TACTUS_INLINE void takeOverlaps(const ClosedForm& form, bool clips, std::size_t lane, const Pack<count>& s,
                                 const Pack<count>* strengths, std::uint64_t live, Pack<count>& area,
@@ -41,7 +42,7 @@ TACTUS_INLINE void takeOverlaps(const ClosedForm& form, bool clips, std::size_t 
       const Pack<count> t = smaller(smaller(strengths[pair->left], s), spread<count>(pair->overlap.peak));
       clip(t, pair->overlap.shape, shared_area, shared_moment);
       if (pair->left + 1U != lane) {
-        // Up to the strongest term between, the two share nothing that those between do not have.
+        // Below the strength of the strongest term between, terms between cover the whole overlap.
         Pack<count> between = spread<count>(0);
         for (std::size_t k = pair->left + 1U; k < lane; ++k) {
           if ((live >> k & 1U) != 0) between = larger(strengths[k], between);
@@ -57,7 +58,7 @@ TACTUS_INLINE void takeOverlaps(const ClosedForm& form, bool clips, std::size_t 
   }
 }
 
-/// Adds the output term `lane` of strength s to the sums, less what it shares with earlier ones.
+/// Adds the output term `lane` of strength s to the sums, minus its overlaps with earlier terms.
 template <int count>
 TACTUS_INLINE void addLane(const ClosedForm& form, bool clips, std::size_t lane, const Pack<count>& s,
                            const Pack<count>* strengths, std::uint64_t live, Pack<count>& area,

@@ -1,19 +1,19 @@
-// Memberships at one point, and the rows of rules that can be active there. Part of kernel_source.h.
+// Memberships at one point, and the rows of rules that can be active there. Part of kernel_source.h. Words: program.h.
 
 template <int count>
 TACTUS_INLINE Pack<count> load(const Lanes& lanes) noexcept {
   return load<count>(lanes.value);
 }
 
-/// The value in the universe of input i that stands for x.
+/// x clamped to the universe of input i.
 TACTUS_INLINE double clampInput(const Program& common, std::size_t i, double x) noexcept {
   const double above = x > common.input_min[i] ? x : common.input_min[i];
   return smaller(above, common.input_max[i]);
 }
 
-/// Copies the inputs into their universes; false where one is not finite.
+/// Clamps the inputs to their universes. Returns false if an input is not finite.
 TACTUS_INLINE bool clampInputs(const Program& common, const double* inputs, double* clamped) noexcept {
-  double nothing = 0;  // NaN where an input is NaN or infinite
+  double nothing = 0;  // becomes NaN if an input is NaN or infinite
   for (std::size_t i = 0; i < common.inputs; ++i) {
     nothing += inputs[i] - inputs[i];
     clamped[i] = clampInput(common, i, inputs[i]);
@@ -21,10 +21,11 @@ TACTUS_INLINE bool clampInputs(const Program& common, const double* inputs, doub
   return nothing == 0;
 }
 
-// Most inputs have three or four terms: half a block.
+// Most inputs have three or four terms, which is half a block.
 constexpr int kHalf = 4;
 
-/// Memberships of one input in the terms of a block, absent terms included. They are not cut at 0: the strengths are.
+/// Memberships of one input in the terms of a block, including absent terms. Negative values stay, because the
+/// strengths are cut at 0 later.
 template <int count>
 TACTUS_INLINE void fuzzify(const TermBlock& block, double input, double* slots) noexcept {
   const Pack<count> x = spread<count>(input);
@@ -32,7 +33,7 @@ TACTUS_INLINE void fuzzify(const TermBlock& block, double input, double* slots) 
   store(slots, smaller((load<count>(block.d) - x) * load<count>(block.fall), rise));
 }
 
-/// The rows that can be active at x: those of the segment in which x lies.
+/// The rows that can be active at x: the rows of the segment that contains x.
 TACTUS_INLINE std::span<const std::uint16_t> rowsAt(const PointProgram& program, const PointSection& section,
                                                     double x) noexcept {
   const auto cell = static_cast<int>((x - section.grid_start) * section.cells_per_unit);
@@ -43,14 +44,15 @@ TACTUS_INLINE std::span<const std::uint16_t> rowsAt(const PointProgram& program,
   return {rows, section.rows_per_segment};
 }
 
-/// Slots and active rows of a section.
+/// The slots and the active rows of a section.
 struct Fuzzified {
   const double* slots;
   const std::uint16_t* pivots;
   std::span<const std::uint16_t> rows;
 };
 
-/// Memberships of a section at a point: its clamped inputs, and its pivot input.
+/// Computes the slots of a section at one point. `inputs`: clamped values. `pivot`: the clamped value of the pivot
+/// input.
 TACTUS_INLINE Fuzzified fuzzify(const PointProgram& program, const PointSection& section, const double* inputs,
                                 double pivot, double* slots) noexcept {
   for (const TermBlock& block : in(program.blocks, section.blocks)) {

@@ -1,4 +1,5 @@
-// One point: lanes over output terms for an expert alone, over experts for a team. Part of kernel_source.h.
+// One point. An expert alone uses one lane per output term; a team uses one lane per expert. Part of kernel_source.h.
+// Words: program.h.
 
 using VT = Pack<kTeam>;
 
@@ -8,7 +9,7 @@ TACTUS_INLINE Polynomial<Pack<count>> load(const Polynomial<Lanes>& f) noexcept 
           load<count>(f.cubic)};
 }
 
-/// (0 + 2) + (1 + 3), whatever the width of a register.
+/// (0 + 2) + (1 + 3), regardless of the register width, so that every instruction set gives the same bits.
 TACTUS_INLINE double sum(const VT& x) noexcept {
 #if TACTUS_KERNEL_WIDTH == 2
   const Register two = x.part[0] + x.part[1];
@@ -20,7 +21,7 @@ TACTUS_INLINE double sum(const VT& x) noexcept {
   return two[0] + two[1];
 }
 
-/// The same of lanes 0 to 3 and, if there are more, 4 to 7, added lane by lane; lanes that are missing count as 0.
+/// Adds lanes 4 to 7 (0 if absent) to lanes 0 to 3, then adds these four like `sum`.
 template <int count>
 TACTUS_INLINE double sumOfLanes(const Pack<count>& x) noexcept {
   VT halves;
@@ -31,7 +32,7 @@ TACTUS_INLINE double sumOfLanes(const Pack<count>& x) noexcept {
   return sum(halves);
 }
 
-/// Lane k + 1 moves to lane k; the last becomes 0.
+/// Moves lane k + 1 to lane k. The last lane becomes 0.
 template <int count>
 TACTUS_INLINE Pack<count> nextLane(const Pack<count>& x) noexcept {
   Pack<count> next;
@@ -46,19 +47,20 @@ TACTUS_INLINE Pack<count> nextLane(const Pack<count>& x) noexcept {
   return next;
 }
 
-/// What a team adds to the outcome.
+/// The contribution of one team to the outcome.
 struct TeamOutcome {
-  double mean;    ///< of its offsets, by their shares
+  double mean;    ///< sum of the experts' offsets times their shares
   bool all_fire;  ///< no area is negligible
 };
 
-/// An expert alone: one strength per output term, side by side; `count` lanes are enough for them.
+/// The centroid of an expert alone: one strength per output term, side by side. `count`: lanes, at least the number of
+/// output terms.
 template <int count>
 TACTUS_INLINE TeamOutcome centroidAlone(const Program& common, const Team& team, const Fuzzified& at, std::size_t seat,
                                         PointOutcome& out) noexcept {
-  constexpr std::size_t kParts = kLanes / kTeam;  // Weights of a rest
+  constexpr std::size_t kParts = kLanes / kTeam;  // groups of weights per rest
   const PointProgram& program = common.point;
-  // Two at once: the largest of a row would have to wait for one rest after the other.
+  // Two maxima at once: with a single one, each rest would have to wait for the one before.
   Pack<count> even = spread<count>(0);
   Pack<count> odd = spread<count>(0);
   for (const std::uint16_t r : at.rows) {
@@ -66,7 +68,7 @@ TACTUS_INLINE TeamOutcome centroidAlone(const Program& common, const Team& team,
     const Pack<count> pivot = spread<count>(at.slots[at.pivots[r]]);
     const Rest* rest = program.rests.data() + row.first;
     const Rest* const end = rest + row.count;
-    // An empty row may stand at the end of the tables.
+    // If the row is empty, this pointer may be the end of the table.
     const Weights* weights = program.weights.data() + team.first_weight + kParts * (row.first - team.first_rest);
     const auto strength = [&](std::size_t k) {
       return load<count>(weights[kParts * k].value) * smaller(spread<count>(at.slots[rest[k].slot]), pivot);
@@ -102,7 +104,7 @@ TACTUS_INLINE TeamOutcome centroidAlone(const Program& common, const Team& team,
   return {offset * team.shares.value[0], area > common.negligible};
 }
 
-/// Centroids of a team from its strengths: those of all experts, side by side, for each output term.
+/// Centroids of a team. `strengths`: for each output term, the strengths of all experts of the team side by side.
 TACTUS_INLINE TeamOutcome centroidsOfTeam(const Program& common, const Team& team, const VT* strengths,
                                           std::size_t lanes, std::size_t seat, PointOutcome& out) noexcept {
   const ClosedForm& form = common.forms[team.form];
@@ -121,7 +123,7 @@ TACTUS_INLINE TeamOutcome centroidsOfTeam(const Program& common, const Team& tea
   return {sum(offsets * load<kTeam>(team.shares.value)), all_fire};
 }
 
-/// A team with `lanes` output terms, whose strengths stay in registers.
+/// A team with `lanes` output terms. The strengths stay in registers.
 template <int lanes>
 TeamOutcome denseTeam(const Program& common, const Team& team, const Fuzzified& at, std::size_t seat,
                       PointOutcome& out) noexcept {
@@ -143,7 +145,7 @@ TeamOutcome denseTeam(const Program& common, const Team& team, const Fuzzified& 
   return centroidsOfTeam(common, team, strengths, lanes, seat, out);
 }
 
-/// A team with many output terms.
+/// A team with more than eight output terms.
 TeamOutcome sparseTeam(const Program& common, const Team& team, const Fuzzified& at, std::size_t seat,
                        PointOutcome& out) noexcept {
   const PointProgram& program = common.point;
@@ -187,7 +189,7 @@ bool point(const Program& common, const double* inputs, PointOutcome& out) noexc
   TeamOutcome all{0, true};
   std::size_t seat = 0;
   for (const PointSection& section : program.sections) {
-    // Clamped once more: that is sooner there than what was written to memory a moment ago.
+    // Clamps the pivot input again, because that is faster than to load the value just stored in `clamped`.
     const double pivot = clampInput(common, section.pivot_input, inputs[section.pivot_input]);
     const Fuzzified at = fuzzify(program, section, clamped, pivot, slots);
     for (const Team& team : in(program.teams, section.teams)) {

@@ -1,5 +1,5 @@
-// The source of the kernels. Included by kernels.cpp once per instruction set, each time inside another namespace and
-// under another target; not for anybody else. The compiler splits what the machine cannot do at once.
+// The source of the kernels. Only kernels.cpp includes it: once per instruction set, each time in another namespace and
+// for another target. If the processor lacks an operation of the full width, the compiler splits it.
 #include "core/fuzzy/kernel_vectors.h"
 //
 #include "core/fuzzy/kernel_centroid.h"

@@ -1,6 +1,6 @@
-// Numbers side by side. Part of kernel_source.h.
+// Arithmetic on several numbers at once. Part of kernel_source.h.
 
-/// Numbers side by side, in registers of kWidth doubles.
+/// Several numbers side by side, in registers of kWidth doubles.
 constexpr int kWidth = TACTUS_KERNEL_WIDTH;
 using Register = double __attribute__((vector_size(kWidth * sizeof(double)), may_alias));
 using Bits = long long __attribute__((vector_size(kWidth * sizeof(double))));
@@ -11,7 +11,7 @@ struct Pack {
   Register part[kParts];
 };
 
-/// For each part of a result.
+/// Evaluates the expression for each register `i` of the result.
 #define TACTUS_EACH_PART(expression)                                                                 \
   Pack<count> out;                                                                                   \
   _Pragma("GCC unroll 16") for (int i = 0; i < Pack<count>::kParts; ++i) out.part[i] = (expression); \
@@ -21,7 +21,7 @@ struct Pack {
 
 template <int count>
 TACTUS_INLINE Pack<count> spread(double x) noexcept {
-  TACTUS_EACH_PART(x - Register{});  // x itself; x + 0 would cost an addition, because it turns -0 into 0
+  TACTUS_EACH_PART(x - Register{});  // gives x itself; x + 0 would cost an addition, because it turns -0 into 0
 }
 template <int count>
 TACTUS_INLINE Pack<count> load(const double* from) noexcept {
@@ -69,18 +69,18 @@ template <int count>
 TACTUS_INLINE Pack<count> operator-(double x, const Pack<count>& y) noexcept {
   TACTUS_EACH_PART(x - y.part[i]);
 }
-/// The larger of both; y where x is not a number.
+/// The larger of x and y; y if x is NaN.
 template <int count>
 TACTUS_INLINE Pack<count> larger(const Pack<count>& x, const Pack<count>& y) noexcept {
   TACTUS_EACH_PART(x.part[i] > y.part[i] ? x.part[i] : y.part[i]);
 }
-/// The smaller of both; y where x is not a number.
+/// The smaller of x and y; y if x is NaN.
 template <int count>
 TACTUS_INLINE Pack<count> smaller(const Pack<count>& x, const Pack<count>& y) noexcept {
   TACTUS_EACH_PART(x.part[i] < y.part[i] ? x.part[i] : y.part[i]);
 }
 TACTUS_INLINE double smaller(double x, double y) noexcept { return x < y ? x : y; }
-/// x where it is positive, else 1: a divisor.
+/// x if it is positive, else 1. Used as a divisor.
 template <int count>
 TACTUS_INLINE Pack<count> positiveOrOne(const Pack<count>& x) noexcept {
   TACTUS_EACH_PART(x.part[i] > 0 ? x.part[i] : Register{} + 1.0);

@@ -1,4 +1,4 @@
-// Membership functions in the form that evaluates.
+// Membership functions in the form used for evaluation.
 #pragma once
 
 #include "core/fuzzy/force_model.h"
@@ -11,16 +11,19 @@ struct MembershipFunction {
   double a = 0, b = 0, c = 0, d = 0;  ///< trapezoid
   double mean = 0, sigma = 1;         ///< Gaussian
 
-  /// From a term that `validate` accepts.
+  /// Converts a term that `validate` accepts.
   static MembershipFunction of(const Term& term) noexcept;
 
-  /// Membership of x in [0, 1]. A trapezoid is 0 outside [a, d] and 1 on [b, c]; a = b and c = d are vertical edges
-  /// with membership 1 at the edge. Strictly inside the support it is never rounded down to 0, so that a rule fires
-  /// exactly where real arithmetic says so. A Gaussian is exp(-((x - mean) / sigma)^2 / 2).
+  /// Membership of x in [0, 1].
+  /// A trapezoid is 0 outside [a, d] and 1 on [b, c]. If a = b or c = d, that edge is vertical and has membership 1.
+  /// Strictly inside the support, the membership is never rounded down to 0. So a rule fires exactly if it fires in
+  /// real arithmetic.
+  /// A Gaussian is exp(-((x - mean) / sigma)^2 / 2).
   /// Thread: any. Real-time safe: yes.
   double operator()(double x) const noexcept { return scaled(x, 1); }
 
-  /// `scale` times the membership, where the membership alone would lose digits below the normal range of double.
+  /// `scale` times the membership. Keeps the digits that the membership alone would lose below the normal range of
+  /// double.
   double scaled(double x, double scale) const noexcept;
 };
 

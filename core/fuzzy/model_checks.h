@@ -1,4 +1,4 @@
-// Checks that the parts of a force model share. Nothing outside core/fuzzy includes this.
+// Checks used for several parts of a force model. Nothing outside core/fuzzy includes this.
 #pragma once
 
 #include <cstddef>
@@ -14,29 +14,29 @@
 
 namespace tactus::fuzzy {
 
-// Larger numbers would overflow in the moments of the output set, narrower universes underflow.
+// Values beyond kLargest would overflow the moments of the output set; universes below kNarrowest would underflow.
 inline constexpr double kLargest = 1e150;
 inline constexpr double kNarrowest = 1e-150;
 
-/// What is wrong with a model, or null. One word to hand back for each of many checks, where a Result has twenty.
+/// The error of a check, or null if the check passes. Smaller than a Result: one word instead of twenty.
 using Problem = std::unique_ptr<base::Error>;
 
 Problem problem(base::ErrorCode code, const Place& place, std::string found, std::string wanted);
 
-/// Whether `value` lies in [min, max]; NaN does not.
+/// Whether `value` lies in [min, max]. False for NaN.
 inline bool isWithin(double value, double min, double max) noexcept { return value >= min && value <= max; }
 
-/// The number is finite and in [min, max].
+/// Checks that the number is finite and in [min, max].
 Problem checkNumber(double value, double min, double max, const Place& place);
 
-/// `count` things named `what` are between 1 and `most`.
+/// Checks that `count` is between 1 and `most`. `what`: the name of the counted things in the message.
 Problem checkCount(std::size_t count, std::size_t most, std::string_view what, const Place& place);
 
-/// `id` is an id and new among `seen`, where it is remembered.
+/// Checks that `id` is a valid id and not yet in `seen`, and adds it to `seen`.
 Problem checkUnique(NameList& seen, const std::string& id, const Place& place);
 
-/// A list of terms, whose names come to stand in `names`; `output` where they are terms of this output, which they must
-/// meet.
+/// Checks a list of terms and puts their ids into `names`. `output`: the output variable if the terms belong to it,
+/// else null. Output terms must overlap its universe.
 Problem checkTerms(const std::vector<Term>& terms, const Variable* output, const Place& place, NameList& names);
 
 }  // namespace tactus::fuzzy

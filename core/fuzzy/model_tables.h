@@ -15,7 +15,7 @@
 
 namespace tactus::fuzzy {
 
-/// Names turned into indices.
+/// A condition by indices instead of names.
 struct IndexedCondition {
   std::uint8_t input;
   std::uint8_t term;
@@ -30,13 +30,13 @@ struct IndexedRule {
 struct ExpertTable {
   double weight = 1;  ///< in the mean
   double share = 1;   ///< weight relative to the sum of all weights
-  Stretch rules;      ///< enabled rules with a weight > 0 only
+  Stretch rules;      ///< enabled rules with a weight > 0
   std::array<std::uint32_t, kMostInputs> input_bank{};
   std::uint32_t output_bank = 0;
 };
 
 struct ModelTables {
-  /// `bytes`: what the tables are likely to need; more is asked for where it is not enough.
+  /// `bytes`: the expected size of the tables. More memory is allocated if they need it.
   explicit ModelTables(std::size_t bytes = 4096) : memory(bytes) {}
 
   std::pmr::monotonic_buffer_resource memory;
@@ -45,22 +45,22 @@ struct ModelTables {
   double default_force_n = 0;
   Implication implication = Implication::kClip;
   Table<MembershipFunction> terms{&memory};
-  Table<Stretch> banks{&memory};  ///< of terms; experts without their own lists share one
+  Table<Stretch> banks{&memory};  ///< ranges of `terms`, one per list; experts without own lists share them
   Table<IndexedCondition> conditions{&memory};
-  Table<Stretch> premises{&memory};  ///< the conditions that rules have, of any expert, each combination once
+  Table<Stretch> premises{&memory};  ///< ranges of `conditions`; each combination of conditions once
   Table<IndexedRule> rules{&memory};
   Table<ExpertTable> experts{&memory};
   Program program{&memory};
 
   std::span<const MembershipFunction> bank(std::uint32_t index) const noexcept { return in(terms, banks[index]); }
 
-  /// Copies `inputs` into their universes; false where one is not finite.
+  /// Clamps `inputs` to their universes. Returns false if an input is not finite.
   bool clamp(std::span<const double> inputs, std::span<double> clamped) const noexcept {
     TACTUS_CHECK(inputs.size() == input_min.size());
     double nothing = 0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       const double x = inputs[i];
-      nothing += x - x;  // NaN where x is NaN or infinite
+      nothing += x - x;  // NaN if x is NaN or infinite
       const double above = x > input_min[i] ? x : input_min[i];
       clamped[i] = above < input_max[i] ? above : input_max[i];
     }
@@ -68,8 +68,9 @@ struct ModelTables {
   }
 };
 
-/// The mean at a point: all inputs of the model, clamped here; NaN where one is not finite. Whatever the fast form
-/// leaves open the general path decides. `kernels`: those of the program, or others that this processor can run.
+/// The mean at one point. `inputs`: all inputs of the model; the function clamps them. The force is NaN if an input is
+/// not finite. The general path evaluates the points that the fast form cannot decide.
+/// `kernels`: the kernels of the program, or another set that this processor supports.
 /// Thread: any. Real-time safe: yes.
 Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std::span<const double> inputs) noexcept;
 
@@ -81,13 +82,14 @@ Evaluation evaluatePoint(const ModelTables& tables, const Kernels& kernels, std:
 /// What every evaluation gives where an input is not finite.
 inline constexpr Evaluation kNotANumber{std::numeric_limits<double>::quiet_NaN(), false};
 
-/// The same at many points, by the program of the model or one specialised from it: `varying` holds one array for each
-/// input in `index`, `values` the values of the others. Thread: any. Real-time safe: yes.
+/// The mean at many points, by the program of the model or a specialized one. `varying`: one array for each input in
+/// `index`. `values`: the values of all inputs; those in `index` are ignored. Thread: any. Real-time safe: yes.
 void evaluateBatchOf(const ModelTables& tables, const BatchProgram& program,
                      std::span<const std::span<const double>> varying, std::span<const std::size_t> index,
                      std::span<const double> values, BatchResult out) noexcept;
 
-/// Whether every input is 0 or not so small that products with it could underflow: then an area of 0 is certain.
+/// Whether each input is 0 or at least 1e-280 in size. Then no product with an input underflows, and an area of 0 is
+/// exact.
 inline bool areOrdinary(std::span<const double> clamped) noexcept {
   bool ordinary = true;
   for (const double x : clamped) ordinary = ordinary && (x == 0 || x > 1e-280 || x < -1e-280);

@@ -1,4 +1,4 @@
-// The ids of a list, found by name. Nothing outside core/fuzzy includes this.
+// A list of ids with a search by name. Nothing outside core/fuzzy includes this.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace tactus::fuzzy {
 
-/// Whether `a` and `b`, which are as long as each other and at least as long as a Word, have the same ends.
+/// Whether the first and last sizeof(Word) bytes of `a` and `b` agree. Both have the same length, at least
+/// sizeof(Word).
 template <class Word>
 bool haveSameEnds(std::string_view a, std::string_view b) noexcept {
   const auto same_at = [&](std::size_t place) {
@@ -22,7 +23,8 @@ bool haveSameEnds(std::string_view a, std::string_view b) noexcept {
   return same_at(0) && same_at(a.size() - sizeof(Word));
 }
 
-/// Whether two ids are the same. Most are so short that a word at each end, which may overlap, tells.
+/// Whether two ids are equal. Most ids are so short that comparing one word at each end is enough; the words may
+/// overlap.
 inline bool isSameId(std::string_view a, std::string_view b) noexcept {
   constexpr std::size_t kWord = sizeof(std::uint64_t);
   if (a.size() != b.size()) return false;
@@ -31,13 +33,13 @@ inline bool isSameId(std::string_view a, std::string_view b) noexcept {
   return a == b;
 }
 
-/// Ids in the order in which they were added. The strings must outlive it.
+/// Ids in the order of insertion. The caller keeps the strings alive.
 class NameList {
  public:
   void clear() noexcept { ids_.clear(); }
   void reserve(std::size_t count) { ids_.reserve(count); }
 
-  /// False where the list has this id already.
+  /// Adds `id`. Returns false if the list already contains it.
   bool add(std::string_view id) {
     if (find(id) != kNone) return false;
     ids_.push_back(id);

@@ -1,4 +1,4 @@
-// Places in a model file that are written down only when something is wrong there. Nothing outside core/fuzzy includes
+// Places in a model file. The text of a place is made only for an error message. Nothing outside core/fuzzy includes
 // this.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace tactus::fuzzy {
 
-/// A member or an element of another place, which must outlive it.
+/// A member or an element of a parent place. The parent must outlive it.
 class Place {
  public:
   Place() = default;
@@ -18,7 +18,7 @@ class Place {
   Place operator[](std::string_view key) const { return {this, key, 0}; }
   Place operator[](std::size_t index) const { return {this, {}, index}; }
 
-  /// The pointer (RFC 6901).
+  /// The place as a JSON pointer (RFC 6901).
   std::string text() const {
     if (parent_ == nullptr) return {};
     const std::string parent = parent_->text();

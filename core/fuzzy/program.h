@@ -1,8 +1,19 @@
-// The fast form of a model: flat tables that the kernels read (kernels.h). Made by compile and specialise, never
-// edited.
+// The fast form of a model: flat tables for the kernels (kernels.h). `compile` and `specialised` make it; nothing edits
+// it.
 //
-// Experts that share their input terms stand in one section. A section is evaluated by itself: its memberships go to
-// slots, which the next section uses again.
+// Words of this folder, with the rule IF depth is deep AND speed is fast THEN force is high:
+// - Slot: the place of one membership in an array; slots 0 and 1 hold the constants 0 and 1.
+//   Example: slot 9 holds the membership of the current depth in `deep`.
+// - Pivot: the condition of a rule on the pivot input, the one input by which the rules of a section are sorted.
+//   Example: with depth as pivot input, `depth is deep` is the pivot.
+// - Rest: the other conditions of the rule. Strength = weight * min(pivot, rest). Example: `speed is fast`.
+// - Row: the rests of all rules with the same pivot.
+// - Segment: an interval between two breakpoints of the pivot input, where the same rows can be active.
+//   Example: for depths between 20 and 30 mm only the rows of `middle` and `deep` are read.
+// - Section: the experts that share their input terms. The next section reuses the slots.
+// - Team: up to kTeam experts of a section with the same output terms, evaluated at once, one lane each.
+// - Seat: the place of an expert in the order of the teams. Example: if team 0 has four experts, team 1 begins at 4.
+// - Form: the closed form of a bank of output terms (closed_form.h), which also defines lane.
 #pragma once
 
 #include <algorithm>
@@ -19,17 +30,17 @@
 
 namespace tactus::fuzzy {
 
-inline constexpr std::size_t kBatch = 32;       ///< points that the batch kernel takes at once
-inline constexpr std::size_t kTeam = 4;         ///< experts that the point kernel takes at once
-inline constexpr std::size_t kGridCells = 256;  ///< of the table that finds a point's segment
-/// Memberships and antecedents of one section; a model with a larger one is evaluated by the general path alone.
+inline constexpr std::size_t kBatch = 32;       ///< points per call of the batch kernel
+inline constexpr std::size_t kTeam = 4;         ///< experts that the point kernel evaluates at once: an AVX register
+inline constexpr std::size_t kGridCells = 256;  ///< cells of the table that finds the segment of a point
+/// Limit of memberships and antecedents of one section. The general path evaluates a model with a larger section.
 inline constexpr std::size_t kMostSlots = 1024;
 
-// The first slots hold constants.
+// Slots with constants.
 inline constexpr std::uint16_t kZeroSlot = 0;
 inline constexpr std::uint16_t kOneSlot = 1;
 
-/// A stretch of one of the flat tables.
+/// A range of elements of a flat table.
 struct Stretch {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
@@ -37,11 +48,11 @@ struct Stretch {
   std::uint32_t end() const noexcept { return first + count; }
 };
 
-/// The tables of a model stand in memory that they share and that is given back as a whole.
+/// The tables of a model share one memory resource, which is released as a whole.
 template <class T>
 using Table = std::pmr::vector<T>;
 
-/// Makes room for `more` elements, and for many more where it has to move those that are there.
+/// Reserves space for `more` elements. If the elements have to move, at least doubles the capacity.
 template <class T>
 void makeRoom(Table<T>& table, std::size_t more) {
   if (table.capacity() - table.size() < more) table.reserve(std::max(table.size() + more, 2 * table.capacity()));
@@ -57,59 +68,59 @@ std::span<const T> in(const std::vector<T, Allocator>& table, Stretch stretch) n
   return {table.data() + stretch.first, stretch.count};
 }
 
-/// A trapezoid of an input: the lesser of two ramps, cut to [0, 1].
+/// A trapezoid of an input: the smaller of two ramps, cut to [0, 1].
 struct Ramps {
-  double a = 0, rise = 0;  ///< (x - a) * rise; `rise` is rounded so that it reaches 1 where the core begins
+  double a = 0, rise = 0;  ///< (x - a) * rise; `rise` is rounded so that the ramp reaches 1 where the core begins
   double d = 0, fall = 0;  ///< (d - x) * fall
-  bool has_rise = true;    ///< false where the term is 1 from the lower end of the universe on
+  bool has_rise = true;    ///< false if the membership is 1 from the lower end of the universe on
   bool has_fall = true;
 };
 
-/// The least of some memberships: what a rule asks besides its pivot term.
+/// The minimum of some memberships: a rest of more than one condition.
 struct Antecedent {
   std::uint16_t slot = 0;
-  Stretch of;      ///< slots
-  double cap = 1;  ///< the least of those that are fixed
+  Stretch of;      ///< slots of the conditions
+  double cap = 1;  ///< minimum of the memberships of fixed inputs
 };
 
 // ---- one point
 
-/// Up to eight terms of one input side by side: their memberships go to eight slots in a row.
+/// Up to eight terms of one input side by side. Their memberships go to eight consecutive slots.
 struct TermBlock {
   std::uint16_t input = 0;
-  std::uint16_t slot = 0;   ///< of the first
-  std::uint16_t count = 0;  ///< terms
-  Lanes a, rise, d, fall;   ///< as in Ramps; an absent ramp has its foot at infinity
+  std::uint16_t slot = 0;   ///< of the first term
+  std::uint16_t count = 0;  ///< number of terms
+  Lanes a, rise, d, fall;   ///< as in Ramps; an absent ramp starts at infinity
   Lanes height;             ///< 1; 0 for an absent term
 };
 
-/// What remains of a rule's conditions without its pivot term: strength = weight * min(pivot, rest).
+/// The rest of a rule.
 struct Rest {
   std::uint16_t slot = 0;
-  std::uint16_t lane = 0;  ///< in Layout::kSparse the output term that it strengthens
+  std::uint16_t lane = 0;  ///< Layout::kSparse only: the output term of the rule
 };
 
 struct alignas(32) Weights {
   double value[kTeam] = {};
 };
 
-/// Experts with the same terms, at most kTeam. A weight is 0 where there is no such rule. The first expert takes the
-/// places that are left too, with a share of 0.
+/// Up to kTeam experts with the same terms. A weight is 0 if the expert has no such rule. If the team is not full, the
+/// first expert also fills the free places, with a share of 0.
 struct Team {
-  /// What stands for each rest.
+  /// The data of each rest.
   enum class Layout : std::uint8_t {
     kAlone,   ///< one expert: a weight for each of eight output terms
-    kDense,   ///< at most eight output terms: for each of them a weight for each expert
+    kDense,   ///< at most eight output terms: for each of them, a weight for each expert
     kSparse,  ///< the lane of one output term, and a weight for each expert
   };
   Layout layout = Layout::kSparse;
   std::uint16_t experts = 1;
-  std::uint16_t lanes = 1;  ///< output terms
+  std::uint16_t lanes = 1;  ///< number of output terms
   std::uint32_t form = 0;
   std::uint32_t first_row = 0;  ///< rows[first_row + r] are the rests of pivot term r
   std::uint32_t first_rest = 0;
-  std::uint32_t first_weight = 0;  ///< of its first rest
-  Weights shares;                  ///< of each expert: weight relative to the sum of all weights
+  std::uint32_t first_weight = 0;  ///< weight of the first rest
+  Weights shares;                  ///< per expert: weight relative to the sum of all weights
 };
 
 struct PointSection {
@@ -124,7 +135,7 @@ struct PointSection {
   std::uint32_t first_pivot = 0;  ///< pivots[first_pivot + r] is the slot of pivot term r
 };
 
-/// Where the segment of a point in this cell is: this one or a later one.
+/// A cell of the grid. A point in it lies in this segment or in a later one.
 struct GridCell {
   std::uint16_t segment = 0;
   std::uint16_t row = 0;  ///< rows_per_segment * segment
@@ -136,16 +147,16 @@ struct PointProgram {
   Table<TermBlock> blocks{memory};
   Table<Antecedent> antecedents{memory};
   Table<std::uint16_t> antecedent_slots{memory};
-  Table<double> breakpoints{memory};  ///< of the pivot input, ascending, infinity at the end
+  Table<double> breakpoints{memory};  ///< of the pivot input, ascending; the last is infinity
   Table<GridCell> cells{memory};
   Table<std::uint16_t> segment_rows{
       memory};                          ///< rows that can be active between two breakpoints, rows_per_segment each
   Table<std::uint16_t> pivots{memory};  ///< slots
-  Table<Team> teams{memory};            ///< all experts of the model, in an order of their own
-  Table<Stretch> rows{memory};          ///< of rests
+  Table<Team> teams{memory};            ///< all experts of the model, sorted into teams
+  Table<Stretch> rows{memory};          ///< ranges of `rests`
   Table<Rest> rests{memory};
   Table<Weights> weights{memory};
-  Table<std::uint32_t> expert_at{memory};  ///< expert of the model for each seat: teams in order, experts in the team
+  Table<std::uint32_t> expert_at{memory};  ///< the model's index of the expert at each seat
 };
 
 // ---- many points
@@ -154,10 +165,10 @@ struct BatchTerm {
   Ramps ramps;
   std::uint16_t input = 0;
   std::uint16_t slot = 0;
-  bool cap = true;  ///< cut at 1; a rest needs not be, because its pivot is
+  bool cap = true;  ///< cut at 1; not needed for a rest, because min with the pivot cuts it
 };
 
-/// A slot with the same value at all points.
+/// A slot with the same value at all points, because its inputs are fixed.
 struct FixedSlot {
   std::uint16_t slot = 0;
   double value = 0;
@@ -168,15 +179,15 @@ struct BatchRule {
   double weight;
 };
 
-/// Rules of one pivot term and one output term.
+/// The rules with the same pivot and the same output term.
 struct RuleGroup {
   std::uint16_t pivot = 0;   ///< slot
-  bool unit_weights = true;  ///< strength = min(pivot, largest rest)
+  bool unit_weights = true;  ///< all weights are 1: strength = min(pivot, largest rest)
   Stretch rules;
-  double cap = 0;  ///< the largest rest of those that are fixed, with unit weights
+  double cap = 0;  ///< largest of the fixed rests; only for unit weights
 };
 
-/// An output term that some rule can reach.
+/// An output term of at least one rule.
 struct BatchLane {
   std::uint16_t lane = 0;
   Stretch groups;
@@ -192,11 +203,11 @@ struct BatchSection {
   Stretch fixed, terms, antecedents, experts;
 };
 
-/// Experts whose tables fit into a cache together. All points of a tile go through one chunk before the next, or the
-/// tables of a thousand experts would be fetched from memory again for every few points.
+/// Experts whose tables fit into the cache together. All points of a tile pass through one chunk before the next chunk
+/// starts. Otherwise a model of a thousand experts would be fetched from memory again for every few points.
 struct BatchChunk {
-  Stretch sections;  ///< that have experts of the chunk
-  Stretch experts;   ///< of the whole program; the first chunk begins with the first expert
+  Stretch sections;  ///< sections with experts of this chunk
+  Stretch experts;   ///< indices into the experts of the program; the first chunk starts at 0
 };
 
 struct BatchProgram {
@@ -206,43 +217,45 @@ struct BatchProgram {
   Table<BatchTerm> terms{memory};
   Table<Antecedent> antecedents{memory};
   Table<std::uint16_t> antecedent_slots{memory};
-  Table<BatchExpert> experts{memory};  ///< those with a weight > 0
+  Table<BatchExpert> experts{memory};  ///< experts with a weight > 0
   Table<BatchLane> lanes{memory};
   Table<RuleGroup> groups{memory};
   Table<BatchRule> rules{memory};
-  Table<BatchChunk> chunks{memory};  ///< all experts in order, at least one chunk; set by setChunks
+  Table<BatchChunk> chunks{memory};  ///< all experts in order; at least one chunk; set by setChunks
 };
 
-/// Divides the experts of a program, which is complete otherwise, into chunks.
+/// Divides the experts of a program into chunks. All other tables of the program must be complete.
 void setChunks(BatchProgram& program);
 
 struct Kernels;
 
-/// What all programs of a model share.
+/// The programs of a model and their common data.
 struct Program {
   std::pmr::memory_resource* memory;
-  const Kernels* kernels = nullptr;  ///< what runs it on this processor; never null once made
+  const Kernels* kernels = nullptr;  ///< kernels for this processor; not null after makeProgram
   bool usable = false;               ///< false: the general path evaluates everything
   bool clip = true;
-  /// No product of a membership and a weight underflows for ordinary inputs, so an area of 0 means that nothing fires.
+  /// For ordinary inputs (areOrdinary) no product of a membership and a weight underflows. So an area of 0 means that
+  /// no rule fires.
   bool zero_is_certain = true;
   std::size_t inputs = 0;
   std::array<double, kMostInputs> input_min{}, input_max{};
   double output_min = 0;
-  double negligible = 0;  ///< an area up to this, but not 0, is left to the general path
+  double negligible = 0;  ///< the general path evaluates points with an area in (0, negligible]
   Table<ClosedForm> forms{memory};
   PointProgram point{memory};
-  BatchProgram batch{memory};  ///< with nothing fixed
+  BatchProgram batch{memory};  ///< without fixed inputs
 };
 
 struct ModelTables;
 
-/// Makes the fast form of the tables of a model. Not usable where a limit is exceeded or a shape needs the general
-/// path.
+/// Makes the fast form from the tables of a model. Sets `usable` to false if the model exceeds a limit or a shape needs
+/// the general path.
 void makeProgram(const ModelTables& tables, Program& program);
 
-/// A program for many points with some inputs fixed: one entry per input, a value in its universe or nothing. Whatever
-/// depends on fixed inputs alone is computed here, and what cannot fire any more drops out.
+/// A program for many points with some inputs fixed. `fixed`: one entry per input, a value inside its universe, or
+/// empty if the input varies. Computes everything that depends on fixed inputs only, and drops the rules that cannot
+/// fire.
 BatchProgram specialised(const BatchProgram& program, std::span<const std::optional<double>> fixed,
                          std::pmr::memory_resource* memory);
 

@@ -1,29 +1,29 @@
-// Parameters of the insertion renderer, as a model carries them. What they do: core/render.
+// Parameters of the insertion renderer, stored in a model. Their meaning: core/render.
 #pragma once
 
 namespace tactus::fuzzy {
 
-/// Defaults and ranges are choices of this project, not measurements: the paper names k, mu and tau (its Eq. 3) without
-/// giving numbers. The defaults keep the pre-slip travel at 1 to 4 mm and a 1 kHz loop stable on a Geomagic Touch.
+/// Defaults and ranges are choices of this project, not measurements. The paper names k, mu and tau (Eq. 3) but gives
+/// no numbers. The defaults keep the pre-slip travel at 1 to 4 mm and a 1 kHz loop stable on a Geomagic Touch.
 struct RendererParameters {
   int version = 1;
-  double stiffness_n_mm = 0.25;    ///< k, (0, 10]: larger is crisper, and sooner unstable
-  double damping_n_s_mm = 0.0005;  ///< mu, [0, 0.004]: larger feels more viscous while stuck
-  double breakaway_ratio = 0.15;   ///< tau, [0, 1]: how far static friction exceeds dynamic friction
-  double restick_mm = 0.12;        ///< [0, 10]: travel backwards that makes a sliding tube stick again
-  double withdrawal_ratio = 0.6;   ///< [0, 10]: friction on withdrawal relative to insertion
-  double relaxation_s = 0.01;      ///< (0, 10]: time in which static friction falls to dynamic friction
-  double ageing_s = 0.1;           ///< (0, 100]: time in which a resting tube regains static friction
-  double stick_speed_mm_s = 2;     ///< [0, 1000]: slower than this for stick_time_s means stuck
-  double stick_time_s = 0.05;      ///< [0, 10]
+  double stiffness_n_mm = 0.25;    ///< k, (0, 10]: a larger value feels crisper and becomes unstable sooner
+  double damping_n_s_mm = 0.0005;  ///< mu, [0, 0.004]: a larger value feels more viscous while stuck
+  double breakaway_ratio = 0.15;  ///< tau, [0, 1]: excess of static over dynamic friction, relative to dynamic friction
+  double restick_mm = 0.12;       ///< [0, 10]: backward travel after which a sliding tube sticks again
+  double withdrawal_ratio = 0.6;  ///< [0, 10]: friction on withdrawal relative to insertion
+  double relaxation_s = 0.01;     ///< (0, 10]: time in which static friction falls to dynamic friction
+  double ageing_s = 0.1;          ///< (0, 100]: time in which a resting tube regains static friction
+  double stick_speed_mm_s = 2;    ///< [0, 1000]: a tube slower than this for stick_time_s is stuck
+  double stick_time_s = 0.05;     ///< [0, 10]
   double velocity_filter_hz = 25;  ///< (0, 500]: corner of the velocity filter
-  double slew_n_s = 50;            ///< (0, 1e6]: fastest change of the model's force
+  double slew_n_s = 50;            ///< (0, 1e6]: largest rate of change of the model's force
   double depth_offset_mm = 0;      ///< [-1000, 1000]: depth of the model where the renderer's depth is 0
 
   bool operator==(const RendererParameters&) const = default;
 };
 
-/// One row per parameter: its key in the model file, where it lives, and its range.
+/// One row per parameter: its key in the model file, its member, and its range.
 struct RendererField {
   const char* key;
   double RendererParameters::*member;

@@ -1,4 +1,4 @@
-// Names to indices, checked on the way. Nothing outside core/fuzzy includes this.
+// Turns names into indices and checks them. Nothing outside core/fuzzy includes this.
 #pragma once
 
 #include <array>
@@ -8,17 +8,17 @@
 
 namespace tactus::fuzzy {
 
-/// Names of a model's variables and of their own terms; the output comes after the inputs.
+/// The ids of a model's variables and of their own terms. The output follows the inputs.
 struct ModelNames {
   NameList variables;
   std::array<NameList, kMostInputs + 1> terms;
 };
 
-/// Everything that `validate` checks. The experts and their rules are appended to `tables`, over indices: enabled rules
-/// with a weight > 0 only. Which banks they refer to is left open.
+/// Does all checks of `validate`. Appends the experts to `tables`, with those of their rules that are enabled and have
+/// a weight > 0. The bank indices of the experts are not set.
 Problem resolve(const ForceModel& model, ModelTables& tables);
 
-/// The part of it for experts; the variables of the model are known to be right, and have these names.
+/// Does this for the experts only. The variables of `model` are valid, and `names` holds their ids.
 Problem resolveExperts(const ForceModel& model, const ModelNames& names, ModelTables& tables);
 
 }  // namespace tactus::fuzzy

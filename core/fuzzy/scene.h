@@ -1,4 +1,4 @@
-// A compiled model specialised to inputs that do not change for now.
+// A compiled model specialized for inputs that stay constant for a while.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The maximum of lines over one interval, walked piece by piece.
+// The upper envelope (pointwise maximum) of lines over one interval.
 #pragma once
 
 #include <algorithm>
@@ -6,23 +6,25 @@
 
 namespace tactus::fuzzy {
 
-/// A line over one interval, by its heights at the two ends.
+/// A line over one interval, given by its heights at the two ends.
 struct EndHeights {
   double y0, y1;
 };
 
-/// A point of the maximum: `t` in [0, 1] is the way through the interval.
+/// A point of the envelope. `t` in [0, 1]: position in the interval.
 struct EnvelopePoint {
   double t, height;
 };
 
-/// Calls `visit(line, from, to)` for each piece of the maximum of `lines` in turn, `line` being the highest one between
-/// the EnvelopePoints `from` and `to`. The pieces cover all of [0, 1], and a piece begins with the height at which the
-/// one before it ended. Of lines that coincide the first counts. No lines, no pieces.
+/// Calls `visit(line, from, to)` for each piece of the maximum of `lines` in turn. `line` is the highest one between
+/// the EnvelopePoints `from` and `to`. The pieces cover all of [0, 1]; each starts at the height at which the previous
+/// one ended. If lines coincide, the first one is visited. If there are no lines, there is no call.
 ///
-/// `Line` has the heights y0 and y1 at the two ends. The walk goes from crossing to crossing; each step goes to a line
-/// that ends higher, so there are at most as many pieces as lines, also where several cross in one point.
-/// Thread: any. Real-time safe: yes, if `visit` is. Inlined always: the general path spends most of its time here.
+/// `Line` has the members y0 and y1, its heights at the two ends. The walk moves from crossing to crossing. Each step
+/// moves to a line that ends higher, so there are at most as many pieces as lines, even if several lines cross in one
+/// point.
+/// Thread: any. Real-time safe: yes, if `visit` is. Always inlined, because the general path spends most of its time
+/// here.
 template <class Line, class Visit>
 [[gnu::always_inline]] inline void walkUpperEnvelope(std::span<const Line> lines, const Visit& visit) {
   if (lines.empty()) return;

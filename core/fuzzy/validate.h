@@ -1,4 +1,4 @@
-// Whether a force model makes sense.
+// Validation of a force model.
 #pragma once
 
 #include "core/base/error.h"
@@ -6,11 +6,16 @@
 
 namespace tactus::fuzzy {
 
-/// The first thing that is wrong with `model`, or success. The error's place is a pointer (RFC 6901) into the model
-/// file, e.g. `/experts/0/rules/3/then`. Checked: the limits, ids (present, unique in their list, at most 64 bytes),
-/// universes and points (finite, at most 1e150 in size, in order), output terms (they meet the universe in positive
-/// width), rules (known inputs and terms, each input once, weight in [0, 1], no rule twice in one expert), weights
-/// (finite, >= 0, one > 0), the renderer's ranges. The values of `checks` are compared by model_io.
+/// Returns the first error in `model`, or success. The place of the error is a JSON pointer (RFC 6901) into the model
+/// file, e.g. `/experts/0/rules/3/then`. Checks:
+/// - the limits of force_model.h;
+/// - ids: present, unique in their list, at most 64 bytes;
+/// - universes and points: finite, at most 1e150 in size, in order;
+/// - output terms: overlap the universe in positive width;
+/// - rules: known inputs and terms, each input once, weight in [0, 1], no rule twice in one expert;
+/// - weights: finite, >= 0, at least one > 0;
+/// - the ranges of the renderer parameters.
+/// model_io compares the values of `checks`.
 base::Result<void> validate(const ForceModel& model);
 
 }  // namespace tactus::fuzzy
