@@ -1,4 +1,4 @@
-// The file of a person that keeps what was measured on devices, and the insertion axes that were set by hand.
+// The calibration file of a user: measured values of devices, and insertion axes set by hand.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace tactus::haptics {
 
-/// The way the tube goes on a device that its own driver calibrates.
+/// The insertion direction of a device whose own driver calibrates it.
 struct DeviceAxis {
   std::string device;         ///< DeviceInfo::id
   std::string serial;         ///< DeviceInfo::serial; may be empty
@@ -20,21 +20,22 @@ struct DeviceAxis {
   bool operator==(const DeviceAxis&) const = default;
 };
 
-/// Each device and serial number at most once in each list.
+/// The entries of the file. Each list has at most one entry per device and serial number.
 struct CalibrationFile {
   std::vector<DeviceCalibration> calibrations;
   std::vector<DeviceAxis> axes;
 };
 
-/// The entries of the JSON file `path`; none where there is no file. Refused, with the place: what is not of this
-/// format, an unknown, missing or doubled key, nonsense numbers, two entries of one device, a file above 1 MiB.
+/// Reads the JSON file `path`. No entries if the file does not exist. Returns an error with its place for another
+/// format, an unknown, missing or duplicate key, numbers out of range, two entries of one device, or a file above 1
+/// MiB.
 base::Result<CalibrationFile> readCalibrationFile(const std::string& path);
 
-/// Puts `calibration` into the file, in the place of an older entry of the same device and serial number. The file
-/// appears whole or stays as it was; one that cannot be read is not overwritten.
+/// Stores `calibration` in the file and replaces an older entry of the same device and serial number. If writing fails,
+/// the old file stays. An unreadable file is not overwritten; the function returns the read error.
 base::Result<void> storeCalibration(const std::string& path, const DeviceCalibration& calibration);
 
-/// The same for an axis. Refused: a direction that is not of length 1.
+/// The same for an axis. Returns an error if the direction does not have the length 1.
 base::Result<void> storeAxis(const std::string& path, const DeviceAxis& axis);
 
 /// The entry of a device, or null.

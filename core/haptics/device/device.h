@@ -1,4 +1,4 @@
-// What every haptic device offers: its state now, a force on the hand, and what it can do.
+// The interface of a haptic device: its state, a force on the hand, and its properties.
 #pragma once
 
 #include <cstdint>
@@ -11,58 +11,58 @@
 
 namespace tactus::haptics {
 
-/// What a device says is wrong with it. Everything but kNone means that no force should be asked for; one that is on
-/// may fade where docs/servo.md, "Trips", says so.
+/// The fault that a device reports. For any fault but kNone, the caller should not ask for force. A force already
+/// present may fade if docs/servo.md, "Trips", says so.
 enum class DeviceFault : std::uint8_t {
   kNone,
-  kLost,           ///< unplugged, or it does not answer any more
-  kNotCalibrated,  ///< positions mean nothing yet
-  kSwitchedOff,    ///< a switch, the device's own protection or another program holds the forces back
+  kLost,           ///< unplugged, or it no longer answers
+  kNotCalibrated,  ///< positions have no meaning yet
+  kSwitchedOff,    ///< a switch, the device's own protection or another program blocks the forces
   kWarmMotors,     ///< the device's own thermal protection
   kForceLimited,   ///< the device refused or limited a force
-  kFailed,         ///< anything else it reports
+  kFailed,         ///< any other fault
 };
-/// What is wrong, for a person, e.g. `the motors are too warm`.
+/// The fault in words for the user, e.g. `the motors are too warm`.
 std::string_view describe(DeviceFault fault) noexcept;
 
 /// One sample of a device.
 struct DeviceState {
-  std::uint64_t number = 0;  ///< from 1, counts the samples; 0: there was none yet
-  std::int64_t time_ns = 0;  ///< when it arrived, on the clock that the loop passes to `read`
+  std::uint64_t number = 0;  ///< number of the sample, from 1; 0: no sample yet
+  std::int64_t time_ns = 0;  ///< arrival time, on the clock that the loop passes to `read`
   Vector3 position_mm;
-  std::optional<Vector3> velocity_mm_s;  ///< the device's own, where it has one: a cross-check, never what is rendered
+  std::optional<Vector3> velocity_mm_s;  ///< the device's own estimate, if any: a cross-check, never rendered
   std::uint32_t buttons = 0;             ///< bit 0 is the first button
   DeviceFault fault = DeviceFault::kNone;
-  std::int64_t written_ns = 0;  ///< when a force last reached the device; 0: none did yet
+  std::int64_t written_ns = 0;  ///< time at which a force last reached the device; 0: never
 };
 
-/// What a device is and what it can do. Numbers that are not known are absent, never guessed.
+/// Identity and properties of a device. An unknown number is absent, never guessed.
 struct DeviceInfo {
-  std::string
-      id;  ///< how a person names it on the command line: `virtual`, `hid:1209:ffb0:1234`, `openhaptics:Default Device`
-  std::string name;        ///< as the device or its driver tells
-  std::string serial;      ///< may be empty
-  std::string backend;     ///< `virtual`, `replay`, `hid-pid`, `openhaptics`
-  bool simulated = false;  ///< no hardware: everything recorded with it is marked as simulated
+  std::string id;       ///< its name on the command line: `virtual`, `hid:1209:ffb0:1234`, `openhaptics:Default Device`
+  std::string name;     ///< as reported by the device or its driver
+  std::string serial;   ///< may be empty
+  std::string backend;  ///< `virtual`, `replay`, `hid-pid`, `openhaptics`
+  bool simulated = false;  ///< no hardware; all recordings with it are marked as simulated
   int position_axes = 1;
   int force_axes = 1;
   int buttons = 1;
   double rate_hz = 1000;
-  double max_force_n = 0;                    ///< the largest the device can give (its own limit)
-  std::optional<double> continuous_force_n;  ///< what it can hold for ever
-  std::optional<double> max_stiffness_n_mm;  ///< closed-loop, as its maker advises
+  double max_force_n = 0;                    ///< the largest force of the device (its own limit)
+  std::optional<double> continuous_force_n;  ///< the largest force that it can hold permanently
+  std::optional<double> max_stiffness_n_mm;  ///< closed loop, as recommended by the manufacturer
   std::optional<double> count_mm;            ///< resolution of a position
-  double damping_n_s_mm = 0;                 ///< b of the device itself, without a hand
-  double delay_s = 0.001;                    ///< between a position and the force that answers it
-  std::optional<double> friction_in_n;       ///< own dry friction against insertion, where it was measured
+  double damping_n_s_mm = 0;                 ///< b of the device alone, without a hand
+  double delay_s = 0.001;                    ///< between a position and the force that responds to it
+  std::optional<double> friction_in_n;       ///< dry friction of the device against insertion, if measured
   std::optional<double> friction_out_n;
-  /// > 0: for how long the device holds a command. Where the next one is later than this, it has let go by itself: the
-  /// force is 0, and the safety layer begins anew. Where it is not known, too short is the safe side.
+  /// > 0: time for which the device holds a command. If the next command comes later, the device has dropped the force
+  /// to 0 by itself, and the safety layer starts again from 0. If the time is unknown, use a short one: that is the
+  /// safe side.
   double hold_s = 0.05;
-  std::optional<double> quiet_after_s;  ///< a dead host means no force after this time
+  std::optional<double> quiet_after_s;  ///< if the host dies, the device gives no force after this time
 };
 
-/// What a loop calls once per tick.
+/// The callee of a loop, called once per tick.
 class Ticked {
  public:
   virtual ~Ticked() = default;
@@ -70,35 +70,35 @@ class Ticked {
   virtual void tick(std::int64_t now_ns) noexcept = 0;
 };
 
-/// A device whose driver has a servo thread of its own: it calls `tick` from there, between a fresh sample and the
-/// write.
+/// The loop of a driver that has a servo thread of its own. The driver calls `tick` on that thread, between a fresh
+/// sample and the write.
 class DeviceLoop {
  public:
   virtual ~DeviceLoop() = default;
   virtual base::Result<void> run(Ticked& ticked) = 0;
-  /// Returns when `tick` will not be called any more; from then on the driver gives no force.
+  /// Returns after the last call of `tick`. From then on the driver gives no force.
   virtual void end() noexcept = 0;
 };
 
-/// One open device. The destructor stops it. `start` and `stop` may block and belong to the thread that owns it; `read`
-/// and `write` belong to the servo thread, never block and touch no memory that another thread could hold.
+/// One open device. The destructor stops it. The owner's thread calls `start` and `stop`, which may block. The servo
+/// thread calls `read` and `write`, which never block and never touch memory that another thread could lock.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
 
   virtual const DeviceInfo& info() const noexcept = 0;
 
-  /// Starts what feeds `read` and `write`; the force is zero until the first `write`.
+  /// Starts the data flow for `read` and `write`. The force is zero until the first `write`.
   virtual base::Result<void> start() = 0;
-  /// Force zero, actuators off, threads ended; may be called twice.
+  /// Sets the force to zero, switches the actuators off and ends the threads. May be called twice.
   virtual void stop() noexcept = 0;
 
   /// The newest sample. `now_ns`: the time of this tick on the monotonic clock. Real-time safe: yes.
   virtual DeviceState read(std::int64_t now_ns) noexcept = 0;
-  /// The force on the hand from now on, in the device's frame; the newest counts. Real-time safe: yes.
+  /// Sets the force on the hand, in the device's frame. A newer force replaces an older one. Real-time safe: yes.
   virtual void write(const Vector3& force_n, std::int64_t now_ns) noexcept = 0;
 
-  /// The loop of the driver where it has one; nothing: a ServoThread calls.
+  /// The loop of the driver, if it has one. Null: a ServoThread calls the servo.
   virtual DeviceLoop* ownLoop() noexcept { return nullptr; }
 };
 

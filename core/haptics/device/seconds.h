@@ -5,7 +5,7 @@
 
 namespace tactus::haptics {
 
-/// From `from_ns` to `to_ns`, s. A clock that runs backwards counts as standing still. Real-time safe: yes.
+/// The time from `from_ns` to `to_ns`, s. Returns 0 if the clock ran backwards. Real-time safe: yes.
 constexpr double secondsBetween(std::int64_t from_ns, std::int64_t to_ns) noexcept {
   return to_ns > from_ns ? 1e-9 * static_cast<double>(to_ns - from_ns) : 0;
 }

@@ -3,7 +3,7 @@
 
 namespace tactus::haptics {
 
-/// In the device's frame: x to the right, y up, z towards the person who holds it.
+/// A vector in the device's frame: x to the right, y up, z toward the user.
 struct Vector3 {
   double x = 0;
   double y = 0;

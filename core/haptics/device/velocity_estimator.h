@@ -1,4 +1,4 @@
-// Speeds from counted positions: four ways that trade noise against lag.
+// Speeds from quantized positions: four estimators with different trades of noise against lag.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace tactus::haptics {
 
-/// What they share: `next` takes the position of a tick and gives the speed, mm/s; the first position gives 0.
-/// `position_mm` must be finite; `dt_s` > 0, the time since the position before. `reset` forgets all positions.
+/// The common interface. `next` takes the position of a tick and returns the speed in mm/s; the first call returns 0.
+/// `position_mm`: finite. `dt_s`: > 0, the time since the previous position. `reset` forgets all positions.
 /// Copyable. Real-time safe: yes.
 template <typename T>
 concept VelocityEstimator = std::copyable<T> && requires(T estimator, double number) {
@@ -19,7 +19,7 @@ concept VelocityEstimator = std::copyable<T> && requires(T estimator, double num
   noexcept;
 };
 
-/// The last difference. Lag: half a tick. One count of 0.055 mm within 1 ms is 55 mm/s.
+/// The last difference. Lag: half a tick. One count of 0.055 mm within 1 ms gives 55 mm/s.
 class DifferenceVelocity {
  public:
   double next(double position_mm, double dt_s) noexcept;
@@ -30,10 +30,10 @@ class DifferenceVelocity {
   bool any_ = false;
 };
 
-/// The difference through the renderer's two equal first-order low-passes. Lag at 25 Hz and 1 kHz: 12.3 ms.
+/// The difference, filtered by two equal first-order low-passes like in the renderer. Lag at 25 Hz and 1 kHz: 12.3 ms.
 class LowPassVelocity {
  public:
-  /// `corner_hz` > 0, of each of the two stages.
+  /// `corner_hz`: > 0, corner of each of the two stages.
   explicit LowPassVelocity(double corner_hz = 25) noexcept : corner_hz_(corner_hz) {}
 
   double next(double position_mm, double dt_s) noexcept;
@@ -45,9 +45,9 @@ class LowPassVelocity {
   render::LowPass filter_;
 };
 
-/// First-order adaptive window (Janabi-Sharifi, Hayward and Chen 2000): the slope of a line through as many of the
-/// latest positions as stay within a bound of it. Fast motion gives a short window and little lag, slow motion a long
-/// one and little noise. Lag: half the window.
+/// First-order adaptive window (Janabi-Sharifi, Hayward and Chen 2000): the slope of a line through the latest
+/// positions. The window holds as many positions as stay within a bound of the line. Fast motion gives a short window
+/// and little lag; slow motion gives a long window and little noise. Lag: half the window.
 class AdaptiveWindowVelocity {
  public:
   enum class Line {
@@ -56,14 +56,14 @@ class AdaptiveWindowVelocity {
   };
   static constexpr int kLongestWindow = 15;
 
-  /// `bound_mm` >= 0: 1 to 1.5 counts of the device; below half a count it sees single counts, above it lags.
-  /// `window` in [1, kLongestWindow]: differences in it.
+  /// `bound_mm`: >= 0, best 1 to 1.5 counts of the device. Below half a count, single counts show as speed; a larger
+  /// bound adds lag. `window`: number of differences, [1, kLongestWindow].
   explicit AdaptiveWindowVelocity(Line line, double bound_mm = 0.055, int window = kLongestWindow) noexcept;
 
   double next(double position_mm, double dt_s) noexcept;
   void reset() noexcept { count_ = 0; }
 
-  /// Differences in the window of the last speed; 0 before there was one.
+  /// Number of differences used for the last speed; 0 before the first.
   int window() const noexcept { return used_; }
 
  private:
@@ -71,10 +71,10 @@ class AdaptiveWindowVelocity {
   double bound_mm_;
   int window_;
   int used_ = 0;
-  int count_ = 0;   ///< positions that are known, at most window_ + 1
-  int newest_ = 0;  ///< place of the newest in the two rings
+  int count_ = 0;   ///< known positions, at most window_ + 1
+  int newest_ = 0;  ///< index of the newest position in the two rings
   std::array<double, kLongestWindow + 1> position_mm_{};
-  std::array<double, kLongestWindow + 1> dt_s_{};  ///< time between a position and the one before it
+  std::array<double, kLongestWindow + 1> dt_s_{};  ///< time since the previous position
 };
 
 static_assert(VelocityEstimator<DifferenceVelocity> && VelocityEstimator<LowPassVelocity> &&
