@@ -1,4 +1,4 @@
-// Which limits acted in a tick.
+// The limits that acted in a tick.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ enum LimitBit : std::uint32_t {
   kLimitedByPassivity = 1u << 4,
   kLimitedByStaleDevice = 1u << 5,
   kLimitedByGui = 1u << 6,
-  kLimitedByRelease = 1u << 7,  ///< not enabled
+  kLimitedByRelease = 1u << 7,  ///< the hand has not enabled the force
   kLimitedByTrip = 1u << 8,
   kLimitedByStiffness = 1u << 9,  ///< the rendered stiffness is below the model's
-  kLimitedByGap = 1u << 10,       ///< fading in after a gap between commands that the device does not hold a force for
+  kLimitedByGap = 1u << 10,       ///< fade-in after a gap between commands longer than the device holds a force
 };
 
-/// As traces and reports write them, bit 0 first.
+/// Names of the bits in traces and reports, bit 0 first.
 inline constexpr std::array<std::string_view, 11> kLimitNames = {
     "cap",     "slew", "fade_in",   "thermal",    "passivity", "stale_device", "program_silent",
     "release", "trip", "stiffness", "command_gap"};

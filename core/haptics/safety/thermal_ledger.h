@@ -1,4 +1,4 @@
-// What the motors of each device have given lately, kept while the program runs.
+// The recent motor load of each device, kept while the program runs.
 #pragma once
 
 #include <map>
@@ -9,14 +9,14 @@
 
 namespace tactus::haptics {
 
-/// Motors stay warm when a servo ends: the next one on the same device goes on with the budget that is written down
-/// here, and the time in between counts as rest. All servos of a ledger tell the time by the same clock. The
-/// composition root owns the one of the process and hands it down. Thread: any.
+/// Motors stay warm when a servo ends. The next servo on the same device continues with the budget stored here; the
+/// time between counts as rest. All servos of a ledger use the same clock. The composition root owns the ledger of the
+/// process and passes it on. Thread: any.
 class ThermalLedger {
  public:
-  /// The budget of the device `id` as it was kept last; an untouched one for a device that is not known.
+  /// The last stored budget of the device `id`; an unused one if the device is unknown.
   ThermalBudget of(const std::string& id) const;
-  /// A servo on the device has ended.
+  /// Stores the budget of a device. Call when the servo on it has ended.
   void keep(const std::string& id, const ThermalBudget& budget);
 
  private:

@@ -1,4 +1,4 @@
-// Whether the hand moves faster than anybody inserts a tube: it has slipped, or a force drives it.
+// Detects a hand that is too fast for the insertion of a tube: it has slipped, or a force drives it.
 #pragma once
 
 #include <array>
@@ -9,21 +9,22 @@
 
 namespace tactus::haptics {
 
-/// Speed is Tukey's resistant line (Exploratory Data Analysis, 1977) through the samples of the last 15 ms: the medians
-/// of its first and last third, joined. One count of 0.055 mm within 1 ms is 55 mm/s to a plain difference and at
-/// most 5.5 mm/s here; a sample that is wrong does not count, a dropped tick or a stall is only time that passed. Plain
-/// state. Thread: servo. Real-time safe: yes.
+/// The speed is the slope of Tukey's resistant line (Exploratory Data Analysis, 1977) through the samples of the last
+/// 15 ms: it joins the medians of the first and the last third. One count of 0.055 mm within 1 ms is 55 mm/s for a
+/// plain difference and at most 5.5 mm/s here. A single wrong sample has no effect. A dropped tick or a stall counts as
+/// elapsed time only.
+/// Plain state. Thread: servo. Real-time safe: yes.
 class VelocityGuard {
  public:
-  /// One sample of the device. `number`: its number; `time_ns`: when it arrived. The same sample again is ignored, but
-  /// where it was renewed 15 ms later or more (HapticDevice, silent when still) the hand rests: the speed is 0. A stall
-  /// renews nothing, so the next sample gives the mean speed since the last one.
+  /// Adds one sample of the device. `number`: its number. `time_ns`: its arrival time. A repeated sample is ignored. If
+  /// its arrival time is renewed by 15 ms or more (a device that is silent at rest), the hand rests and the speed is 0.
+  /// A stall renews nothing, so the next sample gives the mean speed since the last one.
   void add(std::uint64_t number, std::int64_t time_ns, double position_mm) noexcept;
-  /// Inwards positive, about 5 ms late; 0 until the samples span 8 ms.
+  /// Speed, mm/s, positive inwards, about 5 ms late. 0 until the samples span 8 ms.
   double speedMmS() const noexcept { return speed_mm_s_; }
-  /// The trip that this speed calls for, if any; `time_ns` is left to the caller.
+  /// The trip that this speed requires, or none. The caller sets `time_ns`.
   Trip check(const LimitSettings& limits) const noexcept;
-  /// Positions mean something else from now on.
+  /// Forgets all samples, because positions have a new meaning.
   void forget() noexcept { *this = {}; }
 
  private:

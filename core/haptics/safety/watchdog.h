@@ -1,4 +1,4 @@
-// Who has been silent for how long, and what follows.
+// Detects silence of the device, the writes and the servo, and gives its consequence.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ struct Ages {
   double gap_s = 0;     ///< since the last tick
 };
 
-/// The trip that these ages call for, the servo's own first; `time_ns` is left to the caller. Real-time safe: yes.
+/// The trip that these ages require, or none; a late servo comes first. The caller sets `time_ns`. Real-time safe: yes.
 Trip overdue(const Ages& ages, const LimitSettings& limits) noexcept;
 
-/// What is left of a force when the device's sample is `age_s` old: 1 up to `stale_decay_s`, 0 from `stale_zero_s`, in
-/// between an exponential decay with a time constant of 10 ms, shifted down so that it ends at 0 without a step.
-/// Real-time safe: yes.
+/// The remaining share of a force if the device's sample is `age_s` old: 1 up to `stale_decay_s`, 0 from `stale_zero_s`
+/// on. Between them it decays exponentially with a time constant of 10 ms, shifted down so that it ends at 0 without a
+/// step.
 double staleShare(double age_s, const LimitSettings& limits) noexcept;
 
 }  // namespace tactus::haptics
