@@ -1,4 +1,4 @@
-// Keeps the ticks around a trip, so that its cause can be seen afterwards.
+// Keeps the ticks around a trip, so that the user can find its cause.
 #pragma once
 
 #include <array>
@@ -19,31 +19,32 @@ struct FlightRecord {
   std::vector<Sample> samples;  ///< oldest first
 };
 
-/// Two tapes, all memory taken in advance. The writer records on one; some ticks after a trip it leaves that tape to
-/// the reader and goes on with the other, so that nobody waits. While the reader has taken neither, nothing is
-/// recorded. A trip that is latched makes one record; cleared and tripped again, the next one. A trip within the ticks
-/// after another belongs to the record of that one.
+/// Two tapes (rings of samples), allocated in advance. The writer records on one. A fixed number of ticks after a trip
+/// it passes that tape to the reader and continues on the other, so no thread waits. If the reader holds both tapes,
+/// the writer records nothing.
+/// A latched trip makes one record. If it is cleared and a new trip occurs, that makes the next record. A trip within
+/// the ticks after another one belongs to the record of the first.
 class FlightRecorder {
  public:
   static constexpr std::size_t kTicksBefore = 4000;  ///< 4 s at 1 kHz: a whole stroke with its approach
-  static constexpr std::size_t kTicksAfter = 200;    ///< 0.2 s: until every force is gone and the hand has let go
+  static constexpr std::size_t kTicksAfter = 200;    ///< 0.2 s: until the force is zero and the hand has let go
 
-  /// A record holds at most `before` ticks before that of the trip, the tick of the trip, and `after` ticks.
+  /// A record holds at most `before` ticks before the trip, the tick of the trip, and `after` ticks.
   explicit FlightRecorder(std::size_t before = kTicksBefore, std::size_t after = kTicksAfter);
 
-  /// One tick, and the trip that is latched at its end, if any.
+  /// Records one tick. `latched`: the trip latched at its end, or none.
   /// Thread: writer. Real-time safe: yes.
   void record(const Sample& sample, const Trip& latched) noexcept;
 
-  /// The oldest record that has not been taken, or nothing. Thread: reader. Real-time safe: no.
+  /// The oldest record not yet taken, or nothing. Thread: reader. Real-time safe: no.
   std::optional<FlightRecord> take();
 
  private:
   struct Tape {
     std::vector<Sample> samples;  ///< a ring
-    std::uint64_t recorded = 0;   ///< ticks since the tape was begun
+    std::uint64_t recorded = 0;   ///< ticks since the start of the tape
     Trip trip;
-    /// True: the tape is the reader's with all above, until it sets false again. Release and acquire both ways.
+    /// True: the reader owns the tape and the members above, until it sets false again. Release and acquire both ways.
     std::atomic<bool> full{false};
   };
 
@@ -51,11 +52,11 @@ class FlightRecorder {
   std::size_t after_;
 
   // Touched by the writer alone.
-  std::size_t writing_ = 0;  ///< which tape
-  std::size_t left_ = 0;     ///< ticks until the tape is full, from the trip on
+  std::size_t writing_ = 0;  ///< index of the tape
+  std::size_t left_ = 0;     ///< ticks until the tape is full, counted after the trip
   Trip seen_;                ///< the latched trip at the last tick
 
-  std::size_t reading_ = 0;  ///< Touched by the reader alone: which tape is full next; they take turns.
+  std::size_t reading_ = 0;  ///< Touched by the reader alone: index of the tape that becomes full next; they alternate.
 };
 
 }  // namespace tactus::haptics

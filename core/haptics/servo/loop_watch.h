@@ -1,4 +1,4 @@
-// Notices a loop that has stopped calling the servo.
+// Detects a loop that has stopped calling the servo.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace tactus::haptics {
 
-/// A driver whose loop stops says nothing, and a servo that is not called cannot trip. Whoever looks at the servo now
-/// and then, 60 times a second or so, asks here. A pause between two looks counts for 0.1 s at most: a program that
-/// stood still as a whole gives its loop time to go on.
+/// If the loop of a driver stops, it reports nothing, and a servo that is not called cannot trip. So another thread
+/// calls `look` regularly, about 60 times a second. A pause between two calls counts as at most 0.1 s: if the whole
+/// program stood still, the loop gets time to continue.
 class LoopWatch {
  public:
-  static constexpr double kSilentS = 1;  ///< without a tick for so long, the loop is gone
+  static constexpr double kSilentS = 1;  ///< without a tick for this time, the loop counts as dead
 
-  /// `ticks` as Servo::ticks has it, `now_ns` on a monotonic clock. The trip that this calls for: kServoLate, or none.
+  /// `ticks`: from Servo::ticks. `now_ns`: on a monotonic clock. Returns kServoLate if the loop is dead, else no trip.
   Trip look(std::uint64_t ticks, std::int64_t now_ns) noexcept;
 
  private:

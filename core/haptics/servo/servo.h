@@ -1,4 +1,4 @@
-// The servo: one device, one core, orders in, samples out. Whoever has a clock calls `tick`.
+// The servo: one device, one core, orders in, samples out. A loop calls `tick`.
 #pragma once
 
 #include <atomic>
@@ -18,12 +18,12 @@
 
 namespace tactus::haptics {
 
-/// Between the threads stand only the mailbox (orders in), the ring (samples out), the tapes of the flight recorder,
-/// and single atomics. docs/servo.md has the picture.
+/// Threads share only the mailbox (orders in), the ring (samples out), the tapes of the flight recorder, and single
+/// atomics. docs/servo.md shows a picture.
 class Servo final : public Ticked {
  public:
-  /// `device` must outlive the servo and be started by its owner. `ledger`, where there is one, outlives it too: the
-  /// budget of the device's motors goes on where the servo before left it, and is written down when this one ends.
+  /// `device`: its owner starts it and keeps it alive longer than the servo. `ledger`: null, or alive longer than the
+  /// servo. The servo continues with the motor budget stored in the ledger and stores it again when it ends.
   explicit Servo(HapticDevice& device, ThermalLedger* ledger = nullptr);
   ~Servo() override;
   Servo(const Servo&) = delete;
@@ -31,32 +31,34 @@ class Servo final : public Ticked {
 
   /// One tick: read, decide, limit, write, record. Thread: servo. Real-time safe: yes.
   void tick(std::int64_t now_ns) noexcept override;
-  /// What whoever has the clock saw at the tick that just ended: how much later than planned it began, and how long it
-  /// took. For the statistics alone. Thread: servo. Real-time safe: yes.
+  /// The timing of the tick that just ended, measured by the loop: how late it started and how long it took. For the
+  /// statistics only. Thread: servo. Real-time safe: yes.
   void timed(std::int64_t late_ns, std::int64_t duration_ns, std::int64_t period_ns) noexcept {
     meter_.end(late_ns, duration_ns, period_ns);
   }
-  /// The last act of a loop of ours: no force, because no tick will follow. Thread: servo. Real-time safe: yes.
+  /// The last call of our own loop: sets the force to zero, because no tick follows. Thread: servo. Real-time safe:
+  /// yes.
   void release(std::int64_t now_ns) noexcept {
     device_.write({}, now_ns);
     pause();
   }
-  /// The loop ends for now, and the device gives no force: the statistics see no gap in it, and the force begins anew
-  /// at the next tick. Thread: servo, or its owner while there is none.
+  /// The loop pauses and the device gives no force. The statistics count no gap, and the force restarts at the next
+  /// tick. Thread: servo, or the owner while there is no servo thread.
   void pause() noexcept {
     meter_.pause();
     core_.toldNothing();
   }
 
-  /// Hands over new orders; the next tick uses them. Returns their number (from 1), which samples carry. Orders that
-  /// the servo does not read any more are freed here. Limits and switch are wellFormed; what a person may set is for
-  /// the poster to `check` before. Thread: one poster. Real-time safe: no.
+  /// Passes new orders; the next tick uses them. Returns their number (from 1), which the samples carry. Also frees
+  /// orders that the servo no longer uses.
+  /// Limits and switch must be wellFormed. The poster must `check` the limits that a user sets.
+  /// Thread: one poster. Real-time safe: no.
   std::uint64_t post(ServoOrders orders);
-  /// Sign of life of the program. Without the first one none is expected. Thread: any. Real-time safe: yes.
+  /// Heartbeat of the program. Before the first one the servo expects none. Thread: any. Real-time safe: yes.
   void heartbeat(std::int64_t now_ns) noexcept { heartbeat_ns_.store(now_ns, std::memory_order_relaxed); }
-  /// Pedal or key down or up. Thread: any. Real-time safe: yes.
+  /// Sets the pedal or key down or up. Thread: any. Real-time safe: yes.
   void pedal(bool down) noexcept { pedal_.store(down, std::memory_order_relaxed); }
-  /// No force from the next tick on, latched like a trip. Thread: any. Real-time safe: yes.
+  /// No force from the next tick on; latched like a trip. Thread: any. Real-time safe: yes.
   void stop() noexcept { stop_.store(true, std::memory_order_relaxed); }
 
   /// Samples since the last call, oldest first; at most `room.size()`. Returns those filled. Samples that were lost
@@ -64,13 +66,13 @@ class Servo final : public Ticked {
   std::span<Sample> drain(std::span<Sample> room) noexcept { return ring_.drain(room); }
   /// Ticks begun so far. Thread: any. Real-time safe: yes.
   std::uint64_t ticks() const noexcept { return meter_.ticks(); }
-  /// Thread: any (a snapshot; single numbers may be of neighbouring ticks).
+  /// Thread: any. A snapshot; single numbers may come from neighboring ticks.
   LoopStatistics statistics() const noexcept { return meter_.snapshot(); }
-  /// How much inference was needed so far. Thread: any (a snapshot).
+  /// Counts of evaluated and skipped inferences. Thread: any (a snapshot).
   SceneCounters sceneCounters() const noexcept;
-  /// Share of the thermal budget in use, [0, 1]; 1: the device rests. Thread: any.
+  /// Used share of the thermal budget, [0, 1]. At 1 the motors must rest. Thread: any.
   double thermalShare() const noexcept { return thermal_share_.load(std::memory_order_relaxed); }
-  /// The flight record of a trip that has not been taken yet, or nothing. Thread: one reader. Real-time safe: no.
+  /// The flight record of a trip not yet taken, or nothing. Thread: one reader. Real-time safe: no.
   std::optional<FlightRecord> takeFlightRecord() { return recorder_.take(); }
 
   HapticDevice& device() const noexcept { return device_; }
@@ -78,7 +80,7 @@ class Servo final : public Ticked {
  private:
   struct Posted {
     ServoOrders orders;
-    std::uint64_t at_tick = 0;  ///< the last tick begun when they were posted
+    std::uint64_t at_tick = 0;  ///< the last tick started before they were posted
   };
 
   void publish() noexcept;
@@ -86,20 +88,20 @@ class Servo final : public Ticked {
   HapticDevice& device_;
   ThermalLedger* ledger_;
   ServoCore core_;            ///< Touched by the servo thread alone.
-  const Posted no_orders_;    ///< In force until the first are posted.
-  std::uint64_t orders_ = 0;  ///< Touched by the servo thread alone. Number of the orders in force.
+  const Posted no_orders_;    ///< In effect until the first orders are posted.
+  std::uint64_t orders_ = 0;  ///< Touched by the servo thread alone. Number of the orders in effect.
 
   Mailbox<Posted> mailbox_;
   SampleRing ring_;
   FlightRecorder recorder_;
   LoopMeter meter_;
 
-  // Written by any thread, read by the servo. Each stands for itself: relaxed.
-  alignas(64) std::atomic<bool> stop_{false};  ///< Also taken back by the servo, once it has seen it.
+  // Written by any thread, read by the servo. Relaxed, because each is independent.
+  alignas(64) std::atomic<bool> stop_{false};  ///< The servo resets it after reading it.
   std::atomic<bool> pedal_{false};
   std::atomic<std::int64_t> heartbeat_ns_{0};
 
-  // Written by the servo, read by any thread. Each stands for itself: relaxed.
+  // Written by the servo, read by any thread. Relaxed, because each is independent.
   alignas(64) std::atomic<double> thermal_share_{0};
   std::atomic<std::uint64_t> scene_ticks_{0};
   std::atomic<std::uint64_t> scene_asked_{0};

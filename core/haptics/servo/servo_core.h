@@ -1,4 +1,5 @@
-// One tick of the servo as a plain calculation: a device's state and the orders in, a sample with the force out.
+// One tick of the servo as a plain calculation. Input: a device's state and the orders. Output: a sample with the
+// force.
 #pragma once
 
 #include <cstdint>
@@ -13,39 +14,41 @@
 
 namespace tactus::haptics {
 
-/// What a tick is told.
+/// The input of one tick.
 struct ServoTick {
-  std::int64_t now_ns = 0;  ///< monotonic; only differences mean something
+  std::int64_t now_ns = 0;  ///< monotonic; only differences matter
   DeviceState device;
-  const ServoOrders* orders = nullptr;  ///< never null; those in force from this tick on
-  std::uint64_t orders_number = 0;      ///< as samples carry it
-  bool pedal = false;                   ///< pedal or key of the program is down
+  const ServoOrders* orders = nullptr;  ///< never null; in effect from this tick on
+  std::uint64_t orders_number = 0;      ///< the number stored in samples
+  bool pedal = false;                   ///< a pedal or a key of the program is down
   bool stop = false;                    ///< Stop was pressed since the last tick
-  std::int64_t heartbeat_ns = 0;        ///< last sign of life of the program; 0: none is expected
+  std::int64_t heartbeat_ns = 0;        ///< time of the program's last heartbeat; 0: no heartbeat expected
 };
 
-/// All state between two ticks; copyable, no clock, no thread. Orders and scene are read during the tick only.
+/// All state between two ticks. Copyable, without clock or thread. Uses orders and scene during the tick only.
 class ServoCore {
  public:
-  /// `device` tells how stiff a spring it can render; its rate is > 0, its delay and damping are >= 0.
-  /// `thermal`: what its motors have given so far.
+  /// `device`: its data give the stiffest spring that it can render. Its rate is > 0, its delay and damping are >= 0.
+  /// `thermal`: the load of its motors so far.
   explicit ServoCore(const DeviceInfo& device, const ThermalBudget& thermal = {});
 
-  /// Thread: servo. Real-time safe: yes. The force for the device is `axis().forceOnHand(sample.force_n)`.
+  /// Runs one tick. The force for the device is `axis().forceOnHand(sample.force_n)`. Thread: servo. Real-time safe:
+  /// yes.
   Sample tick(const ServoTick& tick) noexcept;
 
-  /// The device was told to give no force, by another way than a tick. Between two ticks.
+  /// The device was told to give no force by another way than a tick. Call between two ticks.
   void toldNothing() noexcept { safety_.toldNothing(); }
 
-  /// The axis in force: that of the orders, but for the at most 30 ms in which a force along another one fades.
+  /// The axis in effect. It is that of the orders, except for at most 30 ms while a force along the previous axis
+  /// fades.
   const AxisMapping& axis() const noexcept { return axis_; }
   const Trip& tripped() const noexcept { return safety_.tripped(); }
   const SceneCounters& counters() const noexcept { return insertion_.counters(); }
-  /// Share of the thermal budget in use, [0, 1].
+  /// Used share of the thermal budget, [0, 1].
   double thermalShare() const noexcept { return safety_.thermalShare(); }
-  /// What the motors have given once the last force is over, should no tick follow.
+  /// The load of the motors after the last force has ended, if no tick follows.
   ThermalBudget thermal() const noexcept { return safety_.thermal(); }
-  /// How often the force began anew after a gap between commands.
+  /// How many times the force restarted after a gap between commands.
   std::uint64_t restarts() const noexcept { return safety_.restarts(); }
 
  private:
@@ -60,12 +63,13 @@ class ServoCore {
   std::int64_t last_ns_ = 0;                ///< of the last tick
   bool sampled_ = false;                    ///< the device had a sample at the last tick
   std::optional<std::uint64_t> placement_;  ///< of the last tick
-  AxisMapping axis_;                        ///< in force
+  AxisMapping axis_;                        ///< in effect
   double force_n_ = 0;                      ///< of the last tick
 };
 
-/// The stiffest spring that stays passive on `device` with a pinch grip: half of b / (T / 2 + delay), b = device + 1.7
-/// N s/m (Colgate and Schenkel 1997, with delay as in docs/servo.md), N/mm; no more than the device's maker advises.
+/// The stiffest spring that stays passive on `device` with a pinch grip, N/mm: half of b / (T / 2 + delay), with b =
+/// device + 1.7 N s/m (Colgate and Schenkel 1997; delay as in docs/servo.md). At most the stiffness that the
+/// manufacturer recommends.
 double largestStiffnessNMm(const DeviceInfo& device) noexcept;
 
 }  // namespace tactus::haptics

@@ -1,4 +1,4 @@
-// What the program tells the servo. A new set of orders is handed over whole; the next tick uses it.
+// The orders of the program to the servo. The program posts a complete set; the next tick uses it.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@
 
 namespace tactus::haptics {
 
-/// Immutable once posted. Only what differs from the orders before has an effect: posting the same again changes
-/// nothing.
+/// Immutable after posting. Only a difference from the previous orders has an effect; posting the same orders again
+/// changes nothing.
 struct ServoOrders {
   ForceSource source = ForceSource::kOff;
-  /// Forces are possible. From false to true: fade-in, and a latched trip is cleared; the hand has to let go first.
+  /// Forces are possible. A change from false to true starts the fade-in and clears a latched trip; the hand has to let
+  /// go first.
   bool armed = false;
   std::shared_ptr<const ServoScene> scene;  ///< kInsertion without a scene gives no force
   Stimulus stimulus;
-  std::uint64_t placement = 0;  ///< another number begins another placement: the tube is out, at `start_depth_mm`
+  std::uint64_t placement = 0;  ///< a new number starts a new placement: the tube is out, at `start_depth_mm`
   double start_depth_mm = 0;
-  AxisMapping axis;  ///< another one: the force lets go along the old axis, and begins along this at the next press
+  AxisMapping axis;  ///< a new axis: the force fades along the old axis and starts along the new one at the next press
   EnableSettings enable;
   LimitSettings limits;
 };

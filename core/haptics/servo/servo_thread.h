@@ -1,4 +1,4 @@
-// The thread that calls the servo once per millisecond, or the driver's own that does.
+// The thread that calls the servo once per millisecond. If the driver has its own loop, that loop calls instead.
 #pragma once
 
 #include <atomic>
@@ -13,11 +13,11 @@
 
 namespace tactus::haptics {
 
-/// For the screen.
+/// The state for display.
 struct ServoThreadState {
   bool running = false;
-  bool own_loop = false;  ///< the device's driver calls; its priority is the driver's affair, and unknown
-  RealTime real_time;     ///< what was permitted, of a thread of ours
+  bool own_loop = false;  ///< the device's driver calls the servo; the priority of its thread is unknown
+  RealTime real_time;     ///< permissions of our own thread
 };
 
 struct ServoThreadSettings {
@@ -25,17 +25,17 @@ struct ServoThreadSettings {
   RealTimeWish real_time;
 };
 
-/// A loop that is later than this many periods does not catch up: the missed ticks are left out.
+/// If a loop is later than this many periods, it skips the missed ticks instead of catching up.
 inline constexpr int kMostPeriodsLate = 5;
 
-/// When the next tick is due after one that was due at `due_ns` and began at `began_ns`: a period later, or a period
-/// after its beginning where it was more than kMostPeriodsLate periods late.
+/// The due time of the next tick, after a tick that was due at `due_ns` and started at `began_ns`: one period later. If
+/// that tick was more than kMostPeriodsLate periods late: one period after its start.
 constexpr std::int64_t nextDueNs(std::int64_t due_ns, std::int64_t began_ns, std::int64_t period_ns) noexcept {
   return (began_ns - due_ns > kMostPeriodsLate * period_ns ? began_ns : due_ns) + period_ns;
 }
 
-/// Runs a servo between `start` and `stop`. All functions belong to the thread that owns it; the destructor stops.
-/// The device must be started first and stopped last.
+/// Runs a servo between `start` and `stop`. All functions belong to the owner's thread; the destructor stops. The owner
+/// starts the device before `start` and stops it after `stop`.
 class ServoThread {
  public:
   explicit ServoThread(Servo& servo, ServoThreadSettings settings = {});
@@ -43,16 +43,16 @@ class ServoThread {
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
-  /// Returns when the loop runs. Refused: the system gives no thread, or the driver's loop does not start. Already
-  /// running: nothing happens. May be called again after `stop`.
+  /// Returns when the loop runs. Returns an error if the system gives no thread or the driver's loop does not start. No
+  /// effect if the servo already runs. May be called again after `stop`.
   base::Result<void> start();
-  /// Returns when no tick will follow and the device has been told to give no force. May be called twice.
+  /// Returns after the last tick, when the device has been told to give no force. May be called twice.
   void stop() noexcept;
 
   const ServoThreadState& state() const noexcept { return state_; }
 
  private:
-  /// Times the ticks that a driver calls; lateness is against a period after the tick before.
+  /// Times the ticks that a driver calls. The planned time of a tick is one period after the previous one.
   class TimedTicks final : public Ticked {
    public:
     TimedTicks(Servo& servo, std::int64_t period_ns) : servo_(servo), period_ns_(period_ns) {}
@@ -69,10 +69,10 @@ class ServoThread {
 
   Servo& servo_;
   const ServoThreadSettings settings_;
-  ServoThreadState state_;           ///< Written by the owner, and by the new thread while `start` waits for it.
+  ServoThreadState state_;           ///< Written by the owner; also by the new thread while `start` waits for it.
   std::atomic<bool> ending_{false};  ///< Written by the owner, read by the servo thread.
   std::thread thread_;
-  std::unique_ptr<TimedTicks> driver_ticks_;  ///< Exists while a driver's loop runs.
+  std::unique_ptr<TimedTicks> driver_ticks_;  ///< Not null while a driver's loop runs.
 };
 
 }  // namespace tactus::haptics
