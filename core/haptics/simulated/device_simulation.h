@@ -1,4 +1,4 @@
-// A haptic device with a hand on it, in simulated time: what VirtualDevice runs by the clock of the servo.
+// A haptic device with a hand on it, in simulated time. VirtualDevice runs it by the clock of the servo.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,28 @@
 
 namespace tactus::haptics {
 
-/// Copyable; the same settings and the same calls give the same bits. Times are ns since the simulation began.
-/// The hand's plan, dropped samples, stalls and faults are decided once per millisecond, forces arrive between any two
-/// steps. Thread: any, one at a time. Real-time safe: all but the constructor.
+/// Copyable. The same settings and calls give the same bits. Times are ns since the start of the simulation. The hand's
+/// plan, dropped samples, stalls and faults change once per millisecond. Forces arrive between any two steps. Thread:
+/// any, one at a time. Real-time safe: all but the constructor.
 class DeviceSimulation {
  public:
-  /// `check(settings)` has passed and there is a plan.
+  /// `settings`: must pass `check` and contain a plan.
   explicit DeviceSimulation(VirtualDeviceSettings settings);
 
-  /// In whole steps, so that `timeNs() <= until_ns` and less than one step is missing.
+  /// Advances in whole steps up to `until_ns`: `timeNs() <= until_ns`, and less than one step is missing.
   void advance(std::int64_t until_ns) noexcept;
 
-  /// A force along the insertion axis, positive against insertion, written at `at_ns`: it acts a delay later.
+  /// Writes a force along the insertion axis at `at_ns`, positive against insertion. It acts after the delay.
   void push(double resistance_n, std::int64_t at_ns) noexcept;
 
-  /// The newest sample. One that was dropped or stalled leaves the one before in place.
+  /// The newest sample. If a sample was dropped or stalled, the previous one remains.
   DeviceState sample() noexcept;
 
   std::int64_t timeNs() const noexcept { return time_ns_; }
   const SimulatedBody& body() const noexcept { return body_; }
-  /// The resistance that has acted in the last step.
+  /// The resistance in effect during the last step.
   double forceInEffectN() const noexcept { return force_n_; }
-  /// When the newest force reached the device; nothing: none did yet.
+  /// The time at which the newest force reached the device; empty if none did.
   std::optional<std::int64_t> writtenNs() const noexcept { return written_ns_; }
 
  private:
@@ -52,8 +52,8 @@ class DeviceSimulation {
   ForceQueue on_the_way_;
   HandWish wish_;
   std::int64_t time_ns_ = 0;
-  std::int64_t millisecond_ = 0;    ///< the next one to begin
-  std::int64_t stalled_until_ = 0;  ///< millisecond
+  std::int64_t millisecond_ = 0;    ///< the next one to start
+  std::int64_t stalled_until_ = 0;  ///< a millisecond
   std::uint32_t faults_ = 0;        ///< InjectedFault as bits
   bool dropped_ = false;            ///< samples of this millisecond do not arrive
   double told_n_ = 0;               ///< the newest force that has reached the device

@@ -1,4 +1,4 @@
-// Forces on their way to a device: each arrives at a time of its own, the newest that has arrived counts.
+// Forces on their way to a device. Each has its own arrival time; the newest arrived force counts.
 #pragma once
 
 #include <array>
@@ -13,17 +13,17 @@ struct ForceOnTheWay {
   std::int64_t arrives_ns = 0;
 };
 
-/// First in, first out, in order of arrival. When it is full the newest force replaces the one before it.
-/// Real-time safe: yes.
+/// First in, first out, in order of arrival. If the queue is full, a new force replaces the last one. Real-time safe:
+/// yes.
 class ForceQueue {
  public:
-  /// `arrives_ns` not below that of the force before.
+  /// `arrives_ns`: not less than that of the previous force.
   void push(ForceOnTheWay force) noexcept {
     if (count_ == kRoom) --count_;
     waiting_[(first_ + count_++) % kRoom] = force;
   }
 
-  /// The newest force that has arrived by `now_ns`; it and all before it leave the queue.
+  /// The newest force that has arrived by `now_ns`. Removes it and all earlier ones from the queue.
   std::optional<ForceOnTheWay> take(std::int64_t now_ns) noexcept {
     std::optional<ForceOnTheWay> newest;
     while (count_ > 0 && waiting_[first_].arrives_ns <= now_ns) {

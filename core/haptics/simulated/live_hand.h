@@ -1,4 +1,4 @@
-// A hand that a person moves with mouse or keyboard: the wish follows a target smoothly.
+// A hand that the user moves with mouse or keyboard. Its wish follows a target smoothly.
 #pragma once
 
 #include <atomic>
@@ -7,20 +7,20 @@
 
 namespace tactus::haptics {
 
-/// The setters belong to any thread, `next` to the one that simulates. Real-time safe: yes.
+/// Any thread may call the setters; the simulating thread calls `next`. Real-time safe: yes.
 class LiveHand {
  public:
-  /// Both > 0: time constant of the follower, and its largest speed.
+  /// Time constant and largest speed of the follower, both > 0.
   LiveHand(double time_constant_s, double largest_speed_mm_s) noexcept
       : time_constant_s_(time_constant_s), largest_speed_mm_s_(largest_speed_mm_s) {}
 
-  /// Not finite: ignored.
+  /// Ignored if not finite.
   void setTarget(double position_mm) noexcept;
   void setButton(bool down) noexcept { button_.store(down, std::memory_order_relaxed); }
 
-  /// The follower jumps to `position_mm` and rests.
+  /// Moves the follower to `position_mm` at once, at rest.
   void place(double position_mm) noexcept;
-  /// The wish one millisecond later: critically damped, without overshoot.
+  /// The wish one millisecond later. Critically damped, without overshoot.
   HandWish next() noexcept;
 
  private:

@@ -8,13 +8,13 @@
 
 namespace tactus::haptics {
 
-/// A hand as a mass on the device, held by a spring and a damper to where it wants to be. SI units, as published.
+/// A hand: a mass on the device, tied to its wish by a spring and a damper. SI units, as published.
 struct SimulatedHand {
   std::string_view name;
   double mass_kg = 0;  ///< moves with the device
   double damping_n_s_m = 0;
   double stiffness_n_m = 0;
-  double arm_mass_kg = 0;  ///< > 0: an arm of this mass in between, and the two numbers above are its grip
+  double arm_mass_kg = 0;  ///< > 0: an arm of this mass lies between, and the two numbers above describe its grip
   double arm_damping_n_s_m = 0;
   double arm_stiffness_n_m = 0;
 };
@@ -30,22 +30,23 @@ std::span<const SimulatedHand> handPresets() noexcept;
 /// The preset of this name, or null.
 const SimulatedHand* findHand(std::string_view name) noexcept;
 
-/// What the hand moves when the device is switched off. The defaults are a Touch, seen at the tip.
+/// The mechanics that the hand feels with the device switched off. Defaults: a Touch, at its tip.
 struct DeviceMechanics {
   double mass_kg = 0.045;        ///< > 0
   double damping_n_s_m = 0.2;    ///< >= 0
   double dry_friction_n = 0.05;  ///< >= 0
 };
 
-/// Semi-implicit Euler; dry friction as an impulse that stops and never turns around. The error is of first order in
-/// the length of a step (docs/devices.md has it measured). Copyable, deterministic, without a clock.
+/// Semi-implicit Euler. Dry friction is an impulse that can stop the motion but not reverse it. The error is of first
+/// order in the step length (measured in docs/devices.md). Copyable, deterministic, without a clock.
 class SimulatedBody {
  public:
-  /// Device and arm begin at `position_mm` with `speed_mm_s`.
+  /// Device and arm start at `position_mm` with `speed_mm_s`.
   SimulatedBody(const SimulatedHand& hand, const DeviceMechanics& device, double position_mm = 0,
                 double speed_mm_s = 0) noexcept;
 
-  /// `wish` and `resistance_n` (positive against insertion) hold for `dt_s` > 0; 10 us resolve all presets.
+  /// `wish` and `resistance_n` (positive against insertion) are constant for `dt_s` > 0. Steps of 10 us resolve all
+  /// presets.
   /// Thread: any. Real-time safe: yes.
   void step(const HandWish& wish, double resistance_n, double dt_s) noexcept;
 
