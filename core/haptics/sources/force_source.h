@@ -1,4 +1,4 @@
-// Where the force comes from: nothing, a stimulus, or the insertion on a model.
+// The source of the force: none, a stimulus, or the insertion with a model.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@ namespace tactus::haptics {
 
 enum class ForceSource : std::uint8_t {
   kOff,        ///< no force
-  kFree,       ///< no force, the hand is recorded
-  kStimulus,   ///< a constant resistance, for judging forces
-  kInsertion,  ///< core/render on a model
+  kFree,       ///< no force; the hand is recorded
+  kStimulus,   ///< a constant resistance for force judgements
+  kInsertion,  ///< core/render with a model
 };
 
 /// `off`, `free`, `stimulus`, `insertion`.
@@ -20,22 +20,22 @@ constexpr std::string_view name(ForceSource source) noexcept {
   return kNames[static_cast<int>(source)];
 }
 
-/// How far a stimulus is.
+/// The stage of a stimulus.
 enum class StimulusStage : std::uint8_t {
-  kWaiting,  ///< for the hand to hold the device inside the start zone
+  kWaiting,  ///< until the hand holds the device inside the start zone
   kRising,
   kFull,
   kFalling,  ///< its time is over
-  kEnded,    ///< it does not begin again
+  kEnded,    ///< it does not start again
 };
 
-/// One constant force against the hand. It begins when the hand is enabled and, where a start zone is set, inside it.
-/// Once it has begun, nothing but another number changes it.
+/// One constant force against the hand. It starts when the hand is enabled, and inside the start zone if there is one.
+/// After the start, only a new number changes it.
 struct Stimulus {
-  std::uint64_t number = 0;             ///< another number is another stimulus and starts anew
+  std::uint64_t number = 0;             ///< a new number is a new stimulus and starts again
   double force_n = 0;                   ///< >= 0, against insertion
-  double ramp_s = 0.15;                 ///< from nothing to the full force, and back
-  std::optional<double> hold_limit_s;   ///< after this time at the full force it ramps down; nothing: held
+  double ramp_s = 0.15;                 ///< from zero to the full force, and back
+  std::optional<double> hold_limit_s;   ///< time at the full force before it ramps down; empty: no limit
   std::optional<double> start_zone_mm;  ///< it starts only within this distance of axis position 0
 };
 

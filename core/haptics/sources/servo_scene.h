@@ -1,4 +1,4 @@
-// A model made ready for the servo: compiled, specialised to what does not change for now, its cost measured.
+// A model prepared for the servo: compiled, specialized for its constant inputs, its cost measured.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +17,23 @@
 
 namespace tactus::haptics {
 
-/// Which inputs the renderer moves; all others are conditions. The defaults are those of the NGT model. An input that
-/// the model lacks is not moved, and neither is one whose name here is empty.
+/// The inputs that the renderer moves. All other inputs are conditions. The defaults are those of the NGT model. An
+/// input is not moved if the model lacks it or its name here is empty.
 struct MovedInputs {
   std::string depth = "depth";
   std::string speed = "speed";
 };
 
-/// Values of the conditions by input id, e.g. lubrication and neck flexion. Outside its universe a value is clamped.
+/// Values of the conditions by input id, e.g. lubrication and neck flexion. A value outside its universe is clamped.
 using Conditions = std::map<std::string, double>;
 
 struct SceneSettings {
   MovedInputs moved;
-  /// Fade of the difference between old and new force at the hand-over, s, [0, 60]. A neck-flexion gesture takes about
-  /// 1 s.
+  /// Duration of the fade from old to new force at a change of scene, s, [0, 60]. A neck-flexion gesture takes about 1
+  /// s.
   double fade_s = 0.05;
-  /// A model that needs longer for one force is refused: the servo has 1 ms for everything. Infinite: never refused,
-  /// and then nothing depends on the clock of this machine.
+  /// Longest time for one force. A slower model is refused, because the servo has 1 ms for everything. Infinite: no
+  /// model is refused, and the result does not depend on the clock.
   double largest_cost_s = 200e-6;
   /// What one force of the model costs, measured before by `measuredCostS`, s. Nothing: measured by `make`.
   std::optional<double> known_cost_s;
@@ -59,13 +59,14 @@ class ServoScene {
                                                               const Conditions& conditions,
                                                               const SceneSettings& settings = {});
 
-  /// The force where the renderer asks; bit by bit that of CompiledModel::evaluate. Real-time safe: yes.
+  /// The force for the renderer. Equal bit by bit to CompiledModel::evaluate. Real-time safe: yes.
   render::ModelForce force(const render::ForcePoint& point) const noexcept;
 
-  /// Another number for each scene of this process, never 0: an address may be used again. Nothing is computed from it.
+  /// A number > 0, different for each scene of this process. It identifies a scene better than its address, which may
+  /// be reused.
   std::uint64_t serial() const noexcept { return serial_; }
   const fuzzy::RendererParameters& renderer() const noexcept { return renderer_; }
-  /// End of the model's depth, offset included; infinite for a model without depth.
+  /// End of the model's depth, including the offset; infinite for a model without depth.
   double depthEndMm() const noexcept { return depth_end_mm_; }
   double fadeS() const noexcept { return fade_s_; }
   /// Cost of one force of the model, s: measured or as given. 0: not asked for, because the budget is infinite.
@@ -77,7 +78,7 @@ class ServoScene {
   fuzzy::Scene scene_;
   std::uint64_t serial_;
   fuzzy::RendererParameters renderer_;
-  std::optional<std::size_t> depth_;  ///< place among the free inputs
+  std::optional<std::size_t> depth_;  ///< index among the free inputs
   std::optional<std::size_t> speed_;
   double depth_end_mm_ = 0;
   double fade_s_ = 0.05;

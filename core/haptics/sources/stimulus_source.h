@@ -1,4 +1,4 @@
-// The stimulus as a source of force: one constant resistance, for judging forces (paper, Section 3.1.5).
+// The stimulus as a source of force: one constant resistance for force judgements (paper, Section 3.1.5).
 #pragma once
 
 #include "core/haptics/safety/limit_settings.h"
@@ -14,10 +14,10 @@ struct StimulusTick {
   double dt_s = 0.001;     ///< since the last tick
 };
 
-/// One stimulus after another. Each begins once, rises evenly within its ramp, and ends when its time at the full force
-/// is over (LimitSettings::stimulus_hold_s bounds it above the continuous rating), when the hand lets go, or when the
-/// source or the number changes: to feel it again takes another number. What is left of its force then is gone within
-/// render::kReleaseFadeS, and within the ramp when its time is over.
+/// One stimulus after another. Each starts once and rises linearly within its ramp. It ends when its time at the full
+/// force is over (LimitSettings::stimulus_hold_s limits it above the continuous rating), when the hand lets go, or when
+/// the source or the number changes. To repeat a stimulus, give it a new number. If its time is over, the force falls
+/// within the ramp; otherwise it fades within render::kReleaseFadeS.
 /// All state is plain, copyable data. Thread: servo. Real-time safe: yes.
 class StimulusSource {
  public:
@@ -25,8 +25,8 @@ class StimulusSource {
   double tick(const StimulusTick& tick, const Stimulus& stimulus, const LimitSettings& limits) noexcept;
 
   StimulusStage stage() const noexcept { return stage_; }
-  /// Time since the full force was reached, s; 0 before. It counts on when the force has ended, until another stimulus
-  /// comes: with it an answer knows its response time.
+  /// Time since the full force was reached, s; 0 before. It runs on after the end of the force until the next stimulus,
+  /// and so gives the response time of an answer.
   double sinceFullS() const noexcept { return since_full_s_; }
 
  private:
@@ -34,12 +34,12 @@ class StimulusSource {
   void advance(const StimulusTick& tick, const LimitSettings& limits) noexcept;
 
   StimulusStage stage_ = StimulusStage::kWaiting;
-  Stimulus stimulus_;  ///< as it was when it began
+  Stimulus stimulus_;  ///< as it was at its start
   double level_ = 0;   ///< share of the force, [0, 1]
   double force_n_ = 0;
   double since_full_s_ = 0;
   bool full_ = false;    ///< the full force was reached
-  double fading_n_ = 0;  ///< rest of a stimulus that ended, on its way to 0
+  double fading_n_ = 0;  ///< remaining force of an ended stimulus, on its way to 0
   double fading_n_s_ = 0;
 };
 
