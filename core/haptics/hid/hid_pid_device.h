@@ -21,35 +21,35 @@
 
 namespace tactus::haptics {
 
-/// Who a device is, from the list of HID devices.
+/// Identity of a device, from the list of HID devices.
 struct HidIdentity {
-  std::string id;  ///< `hid:1209:ffb0`, and `:serial` where there is one
+  std::string id;  ///< `hid:1209:ffb0`, followed by `:serial` if there is a serial number
   std::string name;
   std::string serial;
 };
 
-/// What the device does in time; for tests.
+/// Time functions of the device, replaced in tests.
 struct HidPidTiming {
   std::function<std::int64_t()> now_ns;        ///< the clock that the loop passes to `read`; default: monotonic
   std::function<void(std::int64_t ns)> pause;  ///< default: sleeps
 };
 
-/// What went over the wire so far.
+/// Counts of the traffic so far.
 struct HidPidCounters {
   std::uint64_t reports = 0;        ///< input reports
-  std::uint64_t rounds = 0;         ///< rounds of the writer that got through
-  std::uint64_t failed_rounds = 0;  ///< rounds in which a report did not
+  std::uint64_t rounds = 0;         ///< successful rounds of the writer
+  std::uint64_t failed_rounds = 0;  ///< rounds in which a report failed
   std::int64_t longest_round_ns = 0;
 };
 
-/// The servo thread touches atomics only. A reader thread keeps the newest sample, a writer thread sends the newest
-/// force; neither is hurried by the servo, nor does it wait for them. Without a calibration positions are counts, 1 N
-/// is full scale, and the state says kNotCalibrated. With one, a force asked along the insertion axis is felt along it,
-/// even where the axis leaves the motors by some degrees.
+/// The servo thread touches atomics only. A reader thread keeps the newest sample, and a writer thread sends the newest
+/// force. The servo and these threads never wait for each other.
+/// Without a calibration, positions are counts, 1 N is full scale, and the state is kNotCalibrated. With one, a force
+/// along the insertion axis acts along it, even if the axis is inclined to the motors by some degrees.
 class HidPidDevice final : public HapticDevice {
  public:
-  /// Reads the descriptor. Refused: a device that is no PID device, or lacks what is needed; a calibration whose
-  /// insertion axis has less than kLeastDrivenShare along the motors.
+  /// Reads the descriptor. Returns an error if the device is not a PID device or lacks a required report, or if the
+  /// insertion axis of the calibration has less than kLeastDrivenShare along the motors.
   static base::Result<std::unique_ptr<HidPidDevice>> open(std::unique_ptr<HidTransport> transport,
                                                           const HidIdentity& identity,
                                                           const std::optional<DeviceCalibration>& calibration = {},
@@ -60,7 +60,7 @@ class HidPidDevice final : public HapticDevice {
   const PidLayout& layout() const noexcept { return layout_; }
 
   base::Result<void> start() override;
-  /// Blocks while a write to the device blocks; the effects have run out long before then.
+  /// Blocks while a write to the device blocks. The effects end long before that.
   void stop() noexcept override;
 
   DeviceState read(std::int64_t now_ns) noexcept override;
@@ -86,14 +86,14 @@ class HidPidDevice final : public HapticDevice {
   bool calibrated_ = false;
   double driven_share_ = 1;  ///< of the insertion axis
 
-  std::optional<PidSession> session_;  ///< touched by the owner, and by the writer between start and stop
-  std::optional<PidWriter> writer_;    ///< the same, but for its command box
-  NewestValue<PidSample> samples_;     ///< reader to servo
+  std::optional<PidSession> session_;  ///< touched by the owner; by the writer between start and stop
+  std::optional<PidWriter> writer_;    ///< as `session_`, except for its command box
+  NewestValue<PidSample> samples_;     ///< from the reader to the servo
   std::atomic<bool> lost_{false};
   std::atomic<bool> reader_ends_{false};
   std::atomic<bool> writer_ends_{false};
   std::atomic<std::int64_t> written_ns_{0};
-  std::atomic<std::int64_t> started_ns_{0};  ///< of the effects, as the writer last got it through
+  std::atomic<std::int64_t> started_ns_{0};  ///< start of the effects, as last confirmed by the writer
   std::atomic<std::uint64_t> reports_{0};
   std::atomic<std::uint64_t> rounds_{0};
   std::atomic<std::uint64_t> failed_rounds_{0};

@@ -12,12 +12,12 @@ struct hid_device_;
 
 namespace tactus::haptics {
 
-/// Opens the same path twice: hidapi promises no more than one reading and one writing thread, and before 0.15 both
-/// write the error text of their handle. The node stays locked for other programs of ours as long as it is open.
+/// Opens the same path twice. hidapi allows only one reading and one writing thread, and before 0.15 both write the
+/// error text of their handle. While open, the node is locked for other programs that take a NodeLock.
 class HidapiTransport final : public HidTransport {
  public:
-  /// `path` as the system names it, e.g. /dev/hidraw3. Refused: a device that is gone, may not be opened, or is in use
-  /// by another program that takes a NodeLock.
+  /// Opens `path`, the system's name, e.g. /dev/hidraw3. Returns an error if the device is gone, may not be opened, or
+  /// is locked by another program with a NodeLock.
   static base::Result<std::unique_ptr<HidTransport>> open(const std::string& path);
   ~HidapiTransport() override;
 
@@ -38,7 +38,7 @@ class HidapiTransport final : public HidTransport {
   hid_device_* writes_;
 };
 
-/// The report descriptor that the system keeps for a hidraw node; no permission for the node itself is needed.
+/// The report descriptor that the system keeps for a hidraw node. Needs no permission for the node itself.
 /// `system_folder`: /sys/class/hidraw.
 base::Result<std::vector<std::uint8_t>> descriptorOfNode(const std::string& path,
                                                          const std::string& system_folder = "/sys/class/hidraw");

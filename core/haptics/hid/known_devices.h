@@ -1,4 +1,4 @@
-// Haptic devices that are not force-feedback HID devices, by their USB ids, and what to do with them.
+// Haptic devices without HID force feedback, listed by USB ids, with advice for each.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@ namespace tactus::haptics {
 
 struct KnownDevice {
   std::string_view name;
-  std::string_view advice;         ///< why it is no PID device, and what to do; one or two sentences
-  bool game_devices_only = false;  ///< the maker sells mice and the like too: true of joysticks and wheels alone
+  std::string_view advice;         ///< the reason why it is not a PID device, and the remedy; one or two sentences
+  bool game_devices_only = false;  ///< the manufacturer also sells mice etc.: match joysticks and wheels only
 };
 
-/// A device that cannot be reached through HID PID, or nothing. Some of these are no HID devices at all.
+/// The entry of a device that HID PID cannot reach, or nothing. Some of these are not HID devices at all.
 std::optional<KnownDevice> knownDevice(std::uint16_t vendor, std::uint16_t product) noexcept;
 
 }  // namespace tactus::haptics

@@ -1,4 +1,4 @@
-// Hands copies of the newest value from one thread to another; neither ever waits nor allocates.
+// Passes copies of the newest value from one thread to another. Neither thread waits or allocates.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace tactus::haptics {
 
-/// A triple buffer: one slot belongs to the writer, one to the reader, the third changes hands. One writer, one reader.
+/// A triple buffer: the writer owns one slot, the reader owns one, and both exchange the third. One writer, one reader.
 template <typename T>
 class NewestValue {
  public:
@@ -17,10 +17,10 @@ class NewestValue {
     back_ = middle_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
   }
 
-  /// Whether `take` would bring another value. Thread: reader. Real-time safe: yes.
+  /// Whether `take` would return a new value. Thread: reader. Real-time safe: yes.
   bool fresh() const noexcept { return (middle_.load(std::memory_order_relaxed) & kFresh) != 0; }
 
-  /// The newest value; a default one before the first. Stays valid until the next call.
+  /// The newest value; a default value before the first one. Valid until the next call.
   /// Thread: reader. Real-time safe: yes.
   const T& take() noexcept {
     if (fresh()) front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;

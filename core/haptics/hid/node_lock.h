@@ -1,4 +1,4 @@
-// One program at a time holds a device: a lock on its node, and whose it is.
+// A lock on the node of a device, so that one program at a time uses it, and the name of the current holder.
 #pragma once
 
 #include <optional>
@@ -18,17 +18,17 @@ struct NodeHolder {
   std::string text() const;
 };
 
-/// Who holds the node `path` with a NodeLock; nothing: no program that can be seen does. Takes no lock.
+/// The program that holds the node `path` with a NodeLock; empty if no visible program does. Takes no lock.
 /// `locks_file` and `process_folder`: /proc/locks and /proc. Thread: any.
 std::optional<NodeHolder> holderOf(const std::string& path, const std::string& locks_file = "/proc/locks",
                                    const std::string& process_folder = "/proc");
 
-/// Held from `take` to the end of its life; the system gives it back when the program dies. It binds programs that take
-/// it (flock) and no others: a game opens the node all the same.
+/// A lock from `take` to the end of its life. If the program dies, the system releases it. It binds only programs that
+/// take it (flock); a game can still open the node.
 class NodeLock {
  public:
-  /// `path` as the system names it, e.g. /dev/hidraw3. Refused: a node that cannot be opened, or that another program,
-  /// or another place in this program, holds: with its name where it can be known.
+  /// Takes the lock of `path`, the system's name, e.g. /dev/hidraw3. Returns an error if the node cannot be opened, or
+  /// if another program or another object of this program holds it. The error names the holder if it is known.
   static base::Result<NodeLock> take(const std::string& path);
   ~NodeLock();
   NodeLock(NodeLock&& other) noexcept : file_(other.file_) { other.file_ = -1; }
@@ -37,7 +37,7 @@ class NodeLock {
  private:
   explicit NodeLock(int file) : file_(file) {}
 
-  int file_;  ///< an open file of its own, which nothing else uses; -1: given away
+  int file_;  ///< its own open file, not shared; -1: moved away
 };
 
 }  // namespace tactus::haptics

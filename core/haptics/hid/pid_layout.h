@@ -1,4 +1,5 @@
-// Where a force-feedback device (HID PID) keeps the values that constant forces need, found by their usages.
+// The places of the report values that constant forces need on a force-feedback device (HID PID), found by their
+// usages.
 #pragma once
 
 #include <array>
@@ -12,17 +13,17 @@
 
 namespace tactus::haptics {
 
-/// A report as it goes over the wire.
+/// A report in its transmitted form.
 struct PidReport {
   std::uint8_t id = 0;
-  std::size_t bytes = 0;  ///< with the id
+  std::size_t bytes = 0;  ///< including the id
 
-  /// All zero but the id.
+  /// All bytes zero except the id.
   std::vector<std::uint8_t> blank() const;
   bool operator==(const PidReport&) const = default;
 };
 
-/// One of several named options: an array field takes the number of the option, a field of bits takes a 1 in its place.
+/// One of several named options. An array field takes the number of the option; a bit field takes a 1 in its place.
 struct PidChoice {
   ValueSlot slot;
   std::int64_t value = 0;
@@ -30,13 +31,13 @@ struct PidChoice {
   bool operator==(const PidChoice&) const = default;
 };
 
-/// An input value and the report it comes in.
+/// An input value and its report.
 struct InputSlot {
   std::uint8_t report_id = 0;
   ValueSlot slot;
 };
 
-/// Values that firmwares leave out are optional.
+/// The values of the reports. A value is optional if some firmwares lack it.
 struct PidLayout {
   struct SetEffect {
     PidReport report;
@@ -47,7 +48,7 @@ struct PidLayout {
     std::optional<ValueSlot> trigger_button;
     std::optional<ValueSlot> direction_enable;
     std::vector<ValueSlot> axes_enable;  ///< x, y
-    std::vector<ValueSlot> directions;   ///< the first one is the angle
+    std::vector<ValueSlot> directions;   ///< the first is the angle
   };
   struct ConstantForce {
     PidReport report;
@@ -85,8 +86,8 @@ struct PidLayout {
   struct State {
     std::uint8_t report_id = 0;
     std::optional<ValueSlot> paused, actuators_on, safety_switch, power;
-    std::optional<ValueSlot> playing;  ///< an effect plays …
-    std::optional<ValueSlot> block;    ///< … that of this block; without it any
+    std::optional<ValueSlot> playing;  ///< an effect is playing …
+    std::optional<ValueSlot> block;    ///< … the effect of this block; without this value, any effect
   };
 
   SetEffect set_effect;
@@ -97,21 +98,21 @@ struct PidLayout {
   std::optional<BlockFree> block_free;
   std::optional<Control> control;
   std::optional<Gain> gain;
-  std::optional<PidReport> pool;  ///< asked once at the start, as the protocol wants it
+  std::optional<PidReport> pool;  ///< fetched once at the start, as the protocol requires
   std::optional<State> state;
   int force_axes = 1;                                ///< 1: x; 2: x and y
   std::array<std::optional<InputSlot>, 3> axes;      ///< x, y, z
   std::array<std::optional<InputSlot>, 32> buttons;  ///< button 1 first
 
-  /// No negative magnitudes: the direction carries the sign.
+  /// Whether magnitudes are never negative, so that the direction carries the sign.
   bool signByDirection() const { return constant_force.magnitude.logical_min >= 0; }
 
-  /// Refused, in one sentence: what of the force-feedback reports is missing, or the first thing that cannot be as the
-  /// descriptor has it (checkLayout).
+  /// Finds the layout. Returns an error with one sentence: the missing force-feedback reports, or the first invalid
+  /// value (checkLayout).
   static base::Result<PidLayout> find(const ReportDescriptor& descriptor);
 };
 
-/// Whether the device has the report that sets effects: whoever has it claims to be a PID device.
+/// Whether the device has the report that sets effects. A device with it claims to be a PID device.
 bool claimsPid(const ReportDescriptor& descriptor);
 
 }  // namespace tactus::haptics

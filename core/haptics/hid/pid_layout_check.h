@@ -1,4 +1,4 @@
-// Whether what a report descriptor says of a force-feedback device can be.
+// Consistency check of a force-feedback device's report descriptor.
 #pragma once
 
 #include "core/base/error.h"
@@ -6,10 +6,10 @@
 
 namespace tactus::haptics {
 
-/// A descriptor that is wrong about a value makes the device do something else than it is told: 5000 in 8 bits is -120,
-/// a duration of 0 is for ever. Looks at everything that is written or read. Refused, in one sentence with the place: a
-/// range that its bits do not hold, or that is none; an option that its bits do not hold; two reports with one id; a
-/// duration that cannot be PidSession::kDurationS to 5 ms.
+/// Checks everything that is written or read, because a wrong descriptor makes the device act differently from its
+/// command: 5000 in 8 bits is -120, and a duration of 0 means forever. Returns an error with one sentence and the place
+/// for: an invalid range, or one that its bits cannot hold; an option that its bits cannot hold; two reports with one
+/// id; a duration field that cannot express PidSession::kDurationS to 5 ms.
 base::Result<void> checkLayout(const PidLayout& layout);
 
 }  // namespace tactus::haptics

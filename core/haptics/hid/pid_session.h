@@ -1,4 +1,4 @@
-// Constant forces on a PID device: how they begin, run and end, report by report.
+// Constant forces on a PID device: start, update and end, report by report.
 #pragma once
 
 #include <array>
@@ -13,40 +13,41 @@
 
 namespace tactus::haptics {
 
-/// One effect per axis of force. Each has a duration of 90 ms and is started again every 40 ms, so a host that dies
-/// leaves no force behind. Time is passed in. Thread: writer. Real-time safe: no (a write may block for seconds).
+/// One effect per force axis. Each has a duration of 90 ms and is restarted every 40 ms, so no force remains if the
+/// host dies. The caller passes the time. Thread: writer. Real-time safe: no (a write may block for seconds).
 class PidSession {
  public:
-  static constexpr double kQuietAfterS = 0.1;  ///< a dead host means no force after this time …
-  static constexpr double kDurationS = 0.09;   ///< … with 10 ms for the last start on its way to the device
-  /// A command lasts for so long, whatever the host does: the duration less the time since the last start, which may be
-  /// kRestartNs and a round of the writer ago.
+  static constexpr double kQuietAfterS = 0.1;  ///< if the host dies, the force ends after this time …
+  static constexpr double kDurationS = 0.09;   ///< … which leaves 10 ms for the last start on its way to the device
+  /// The time that a command lasts without the host: the duration minus the time since the last start. That start may
+  /// be kRestartNs and one round of the writer old.
   static constexpr double kHoldS = 0.04;
-  static constexpr std::int64_t kRestartNs = 40'000'000;    ///< longer than half of the duration would forgive no miss
-  static constexpr std::int64_t kRefreshNs = 10'000'000;    ///< a value that did not change is sent again after this
-  static constexpr int kLoadPolls = 60;                     ///< 1 ms apart, as the Linux kernel does
-  static constexpr std::int64_t kSilentNs = 1'000'000'000;  ///< a device refuses in milliseconds; Linux waits 5 s
+  static constexpr std::int64_t kRestartNs = 40'000'000;    ///< below half of the duration: one start may be missed
+  static constexpr std::int64_t kRefreshNs = 10'000'000;    ///< an unchanged value is sent again after this time
+  static constexpr int kLoadPolls = 60;                     ///< 1 ms apart, like the Linux kernel
+  static constexpr std::int64_t kSilentNs = 1'000'000'000;  ///< a device refuses within milliseconds; Linux waits 5 s
 
-  /// `transport` must outlive the session. `pause(ms)` waits; `now_ns` is a monotonic clock.
+  /// `transport`: must outlive the session. `pause(ms)`: waits. `now_ns`: a monotonic clock.
   PidSession(HidTransport& transport, PidLayout layout, std::function<void(int)> pause,
              std::function<std::int64_t()> now_ns);
 
-  /// Reset, actuators on, full gain, effects created and started with force 0. On an error what was begun is ended. A
-  /// device that lets the first question go unanswered is given up.
+  /// Resets the device, switches the actuators on, sets full gain, and creates and starts the effects with force 0. On
+  /// an error it undoes the steps done. It gives up if the device does not answer the first question.
   base::Result<void> begin(std::int64_t now_ns);
 
-  /// The force as shares of full scale, -1..1, x and y; beyond is clamped, not a number is 0. Sends what changed or is
-  /// old, and restarts effects that are due. An error: one of the writes failed; the next call sends anew.
+  /// Sends the force as shares of full scale, [-1, 1], for x and y. Larger shares are clamped; NaN counts as 0. Sends
+  /// changed or old values and restarts effects that are due. Returns an error if a write fails; the next call sends
+  /// all values again.
   base::Result<void> send(const std::array<double, 2>& shares, std::int64_t now_ns);
 
-  /// Force 0, effects stopped and freed, actuators off. Goes on after a failed write, gives up after two in a row.
-  /// Returns whether everything was written.
+  /// Sets the force to 0, stops and frees the effects, switches the actuators off. Continues after a failed write,
+  /// stops after two in a row. Returns whether all writes succeeded.
   bool leave() noexcept;
 
   const PidLayout& layout() const { return layout_; }
-  /// Blocks of our effects in the device, one per axis of force.
+  /// The blocks of our effects in the device, one per force axis.
   std::vector<std::int64_t> blocks() const;
-  /// When the effect that was started longest ago was started; 0 without effects.
+  /// The start time of the effect started longest ago; 0 without effects.
   std::int64_t startedNs() const;
 
  private:
@@ -54,7 +55,7 @@ class PidSession {
 
   struct Effect {
     std::int64_t block = 0;
-    std::optional<std::int64_t> sent;  ///< raw magnitude in the device; nothing: not known
+    std::optional<std::int64_t> sent;  ///< raw magnitude in the device; empty if unknown
     bool turned = false;               ///< direction + 180 degrees
     std::int64_t sent_ns = 0;
     std::int64_t started_ns = 0;

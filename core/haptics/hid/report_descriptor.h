@@ -1,4 +1,4 @@
-// What the reports of a HID device consist of, read from its report descriptor (USB HID 1.11, section 6.2.2).
+// The structure of a HID device's reports, read from its report descriptor (USB HID 1.11, section 6.2.2).
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace tactus::haptics {
 
 enum class ReportType : std::uint8_t { kInput, kOutput, kFeature };
 
-/// What a value means: a page of the usage tables and a number on it.
+/// The meaning of a value: a page of the usage tables and a number on it.
 struct Usage {
   std::uint16_t page = 0;
   std::uint16_t id = 0;
@@ -25,7 +25,7 @@ struct Usage {
 struct HidField {
   struct UsageRange {
     Usage first;
-    std::uint16_t last = 0;  ///< on the page of `first`, not below it
+    std::uint16_t last = 0;  ///< on the page of `first`; not less than it
   };
 
   ReportType type = ReportType::kInput;
@@ -34,40 +34,41 @@ struct HidField {
   std::uint32_t bit_size = 0;    ///< of one value
   std::uint32_t count = 0;
   bool constant = false;  ///< padding
-  bool variable = false;  ///< one value per usage; otherwise an array: the value says which usage
+  bool variable = false;  ///< one value per usage; otherwise an array, in which the value selects the usage
   std::int64_t logical_min = 0;
   std::int64_t logical_max = 0;
   std::int64_t physical_min = 0;
   std::int64_t physical_max = 0;
   int unit_exponent = 0;   ///< power of ten
-  std::uint32_t unit = 0;  ///< as the descriptor has it
+  std::uint32_t unit = 0;  ///< as in the descriptor
   std::vector<UsageRange> usages;
-  std::vector<Usage> path;  ///< of the collections around it, outermost first
+  std::vector<Usage> path;  ///< usages of the enclosing collections, outermost first
 
   bool isInside(Usage collection) const;
-  /// Place of `usage` in the list of usages, or nothing.
+  /// Index of `usage` in the list of usages, or nothing.
   std::optional<std::uint32_t> indexOf(Usage usage) const;
-  /// The usage of value `index` of a variable field: the last one holds for all that follow. Nothing without usages.
+  /// The usage of value `index` of a variable field. The last usage applies to all following values. Nothing without
+  /// usages.
   std::optional<Usage> usageAt(std::uint32_t index) const;
-  /// How many usages the list has.
+  /// Number of usages in the list.
   std::uint64_t usageCount() const;
 };
 
-/// All reports of one device. The same id may stand for different reports of different types, so offsets run per type
-/// and id.
+/// All reports of one device. Reports of different types may share an id, so offsets count per type and id.
 class ReportDescriptor {
  public:
   static constexpr std::size_t kMostBytes = 4096;  ///< as in the Linux kernel
-  static constexpr std::size_t kDeepest = 32;      ///< collections, and pushed states, inside each other
+  static constexpr std::size_t kDeepest = 32;      ///< nested collections, and nested pushed states
 
-  /// Refused: items cut off, collections that do not match, a pop without a push, reserved items, reports longer than
-  /// 8192 bytes, a logical range upside down. The place in the error is the byte of the item.
+  /// Parses a descriptor. Returns an error for: truncated items, unmatched collections, a pop without a push, reserved
+  /// items, reports longer than 8192 bytes, a logical range with min > max. The place in the error is the byte of the
+  /// item.
   static base::Result<ReportDescriptor> parse(std::span<const std::uint8_t> bytes);
 
   const std::vector<HidField>& fields() const { return fields_; }
-  /// Whether byte 0 of each report is its id. hidapi wants that byte (as 0) in either case.
+  /// Whether byte 0 of each report is its id. hidapi expects that byte (as 0) in either case.
   bool numbered() const { return numbered_; }
-  /// Length of a report with its id byte; 0: there is no such report.
+  /// Length of a report including its id byte; 0 if there is no such report.
   std::size_t reportBytes(ReportType type, std::uint8_t id) const;
 
  private:
