@@ -10,8 +10,8 @@ using HdHandle = std::uint32_t;
 using HdCallback = std::uint32_t (*)(void* user);
 using HdSchedule = unsigned long;  ///< a C long: 8 bytes on 64-bit Linux
 
-/// What hdGetError returns, by value. A record that is declared too short lets the library write over the stack where
-/// the convention passes a hidden pointer.
+/// The return value of hdGetError. If a record is declared too short, the library writes beyond it on the stack, on
+/// platforms where the calling convention passes a hidden pointer.
 struct HdErrorRecord {
   std::uint32_t code = 0;
   std::int32_t internal_code = 0;
@@ -77,14 +77,14 @@ inline constexpr std::uint16_t kHighestPriority = 0xFFFF;
 
 }  // namespace hd
 
-/// The entry points, under the names they have in the library without `hd`.
+/// The entry points, named as in the library without `hd`.
 struct HdApi {
   HdHandle (*init_device)(const char* name) = nullptr;  ///< null: the default device
   void (*disable_device)(HdHandle) = nullptr;
   void (*make_current_device)(HdHandle) = nullptr;
   void (*begin_frame)(HdHandle) = nullptr;
   void (*end_frame)(HdHandle) = nullptr;
-  HdErrorRecord (*get_error)() = nullptr;  ///< takes the newest off a stack
+  HdErrorRecord (*get_error)() = nullptr;  ///< pops the newest error from a stack
   const char* (*get_error_string)(std::uint32_t code) = nullptr;
   void (*enable)(std::uint32_t capability) = nullptr;
   void (*disable)(std::uint32_t capability) = nullptr;

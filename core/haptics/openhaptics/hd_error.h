@@ -1,4 +1,4 @@
-// What the error stack of the HD library says, sorted by what it means for the hand.
+// The errors of the HD library, sorted by their effect on the force.
 #pragma once
 
 #include <string>
@@ -8,28 +8,26 @@
 
 namespace tactus::haptics {
 
-/// What one error code means: warm motors and refused forces leave the loop running without force; a lost connection,
-/// a dead timer and broken frames end it.
-/// Real-time safe: yes.
+/// The fault for one error code. Warm motors and refused forces keep the loop running without force. A lost connection,
+/// a dead timer and broken frames end it. Real-time safe: yes.
 DeviceFault faultOf(std::uint32_t code) noexcept;
-/// After these the driver's loop is not worth going on with. Real-time safe: yes.
+/// Whether the driver's loop cannot continue after this error. Real-time safe: yes.
 bool endsLoop(std::uint32_t code) noexcept;
 
-/// Everything that was on the stack.
+/// All errors that were on the stack.
 struct HdErrors {
   int count = 0;
-  HdErrorRecord newest;                    ///< the library hands out the newest first
-  HdErrorRecord gravest;                   ///< the one that `fault` follows from
-  DeviceFault fault = DeviceFault::kNone;  ///< kLost when one of them ends the loop
+  HdErrorRecord newest;                    ///< the library returns the newest first
+  HdErrorRecord gravest;                   ///< the error that determines `fault`
+  DeviceFault fault = DeviceFault::kNone;  ///< kLost if one of the errors ends the loop
 
   bool endsLoop() const noexcept { return fault == DeviceFault::kLost; }
 };
 
-/// Empties the error stack. A library that never says "no error" is cut off after 64. Real-time safe: yes.
+/// Empties the error stack. Stops after 64 errors, in case the library never reports "no error". Real-time safe: yes.
 HdErrors drainErrors(const HdApi& api) noexcept;
 
-/// One sentence part about `error`, with the library's own words, e.g. `the motors are too warm (0x0200, internal 7,
-/// "...")`.
+/// A phrase about `error` with the library's own words, e.g. `the motors are too warm (0x0200, internal 7, "...")`.
 std::string describe(const HdApi& api, const HdErrorRecord& error);
 
 }  // namespace tactus::haptics

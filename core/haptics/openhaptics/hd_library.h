@@ -10,19 +10,18 @@
 
 namespace tactus::haptics {
 
-/// A loaded library. It stays in the process for ever: libHD cannot be loaded a second time after it was closed.
-/// Thread: any.
+/// A loaded library. It stays in the process forever, because libHD cannot be loaded again after closing. Thread: any.
 class HdLibrary {
  public:
-  /// Loads `path`, or without one the first of `defaultNames` that the loader of the system finds. Refused, with what
-  /// was tried and what to install or set: no such library, one of its own libraries missing, functions missing.
+  /// Loads `path`, or, if it is empty, the first of `defaultNames` that the system's loader finds. Returns an error if
+  /// the library, one of its own libraries, or a function is missing. The error names the attempts and the remedy.
   static base::Result<std::shared_ptr<const HdLibrary>> load(const std::string& path = {});
 
-  /// The names that are tried, in this order.
+  /// The names to try, in this order.
   static const std::vector<std::string>& defaultNames();
 
   const HdApi& api() const noexcept { return api_; }
-  /// The name or path it was loaded by.
+  /// The name or path from which it was loaded.
   const std::string& path() const noexcept { return path_; }
 
  private:
@@ -32,8 +31,8 @@ class HdLibrary {
   std::string path_;
 };
 
-/// What the driver's environment lacks, as far as it can be seen from outside: the sentence names GTDD_HOME, the folder
-/// of the device's configuration. Empty when the folder that GTDD_HOME names is there.
+/// Describes missing parts of the driver's environment, as far as visible from outside. The sentence names GTDD_HOME,
+/// the folder of the device's configuration. Empty if the folder named by GTDD_HOME exists.
 std::string hdEnvironmentAdvice();
 
 }  // namespace tactus::haptics

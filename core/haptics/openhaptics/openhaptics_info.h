@@ -1,4 +1,4 @@
-// What the OpenHaptics driver tells about a device, as far as it can be believed.
+// The properties of a device as reported by the OpenHaptics driver, with implausible values left out.
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@
 
 namespace tactus::haptics {
 
-/// Reads name, serial number and limits of the current device. `config_name` as it was opened, empty for the default
-/// one. Refused: a largest force that is none, because nothing could be limited by it. A continuous force above the
-/// largest one and a stiffness outside 0.05 to 5 N/mm (some drivers give a share instead) are left out.
+/// Reads name, serial number and limits of the current device. `config_name`: the name used to open it, empty for the
+/// default device. Returns an error if the largest force is not a positive number, because no force could be limited by
+/// it. Leaves out a continuous force above the largest one, and a stiffness outside 0.05 to 5 N/mm (some drivers report
+/// a share instead).
 base::Result<DeviceInfo> readInfo(const HdApi& api, const std::string& config_name);
 
 /// `openhaptics`, or `openhaptics:NAME` for a named configuration.
