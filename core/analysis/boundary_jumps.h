@@ -1,4 +1,4 @@
-// How far the force jumps at the boundary of a hole.
+// The jump of the force at the boundary of a hole.
 #pragma once
 
 #include <optional>
@@ -9,22 +9,22 @@
 
 namespace tactus::analysis {
 
-/// Two neighbouring points, one ulp of one input apart, and the jump of the force between them.
+/// Two neighboring points, one ulp of one input apart, and the jump of the force between them.
 struct BoundaryJump {
   double newtons = 0;
-  std::vector<double> outside;  ///< where the expert (or some expert) still fires
-  std::vector<double> inside;   ///< in the hole
+  std::vector<double> outside;  ///< the point at which the expert (or some expert) still fires
+  std::vector<double> inside;   ///< the point in the hole
 };
 
-/// The jump from the force beside `hole` to the default force: the largest one over all faces of the hole and at most
-/// `samples` settings of the other inputs on each face and as many beside the best of them. With `expert`: a hole of
-/// that expert and its own force; without: a hole of all experts and the mean. Nothing where no rule fires beside the
-/// hole.
+/// The largest jump between the force beside `hole` and the default force. Searches all faces of the hole. On each face
+/// it tries at most `samples` settings of the other inputs, and as many near the best of them.
+/// `expert`: its own hole and its own force; empty: a hole of all experts and the mean.
+/// Nothing if no rule fires beside the hole.
 std::optional<BoundaryJump> jumpToDefault(ForceProbe& probe, const Hole& hole, std::optional<std::size_t> expert,
                                           std::size_t samples);
 
-/// The jump of the mean where `expert` starts to abstain, at the faces of its `hole`, while others go on; largest as
-/// above. Nothing where no other expert fires inside the hole at the settings looked at.
+/// The largest jump of the mean at the faces of `hole`, where `expert` starts to abstain and other experts continue.
+/// The search is that of jumpToDefault. Nothing if no other expert fires inside the hole at the tried settings.
 std::optional<BoundaryJump> jumpOfMean(ForceProbe& probe, const Hole& hole, std::size_t expert, std::size_t samples);
 
 }  // namespace tactus::analysis

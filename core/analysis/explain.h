@@ -1,4 +1,4 @@
-// Everything that leads to the force at one point: for the editor, and for people who ask why.
+// All steps from the inputs to the force at one point, for the editor and its users.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace tactus::analysis {
 struct ExplainedInput {
   std::string id;
   double given = 0;
-  double value = 0;  ///< inside the universe
+  double value = 0;  ///< clamped to the universe
 };
 
 struct TermMembership {
@@ -28,41 +28,41 @@ struct TermMembership {
 struct ExplainedRule {
   std::size_t rule = 0;
   std::vector<double> memberships;     ///< one per condition, in the rule's order
-  std::size_t smallest_condition = 0;  ///< the condition with the smallest membership, the first of equals
-  double strength = 0;                 ///< weight times that membership; 0 for a rule that is not enabled
-  bool wins = false;                   ///< sets the strength of its output term: the first of the strongest
+  std::size_t smallest_condition = 0;  ///< index of the condition with the smallest membership; the first of equals
+  double strength = 0;                 ///< weight times that membership; 0 for a disabled rule
+  bool wins = false;                   ///< sets the strength of its output term: the first of the strongest rules
 };
 
 struct ExplainedOutputTerm {
   std::string term;
   double strength = 0;
-  std::optional<std::size_t> winning_rule;  ///< index in Expert::rules; nothing where no rule fires for the term
-  Polyline set;                             ///< clipped or scaled, within the universe; empty where strength is 0
+  std::optional<std::size_t> winning_rule;  ///< index in Expert::rules; nothing if no rule fires for the term
+  Polyline set;                             ///< clipped or scaled, within the universe; empty if the strength is 0
 };
 
 struct ExplainedExpert {
   std::string id;
   bool abstains = true;
-  std::vector<std::vector<TermMembership>> memberships;  ///< per input, of the expert's own terms
-  std::vector<ExplainedRule> rules;                      ///< all, in the order of the expert
+  std::vector<std::vector<TermMembership>> memberships;  ///< per input, for the expert's own terms
+  std::vector<ExplainedRule> rules;                      ///< all rules, in the order of the expert
   std::vector<ExplainedOutputTerm> output_terms;         ///< in the expert's order
-  Polyline aggregated;                                   ///< maximum of the sets; empty where the expert abstains
-  bool sampled = false;       ///< a Gaussian is among the sets: the polylines are finely sampled, the force is not
-  double force_n = 0;         ///< exact centroid; the default force where the expert abstains
-  double weight_share = 0;    ///< w / sum of w over the experts that do not abstain; 0 for one that does
+  Polyline aggregated;                                   ///< maximum of the sets; empty if the expert abstains
+  bool sampled = false;       ///< a set is Gaussian: the polylines are sampled finely, the force is exact
+  double force_n = 0;         ///< exact centroid; the default force if the expert abstains
+  double weight_share = 0;    ///< w / sum of w over the experts that do not abstain; 0 if this one abstains
   double contribution_n = 0;  ///< weight_share times force_n
 };
 
 struct Explanation {
   std::vector<ExplainedInput> inputs;
   std::vector<ExplainedExpert> experts;
-  double force_n = 0;  ///< as CompiledModel::evaluate; the sum of the contributions
+  double force_n = 0;  ///< as in CompiledModel::evaluate; the sum of the contributions
   bool fired = false;
-  bool is_default = true;  ///< every expert abstains, and the force is the model's default_force_n
+  bool is_default = true;  ///< every expert abstains, and the force is default_force_n of the model
 };
 
-/// `compiled` must come from `model`. `inputs`: one value per input in the model's order and units. Refused: another
-/// number of values, or one that is not finite.
+/// Explains the force at one point. `compiled`: made from `model`. `inputs`: one value per input, in the model's order
+/// and units. Returns an error for another number of values, or a value that is not finite.
 base::Result<Explanation> explain(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                                   std::span<const double> inputs);
 

@@ -1,4 +1,5 @@
-// Where in a model a finding is: by indices, ids and numbers. The words for it are made from this and never read back.
+// The place of a finding in a model, as indices, ids and numbers. The text for the user is made from it and never
+// parsed.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 
 namespace tactus::analysis {
 
-/// Where conditions hold; without conditions: everywhere.
+/// The points where conditions hold; without conditions: everywhere.
 struct ConditionPlace {
   std::vector<fuzzy::Condition> conditions;
 
@@ -22,7 +23,7 @@ struct ConditionPlace {
 
 /// A term of an expert's list.
 struct TermPlace {
-  std::size_t variable = 0;  ///< index of the input; the number of inputs stands for the output
+  std::size_t variable = 0;  ///< index of the input; the number of inputs means the output
   std::string term;          ///< id
 
   bool operator==(const TermPlace&) const = default;
@@ -43,7 +44,7 @@ struct InputPlace {
   bool operator==(const InputPlace&) const = default;
 };
 
-/// A step of the force along one input, between two places of it; one place where they are a rounding apart.
+/// A step of the force along one input, between two positions; they are equal if they differ by rounding only.
 struct CliffPlace {
   std::size_t input = 0;  ///< index
   double low = 0;
@@ -52,21 +53,21 @@ struct CliffPlace {
   bool operator==(const CliffPlace&) const = default;
 };
 
-/// All indices are those of the model that was linted.
+/// Indices refer to the linted model.
 using FindingPlace = std::variant<ConditionPlace, Hole, TermPlace, StepPlace, InputPlace, CliffPlace>;
 
-/// The place in words, `depth 125 to 138 mm`, `depth oropharynx`, `depth is oropharynx and speed is slow`. For people:
-/// where ids hold spaces or quotes, two places of one model may read the same. `model` is the one that was linted.
+/// The place in words for the user, e.g. `depth 125 to 138 mm`, `depth oropharynx`, `depth is oropharynx and speed is
+/// slow`. Not unique: if ids contain spaces or quotes, two places may have the same text. `model`: the linted model.
 std::string describe(const FindingPlace& place, const fuzzy::ForceModel& model);
 
-/// Index of the input that the place is about: of several the one that `describe` names first. Nothing where it is
-/// everywhere or about the output.
+/// The index of the input of the place; if there are several, the one that `describe` names first. Nothing if the place
+/// is everywhere or on the output.
 std::optional<std::size_t> inputOf(const FindingPlace& place, const fuzzy::ForceModel& model);
 
-/// The term that the place names, in the list that `expert` reads; null where it is no term, or not a term of hers.
+/// The term of the place in the list of `expert`. Null if the place is not a term, or not a term of this expert.
 const fuzzy::Term* termAt(const FindingPlace& place, const fuzzy::ForceModel& model, const fuzzy::Expert& expert);
 
-/// The variable with the index of a TermPlace.
+/// The variable for the index of a TermPlace.
 const fuzzy::Variable& variableAt(const fuzzy::ForceModel& model, std::size_t variable);
 
 }  // namespace tactus::analysis

@@ -1,4 +1,4 @@
-// How far the averaged forces of two models over the same inputs are apart.
+// The difference between the averaged forces of two models with the same inputs.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,18 @@
 namespace tactus::analysis {
 
 struct ForceDifference {
-  double largest_n = 0;    ///< largest |difference| seen
-  std::vector<double> at;  ///< where; empty where no difference was seen
-  double first_n = 0;      ///< forces of the two models there
+  double largest_n = 0;    ///< largest |difference| found
+  std::vector<double> at;  ///< its point; empty if the forces are equal
+  double first_n = 0;      ///< force of the first model there, then of the second
   double second_n = 0;
   double rms_n = 0;                ///< over points spread evenly over the universes of the inputs
-  std::size_t points = 0;          ///< points at which both fired, of both kinds
-  std::size_t only_one_fires = 0;  ///< points at which one model has a force and the other has none
+  std::size_t points = 0;          ///< points of both kinds at which both models fired
+  std::size_t only_one_fires = 0;  ///< points at which exactly one model fires
 };
 
-/// Looks at combinations of the vertices of the first model's terms and the middles between them for the largest
-/// difference, and at evenly spread points for the root mean square; fewer where the models have many rules. Where one
-/// model does not fire nothing is compared. `first` and `second` must be valid, with as many inputs each.
-/// Deterministic.
+/// Searches the largest difference at combinations of the first model's vertices and midpoints, and the root mean
+/// square at evenly spread points. Uses fewer points if the models have many rules. Skips points where one model does
+/// not fire. `first` and `second`: valid, with the same number of inputs. Deterministic.
 ForceDifference forceDifference(const fuzzy::ForceModel& first, const fuzzy::CompiledModel& compiled_first,
                                 const fuzzy::ForceModel& second, const fuzzy::CompiledModel& compiled_second);
 

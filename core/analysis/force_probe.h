@@ -1,4 +1,4 @@
-// Evaluations that an analysis may still spend, so that a lint of a huge model ends in a bounded time.
+// A budget of evaluations, so that the lint of a huge model ends in bounded time.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@
 
 namespace tactus::analysis {
 
-/// A model with an allowance, counted in rules looked at: the same on every machine.
+/// A model with a budget, counted in evaluated rules and therefore equal on every machine.
 class ForceProbe {
  public:
-  /// Once `stop` says so nothing is afforded any more.
+  /// After `stop` is requested, the budget counts as used up.
   ForceProbe(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t allowance_rules,
              std::stop_token stop = {})
       : model_(model),
@@ -29,26 +29,26 @@ class ForceProbe {
 
   const fuzzy::ForceModel& model() const noexcept { return model_; }
   const fuzzy::CompiledModel& compiled() const noexcept { return compiled_; }
-  /// Values of one input in [low, high] that are worth a look.
+  /// The values of one input in [low, high] to try (valuesWorthALook).
   std::vector<double> values(std::size_t input, double low, double high) const {
     return valuesWorthALook(vertices_[input], low, high);
   }
-  /// The same over its whole range.
+  /// The same for the whole range of the input.
   std::vector<double> values(std::size_t input) const {
     return values(input, model_.inputs[input].min, model_.inputs[input].max);
   }
   /// The vertices of all terms of an input inside its universe, ascending.
   std::span<const double> vertices(std::size_t input) const noexcept { return vertices_[input]; }
-  /// Cost of one averaged force.
+  /// Cost of one averaged force, in rules.
   std::size_t costOfMean() const noexcept { return all_rules_; }
-  /// False once the allowance is spent; callers stop looking then.
+  /// False if the budget is used up; the caller then ends its search.
   bool affords() const noexcept { return left_ > 0 && !stop_.stop_requested(); }
 
   fuzzy::Evaluation mean(std::span<const double> point) {
     spend(all_rules_);
     return compiled_.evaluate(point);
   }
-  /// The averaged force, and into `experts` (one place for each) those of all experts.
+  /// Returns the averaged force and writes the forces of all experts to `experts` (one place per expert).
   fuzzy::Evaluation everyExpert(std::span<const double> point, std::span<fuzzy::Evaluation> experts) {
     spend(2 * all_rules_);
     fuzzy::evaluateEveryExpert(compiled_, point, experts);
@@ -60,7 +60,7 @@ class ForceProbe {
   }
 
  private:
-  /// Fuzzification and centroid of one expert, in rules.
+  /// Cost of fuzzification and centroid of one expert, in rules.
   static constexpr std::size_t kFixedCost = 32;
 
   void spend(std::size_t rules) noexcept { left_ -= rules < left_ ? rules : left_; }

@@ -1,4 +1,4 @@
-// What a researcher should know about a valid model before it is used: findings, not errors.
+// Lint of a valid model: findings that a researcher should know before using it. Findings are not errors.
 #pragma once
 
 #include <optional>
@@ -15,58 +15,58 @@ namespace tactus::analysis {
 
 struct Finding {
   enum class Kind {
-    kHole,             ///< a region where no rule fires; newtons: the jump to the default force at its boundary
-    kAbstentionJump,   ///< an expert starts to abstain while others go on; newtons: the jump of the mean there
-    kConflict,         ///< the same conditions with another consequent; newtons: between the two rules, each alone
-    kRedundantRule,    ///< another rule says the same with fewer conditions; newtons: 0, it can be removed
+    kHole,            ///< a region where no rule fires; newtons: the jump to the default force at its boundary
+    kAbstentionJump,  ///< an expert starts to abstain while others continue; newtons: the jump of the mean there
+    kConflict,        ///< two rules with the same conditions and different consequents; newtons: between the two
+    kRedundantRule,  ///< another rule has the same consequent and fewer conditions; newtons: 0, the rule can be removed
     kDirectionChange,  ///< a step against the direction of most steps of the same expert and input; newtons: the
-                       ///< change of the expert's force along it
-    kDisagreement,     ///< an expert whose direction for an input is opposite to that of most experts; newtons: its
-                       ///< change of force over the input against that of the others
-    kUnusedTerm,       ///< an input term that no enabled rule of the expert mentions
-    kUnreachableTerm,  ///< an input term outside its universe, or an output term that no rule ever concludes
-    kUnreachableRule,  ///< a rule whose conditions are never true together
+                       ///< change of the expert's force along the step
+    kDisagreement,     ///< an expert whose direction for an input is opposite to that of most experts; newtons: the
+                       ///< difference between its change of force over the input and that of the others
+    kUnusedTerm,       ///< an input term that occurs in no enabled rule of the expert
+    kUnreachableTerm,  ///< an input term outside its universe, or an output term that is no rule's consequent
+    kUnreachableRule,  ///< a rule with conditions that cannot all be true
   };
   Kind kind = Kind::kHole;
-  std::string expert;  ///< expert id; empty where the averaged model is meant
-  FindingPlace where;  ///< what it is about: a hole, conditions, a term, a step, an input
-  std::string place;   ///< the same in words, by `describe`; nothing reads them back
+  std::string expert;  ///< expert id; empty for the averaged model
+  FindingPlace where;  ///< a hole, conditions, a term, a step or an input
+  std::string place;   ///< `where` in words, by `describe`; never parsed
   std::string text;    ///< one sentence
-  /// The force at stake. Where it comes from looking at settings of further inputs, the largest one seen. Nothing where
-  /// a force has no meaning, or where no such setting was found.
+  /// The difference of forces in question, the largest found if it depends on further inputs. Nothing if a force makes
+  /// no sense here or no such setting was found.
   std::optional<double> newtons;
-  std::vector<double> from;  ///< two points between which the force changes by `newtons`; empty where it is not so
+  std::vector<double> from;  ///< two points between which the force changes by `newtons`; empty if there are none
   std::vector<double> to;
-  /// The rules it is about, by their index in Expert::rules. kConflict: both. kRedundantRule, kUnreachableRule: that
-  /// one. kDirectionChange: from the one to the other. kDisagreement: those of the steps that go the expert's way.
+  /// The rules concerned, by index in Expert::rules. kConflict: both. kRedundantRule, kUnreachableRule: the rule
+  /// itself. kDirectionChange: the first, then the second. kDisagreement: those of the steps in the expert's direction.
   std::vector<std::size_t> rules;
 };
 
 /// `hole`, `conflict`, …
 std::string_view name(Finding::Kind kind) noexcept;
 
-/// Smallest and largest force seen.
+/// Smallest and largest force found.
 struct ForceRange {
   double min_n = 0;
   double max_n = 0;
-  std::size_t points = 0;  ///< where it was looked at
-  std::size_t fired = 0;   ///< of these, where some rule fired; 0 means that there is no range
+  std::size_t points = 0;  ///< number of tried points
+  std::size_t fired = 0;   ///< points at which some rule fired; 0: there is no range
 };
 
 struct Lint {
   std::vector<Finding> findings;
   bool coverage_complete = true;
-  bool newtons_complete = true;  ///< false where a huge model used up the time for looking at forces
+  bool newtons_complete = true;  ///< false if the budget for forces was used up (huge model)
   ForceRange reachable;
-  std::optional<ForceBounds> bounds;  ///< proved for every point where the mean fires; nothing where it never does
+  std::optional<ForceBounds> bounds;  ///< proved for all points at which the mean fires; nothing if it never fires
 };
 
-/// All findings about `model`, which must be valid. Holes have exact boundaries. Directions are read off the rules:
-/// along the terms of one input, in the order of their centres, with the other conditions of a rule held fixed, each
-/// change of the consequent is a step up or down; three quarters of an expert's steps in one direction make it the
-/// direction. The reachable range is what was seen at the vertices of the terms and between them, so the true range may
-/// be a little wider; it lies within the bounds.
-/// It ends soon after `stop` says so; what it found until then is of no use.
+/// All findings about `model`, which must be valid.
+/// Holes have exact boundaries. Directions come from the rules: along the terms of one input, in the order of their
+/// centers, with the other conditions of a rule fixed, each change of the consequent is a step up or down. The
+/// direction of an expert is that of at least three quarters of its steps. The reachable range is the range found at
+/// the vertices of the terms and between them. The true range may be a little wider; it lies within the bounds.
+/// The lint ends soon after `stop` is requested; its result is then invalid.
 Lint lint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, const std::stop_token& stop = {});
 
 }  // namespace tactus::analysis

@@ -1,4 +1,4 @@
-// Fuzzy sets as polylines: to draw them, and to see their centroid.
+// Fuzzy sets as polylines, for drawing and for their centroid.
 #pragma once
 
 #include <span>
@@ -16,11 +16,11 @@ struct Vertex {
   bool operator==(const Vertex&) const = default;
 };
 
-/// Vertices with ascending x; two with the same x are a vertical edge. The set is 0 outside.
+/// Vertices with ascending x. Two with the same x form a vertical edge. The set is 0 outside.
 using Polyline = std::vector<Vertex>;
 
-/// The set that implication makes of an output term at a strength in (0, 1], cut to [lo, hi]. Trapezoids: the exact
-/// vertices. Gaussians: a vertex every twentieth of sigma, which leaves the curve by at most 1/3200 of the strength.
+/// An output term after implication at a strength in (0, 1], cut to [lo, hi]. Trapezoids: the exact vertices.
+/// Gaussians: a vertex every sigma/20, which deviates from the curve by at most 1/3200 of the strength.
 Polyline impliedSet(const fuzzy::MembershipFunction& term, double strength, fuzzy::Implication implication, double lo,
                     double hi);
 

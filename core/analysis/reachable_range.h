@@ -1,4 +1,4 @@
-// The range of forces that a model gives, as far as looking at many points shows.
+// The range of forces of a model, found by sampling.
 #pragma once
 
 #include <stop_token>
@@ -7,9 +7,9 @@
 
 namespace tactus::analysis {
 
-/// Looks at every combination of the vertices of all terms and the middles between them, or, where these are more than
-/// 20,000, at 20,000 points of a Halton sequence over them, fewer where the model has many rules. Deterministic.
-/// It ends soon after `stop` says so, with what it saw until then.
+/// Evaluates every combination of the vertices of all terms and their midpoints. If there are more than 20,000, it
+/// evaluates 20,000 points of a Halton sequence over them, fewer if the model has many rules. Deterministic. Ends soon
+/// after `stop` is requested and returns the range found so far.
 ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                           const std::stop_token& stop = {});
 

@@ -1,4 +1,4 @@
-// Rules that contradict each other, change nothing or never fire.
+// Rules that contradict each other, have no effect or never fire.
 #pragma once
 
 #include <vector>
@@ -14,15 +14,16 @@ struct RulePair {
   std::size_t other = 0;
 };
 
-/// Rules with the conditions of an earlier one (`other`) and another consequent.
+/// Rules with the conditions of an earlier rule (`other`) and another consequent.
 std::vector<RulePair> conflicts(const std::vector<ResolvedRule>& rules);
 
-/// Rules that can be removed, all at once, without changing the strength of an output term anywhere, to the last bit:
-/// `other` has the same consequent, some of the conditions and no further one, and a weight at least as large, so it
-/// fires at least as strongly wherever `rule` does.
+/// Rules that can all be removed together without changing any strength of an output term, to the last bit. `other` has
+/// the same consequent, a subset of the conditions and a weight at least as large. So it fires at least as strongly as
+/// `rule` everywhere.
 std::vector<RulePair> redundantRules(const std::vector<ResolvedRule>& rules, std::size_t input_count);
 
-/// Force of one rule alone at full strength `strength` in (0, 1]: the centroid of the output term, clipped or scaled.
+/// The force of one rule alone, which fires with `strength` in (0, 1]: the centroid of its output term, clipped or
+/// scaled.
 double forceOfTerm(const fuzzy::ForceModel& model, const fuzzy::Term& term, double strength);
 
 }  // namespace tactus::analysis

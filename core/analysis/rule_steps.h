@@ -1,4 +1,4 @@
-// Steps from one rule of an expert to the next along an input, and how many levels of the force each takes.
+// Steps between neighboring rules of an expert along an input, and the change of the force level of each.
 #pragma once
 
 #include <string>
@@ -8,21 +8,20 @@
 
 namespace tactus::analysis {
 
-/// Two rules of one expert with the same conditions but for the term of one input, and no rule for a term between them.
+/// Two rules of one expert with the same conditions except for the term of one input, and no rule for a term between.
 struct NeighbourStep {
   std::size_t input = 0;   ///< index of the input along which the step goes
-  std::size_t before = 0;  ///< index in Expert::rules, the rule of the lower term
+  std::size_t before = 0;  ///< index in Expert::rules of the rule with the lower term
   std::size_t after = 0;
-  int levels = 0;  ///< places from the first consequent to the second in the order of the output terms; may be < 0
-  bool adjacent = false;  ///< no term of the expert lies between; otherwise the rule of one is missing
+  int levels = 0;  ///< places from the first to the second consequent in the order of the output terms; may be < 0
+  bool adjacent = false;  ///< no term of the expert lies between; false: the rule for a term between is missing
 
   bool operator==(const NeighbourStep&) const = default;
 };
 
-/// All steps of `expert` along input number `input`. Terms, of the input and of the output, are taken in the order of
-/// their centres; terms with the same centre share a place, so between two of them there is no step and no level. Of a
-/// rule that is given twice with different consequents, each makes its steps. Disabled rules and rules of weight 0 do
-/// not count. `model` must be valid.
+/// All steps of `expert` along input number `input`. Input and output terms are ordered by their centers. Terms with
+/// the same center share a place, so there is no step or level between them. If a rule occurs twice with different
+/// consequents, each makes its own steps. Disabled rules and rules of weight 0 do not count. `model` must be valid.
 std::vector<NeighbourStep> neighbourSteps(const fuzzy::ForceModel& model, const fuzzy::Expert& expert,
                                           std::size_t input);
 

@@ -1,4 +1,4 @@
-// The rules of one expert with names resolved to indices: only those that count, that is, enabled ones of a weight > 0.
+// The rules of one expert with indices instead of names; only enabled rules with a weight > 0.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace tactus::analysis {
 
 struct ResolvedRule {
   std::size_t index = 0;         ///< in Expert::rules
-  std::uint64_t conditions = 0;  ///< packed: seven bits per input, 0 where there is no condition, else term + 1
+  std::uint64_t conditions = 0;  ///< packed: seven bits per input, 0 without a condition, else term + 1
   std::size_t then = 0;          ///< index of the output term
   double weight = 1;
 
@@ -22,15 +22,15 @@ struct ResolvedRule {
 /// `model` must be valid and `expert` one of its experts.
 std::vector<ResolvedRule> resolveRules(const fuzzy::ForceModel& model, const fuzzy::Expert& expert);
 
-/// A point of [min, max] where `term` is as large as it gets there: the middle of its core, or the end next to it.
+/// A position in [min, max] with the largest membership of `term` there: the middle of its core, or the end next to it.
 double peakPosition(const fuzzy::Term& term, double min, double max);
 
-/// For each output term of `expert` the largest strength that a rule can give it: weight times the smallest peak of its
-/// conditions, each taken over the universe. 0 where no rule ever concludes the term.
+/// For each output term of `expert`: the largest strength that a rule can give it, which is weight times the smallest
+/// peak of its conditions over the universe. 0 if the term is no rule's consequent.
 std::vector<double> largestStrengths(const fuzzy::ForceModel& model, const fuzzy::Expert& expert,
                                      std::span<const ResolvedRule> rules);
 
-/// Largest firing strength of one rule, as above.
+/// The largest firing strength of one rule, computed in the same way.
 double largestStrength(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, const ResolvedRule& rule);
 
 }  // namespace tactus::analysis

@@ -1,5 +1,4 @@
-// Points of the input space at which the analysis looks: vertices of the terms, the middles between them, and their
-// combinations.
+// The sample points of the analysis: vertices of the terms, midpoints between them, and their combinations.
 #pragma once
 
 #include <functional>
@@ -11,22 +10,22 @@
 
 namespace tactus::analysis {
 
-/// The vertices of all experts' terms of each input that lie inside its universe, ascending, each once.
+/// For each input: the vertices of all experts' terms inside its universe, ascending, without duplicates.
 std::vector<std::vector<double>> sortedVertices(const fuzzy::ForceModel& model);
 
-/// The `vertices` inside (low, high), both ends, and the middles between neighbours; of a great many vertices an even
-/// selection.
+/// The `vertices` inside (low, high), both ends, and the midpoints between neighbors. If there are very many vertices,
+/// an even selection of them.
 std::vector<double> valuesWorthALook(std::span<const double> vertices, double low, double high);
 
-/// Coordinate number `dimension` (below kMostInputs) of point number `index` (from 1) of the Halton sequence (1960), in
-/// [0, 1).
+/// Coordinate `dimension` (below kMostInputs) of point number `index` (from 1) of the Halton sequence (1960), in [0,
+/// 1).
 double halton(std::size_t index, std::size_t dimension);
 
-/// Every combination of the values given for each input, or, where these are more than `most`, `most` points of a
-/// Halton sequence over them. Deterministic.
+/// All combinations of the given values of each input. If there are more than `most`: `most` points of a Halton
+/// sequence over them. Deterministic.
 class SamplePoints {
  public:
-  /// One of its values for each input.
+  /// The index of one value for each input.
   using Choice = std::vector<std::size_t>;
 
   SamplePoints(std::vector<std::vector<double>> values, std::size_t most);
@@ -39,9 +38,9 @@ class SamplePoints {
   /// Point number `index`, one value per input.
   std::vector<double> operator[](std::size_t index) const { return at(choice(index)); }
 
-  /// Looks beside a good point, taking for one input after the other the value with which it gets best, until nothing
-  /// gets better or `size()` points have been looked at. `value` is that of `start`; `look(choice)` gives that of a
-  /// choice, or nothing.
+  /// Improves a good point: for one input after the other it chooses the best value, until nothing improves or `size()`
+  /// points have been evaluated. `value`: the value of `start`. `look(choice)`: returns the value of a choice, or
+  /// nothing.
   void climb(Choice start, double value, const std::function<std::optional<double>(const Choice&)>& look) const;
 
  private:
@@ -50,10 +49,10 @@ class SamplePoints {
   bool all_ = true;
 };
 
-/// The combinations of all values worth a look over the universes of the inputs; `most` as above.
+/// The combinations of all vertices and midpoints of the inputs; `most` as above.
 SamplePoints kinkPoints(const fuzzy::ForceModel& model, std::size_t most);
 
-/// Points spread evenly over the universes of the inputs, each input in 256 cells; `most` as above.
+/// Points spread evenly over the universes of the inputs, in 256 cells per input; `most` as above.
 SamplePoints evenPoints(const fuzzy::ForceModel& model, std::size_t most);
 
 }  // namespace tactus::analysis

@@ -1,4 +1,4 @@
-// The forces along one line through the input space, at the places where they can change suddenly. Internal to the
+// The forces along one line through the input space, at the positions where they can change abruptly. Internal to the
 // search for steps.
 #pragma once
 
@@ -11,24 +11,24 @@
 
 namespace tactus::analysis {
 
-/// Finds the places along one input beside which the force can change suddenly.
+/// Finds the positions along one input at which the force can change abruptly.
 class StepPlaces {
  public:
   StepPlaces(const fuzzy::ForceModel& model, std::size_t input);
 
-  /// With the other inputs as in `point`: both sides of each kink of the strengths and places within `stepWidth` of it;
-  /// with `even`, also places half that width apart over the universe. Ascending, inside the universe.
+  /// The positions for the other inputs as in `point`: both sides of each kink of the strengths, and positions within
+  /// `stepWidth` of it. `even`: also positions half that width apart over the universe. Ascending, inside the universe.
   std::vector<double> at(std::span<const double> point, bool even) const;
 
   const fuzzy::Variable& variable() const noexcept { return model_.inputs[input_]; }
   double width() const noexcept { return width_; }
-  /// Places of a line without kinks between flanks.
+  /// Number of positions of a line without crossings of flanks.
   std::size_t usualCount() const noexcept { return kPlacesOfAKink * fixed_.size(); }
 
  private:
   static constexpr std::size_t kPlacesOfAKink = 7;
 
-  /// A straight piece of a membership times the weight of a rule: 0 at `foot`, `top` at `shoulder`.
+  /// A straight piece of a membership, times the weight of its rule: 0 at `foot`, `top` at `shoulder`.
   struct Flank {
     double foot = 0;
     double shoulder = 0;
@@ -43,26 +43,26 @@ class StepPlaces {
   std::size_t input_;
   double width_;
   std::vector<double> fixed_;  ///< vertices and crossings of flanks
-  std::vector<Flank> flanks_;  ///< of the terms of `input` in rules, each once
+  std::vector<Flank> flanks_;  ///< of the terms of `input` in rules, without duplicates
 };
 
-/// One force along the line.
+/// The forces of one expert, or the mean, along the line.
 struct LineForce {
-  std::vector<double> x;        ///< where it fires, ascending
-  std::vector<double> force_n;  ///< one for each
-  std::vector<int> piece;       ///< places with the same number have the same experts firing, and so has all between
+  std::vector<double> x;        ///< positions with a force, ascending
+  std::vector<double> force_n;  ///< the force at each position
+  std::vector<int> piece;       ///< number of the piece; on one piece the same experts fire everywhere
 };
 
-/// Two places of a line.
+/// Two positions of a line, by index.
 struct LinePair {
   std::size_t from = 0;
   std::size_t to = 0;
-  double noticeable = 0;  ///< of the limits; > 1 is a step
+  double noticeable = 0;  ///< in units of StepLimits::noticeable; > 1 is a step
   bool steep = false;     ///< steeper than the limits allow
 };
 
-/// The pairs of places at most `width` apart whose forces differ by `least` noticeable differences or more, or too
-/// steeply where `in_mm`; of those that overlap, each with the next, the largest. Ascending.
+/// The pairs of positions at most `width` apart with a step between: the forces differ by at least `least` noticeable
+/// differences, or, if `in_mm`, too steeply. Of pairs that overlap in a chain it returns the largest. Ascending.
 std::vector<LinePair> stepsOn(const LineForce& line, double width, bool in_mm, const StepLimits& limits, double least);
 
 }  // namespace tactus::analysis

@@ -1,4 +1,4 @@
-// The term that a value of a variable belongs to most.
+// The term with the largest membership of a value.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace tactus::analysis {
 
-/// Index of the term of `variable` with the largest membership at `x` (in its unit, taken as it is, also beyond the
-/// universe), the first of equals; nothing where all memberships are 0.
+/// The index of the term of `variable` with the largest membership at `x`; the first of equals. `x`: in the unit of the
+/// variable, not clamped to the universe. Nothing if all memberships are 0.
 std::optional<std::size_t> strongestTerm(const fuzzy::Variable& variable, double x);
 
 }  // namespace tactus::analysis

@@ -1,4 +1,4 @@
-// What the output term of a rule can add to the moments of an output set. Internal to the bounds on the force.
+// The contribution of a rule's output term to the moments of an output set. Internal to the bounds on the force.
 #pragma once
 
 #include <cmath>
@@ -9,12 +9,11 @@
 
 namespace tactus::analysis {
 
-/// An output term that rules can conclude, on a universe that starts at 0. A Gaussian has its mean for b and c, and no
-/// ends.
+/// An output term of some rule, on a universe that starts at 0. A Gaussian has b = c = mean and infinite a and d.
 struct BoundedTerm {
   double a, b, c, d;
   double sigma;     ///< 0 for a trapezoid
-  double strength;  ///< the largest one
+  double strength;  ///< the largest one possible
 
   static BoundedTerm of(const fuzzy::MembershipFunction& f, double strength) {
     if (f.gaussian)
@@ -22,7 +21,7 @@ struct BoundedTerm {
               std::numeric_limits<double>::infinity(),  f.sigma, strength};
     return {f.a, f.b, f.c, f.d, 0, strength};
   }
-  /// As seen from `origin`, and mirrored there.
+  /// The term relative to `origin`, and mirrored at it.
   BoundedTerm from(double origin) const { return {a - origin, b - origin, c - origin, d - origin, sigma, strength}; }
   BoundedTerm mirroredAt(double origin) const {
     return {origin - d, origin - c, origin - b, origin - a, sigma, strength};
@@ -45,7 +44,7 @@ struct Moments {
   double ratio() const { return left == 0 ? 0 : left / right; }
 };
 
-/// Moments about `about` in [0, width] of the term clipped at `strength` in (0, 1] and cut to [0, width], divided by
+/// Moments about `about` in [0, width] of the term, clipped at `strength` in (0, 1] and cut to [0, width], divided by
 /// the strength.
 Moments momentsOf(const BoundedTerm& term, double strength, double about, double width);
 

@@ -1,4 +1,4 @@
-// What a GradientModel holds. Only the sources of the gradient include this.
+// The data of a GradientModel. Only the sources of the gradient include this.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ struct GradientBank {
   std::vector<fuzzy::MembershipFunction> functions;
   std::vector<TermSlots> slots;
   std::vector<std::uint32_t> first_slot;
-  std::optional<InputPieces> pieces;   ///< of an input's terms, where they have the form that the fast path needs
-  std::optional<OrderedSets> ordered;  ///< of output terms, likewise
+  std::optional<InputPieces> pieces;   ///< for the terms of an input, if they have the form for the fast path
+  std::optional<OrderedSets> ordered;  ///< for output terms, if they have the form for the fast path
 };
 
 struct GradientCondition {
@@ -36,7 +36,7 @@ struct GradientRule {
   double weight;
 };
 
-/// Rules for the fast path, and which of them can fire while each input lies between two neighbouring vertices.
+/// Rules for the fast path, and for each segment between neighboring vertices a bit set of the rules that can fire.
 struct FastRules {
   struct Rule {
     double weight;
@@ -45,13 +45,13 @@ struct FastRules {
   };
   struct Input {
     std::size_t input;
-    std::size_t first_word;  ///< of the first segment; each segment has `words`
+    std::size_t first_word;  ///< of the first segment; each segment has `words` words
   };
   std::vector<Rule> rules;
-  std::size_t stride = 1;             ///< conditions of a rule; a rule with fewer has its first one several times
-  std::vector<std::uint16_t> places;  ///< of the memberships, see FastPoint
+  std::size_t stride = 1;             ///< conditions per rule; a rule with fewer repeats its first one
+  std::vector<std::uint16_t> places;  ///< indices of the memberships, see FastPoint
   std::size_t words = 0;
-  std::vector<Input> inputs;        ///< those that rules mention
+  std::vector<Input> inputs;        ///< inputs that occur in rules
   std::vector<std::uint64_t> bits;  ///< one per rule
 };
 
@@ -59,9 +59,9 @@ struct GradientExpert {
   double weight = 1;                ///< relative to the sum of all weights
   std::vector<std::uint32_t> bank;  ///< one per input, then that of the output
   std::uint32_t first_rule_slot = 0;
-  std::vector<GradientRule> rules;  ///< enabled rules with a weight > 0 only
+  std::vector<GradientRule> rules;  ///< enabled rules with a weight > 0
   std::vector<GradientCondition> conditions;
-  std::optional<FastRules> fast;  ///< for the fast path, which is taken where no number is extreme
+  std::optional<FastRules> fast;  ///< for the fast path, used if no number is extreme
 };
 
 struct GradientTables {
@@ -70,8 +70,8 @@ struct GradientTables {
   double default_force_n = 0;
   fuzzy::Implication implication = fuzzy::Implication::kClip;
   std::size_t slot_count = 0;
-  std::size_t most_groups = 0;      ///< groups of slots that one evaluation may touch
-  std::vector<GradientBank> banks;  ///< first those of the inputs and of the output, then the experts' own
+  std::size_t most_groups = 0;      ///< largest number of slot groups that one evaluation touches
+  std::vector<GradientBank> banks;  ///< first the inputs and the output, then the experts' own lists
   std::vector<GradientExpert> experts;
 };
 
