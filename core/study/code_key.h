@@ -1,4 +1,4 @@
-// Codes of participants as people compare them.
+// Comparison keys for participant codes.
 #pragma once
 
 #include <string>
@@ -6,8 +6,9 @@
 
 namespace tactus::study {
 
-/// What two codes share that a person takes for one: small letters and digits only, numbers without leading zeros.
-/// `S1`, `s-01` and ` S 1` all give `s1`; other characters than ASCII stay, but for dashes and spaces of Unicode.
+/// The key of a code: equal for codes that a reader takes for the same. It keeps lower-case letters and digits, and
+/// drops leading zeros of numbers. `S1`, `s-01` and ` S 1` all give `s1`. Characters beyond ASCII stay, except Unicode
+/// dashes and spaces.
 std::string codeKey(std::string_view code);
 
 }  // namespace tactus::study

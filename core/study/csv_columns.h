@@ -1,4 +1,4 @@
-// The columns of the tables of a study. The order in the file is free.
+// The columns of a study's tables. Their order in a file is free.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ inline constexpr std::array<std::string_view, 6> kSpeedColumns = {"participant",
 inline constexpr std::array<std::string_view, 5> kJudgementColumns = {"participant", "series", "step", "force_n",
                                                                       "term"};
 inline constexpr std::array<std::string_view, 5> kAnswerColumns = {"participant", "form", "item", "term", "status"};
-/// Besides these, rules.csv has one column per input and, if it likes, `form`.
+/// rules.csv also has one column per input and optionally `form`.
 inline constexpr std::array<std::string_view, 3> kRuleColumns = {"participant", "then", "weight"};
 
-/// Columns that may be absent, and what their absence means. Inputs of rules.csv may be absent too, but not all.
+/// Columns that may be absent, and the meaning of their absence. rules.csv may lack some input columns, but not all.
 struct OptionalColumn {
   std::string_view table, column, meaning;
 };

@@ -1,4 +1,4 @@
-// What to look at in the data of a study before its numbers are believed.
+// Findings in the data of a study, for review before use.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@
 
 namespace tactus::study {
 
-/// One thing about the data of one participant. There is at most one finding of a kind for a participant.
+/// One finding about the data of one participant. Each kind occurs at most once per participant.
 struct DataFinding {
   enum class Severity {
-    kNote,     ///< worth knowing; can well be right
-    kWarning,  ///< probably a mistake, and it changes the model
-    kRefused,  ///< cannot be meant; no model is built of it
+    kNote,     ///< worth knowing; may well be right
+    kWarning,  ///< probably a mistake that changes the model
+    kRefused,  ///< certainly a mistake; no model is built from the data
   };
   enum class Kind {
     // participants
@@ -87,9 +87,9 @@ struct DataFinding {
 
   Kind kind = Kind::kCodesAlike;
   Severity severity = Severity::kNote;
-  std::string participant;  ///< code; empty where the finding is about the study
-  TableCell cell;           ///< the first row concerned; the line is 0 where the data come from no table
-  std::string sentence;     ///< whole, with the remedy; it says neither table nor line
+  std::string participant;  ///< code; empty if the finding concerns the study
+  TableCell cell;           ///< the first affected row; line 0 if the data do not come from a table
+  std::string sentence;     ///< complete, with the remedy; without table and line
   std::string found;        ///< kRefused only: for the error
   std::string wanted;       ///< kRefused only: the remedy, for the error
 };
@@ -103,10 +103,11 @@ std::string_view name(DataFinding::Kind kind) noexcept;
 /// `note`, `warning`, `refused`.
 std::string_view name(DataFinding::Severity severity) noexcept;
 
-/// `speeds.csv, line 12: ` and the sentence; where the data come from no table, the sentence alone.
+/// `speeds.csv, line 12: ` and the sentence. Only the sentence if the data do not come from a table.
 std::string text(const DataFinding& finding);
 
-/// A finding of kRefused of the clause `what` ("the speeds of S2 are …"), with `remedy` ("multiply … by 10").
+/// Makes a kRefused finding. `what`: a clause ("the speeds of S2 are …"). `remedy`: an instruction ("multiply … by
+/// 10").
 DataFinding refusal(DataFinding::Kind kind, std::string participant, TableCell cell, const std::string& what,
                     const std::string& remedy);
 

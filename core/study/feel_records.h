@@ -1,5 +1,5 @@
-// What is kept of feeling a model: placements of the tube in numbers, and recordings of the hand and the force. They
-// stand in a session of the kind usability as events and pieces of recordings (docs/study-file.md, "Feeling a model").
+// The records of feeling a model: placements of the tube as numbers, and recordings of hand and force. They are stored
+// in a session of the kind usability, as events and pieces of recordings (docs/study-file.md, "Feeling a model").
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace tactus::study {
 
-/// What was felt, and on what.
+/// The model and the device of a placement or recording.
 struct FeltSetting {
   std::string device;                        ///< name and serial number
-  bool simulated = false;                    ///< no hardware: hand, device and force were calculated
+  bool simulated = false;                    ///< no hardware: the program computed hand, device and force
   std::string model;                         ///< its name
-  std::optional<RecordId> model_version;     ///< the version in the same study; nothing: a model beside the study
-  std::map<std::string, double> conditions;  ///< of tube and patient, by the id of the model's input, in its unit
+  std::optional<RecordId> model_version;     ///< the version in the same study; empty: a model from outside the study
+  std::map<std::string, double> conditions;  ///< of tube and patient, by id of the model's input, in its unit
 
   bool operator==(const FeltSetting&) const = default;
 };
@@ -29,14 +29,14 @@ struct PlacementRecord {
   FeltSetting setting;
   double duration_s = 0;
   int strokes = 0;
-  double peak_force_n = 0;  ///< largest resistance that was felt
+  double peak_force_n = 0;  ///< largest resistance on the hand
   double mean_force_n = 0;  ///< mean resistance while the hand held the tube
-  double depth_mm = 0;      ///< deepest place of the tip
+  double depth_mm = 0;      ///< deepest position of the tip
 
   bool operator==(const PlacementRecord&) const = default;
 };
 
-/// The beginning of a recording. The id of its entry names the recording.
+/// The start of a recording. The id of its entry identifies the recording.
 struct FeelStart {
   Entry entry;
   FeltSetting setting;
@@ -45,7 +45,7 @@ struct FeelStart {
   bool operator==(const FeelStart&) const = default;
 };
 
-/// A few seconds of a recording, which are stored while it goes on.
+/// A few seconds of a recording, stored while the recording continues.
 struct FeelPiece {
   Entry entry;
   int recording = 1;         ///< FeelStart::number
@@ -56,11 +56,11 @@ struct FeelPiece {
   bool operator==(const FeelPiece&) const = default;
 };
 
-/// The end of a recording. A recording without one was ended by a crash, and holds what was stored until then.
+/// The end of a recording. A recording without an end was interrupted by a crash and holds the pieces stored before.
 struct FeelEnd {
   Entry entry;
   int recording = 1;  ///< FeelStart::number
-  int pieces = 0;     ///< how many there are
+  int pieces = 0;     ///< number of pieces
 
   bool operator==(const FeelEnd&) const = default;
 };

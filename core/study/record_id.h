@@ -11,11 +11,11 @@
 
 namespace tactus::study {
 
-/// A random 128-bit id, so that the records of several stations can be put into one file.
+/// A random 128-bit id, so that the records of several stations can be merged into one file.
 struct RecordId {
   std::array<std::uint8_t, 16> bytes{};
 
-  /// All zero: names nothing.
+  /// Whether all bytes are zero: no record has this id.
   bool isNil() const noexcept { return *this == RecordId{}; }
   auto operator<=>(const RecordId&) const = default;
 };
@@ -23,15 +23,15 @@ struct RecordId {
 /// 32 lower-case hexadecimal digits.
 std::string toText(const RecordId& id);
 
-/// The id written as 32 hexadecimal digits, or nothing.
+/// Parses 32 hexadecimal digits; nothing for any other text.
 std::optional<RecordId> parseRecordId(std::string_view text);
 
-/// Makes ids that were never used before.
+/// Generates new ids, unique for all practical purposes.
 class RecordIds {
  public:
   /// Seeded by the operating system.
   RecordIds();
-  /// The same ids for the same seed: for simulated studies and tests only.
+  /// The same seed gives the same ids. For simulated studies and tests only.
   explicit RecordIds(std::uint64_t seed) : engine_(seed) {}
 
   RecordId next();

@@ -1,4 +1,4 @@
-// Where a record of a study stands in its CSV table, so that an error can name the line that a person has to change.
+// The place of a study's record in its CSV table, so that an error can name the line to correct.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ inline constexpr std::string_view kJudgementsTable = "judgements.csv";
 inline constexpr std::string_view kAnswersTable = "answers.csv";
 inline constexpr std::string_view kRulesTable = "rules.csv";
 
-/// The line of a record's table. It says nothing of what the record holds, so any two lines are equal.
+/// The line of a record in its table. It is not part of the record's content, so any two lines compare equal.
 struct TableLine {
-  std::uint32_t number = 0;  ///< from 1; 0 where the record comes from no table
+  std::uint32_t number = 0;  ///< from 1; 0 if the record does not come from a table
 
   bool operator==(const TableLine&) const { return true; }
 };
@@ -29,15 +29,15 @@ struct TableCell {
   std::string_view column;
 };
 
-/// `error` about a record that may come from a table. If it does, the error names the table (Error::file, without the
-/// folder), line and column, and what was found is `found`; otherwise the error stays as it is.
+/// Adds table, line and column to `error`, if the record comes from a table. The error then names the table
+/// (Error::file, without folder), and `found` replaces its found text. Otherwise the error is unchanged.
 tl::unexpected<base::Error> atCell(base::Error error, const TableCell& cell, std::string found);
 
-/// `error` about records of `table` as a whole, where a record of it has the line `line`: names the table if there is
-/// one.
+/// Adds the table to an `error` about records of `table` as a whole. `line`: the line of one of these records; if it is
+/// 0, the error is unchanged.
 tl::unexpected<base::Error> inTable(base::Error error, std::string_view table, TableLine line);
 
-/// The same error with `folder` before the table that it names; an error that names no table is about the folder.
+/// Puts `folder` in front of the table that the error names. An error without a table becomes one about the folder.
 tl::unexpected<base::Error> inStudyFolder(base::Error error, const std::string& folder);
 
 }  // namespace tactus::study
