@@ -1,4 +1,4 @@
-// Copies of a study while it is open.
+// Copies of a study made while it is open.
 #pragma once
 
 #include <string>
@@ -10,9 +10,10 @@ namespace tactus::store {
 class Connection;
 class StudyFile;
 
-/// Copies the study to the new file `target` through SQLite's backup interface: what was committed until now, checked,
-/// synced, and there whole or not at all. Refused: a name that is taken, so the study itself too.
-/// (An open study must never be copied with other means: its journal would be missing.)
+/// Copies the committed records of the study to the new file `target`, through SQLite's backup interface. The copy is
+/// checked and synced, and appears completely or not at all. Returns an error if `target` exists, and so for the study
+/// itself.
+/// Never copy an open study by other means: its journal would be missing.
 base::Result<void> backUp(const StudyFile& file, const std::string& target);
 
 /// The same for a connection. For core/store only.

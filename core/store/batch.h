@@ -7,18 +7,18 @@ namespace tactus::store {
 
 class StudyFile;
 
-/// While a batch is open, all writes to its file belong to it: they are acknowledged by `commit`, all or none.
-/// One at a time; it must not outlive the file. A session with a person writes without a batch, one commit per record.
+/// While a batch is open, all writes to its file belong to it. `commit` acknowledges them, all or none. One batch at a
+/// time; it must not outlive the file. A session with a participant writes without a batch, one commit per record.
 class Batch {
  public:
   static base::Result<Batch> begin(StudyFile& file);
 
   Batch(Batch&& other) noexcept;
   Batch& operator=(Batch&&) = delete;
-  /// Takes back what was not committed.
+  /// Rolls back uncommitted writes.
   ~Batch();
 
-  /// Commits and syncs; an error, and nothing written, where one of the writes failed.
+  /// Commits and syncs. If one of the writes failed, returns an error and writes nothing.
   base::Result<void> commit();
 
  private:
@@ -27,11 +27,11 @@ class Batch {
   StudyFile* file_;
 };
 
-/// Whether writes to the file go into a batch now.
+/// Whether writes to the file currently go into a batch.
 bool isInBatch(const StudyFile& file);
 
-/// Runs `work`, which returns a Result<void>, so that all its writes are committed or none: in a batch of its own, or
-/// as a part of the one that is open.
+/// Runs `work`, which returns a Result<void>, so that all its writes are committed or none. Uses the open batch, or
+/// else a batch of its own.
 template <class Work>
 base::Result<void> inOneBatch(StudyFile& file, Work work) {
   if (isInBatch(file)) return work();

@@ -1,4 +1,4 @@
-// Records that contradict each other, which only two copies of a study can bring about. Private to core/store.
+// Records that contradict each other, which only two copies of a study can cause. Private to core/store.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace tactus::store {
 
-/// One sentence each: numbers missing in the order of a session or given twice, codes of two persons, records with two
-/// corrections, corrections in a circle. Throws as Query does.
+/// One sentence per conflict: missing or duplicate numbers in the order of a session, codes of two persons, records
+/// with two corrections, circular corrections. Throws as Query does.
 std::vector<std::string> conflicts(Connection& connection);
 
-/// Of these, records whose corrections go in a circle.
+/// The conflicts that are circular corrections.
 std::vector<std::string> circles(Connection& connection);
 
 }  // namespace tactus::store

@@ -1,4 +1,4 @@
-// The one connection of an open study file, and the rules under which it works. Private to core/store.
+// The one connection of an open study file, and its rules. Private to core/store.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -20,17 +20,17 @@ namespace tactus::store {
 
 /// `TACT`, in the header of every study file.
 inline constexpr int kApplicationId = 0x54414354;
-/// How long to wait for another program to let go of the file: long enough for a look with the sqlite3 shell.
+/// Waiting time for another program to release the file: long enough for a query in the sqlite3 shell.
 inline constexpr int kBusyTimeoutMs = 1000;
 
 class Opening;
 
-/// Thread: the one that opened it. Exactly one per file: SQLite up to 3.51.2 may lose commits of a WAL file with two
-/// connections that write, so the file is locked as a whole while it is open.
+/// Thread: the one that opened it. Exactly one per file: SQLite up to 3.51.2 may lose commits of a WAL file if two
+/// connections write. So the file is locked as a whole while it is open.
 class Connection {
  public:
-  /// Opens an existing file under the rules of the study file; throws SQLite::Exception or Refusal.
-  /// `immutable` reads a file on a medium that cannot be written to, without locks.
+  /// Opens an existing file under the rules of a study file; throws SQLite::Exception or Refusal. kImmutable reads a
+  /// file on a read-only medium, without locks.
   enum class Mode { kReadWrite, kQueryOnly, kImmutable };
   Connection(const std::string& path, Mode mode, const std::string& vfs);
   ~Connection();
@@ -42,7 +42,7 @@ class Connection {
   SQLite::Database& database() { return database_; }
   bool isWritable() const { return mode_ == Mode::kReadWrite; }
 
-  /// Names of the columns of tables, kept by columnsOf (record_checksum.h).
+  /// Column names of tables, cached by columnsOf (record_checksum.h).
   std::map<std::string, std::vector<std::string>>& columns() { return columns_; }
 
   /// The statement of `sql`, prepared when it is first asked for.
@@ -53,26 +53,27 @@ class Connection {
   long long pragma(const std::string& name);
   int applicationId() { return static_cast<int>(pragma("application_id")); }
   int version() { return static_cast<int>(pragma("user_version")); }
-  /// From now on commits are written through the journal and synced; only for a file known to be a study.
+  /// From now on commits go through the journal and are synced. Only for a file known to be a study.
   void startJournal();
-  /// On close the journal stays where it is: for a file that is not known to be ours.
+  /// With `leave`, closing keeps the journal in place. For a file that may not be a study.
   void leaveJournalOnClose(bool leave);
-  /// The first finding of `PRAGMA check`, or an empty text: `quick_check`, `integrity_check`, `foreign_key_check`.
+  /// The first finding of `PRAGMA check`, or an empty text. `check`: `quick_check`, `integrity_check` or
+  /// `foreign_key_check`.
   std::string firstFinding(const std::string& check);
 
-  /// The error for an exception that this connection threw.
+  /// The error for an exception thrown by this connection.
   base::Error describe(const SQLite::Exception& exception);
 
-  /// What an opening for writing needs beside the connection (opening.h); empty while the file is made or only read.
-  /// Closed with the connection.
+  /// Further data of an opening for writing (opening.h). Empty while the file is created or only read. Closed with the
+  /// connection.
   std::unique_ptr<Opening> opening;
-  /// Before a transaction; within it, before its commit; after it, before it is acknowledged.
+  /// Call beginWrite before a transaction, countCommit in it before its commit, acknowledge after it.
   void beginWrite();
   void countCommit();
   void acknowledge();
 
-  /// A query that takes more steps than any does on a study of this size ends with an error: files of others may be
-  /// made so that one would take for ever. `more_bytes` of another file are worked in too.
+  /// Sets a step limit: a query with more steps than any query on a study of this size ends with an error, because a
+  /// crafted file could make one run forever. `more_bytes`: the size of another file that the query also uses.
   void startWork(long long more_bytes = 0);
 
   /// Whether writes go into one transaction that a Batch commits.
@@ -91,7 +92,7 @@ class Connection {
   long long more_bytes_ = 0;
 };
 
-/// Runs `work`; what it throws becomes an error about the connection's file.
+/// Runs `work` and converts its exceptions to an error about the connection's file.
 template <class Work>
 auto guarded(Connection& connection, Work&& work) -> base::Result<std::invoke_result_t<Work>> {
   connection.startWork();
@@ -109,13 +110,13 @@ auto guarded(Connection& connection, Work&& work) -> base::Result<std::invoke_re
   }
 }
 
-/// Runs `work` in one transaction of its own, or in that of the open batch. Success means: committed and synced, in a
-/// batch only that it will be.
+/// Runs `work` in a transaction of its own, or in that of the open batch. Success means committed and synced; in a
+/// batch it means that the batch will commit it.
 template <class Work>
 base::Result<void> inTransaction(Connection& connection, Work&& work) {
   if (connection.batch == Connection::BatchState::kOpen) {
     auto done = guarded(connection, std::forward<Work>(work));
-    // SQLite may have rolled everything back, so nothing more may be written on top of it.
+    // SQLite may have rolled back the whole transaction, so the batch must not write further.
     if (!done) connection.batch = Connection::BatchState::kSpoiled;
     return done;
   }

@@ -1,4 +1,4 @@
-// What else on the disk may hold the data of a participant who withdrew: files and folders that were made from a study.
+// Other files and folders that may hold the data of a participant who withdrew: copies and exports of a study.
 #pragma once
 
 #include <span>
@@ -17,11 +17,12 @@ struct Copy {
   bool operator==(const Copy&) const = default;
 };
 
-/// Looks, in the folder of the study file `path` and in `also`, for what may hold data of `person`: what is named after
-/// the study (copies made before upgrades, damaged journals, leftovers of crashes), other files and folders in which
-/// the person's id or one of `codes` stands (backups, exports, tables, models, autosaves). Folders are searched three
-/// levels deep. Codes of fewer than three bytes are not looked for. By path; what cannot be read is left out. It cannot
-/// know of copies elsewhere.
+/// Searches the folder of the study file `path`, and `also`, for data of `person`:
+/// - files named after the study: copies made before upgrades, damaged journals, leftovers of crashes;
+/// - other files and folders that contain the person's id or one of `codes`: backups, exports, tables, models,
+///   autosaves.
+/// Searches folders three levels deep. Ignores codes of fewer than three bytes and unreadable files. Returns copies
+/// sorted by path. It cannot find copies in other places.
 std::vector<Copy> findCopies(const std::string& path, const study::RecordId& person, std::span<const std::string> codes,
                              std::span<const std::string> also = {});
 

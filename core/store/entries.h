@@ -1,4 +1,4 @@
-// The records of sessions: what participants did and said. They are added and read, never changed.
+// The records of sessions: actions and statements of participants. They can be added and read, never changed.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace tactus::store {
 
-/// Adds a record to its session, in a transaction of its own: on success it is committed and synced. Refused, with
-/// nothing written: an id that is there already, an unknown session, a number that is not finite or outside its range,
-/// a correction of a record that was corrected before or that belongs to another person.
+/// Adds a record to its session, in a transaction of its own; on success it is committed and synced. Returns an error
+/// and writes nothing for: an existing id, an unknown session, a number that is not finite or outside its range, a
+/// correction of a record that already has one or that belongs to another person.
 base::Result<void> append(StudyFile& file, const study::ProfileRecord& record);
 base::Result<void> append(StudyFile& file, const study::EventRecord& record);
 base::Result<void> append(StudyFile& file, const study::StrokeRecord& record);
@@ -21,20 +21,20 @@ base::Result<void> append(StudyFile& file, const study::AnswerRecord& record);
 base::Result<void> append(StudyFile& file, const study::RatingRecord& record);
 base::Result<void> append(StudyFile& file, const study::RuleRecord& record);
 
-/// Which records to read; each condition that is given must hold.
+/// A selection of records: all given conditions must hold.
 struct Selection {
   std::optional<study::RecordId> person = {};
   std::optional<study::RecordId> session = {};
-  /// Also the records that were corrected.
+  /// Include the records that were corrected.
   bool history = false;
 };
 
 enum class Recordings {
   kRead,
-  kLeaveOut,  ///< strokes come without samples: fast for lists
+  kLeaveOut,  ///< strokes without samples: fast for lists
 };
 
-/// The selected records, session after session as they began, within a session as they were added.
+/// The selected records: sessions by start time, records of a session in the order of insertion.
 base::Result<std::vector<study::ProfileRecord>> profiles(const StudyFile& file, const Selection& selection = {});
 base::Result<std::vector<study::EventRecord>> events(const StudyFile& file, const Selection& selection = {});
 base::Result<std::vector<study::StrokeRecord>> strokes(const StudyFile& file, const Selection& selection = {},
@@ -44,7 +44,7 @@ base::Result<std::vector<study::AnswerRecord>> answers(const StudyFile& file, co
 base::Result<std::vector<study::RatingRecord>> ratings(const StudyFile& file, const Selection& selection = {});
 base::Result<std::vector<study::RuleRecord>> rules(const StudyFile& file, const Selection& selection = {});
 
-/// The recording of one stroke; an error where its checksum does not fit.
+/// The recording of one stroke. Returns an error if its checksum does not match.
 base::Result<study::Recording> recordingOf(const StudyFile& file, const study::RecordId& stroke);
 
 }  // namespace tactus::store

@@ -1,4 +1,4 @@
-// How each kind of session record stands in its table. Private to core/store.
+// The table layout of each kind of session record. Private to core/store.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ inline constexpr EntryTable kEntryTable<study::RatingRecord>{"rating", "block, e
 template <>
 inline constexpr EntryTable kEntryTable<study::RuleRecord>{"rule", "form, conditions, then_term, weight"};
 
-/// The columns of a row, in their order.
+/// The columns of a row, in order.
 void putColumns(Query& query, const study::ProfileRecord& record);
 void putColumns(Query& query, const study::EventRecord& record);
 void putColumns(Query& query, const study::StrokeRecord& record);

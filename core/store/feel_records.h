@@ -1,5 +1,5 @@
-// Placements and recordings of feeling a model in a study file: events and pieces of a session of the kind usability,
-// which everything that moves, exports or removes records of sessions takes along.
+// Placements and recordings of feeling a model, stored in a study file as events and pieces of a usability session. So
+// every function that moves, exports or removes session records includes them.
 #pragma once
 
 #include <vector>
@@ -11,40 +11,40 @@
 
 namespace tactus::store {
 
-/// Adds a record to its session, as `append` of entries.h does. Refused besides: a session that is not of the kind
-/// usability, a number that is negative or not finite.
+/// Adds a record to its session, as `append` in entries.h. Also returns an error for a session of another kind than
+/// usability, and for a number that is negative or not finite.
 base::Result<void> append(StudyFile& file, const study::PlacementRecord& record);
 base::Result<void> append(StudyFile& file, const study::FeelStart& record);
 base::Result<void> append(StudyFile& file, const study::FeelPiece& record);
 base::Result<void> append(StudyFile& file, const study::FeelEnd& record);
 
-/// The placements, session by session, in the order in which they were added. An error where one cannot be read.
+/// The placements by session, in the order of insertion. Returns an error if one cannot be read.
 base::Result<std::vector<study::PlacementRecord>> placements(const StudyFile& file, const Selection& selection = {});
 
 /// A recording without its samples.
 struct FeelSummary {
   study::FeelStart start;
   std::string code;       ///< of the person
-  int pieces = 0;         ///< that are there
-  double length_s = 0;    ///< of their samples at their rate
-  bool finished = false;  ///< false: it was ended by a crash, or goes on
-  int gaps = 0;           ///< places between pieces where samples were lost; the times of the samples tell how long
+  int pieces = 0;         ///< number of stored pieces
+  double length_s = 0;    ///< duration of their samples at their rate
+  bool finished = false;  ///< false: interrupted by a crash, or still in progress
+  int gaps = 0;           ///< gaps between pieces where samples were lost; the times of the samples give their length
 
   bool operator==(const FeelSummary&) const = default;
 };
 
-/// All recordings from the oldest to the newest. No samples are read.
+/// All recordings from the oldest to the newest. Reads no samples.
 base::Result<std::vector<FeelSummary>> feelRecordings(const StudyFile& file);
 
-/// The samples of the recording `start`, its pieces joined in their order. Refused: no such recording, none or a gap
-/// in its pieces, pieces with different channels or rates, a piece that does not fit its checksum.
+/// The samples of the recording `start`, its pieces joined in order. Returns an error for: an unknown recording, no
+/// pieces or a missing one, pieces with different channels or rates, a piece with a wrong checksum.
 base::Result<study::Recording> feelRecording(const StudyFile& file, const study::RecordId& start);
 
-/// What is not as it should be with placements and recordings, one sentence each: an event that cannot be read, a piece
-/// that is missing or belongs to no recording, an end that counts other pieces.
+/// Checks placements and recordings. One sentence per problem: an unreadable event, a missing piece or one without a
+/// recording, an end with another number of pieces.
 base::Result<std::vector<std::string>> checkFeelRecords(const StudyFile& file);
 
-/// How many there are.
+/// The numbers of placements and recordings in a file.
 struct FeelCounts {
   long long placements = 0;
   long long recordings = 0;

@@ -1,4 +1,4 @@
-// A new file that is made under another name beside its place and appears whole or not at all.
+// A new file that is written under a temporary name and appears completely or not at all.
 #pragma once
 
 #include <string>
@@ -8,23 +8,23 @@
 
 namespace tactus::store {
 
-/// Thread: one at a time. Removed again unless `place` succeeds. Only the user can read it (0600).
+/// Thread: one at a time. The destructor deletes the file unless `place` succeeded. Only the user can read it (0600).
 class FreshFile {
  public:
-  /// An empty file beside `path`, which must not be there yet.
+  /// Creates an empty file beside `path`. Returns an error if `path` exists.
   static base::Result<FreshFile> beside(const std::string& path);
 
   FreshFile(FreshFile&& other) noexcept;
   FreshFile& operator=(FreshFile&&) = delete;
   ~FreshFile();
 
-  /// Where the file is made. Whoever writes it must have let go of it before `place`.
+  /// The temporary path. The writer must close the file before `place`.
   const std::string& temporary() const { return temporary_; }
 
-  /// Syncs the file, gives it its name, never over another file, and syncs the folder.
+  /// Syncs the file, renames it to its final name and syncs the folder. Never overwrites a file.
   base::Result<void> place();
 
-  /// The same error, said of the file's final name.
+  /// The same error with the final name of the file.
   base::Error renamed(base::Error error) const;
 
  private:

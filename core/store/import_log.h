@@ -1,4 +1,4 @@
-// What was read into a study file, and when.
+// The log of imports into a study file.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ struct ImportLogEntry {
   std::int64_t utc_ms = 0;
   std::string kind;    ///< `tables` or `merge`
   std::string source;  ///< name of the file or folder
-  std::string detail;  ///< JSON: what was added, by kind of record
-  std::string sha256;  ///< over what was read; empty where an older Tactus read it
+  std::string detail;  ///< JSON: number of added records by kind
+  std::string sha256;  ///< of the imported data; empty for an import by an older Tactus
 
   bool operator==(const ImportLogEntry&) const = default;
 };
 
 base::Result<void> append(StudyFile& file, const ImportLogEntry& entry);
 
-/// All of them by time.
+/// All imports by time.
 base::Result<std::vector<ImportLogEntry>> importLog(const StudyFile& file);
 
 }  // namespace tactus::store

@@ -1,4 +1,4 @@
-// Whether the journal beside a study belongs to it, and whether it lost anything. Private to core/store.
+// Checks whether the journal beside a study belongs to it and is complete. Private to core/store.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,25 @@
 
 namespace tactus::store {
 
-/// Something that lost records or may have; a row of the table `incident`.
+/// An event that lost or may have lost records; a row of the table `incident`.
 struct Incident {
   std::string kind;    ///< journal_missing, journal_cut, journal_damaged
-  std::string detail;  ///< a sentence for people
+  std::string detail;  ///< a sentence for the user
 };
 
 struct JournalFindings {
-  /// The journal is of another file, or of another state of this one: nothing of it may be taken.
+  /// The journal belongs to another file, or to another state of this one. None of it may be used.
   bool is_foreign = false;
-  /// The study file holds more than what can be read of the journal, so the journal is left out.
+  /// The study file is newer than the readable part of the journal, so the journal is ignored.
   bool is_behind = false;
   std::optional<Incident> incident;
 };
 
-/// Compares what the study file says without its journal, `file`, with what it says together with the journal, `both`
-/// (nothing where that could not be read), and with the journal itself. Every commit counts in the row of `opening`,
-/// so: a journal belongs to the file only if it continues its counting under the same token, or if it holds nothing but
-/// the drawing of the next one; and the mark in the journal's last bytes tells how many commits were acknowledged. A
-/// file of version 1 has no row: then nothing can be told.
+/// Compares three sources: `file`, the row of `opening` read without the journal; `both`, the row read together with
+/// the journal (empty if unreadable); and the journal itself.
+/// Every commit counts in the row of `opening`. So a journal belongs to the file only if it continues the count under
+/// the same token, or if it holds only the commit with the next token. The mark in the journal's last bytes gives the
+/// number of acknowledged commits. A file of version 1 has no row, so nothing can be checked.
 JournalFindings examineJournal(const std::optional<OpeningRow>& file, const std::optional<OpeningRow>& both,
                                const JournalFile& journal);
 

@@ -1,4 +1,4 @@
-// Puts the records of another study file into this one.
+// Merges the records of another study file into this one.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,25 @@
 namespace tactus::store {
 
 struct Merge {
-  std::vector<TableCount> added;       ///< rows that are new, of each table that has some
-  long long withdrawn = 0;             ///< persons of this file who withdrew in the other one: removed here too
-  std::vector<std::string> conflicts;  ///< one sentence each; nothing was overwritten
+  std::vector<TableCount> added;  ///< number of new rows in each table that has some
+  long long withdrawn = 0;        ///< persons of this file who withdrew in the other one; removed from this file too
+  std::vector<std::string> conflicts;  ///< one sentence each; no record was overwritten
 };
 
-/// Adds what the study at `other` has and this one has not, record by record by its id, in one transaction. The other
-/// file is only read. Nothing is overwritten, and merging again adds nothing. A person who withdrew in either file
-/// stays out or is removed, with all traces; rules and codes of theirs come in with no model and no text. The result is
-/// the same in whatever order files are merged, but for import_log, for the time that a cleaned model notes, and where
-/// two files hold different records under one id, which only a change by hand can cause: then this file's is kept.
-/// Listed as conflicts, with both sides kept: a code of two persons (with the command that gives one another code), a
-/// session that went on in both files, a record that both files correct (the later correction counts); and who stays
-/// out. `log_id`, `utc_ms` and `sha256` (empty: of the other file) are for the line in import_log, which is written
-/// where anything is new. Refused: what cannot be opened, a study of another version of the schema (open it once for
-/// writing), a person with the code of somebody else who withdrew from the other file.
+/// Adds the records of the study `other` that this study lacks, by id, in one transaction. The other file is only read.
+/// No record is overwritten, and a second merge adds nothing.
+/// A person who withdrew in either file stays out or is removed completely; their rules and codes do not enter with a
+/// model or a text.
+/// The result does not depend on the order of merges, except for import_log, the time noted in a cleaned model, and
+/// different records with the same id. Such records can only come from a manual change; this file's record is then
+/// kept.
+/// Conflicts keep both sides and are listed: a code of two persons (with the command that assigns another code), a
+/// session that continued in both files, a record corrected in both files (the later correction counts). Persons who
+/// stay out are listed too.
+/// `log_id`, `utc_ms`, `sha256` (empty: that of the other file): for the line in import_log, written if anything is
+/// new.
+/// Returns an error if the other file cannot be opened, has another schema version (open it once for writing), or has a
+/// person with the code of another person who withdrew from this one, or the reverse.
 base::Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const study::RecordId& log_id,
                                std::int64_t utc_ms, const std::string& sha256 = {});
 

@@ -1,4 +1,4 @@
-// Who withdrew from one of two studies that are merged: their data come in nowhere, and go where they are.
+// The persons who withdrew from one of two studies being merged: their data do not enter and are removed where present.
 // Private to core/store.
 #pragma once
 
@@ -14,27 +14,27 @@
 
 namespace tactus::store {
 
-/// The names of one person who withdrew, to be taken out of texts.
+/// The names of one person who withdrew, for removal from texts.
 struct TimedCleaning {
   NameCleaning cleaning;
-  std::int64_t utc_ms = 0;  ///< when the person withdrew
+  std::int64_t utc_ms = 0;  ///< time of the withdrawal
 };
 
-/// Within the transaction of a merge. Throws as Query does.
+/// Use inside the transaction of a merge. Throws as Query does.
 class MergedWithdrawals {
  public:
-  /// Refuses the merge where a participant of one file has the code of somebody else who withdrew from the other: it
-  /// may be the same person, recorded again, or another one, who needs another code.
+  /// Refuses the merge if a participant of one file has the code of another person who withdrew from the other file. It
+  /// may be the same person, recorded again, or a different one who needs another code.
   MergedWithdrawals(Connection& ours, Connection& theirs);
 
-  /// Takes over the tombstones of the other file, removes here who withdrew there, and cleans our models and texts.
-  /// What was removed and what stays out is told in `merge`.
+  /// Adds the tombstones of the other file, removes from this file the persons who withdrew there, and cleans our
+  /// models and texts. Reports the removed and excluded persons in `merge`.
   void apply(Merge& merge);
 
-  /// For each text that comes in.
+  /// The cleanings to apply to each incoming text.
   const std::vector<TimedCleaning>& cleanings() const { return cleanings_; }
 
-  /// To be called when all rows are in. Whether traces in this file are to be erased after the commit.
+  /// Call after all rows are added. Returns whether traces in this file must be erased after the commit.
   bool finish();
 
  private:
@@ -47,7 +47,7 @@ class MergedWithdrawals {
   Connection& theirs_;
   std::vector<TombstoneRow> our_rows_;
   std::vector<TombstoneRow> their_rows_;
-  std::vector<TombstoneRow> all_;  ///< of both, each person once
+  std::vector<TombstoneRow> all_;  ///< tombstones of both files, each person once
   std::vector<TimedCleaning> cleanings_;
   std::vector<study::RecordId> unfinished_before_;
   bool must_erase_ = false;

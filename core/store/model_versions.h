@@ -1,4 +1,4 @@
-// The states of the force models of a study: added, never changed. Undo, snapshots and sign-off are further versions.
+// The states of a study's force models. They can be added, never changed. Undo, snapshots and sign-off add versions.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace tactus::store {
 
-/// Adds a version and stores the SHA-256 of its text; `version.sha256` may be empty, or must fit. Refused: an id that
-/// is there already, a parent that is not, a model with an expert who withdrew from the study.
+/// Adds a version and stores the SHA-256 of its text. `version.sha256`: empty, or equal to it. Returns an error for an
+/// existing id, an unknown parent, or a model with an expert who withdrew from the study.
 base::Result<void> append(StudyFile& file, const study::ModelVersion& version);
 
 /// All versions from the oldest to the latest, without their texts.
 base::Result<std::vector<study::ModelVersion>> modelVersions(const StudyFile& file);
 
-/// One version with its text; an error where there is none, or where the text does not fit its SHA-256.
+/// One version with its text. Returns an error if it does not exist or its text does not match its SHA-256.
 base::Result<study::ModelVersion> modelVersion(const StudyFile& file, const study::RecordId& id);
 
-/// The version that was added last, with its text, or nothing.
+/// The version added last, with its text; nothing if there is none.
 base::Result<std::optional<study::ModelVersion>> latestModelVersion(const StudyFile& file);
 
-/// The parent of `id`, its parent, and so on to the first, without their texts.
+/// The chain of parents of `id` up to the first version, without their texts.
 base::Result<std::vector<study::ModelVersion>> modelAncestors(const StudyFile& file, const study::RecordId& id);
 
 }  // namespace tactus::store

@@ -1,4 +1,4 @@
-// Takes the codes of a participant who withdrew out of the records that stay: what others wrote, and the models.
+// Removes the codes of a participant who withdrew from the remaining records: texts of other persons, and models.
 // Private to core/store.
 #pragma once
 
@@ -11,47 +11,48 @@
 
 namespace tactus::store {
 
-/// The texts of a model version that may hold a code.
+/// The texts of a model version that may contain a code.
 struct ModelTexts {
   std::string author;
   std::string label;
   std::string text;
 };
 
-/// Takes names out of texts. The outcome follows from text and names alone, in whatever order names are taken out.
+/// Removes names from texts. The result depends only on text and names, not on the order of the removals.
 class NameCleaning {
  public:
   explicit NameCleaning(std::vector<std::string> names);
 
   bool isEmpty() const { return names_.empty(); }
-  /// The names, and how they are spelled in JSON where that differs.
+  /// The names, and their spelling in JSON if it differs.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// A text of a record, plain or JSON.
+  /// The cleaned form of a record's text, plain or JSON.
   std::string cleaned(std::string_view text) const;
-  /// The texts of a model version without the experts of these names (model_io/expert_removal.h). A label that is about
-  /// one of them keeps its first word (`edit: (withdrawn)`), for it may repeat a rule. False where nothing changed.
+  /// Removes the experts with these names from the texts of a model version (model_io/expert_removal.h). A label about
+  /// one of them keeps only its first word (`edit: (withdrawn)`), because it may repeat a rule. Returns false if there
+  /// was no change.
   bool clean(ModelTexts& version) const;
 
  private:
   std::vector<std::string> names_;
 };
 
-/// A column that people write into.
+/// A column with text typed by users.
 struct FreeText {
   std::string_view table;
   std::string_view column;
 };
 
-/// All of them but those of the models.
+/// All free-text columns except those of the models.
 const std::vector<FreeText>& freeTexts();
 
-/// Cleans all records and models of the file; model versions that change get a new SHA-256 and say so with `utc_ms`.
-/// Only within a transaction in which an erasure is noted, for the guards. Returns how many model versions changed.
-/// Throws as Query does.
+/// Cleans all records and models of the file. A changed model version gets a new SHA-256 and a note with `utc_ms`. Call
+/// only inside a transaction in which an erasure is noted, because the guards require it. Returns the number of changed
+/// model versions. Throws as Query does.
 long long cleanRecords(Connection& connection, const NameCleaning& cleaning, std::int64_t utc_ms);
 
-/// The ids of the experts in the models of the file, each once: a code may come in with a model alone.
+/// The ids of the experts in the file's models, without duplicates. A code may occur in a model only.
 std::vector<std::string> expertsOfModels(Connection& connection);
 
 }  // namespace tactus::store

@@ -1,5 +1,5 @@
-// One opening of a study for writing: its token, the room of its journal, and that the files are still the ones that
-// were opened. Private to core/store.
+// One opening of a study for writing: its token, the reserved space of its journal, and the identity of its files.
+// Private to core/store.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ struct sqlite3_file;
 
 namespace tactus::store {
 
-/// A file as the system knows it.
+/// The identity of a file in the operating system.
 struct FileIdentity {
   dev_t device = 0;
   ino_t inode = 0;
-  long long bytes = -1;  ///< -1: there is no such file
+  long long bytes = -1;  ///< -1: the file does not exist
   long long changed_ns = 0;
 
   bool isThere() const { return bytes >= 0; }
@@ -27,28 +27,28 @@ struct FileIdentity {
 };
 FileIdentity identityOf(const std::string& path);
 
-/// Lives from the moment in which a study is open for writing to its close. All functions throw as Query does.
-/// The first write draws the token; a study that is only opened and closed is not written to. The journal then has a
-/// room: a length that is promised in the file, so that a journal that was cut is noticed.
+/// Exists from the opening of a study for writing until its close. All functions throw as Query does. The first write
+/// generates the token; a study that is only opened and closed is not written. From then on the study file states a
+/// minimum length of its journal, so that a truncated journal is detected.
 class Opening {
  public:
-  /// The journal must be empty, with nothing in it that is not in the file.
+  /// The journal must be empty, with all commits already in the file.
   explicit Opening(Connection& connection);
   ~Opening();
   Opening(const Opening&) = delete;
   Opening& operator=(const Opening&) = delete;
 
-  /// Before a transaction: draws the token, once, and puts it into the file itself, before anything else is written.
+  /// Call before a transaction. The first call generates the token and writes it to the file before any other data.
   void beginWrite();
-  /// Counts a commit, within its transaction.
+  /// Counts a commit. Call inside its transaction.
   void countCommit();
-  /// After a commit, before it is acknowledged: says so in the journal, and refuses where the study file or its journal
-  /// is not the one any more that was opened: deleted, replaced, cut.
+  /// Call after a commit, before it is acknowledged. Writes the mark to the journal. Refuses if the study file or its
+  /// journal is no longer the opened one: deleted, replaced or truncated.
   void acknowledge();
 
-  /// Puts everything into the file and empties the journal, of which nothing is left on the disk.
+  /// Moves all data to the file and empties the journal, so that none of it remains on the disk.
   void emptyJournal();
-  /// The same for good: an orderly close.
+  /// The same at an orderly close.
   void close();
 
  private:
@@ -66,11 +66,11 @@ class Opening {
   OpeningRow row_;
   std::unique_ptr<OpeningWriter> writer_;
   long long page_bytes_ = 0;
-  long long room_bytes_ = 0;     ///< what the journal has at least; 0: nothing is promised
-  long long frames_end_ = 0;     ///< bytes of the journal that the last commit reached
+  long long room_bytes_ = 0;     ///< minimum length of the journal; 0: none stated
+  long long frames_end_ = 0;     ///< end of the last commit in the journal, in bytes
   bool is_drawn_ = false;        ///< the token is in the journal
-  bool is_established_ = false;  ///< and in the file
-  bool checkpointed_ = false;    ///< since the identities were taken
+  bool is_established_ = false;  ///< the token is in the file
+  bool checkpointed_ = false;    ///< since the identities were read
   FileIdentity study_;
   FileIdentity journal_;
 };

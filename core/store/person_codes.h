@@ -8,12 +8,12 @@
 
 namespace tactus::store {
 
-/// Draws codes from core/store/data/code_words.txt: each first word goes with each second word.
+/// Combines the words of core/store/data/code_words.txt: any first word with any second word.
 class PersonCodes {
  public:
-  /// Seeded by the operating system: for people.
+  /// Seeded by the operating system; for real participants.
   PersonCodes();
-  /// The same codes for the same seed: for simulated studies and tests.
+  /// The same seed gives the same codes. For simulated studies and tests.
   explicit PersonCodes(std::uint64_t seed);
 
   std::string next();

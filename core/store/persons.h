@@ -12,16 +12,16 @@
 
 namespace tactus::store {
 
-/// Adds a person. Refused: a code or id that is there already, the id or a code of a person who withdrew.
+/// Adds a person. Returns an error for an existing code or id, or the id or a code of a person who withdrew.
 base::Result<void> append(StudyFile& file, const study::Person& person);
 
-/// A code from `codes` that no person of the file has or had, nor one who withdrew.
+/// A code from `codes` that no person of the file has or had, including persons who withdrew.
 base::Result<std::string> unusedCode(const StudyFile& file, PersonCodes& codes);
 
 /// All persons, by code.
 base::Result<std::vector<study::Person>> persons(const StudyFile& file);
 
-/// The person with this code, or nothing; an error where a merge brought in two.
+/// The person with this code, or nothing. Returns an error if two persons have the code after a merge.
 base::Result<std::optional<study::Person>> findPerson(const StudyFile& file, const std::string& code);
 
 }  // namespace tactus::store

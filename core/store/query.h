@@ -1,4 +1,4 @@
-// A prepared statement whose values go in and come out in order. Private to core/store.
+// A prepared statement: values are bound and columns are read in order. Private to core/store.
 #pragma once
 
 #include <SQLiteCpp/Statement.h>
@@ -12,8 +12,8 @@
 
 namespace tactus::store {
 
-/// Throws SQLite::Exception, and Refusal for what must not be stored: a number that is not finite, text that is not
-/// UTF-8, an id that names nothing.
+/// Throws SQLite::Exception. Throws Refusal for values that must not be stored: a number that is not finite, text that
+/// is not UTF-8, a nil id.
 class Query {
  public:
   Query(Connection& connection, const std::string& sql)
@@ -33,15 +33,15 @@ class Query {
   Query& put(const char* text) { return put(std::string_view(text)); }
   Query& put(const study::RecordId& id);
   Query& put(const std::optional<study::RecordId>& id);
-  /// JSON text, or an empty one.
+  /// Binds JSON text, or an empty one.
   Query& putJson(const std::string& text);
   Query& putBlob(const std::string& bytes);
 
-  /// Runs to the end and makes ready for the next set of values.
+  /// Runs the statement to its end and resets it for the next values.
   void run();
-  /// Goes to the next row, if there is one.
+  /// Moves to the next row. Returns false if there is none.
   bool next();
-  /// Forgets the rows that were not taken, and makes ready for the next set of values.
+  /// Discards the remaining rows and resets the statement for the next values.
   void reset();
 
   /// The next column of the row.
@@ -53,7 +53,7 @@ class Query {
   std::optional<std::int64_t> integerOrNothing();
   std::string text() { return statement_.getColumn(out_++).getString(); }
   study::RecordId id();
-  /// Takes a column of fitsChecksum (record_checksum.h); refuses the record `id` of `table` where it is false.
+  /// Reads a column made by fitsChecksum (record_checksum.h). Refuses the record `id` of `table` if it is false.
   void requireIntact(std::string_view table, const study::RecordId& id);
   std::optional<study::RecordId> idOrNothing();
 

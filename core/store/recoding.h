@@ -1,4 +1,4 @@
-// Another code for a participant: two sites may give two persons one code, which a merge brings together.
+// Gives a participant another code. Needed if two sites gave two persons one code and a merge brought them together.
 #pragma once
 
 #include <cstdint>
@@ -14,34 +14,34 @@ namespace tactus::store {
 
 class Connection;
 
-/// From now on the person has `code` everywhere; the earlier one stays in the file as history. `change` is the id of
-/// this record. Refused: a person who is not there, an empty code, one that any person has or had, one of a participant
-/// who withdrew.
+/// From now on the person has `code` everywhere; the previous code stays in the file as history. `change`: id of this
+/// record. Returns an error for an unknown person, an empty code, a code that any person has or had, or the code of a
+/// participant who withdrew.
 base::Result<void> recode(StudyFile& file, const study::RecordId& person, const std::string& code,
                           const study::RecordId& change, std::int64_t utc_ms);
 
-/// The person that `name` means: a code, or an id of 32 hexadecimal digits. An error, with the ids and what to do,
-/// where two persons have the code; where the participant withdrew, since when; where there is none.
+/// The person for `name`: a code, or an id of 32 hexadecimal digits. Returns an error if two persons have the code
+/// (with the ids and the remedy), if the participant withdrew (with the time), or if there is none.
 base::Result<study::Person> personNamed(const StudyFile& file, const std::string& name);
 
-/// An error that names the first code of two persons and the command that gives one of them another; for whoever goes
-/// by codes from here on.
+/// Returns an error if two persons share a code, with the first such code and the command that changes one of them. For
+/// callers that identify persons by code.
 base::Result<void> requireDistinctCodes(const StudyFile& file);
 
-/// Codes that more than one person has, with the persons' ids by id. Throws as Query does. For core/store only.
+/// A code of several persons, with their ids in ascending order.
 struct DoubledCode {
   std::string code;
   std::vector<study::RecordId> persons;
 };
 std::vector<DoubledCode> doubledCodes(Connection& connection);
 
-/// `2 persons with the code 'N01' (ids …, …)`, or with another verb.
+/// E.g. `2 persons with the code 'N01' (ids …, …)`. `verb`: replaces `with`.
 std::string describe(const DoubledCode& doubled, std::string_view verb = "with");
 
-/// `tactus study recode FILE ID CODE-2`, with a code that nobody has or had. For core/store only.
+/// `tactus study recode FILE ID CODE-2`, with an unused code. For core/store only.
 std::string recodeCommand(Connection& connection, const DoubledCode& doubled);
 
-/// `text` as one word of a shell.
+/// `text` quoted as one word of a shell.
 std::string shellWord(std::string_view text);
 
 }  // namespace tactus::store

@@ -1,4 +1,4 @@
-// Writes everything that a study file holds as CSV tables (record_tables.h).
+// Writes the complete contents of a study file as CSV tables (record_tables.h).
 #pragma once
 
 #include <string>
@@ -10,12 +10,13 @@ namespace tactus::store {
 
 enum class ByteOrderMark { kNone, kWrite };
 
-/// Writes the tables of recordTables() into the new folder `folder`, corrected records too, and with them each
-/// recording as `recordings/<stroke id>.csv` and each model as `models/<id>.json`. The same study gives the same bytes.
-/// Numbers are written so that they read back exactly. `mark`: a UTF-8 byte order mark at the beginning of each CSV
-/// table, for spreadsheet programs, and an apostrophe before text that they would take for a formula (base::guarded).
-/// Refused: a recording or model that does not fit its checksum. After an error the
-/// folder may hold a part of the tables.
+/// Writes the tables of recordTables() into the new folder `folder`, including corrected records. Also writes each
+/// recording as `recordings/<stroke id>.csv` and each model as `models/<id>.json`. The same study gives the same bytes;
+/// numbers read back exactly.
+/// `mark`: for spreadsheet programs, adds a UTF-8 byte order mark to each CSV table, and an apostrophe before text that
+/// looks like a formula (base::guarded).
+/// Returns an error if a recording or model does not match its checksum. After an error the folder may hold some of the
+/// tables.
 base::Result<void> writeRecords(const StudyFile& file, const std::string& folder,
                                 ByteOrderMark mark = ByteOrderMark::kNone);
 

@@ -10,15 +10,16 @@
 
 namespace tactus::store {
 
-/// Makes the study file `target`, which must not be there yet, with everything that the tables in `folder` say: every
-/// stored column is as it was. It appears whole or not at all. Refused, with file, line and column: a table or column
-/// that is missing, a column too many, a value of the wrong kind or outside its range, an id twice, a record of nothing
-/// that is there, rows of a participant who withdrew, another number of samples, a model that does not fit its SHA-256,
-/// tables of another version of the schema.
+/// Creates the study file `target` from the tables in `folder`: every stored column has its exported value. The file
+/// appears completely or not at all.
+/// Returns an error with file, line and column for: an existing `target`, a missing table or column, an extra column, a
+/// value of the wrong kind or outside its range, a duplicate id, a reference to a missing record, rows of a participant
+/// who withdrew, a wrong number of samples, a model that does not match its SHA-256, tables of another schema version.
 base::Result<void> restoreRecords(const std::string& folder, const std::string& target);
 
-/// Adds what the tables in `folder` have and `file` has not, by the rules of mergeStudy (merge.h): by id, nothing is
-/// overwritten, conflicts are listed, a person who withdrew in either stays out. Refused as above.
+/// Adds the records of the tables in `folder` that `file` lacks, by the rules of mergeStudy (merge.h): by id, without
+/// overwriting, with a list of conflicts, without persons who withdrew in either. Returns the same errors as
+/// restoreRecords.
 base::Result<Merge> importRecords(StudyFile& file, const std::string& folder, const study::RecordId& log_id,
                                   std::int64_t utc_ms);
 

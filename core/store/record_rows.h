@@ -1,4 +1,4 @@
-// Puts the rows of one CSV table of a full export into its table. Private to core/store.
+// Inserts the rows of one CSV table of a full export into its database table. Private to core/store.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@
 
 namespace tactus::store {
 
-/// Throws SQLite::Exception where the file fails, and Refusal, with table, line and column, for what the study refuses.
+/// Throws SQLite::Exception if the file fails, and Refusal with table, line and column for invalid data.
 class RecordRows {
  public:
-  /// Reads the table in `folder`, which was written from a study of the version `version` of the schema.
+  /// Reads the table in `folder`. `version`: schema version of the exported study.
   RecordRows(const RecordTable& table, const std::string& folder, int version);
 
   const base::CsvTable& csv() const { return csv_; }
 
-  /// Inserts all rows within the open transaction. Rows that correct others come after them, whatever their order in
-  /// the table.
+  /// Inserts all rows within the open transaction. A correction is inserted after the record it corrects, regardless of
+  /// their order in the CSV table.
   void insert(Connection& connection);
 
   [[noreturn]] void refuseCell(std::size_t row, const RecordColumn& column, std::string wanted) const;
@@ -31,13 +31,13 @@ class RecordRows {
   void insertRow(Connection& connection, Query& query, std::size_t row);
   void putCell(Query& query, std::size_t row, const RecordColumn& column);
   void putRecording(Query& query, std::size_t row, const RecordColumn& column);
-  /// Binds a column that tables of this version did not have yet.
+  /// Binds a column that tables of this version lack.
   static void putNothing(Query& query, const RecordColumn& column);
   void requireReferences(Connection& connection, std::size_t row) const;
   std::string cell(std::size_t row, const RecordColumn& column) const;
   std::optional<study::RecordId> idIn(std::size_t row, const RecordColumn& column) const;
   std::int64_t integerIn(std::size_t row, const RecordColumn& column) const;
-  /// The row's file below the folder; the cell must hold just this name.
+  /// The row's own file below the folder. The cell must hold exactly this name.
   std::string ownFile(std::size_t row, const RecordColumn& column, std::string_view below,
                       std::string_view ending) const;
 
@@ -47,7 +47,7 @@ class RecordRows {
   base::CsvTable csv_;
 };
 
-/// What `result` holds; its error is thrown as a Refusal.
+/// The value of `result`. Throws its error as a Refusal.
 template <class Value>
 Value orRefuse(base::Result<Value> result) {
   if (!result) throw Refusal{std::move(result.error())};

@@ -1,4 +1,4 @@
-// How the samples of a stroke stand in one block of bytes.
+// Encodes the samples of a stroke as one block of bytes.
 #pragma once
 
 #include <string>
@@ -18,11 +18,11 @@ namespace tactus::store {
 ///   for each channel: u8 length of the name, the name, u8 length of the unit, the unit (UTF-8)
 ///   channel after channel its samples as f64 (IEEE 754)
 ///   u32      CRC-32 (core/base/files/crc32.h) of all bytes before it
-/// Refused: channels of different lengths, a number that is not finite, a rate that is not above 0, a name or unit of
-/// more than 255 bytes, more than 64 MiB.
+/// Returns an error for channels of different lengths, a number that is not finite, a rate <= 0, a name or unit of more
+/// than 255 bytes, or more than 64 MiB.
 base::Result<std::string> encodeRecording(const study::Recording& recording);
 
-/// The recording in `bytes`; an error where the checksum or the layout is not as above.
+/// The recording in `bytes`. Returns an error if the checksum is wrong or the layout is not layout 1.
 base::Result<study::Recording> decodeRecording(std::string_view bytes);
 
 }  // namespace tactus::store

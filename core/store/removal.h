@@ -6,8 +6,8 @@
 
 namespace tactus::store {
 
-/// Deletes everything of the person within the open transaction, in which their tombstone was set before; returns how
-/// many records that were. Throws as Query does.
+/// Deletes all records of the person within the open transaction. The caller has set the tombstone before. Returns the
+/// number of deleted records. Throws as Query does.
 long long removePerson(Connection& connection, const study::RecordId& person);
 
 }  // namespace tactus::store

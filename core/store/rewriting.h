@@ -1,4 +1,4 @@
-// Writes a study file anew, so that nothing of what was removed is left in unused pages. Private to core/store.
+// Rewrites a study file, so that no removed data remains in unused pages. Private to core/store.
 #pragma once
 
 #include "core/store/connection.h"
@@ -12,7 +12,7 @@ namespace tactus::store {
 /// it again is all that is needed. Only at rest, without a transaction. Throws as Query does.
 void rewriteWithoutTraces(Connection& connection);
 
-/// Works the journal into the file and cuts it to nothing. Throws as Query does.
+/// Moves the journal into the file and truncates it to zero. Throws as Query does.
 void emptyJournal(Connection& connection);
 
 }  // namespace tactus::store

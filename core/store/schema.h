@@ -8,11 +8,11 @@
 
 namespace tactus::store {
 
-/// The steps to the newest version that this program knows.
+/// The steps to the newest version known to this program.
 std::span<const Migration> schemaSteps();
 
-/// SQL that lets a connection read version 1 as if it were the newest one, and the views of the newest version for this
-/// connection alone: nothing in the file is changed.
+/// SQL that lets a connection read version 1 like the newest one, and the views of the newest version for this
+/// connection only. Neither changes the file.
 std::string_view readingVersion1();
 std::string viewsForReading();
 

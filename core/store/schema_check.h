@@ -1,13 +1,13 @@
-// Whether the schema of a file is that of its version, to the letter. Private to core/store.
+// Checks that the schema of a file is exactly that of its version. Private to core/store.
 #pragma once
 
 #include "core/store/connection.h"
 
 namespace tactus::store {
 
-/// Looks before anything of the file's own SQL runs: a view without an end, a trigger that rewrites or a table of
-/// somebody else would be believed otherwise. Refuses, naming what is missing, added or different. Of a version that
-/// this program does not know, each table of the newest one that it knows must be an ordinary table.
+/// Call before any SQL of the file runs, because a foreign schema can contain an endless view, a trigger that changes
+/// data, or a false table. Refuses, and names missing, added and different parts. If the program does not know the
+/// version, each table of the newest known version must be an ordinary table.
 void requireSchema(Connection& connection, int version);
 
 }  // namespace tactus::store

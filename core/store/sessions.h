@@ -10,14 +10,14 @@
 
 namespace tactus::store {
 
-/// Begins a session. Refused: an id that is there already, an unknown person.
+/// Adds a session at its start. Returns an error for an existing id or an unknown person.
 base::Result<void> append(StudyFile& file, const study::SessionRecord& session);
 
-/// All sessions, or those of `person`, in the order in which they began.
+/// All sessions, or those of `person`, by start time.
 base::Result<std::vector<study::SessionRecord>> sessions(const StudyFile& file,
                                                          const std::optional<study::RecordId>& person = {});
 
-/// A session and how much of it is there; corrected records are counted too.
+/// A session with the numbers of its records, including corrected ones.
 struct SessionSummary {
   study::SessionRecord session;
   std::string code;  ///< of the person
@@ -27,7 +27,7 @@ struct SessionSummary {
   long long answers = 0;
 };
 
-/// All sessions with their counts, for a list on the screen. No recording is read.
+/// All sessions with their counts, for a list on the screen. Reads no recordings.
 base::Result<std::vector<SessionSummary>> sessionList(const StudyFile& file);
 
 }  // namespace tactus::store

@@ -1,4 +1,4 @@
-// Turns what SQLite refuses into one sentence for the person. Private to core/store.
+// Converts SQLite's errors to one sentence for the user. Private to core/store.
 #pragma once
 
 #include <SQLiteCpp/Exception.h>
@@ -8,27 +8,27 @@
 
 namespace tactus::store {
 
-/// Thrown inside core/store only, where SQLiteCpp throws too; `guarded` (connection.h) turns both into a Result.
+/// Thrown inside core/store only, like SQLiteCpp's exceptions. `guarded` (connection.h) converts both to a Result.
 struct Refusal {
   base::Error error;
 };
 
 [[noreturn]] void refuse(base::ErrorCode code, std::string place, std::string found, std::string wanted);
 
-/// What SQLite said while it worked on a study file.
+/// SQLite's report of a failure on a study file.
 struct SqliteFailure {
   int code = 0;           ///< extended result code
   int system_errno = 0;   ///< of the last failed system call, or 0
   std::string what = {};  ///< SQLite's own words
 };
 
-/// `system_errno`: where the connection is there to be asked for it.
+/// `system_errno`: pass it if the connection still exists to give it.
 SqliteFailure failureOf(const SQLite::Exception& exception, int system_errno = 0);
 
-/// The sentence about `path` for a failure of SQLite.
+/// The error about `path` for a failure of SQLite.
 base::Error describeFailure(const std::string& path, const SqliteFailure& failure);
 
-/// Whether the file or its folder keeps us from writing: the error to say so, or an empty `found`.
+/// The error if the file or its folder prevents writing; else an error with an empty `found`.
 base::Error whyNotWritable(const std::string& path);
 
 }  // namespace tactus::store

@@ -15,24 +15,24 @@ namespace tactus::store {
 
 class Connection;
 
-/// What a new study begins with.
+/// The initial data of a new study.
 struct NewStudy {
   study::RecordId id;
   std::string name;
   std::int64_t created_utc_ms = 0;
-  std::string program;  ///< program and version that makes it
+  std::string program;  ///< name and version of the creating program
 };
 
 enum class Access {
   kReadWrite,
-  /// Changes nothing. A journal left by a crash is read along and stays where it is.
+  /// Changes nothing. Reads the journal left by a crash and leaves it in place.
   kReadOnly,
 };
 
 struct OpenOptions {
   Access access = Access::kReadWrite;
-  /// Name of a registered sqlite3_vfs through which the file is reached; empty: that of the system. Tests register one
-  /// that fails or loses writes.
+  /// Name of a registered sqlite3_vfs for file access; empty: the system's. Tests register one that fails or loses
+  /// writes.
   std::string vfs = {};
 };
 
@@ -54,27 +54,27 @@ struct Notice {
 /// Thread: the one that opened it.
 class StudyFile {
  public:
-  /// Makes the file `path`, which must not be there yet: it appears whole or not at all.
+  /// Creates the file `path`, which must not exist. It appears completely or not at all.
   static base::Result<StudyFile> create(const std::string& path, const NewStudy& study,
                                         const OpenOptions& options = {});
 
-  /// Opens the file `path`. One of an older version is brought up to date after a copy of it was put beside it
-  /// (migrations.h); where that fails the file stays as it was. Refused in one sentence: no such file, no study, a
-  /// damaged file, a file that is open elsewhere, a file or folder without permission, and, for writing, a study of a
-  /// newer version.
+  /// Opens the file `path`. A file of an older version is upgraded after a copy of it is made beside it (migrations.h);
+  /// if the upgrade fails, the file is unchanged.
+  /// Returns an error in one sentence for: a missing file, a file that is not a study, a damaged file, a file open
+  /// elsewhere, missing permissions for file or folder, and, for writing, a study of a newer version.
   static base::Result<StudyFile> open(const std::string& path, const OpenOptions& options = {});
 
   StudyFile(StudyFile&&) noexcept;
   StudyFile& operator=(StudyFile&&) noexcept;
   ~StudyFile();
 
-  /// Puts everything into the one file, without a journal beside it, and lets go of it. The destructor does the same
-  /// without a word about failure; after a failure nothing is lost, the next opening works the journal in.
+  /// Moves all data to the one file, removes the journal, and closes. The destructor does the same without reporting
+  /// failures. No data is lost after a failure; the next opening applies the journal.
   base::Result<void> close();
 
   const std::string& path() const { return path_; }
   Access access() const { return access_; }
-  /// Of the schema, from 1.
+  /// Schema version, from 1.
   int version() const { return version_; }
 
   /// Of this opening; an erasure that was interrupted only where the study is open for writing.
@@ -93,7 +93,7 @@ class StudyFile {
   std::vector<Notice> notices_;
 };
 
-/// Version of SQLite that the program runs with, for reports.
+/// Version of the running SQLite, for reports.
 std::string sqliteVersion();
 
 }  // namespace tactus::store

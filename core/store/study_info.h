@@ -1,4 +1,4 @@
-// What a study file holds, at a glance.
+// A summary of a study file.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ struct StudyInfo {
   study::RecordId id;
   std::string name;
   std::int64_t created_utc_ms = 0;
-  std::string program;  ///< that made the file
+  std::string program;  ///< name and version of the creating program
   int version = 0;      ///< of the schema
   long long simulated_persons = 0;
-  long long placements = 0;        ///< of a tube while a model was felt (feel_records.h), told in events
-  long long feel_recordings = 0;   ///< of feeling a model, told in events, their pieces in strokes
+  long long placements = 0;        ///< of a tube while feeling a model (feel_records.h); stored as events
+  long long feel_recordings = 0;   ///< of feeling a model; stored as events, with their pieces as strokes
   std::vector<TableCount> counts;  ///< of person, session, each kind of record, model_version, tombstone, import_log
 };
 

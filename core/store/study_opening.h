@@ -1,5 +1,5 @@
-// The way into a study file: what is looked at before it is believed, and what is said of its last opening.
-// Private to core/store.
+// Opens a study file: checks before its contents are trusted, and messages about its last opening. Private to
+// core/store.
 #pragma once
 
 #include <memory>
@@ -17,10 +17,10 @@ struct OpenedStudy {
   std::vector<Notice> notices;  ///< StudyFile::notices
 };
 
-/// As StudyFile::open.
+/// See StudyFile::open.
 base::Result<OpenedStudy> openStudy(const std::string& path, const OpenOptions& options);
 
-/// A connection to `path`, or the error in a sentence.
+/// A connection to `path`, or an error with one sentence.
 base::Result<std::unique_ptr<Connection>> connect(const std::string& path, Connection::Mode mode,
                                                   const std::string& vfs);
 

@@ -1,4 +1,4 @@
-// The one way in which records leave a study: a participant takes back their consent.
+// Withdrawal of consent by a participant: the only way to remove records from a study.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tactus::store {
 
-/// A participant who withdrew: no more is known.
+/// The remaining record of a participant who withdrew.
 struct Tombstone {
   study::RecordId person;
   std::int64_t utc_ms = 0;
@@ -20,40 +20,41 @@ struct Tombstone {
 };
 
 struct Withdrawal {
-  long long records = 0;  ///< removed, sessions and the person counted
-  long long models = 0;   ///< versions of models that were cleaned of the person's rules and code
-  /// Codes that another person of the file has or had too: texts and models in which they stand were left as they are.
+  long long records = 0;  ///< number of removed records, including sessions and the person
+  long long models = 0;   ///< number of model versions cleaned of the person's rules and code
+  /// Codes that another person of the file also has or had. Texts and models with them are left unchanged.
   std::vector<std::string> shared_codes;
 };
 
-/// Removes everything of the person in one transaction: their records, their rules and code in all model versions, and
-/// their code in what others wrote (`(withdrawn)` stands there instead). A tombstone stays, with salted hashes of the
-/// person's codes, so that no entry, import or merge brings the data back. Then `eraseTraces`; where that fails or is
-/// interrupted the records are removed and the error says that `erase` is to be done. Copies elsewhere are not
-/// reached: copies.h names those that can be found.
+/// Removes the person in one transaction: their records, their rules and code in all model versions, and their code in
+/// other persons' texts (replaced by `(withdrawn)`). A tombstone with salted hashes of the person's codes stays, so
+/// that no entry, import or merge brings the data back.
+/// Then calls `eraseTraces`. If that fails or is interrupted, the records are removed, and the error asks for `erase`.
+/// Copies elsewhere are not changed; copies.h lists those that can be found.
 base::Result<Withdrawal> withdraw(StudyFile& file, const study::RecordId& person, std::int64_t utc_ms);
 
-/// The second half of `withdraw`: rewrites the file and empties its journal, so that nothing is left in unused pages,
-/// and notes that the erasure is finished. Memory does not grow with the study; on the disk two more copies of it need
-/// room meanwhile. Can be interrupted at any point and done again.
+/// The second part of `withdraw`: rewrites the file and empties its journal, so that no data remains in unused pages,
+/// and notes that the erasure is finished. Memory use does not grow with the study. Needs disk space for two more
+/// copies. Can be interrupted at any point and repeated.
 base::Result<void> eraseTraces(StudyFile& file);
 
 struct Erasure {
-  std::vector<study::RecordId> unfinished;  ///< whose erasure was not finished before
-  long long models = 0;                     ///< versions that still named somebody who withdrew, and were cleaned
+  std::vector<study::RecordId> unfinished;  ///< persons with an unfinished erasure before this call
+  long long models = 0;                     ///< cleaned model versions that still named a person who withdrew
 };
 
-/// Does again what an interrupted withdrawal left undone: cleans models that name somebody who withdrew (by the hashes
-/// of the tombstones), and erases the traces, also where nothing says that it is needed.
+/// Completes an interrupted withdrawal: cleans models that name a person who withdrew (found by the hashes of the
+/// tombstones), and erases the traces, even if none is noted as unfinished.
 base::Result<Erasure> erase(StudyFile& file);
 
-/// Whose erasure is not finished.
+/// The persons with an unfinished erasure.
 base::Result<std::vector<study::RecordId>> unfinishedErasures(const StudyFile& file);
 
-/// By time and person.
+/// All tombstones, by time and person.
 base::Result<std::vector<Tombstone>> tombstones(const StudyFile& file);
 
-/// When the participant who had this code withdrew, or nothing. What an older version removed left no code to compare.
+/// The tombstone of the participant who had this code, or nothing. Tombstones of older versions have no code to
+/// compare.
 base::Result<std::optional<Tombstone>> withdrawnWithCode(const StudyFile& file, const std::string& code);
 
 }  // namespace tactus::store

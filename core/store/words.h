@@ -56,7 +56,7 @@ std::string_view wordFor(Enum value) {
   refuse(base::ErrorCode::kValue, {}, "an unknown enumerator", "one of the program");
 }
 
-/// The enumerator of `word`; refuses a word that only a newer program knows.
+/// The enumerator of `word`. Refuses an unknown word, e.g. from a newer program.
 template <class Enum>
 Enum fromWord(std::string_view word) {
   for (const auto& [value, candidate] : Words<Enum>::kAll) {

@@ -1,4 +1,4 @@
-// A folder beside a study file for what is made on the way; removed with all it holds.
+// A temporary folder beside a study file, removed with its contents.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@ inline constexpr std::string_view kImportEnding = ".import-";
 /// A crash leaves it behind: it blocks nothing, and the next export or demo deletes it (app/session/leftovers.h).
 class WorkFolder {
  public:
-  /// Only the user can look into it (0700).
+  /// Creates the folder. Only the user can access it (0700).
   static base::Result<WorkFolder> beside(const std::string& study);
   WorkFolder(WorkFolder&& other) noexcept;
   WorkFolder& operator=(WorkFolder&&) = delete;
   ~WorkFolder();
 
-  /// The path of the file `name` in it.
+  /// The path of the file `name` in the folder.
   std::string file(const std::string& name) const;
 
  private:
