@@ -1,9 +1,9 @@
-// The always-on check for our own bugs. Never for outside input: that is an Error.
+// The check for our own bugs, active in every build. Never for outside input, which gets an Error.
 #pragma once
 
 namespace tactus::base {
 
-/// Stops the program with the condition, file and line.
+/// Stops the program and reports the condition, file and line.
 [[noreturn]] void checkFailed(const char* condition, const char* file, int line) noexcept;
 
 }  // namespace tactus::base

@@ -1,4 +1,4 @@
-// Which known word a mistyped one was meant to be.
+// Finds the known word that a mistyped word probably means.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 
 namespace tactus::base {
 
-/// Letters to insert, remove, replace, or swap with their neighbor to turn `a` into `b`; capitals count as small
-/// letters (optimal string alignment, Damerau 1964).
+/// The number of letters to insert, remove, replace, or swap with their neighbor to turn `a` into `b`. Ignores case
+/// (optimal string alignment, Damerau 1964).
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// The one of `known` that differs least from `word`, the first on a tie: by at most a third of its letters and at
-/// most 3. Empty if none is that close.
+/// The element of `known` nearest to `word`, the first of equals. It may differ by at most a third of the letters of
+/// `word`, and at most 3. Empty if no element is that close.
 std::string closestWord(std::string_view word, std::span<const std::string> known);
 
-/// ` (slow?)` for the closest known word, otherwise empty: to end the text of an error.
+/// ` (slow?)` for the closest known word, to append to an error; empty if there is none.
 std::string suggestion(std::string_view word, std::span<const std::string> known);
 
 }  // namespace tactus::base

@@ -6,8 +6,7 @@
 
 namespace tactus::base {
 
-/// Outside names for a message: quoted (error.h), with commas between them, and `…` in place of those beyond some 200
-/// bytes.
+/// Outside names for a message: quoted (error.h), separated by commas. After about 200 bytes, `…` replaces the rest.
 std::string listed(std::span<const std::string> names);
 
 }  // namespace tactus::base

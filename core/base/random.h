@@ -1,4 +1,4 @@
-// Seeded random numbers that are the same on every machine with the same math library.
+// Seeded random numbers, identical on every machine with the same math library.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,8 @@
 
 namespace tactus::base {
 
-/// std::mt19937_64 with distributions of our own: the standard fixes the engine's output but not its distributions'.
+/// std::mt19937_64 with our own distributions, because the standard fixes the output of the engine but not of its
+/// distributions.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

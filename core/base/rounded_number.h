@@ -1,12 +1,12 @@
-// Numbers in notes for people.
+// Numbers in notes for the user.
 #pragma once
 
 #include <string>
 
 namespace tactus::base {
 
-/// `value` rounded to four decimals, without zeros at the end: 0.15 for 0.15000000000000002. A number whose digits that
-/// would hide (not 0 and below 0.001, or from a million) is written in full.
+/// `value` rounded to four decimals, without trailing zeros: 0.15 for 0.15000000000000002. Writes a number in full if
+/// rounding would hide its digits (not 0 and below 0.001, or at least a million).
 std::string roundedNumber(double value);
 
 }  // namespace tactus::base

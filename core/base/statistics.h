@@ -6,13 +6,13 @@
 
 namespace tactus::base {
 
-/// Arithmetic mean; the sample must not be empty.
+/// Arithmetic mean of a sample that is not empty.
 double mean(std::span<const double> sample);
 
 /// Standard deviation with n - 1 in the denominator (two passes); 0 for fewer than two values.
 double standardDeviation(std::span<const double> sample);
 
-/// Quantile by linear interpolation (type 7 of Hyndman and Fan 1996), share in [0, 1]; the sample must not be empty.
+/// Quantile by linear interpolation (type 7 of Hyndman and Fan 1996). `share`: [0, 1]. The sample must not be empty.
 double quantile(std::vector<double> sample, double share);
 
 inline double median(std::vector<double> sample) { return quantile(std::move(sample), 0.5); }

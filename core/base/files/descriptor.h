@@ -1,4 +1,4 @@
-// A file descriptor that is closed on every way out.
+// A file descriptor that closes itself.
 #pragma once
 
 #include <unistd.h>
@@ -8,7 +8,7 @@ namespace tactus::base {
 
 class Descriptor {
  public:
-  /// Takes over `number`; negative: none.
+  /// Takes ownership of the descriptor `number`; negative: none.
   explicit Descriptor(int number = -1) : number_(number) {}
   ~Descriptor() { close(); }
   Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
@@ -22,7 +22,7 @@ class Descriptor {
 
   int number() const { return number_; }
   bool isOpen() const { return number_ >= 0; }
-  /// False where the system reports that something was not written.
+  /// Closes the descriptor. Returns false if the system reports a failed write.
   bool close() {
     const int open_number = std::exchange(number_, -1);
     return open_number < 0 || ::close(open_number) == 0;

@@ -1,4 +1,4 @@
-// Whole files: read with a size limit, written so that they appear whole or not at all.
+// Whole files: reading with a size limit, writing so that a file appears completely or not at all.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,26 @@
 
 namespace tactus::base {
 
-/// What is read at most of what is piped in, which may never end.
+/// Limit for reading from a pipe, which may never end.
 inline constexpr std::size_t kMostPipeBytes = std::size_t{256} << 20U;
 
-/// The bytes of `path`, or an error where it cannot be read or holds more than `most_bytes`.
-/// The size is looked at before anything is read, so a huge file costs nothing. A pipe or device of this name is
-/// refused: it would be waited for, or never end. What a shell pipes in (`/dev/fd/63`, `/dev/stdin`) is read,
-/// at most kMostPipeBytes of it.
+/// The bytes of `path`. Returns an error if the file cannot be read or is larger than `most_bytes`. Checks the size
+/// before reading, so a huge file costs no time.
+/// Refuses a named pipe or device, because reading could wait or never end. Reads pipes from the shell (`/dev/fd/63`,
+/// `/dev/stdin`), at most kMostPipeBytes.
 Result<std::string> readFile(const std::string& path, std::size_t most_bytes);
 
-/// SHA-256 of the file `path`, which may be larger than the memory. Careful with a database that this process has open:
-/// reading it here takes the locks of SQLite away.
+/// SHA-256 of the file `path`, which may be larger than the memory. Do not use on a database that this process has
+/// open: reading it here releases SQLite's locks.
 Result<std::string> fileSha256(const std::string& path);
 
-/// SHA-256 of what `sha256sum` would print of the files `names` in `folder`, in this order; those that are not there
-/// are left out.
+/// SHA-256 of the output that `sha256sum` would print for the files `names` in `folder`, in this order. Skips missing
+/// files.
 Result<std::string> listingSha256(const std::string& folder, const std::vector<std::string>& names);
 
-/// Writes `bytes` to `path` through a temporary file beside it: synced, then renamed over `path`. On an error the old
-/// file, or its absence, stays as it was. A symbolic link is followed, so the file it names is replaced. What is no
-/// regular file (a device, a pipe) is written into. A file that is replaced keeps its mode.
+/// Writes `bytes` to a temporary file beside `path`, syncs it, and renames it to `path`. On an error the old file, or
+/// its absence, is unchanged. Follows a symbolic link and replaces its target. Writes directly into a device or a pipe.
+/// A replaced file keeps its mode.
 Result<void> writeFileAtomically(const std::string& path, std::string_view bytes);
 
 /// Waits until the names in the folder of `path` are on the disk; 0 or the number of the error. A folder that cannot be
@@ -42,10 +42,10 @@ Result<void> requireBelow(const std::string& folder, const std::string& path);
 
 enum class FolderMode {
   kUsual,
-  kPrivate,  ///< a new folder is only the user's (0700); its parents are as usual
+  kPrivate,  ///< a new folder is accessible to the user only (0700); new parents get the usual mode
 };
 
-/// Makes the folder `path` and its parents where they are missing.
+/// Creates the folder `path` and its missing parents.
 Result<void> makeFolder(const std::string& path, FolderMode mode = FolderMode::kUsual);
 
 }  // namespace tactus::base

@@ -1,4 +1,4 @@
-// SHA-256 of a text: says whether two texts are the same byte for byte.
+// SHA-256 of a text, to compare texts byte for byte.
 #pragma once
 
 #include <array>
@@ -11,17 +11,17 @@ namespace tactus::base {
 /// SHA-256 (FIPS 180-4) of `bytes`, 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
-/// The same of bytes that come piece by piece.
+/// The same for bytes that arrive in pieces.
 class Sha256 {
  public:
   Sha256();
   void add(std::string_view bytes);
-  /// Of everything that was added so far.
+  /// SHA-256 of all bytes added so far.
   std::string text() const;
 
  private:
   std::array<std::uint32_t, 8> state_;
-  std::string waiting_;  ///< less than a block
+  std::string waiting_;  ///< less than one block
   std::uint64_t bits_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// A JSON text as a flat list of values, read strictly: doubled keys, deep nesting and numbers beyond a double are
-// refused. Flat, so that a hostile file costs little memory and no stack.
+// A JSON text as a flat list of values, read strictly: refuses duplicate keys, deep nesting and numbers beyond the
+// range of double. The flat list lets a hostile file use little memory and no stack.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,13 @@ class JsonValue;
 
 class JsonDocument {
  public:
-  static constexpr std::size_t kDeepest = 64;  ///< containers inside each other
+  static constexpr std::size_t kDeepest = 64;  ///< nested containers
 
-  /// Reads `text` (UTF-8 of less than 4 GiB, a byte order mark is skipped), whose outermost value must be an object.
-  /// Syntax errors carry line and column, the others the pointer (RFC 6901) of the value.
+  /// Parses `text` (UTF-8, less than 4 GiB; a byte order mark is skipped). The outermost value must be an object.
+  /// Syntax errors have line and column; other errors have the JSON pointer (RFC 6901) of the value.
   static Result<JsonDocument> parse(std::string_view text);
 
-  /// The outermost object. Values refer to the document, which must stay where it is while they are used.
+  /// The outermost object. Values refer to the document; do not move it while they are in use.
   JsonValue root() const;
 
  private:
@@ -68,13 +68,13 @@ class JsonValue {
   };
 
   JsonKind kind() const { return node().kind; }
-  /// The key under which the value stands; empty in an array.
+  /// The key of the value in its object; empty in an array.
   std::string_view key() const { return document_->poolText(node().key_begin, node().key_size); }
-  /// The characters of a string, the digits of a number as the file has them; empty for the other kinds.
+  /// The characters of a string, or the digits of a number as in the file. Empty for other kinds.
   std::string_view text() const { return document_->poolText(node().text_begin, node().text_size); }
   /// The value of a number.
   double number() const;
-  /// The value under `key` of an object, or nothing.
+  /// The value of `key` in an object, or nothing.
   std::optional<JsonValue> find(std::string_view key) const;
 
   Iterator begin() const { return {document_, index_ + 1}; }
@@ -82,7 +82,7 @@ class JsonValue {
 
   /// The pointer (RFC 6901) of this value, e.g. `/inputs/0/terms/2`; empty for the outermost.
   std::string pointer() const;
-  /// What stands here, for an error: `the string 'x'`, `the number 3`, `an array`.
+  /// The value in words for an error: `the string 'x'`, `the number 3`, `an array`.
   std::string description() const;
   /// The value as JSON text on one line; numbers keep their digits.
   std::string json() const;

@@ -1,4 +1,4 @@
-// The members of one JSON object, read by name and range; what nobody asked for is refused.
+// Reads the members of one JSON object by name and range, and refuses unknown members.
 #pragma once
 
 #include <cstdint>
@@ -15,45 +15,45 @@
 
 namespace tactus::base {
 
-/// Both ends belong to it.
+/// A closed range.
 struct NumberRange {
   double low;
   double high;
 };
 
-/// Reads one object of a JsonDocument. The first error stays and silences everything after it, so that a reader asks
-/// for all members in a row and looks once. A member that is absent leaves its target as it was.
+/// Reads one object of a JsonDocument. The first error is kept, and later errors are ignored. So a caller can read all
+/// members in sequence and check once at the end. An absent member leaves its target unchanged.
 class JsonMembers {
  public:
-  /// `error`: shared by all objects of a text. A value that is no object is an error.
+  /// `error`: shared by all objects of a text. Sets an error if `value` is not an object.
   JsonMembers(JsonValue value, std::optional<Error>& error);
 
   void number(std::string_view key, double& target, NumberRange range);
   void number(std::string_view key, std::optional<double>& target, NumberRange range);
-  /// Whole numbers only.
+  /// Integers only.
   void integer(std::string_view key, int& target, NumberRange range);
-  /// From 0, at most 2^64 - 1.
+  /// An integer from 0 to 2^64 - 1.
   void integer(std::string_view key, std::uint64_t& target);
   void flag(std::string_view key, bool& target);
   void flag(std::string_view key, std::optional<bool>& target);
-  /// Not empty.
+  /// A text that is not empty.
   void text(std::string_view key, std::string& target);
-  /// Index of the one of `words` that stands there; nothing where the member is absent or another text.
+  /// The index of the member's text in `words`. Nothing if the member is absent or has another text.
   std::optional<std::size_t> word(std::string_view key, std::span<const std::string_view> words);
   /// An object of numbers by name.
   void numbers(std::string_view key, std::map<std::string, double>& target, NumberRange range);
-  /// Whatever stands there, for a reader of its own.
+  /// The member's value, for a separate reader.
   std::optional<JsonValue> child(std::string_view key);
-  /// Elements of an array; none where it is absent.
+  /// The elements of an array; none if it is absent.
   std::vector<JsonValue> elements(std::string_view key);
 
-  /// The member must be there.
+  /// Sets an error if the member is absent.
   void require(std::string_view key);
-  /// Whether the member is there.
+  /// Whether the member exists.
   bool has(std::string_view key) const;
-  /// An error about the member, or about the object where it is absent.
+  /// Sets an error about the member, or about the object if the member is absent.
   void refuse(std::string_view key, std::string wanted);
-  /// Refuses members that nobody asked for.
+  /// Refuses members that were never read.
   void finish();
 
  private:

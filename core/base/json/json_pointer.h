@@ -7,10 +7,10 @@
 
 namespace tactus::base {
 
-/// The place of the member `key` of the object at `place`; `/` and `~` in the key are escaped.
+/// The pointer of the member `key` of the object at `place`. Escapes `/` and `~` in the key.
 std::string childPointer(const std::string& place, std::string_view key);
 
-/// The place of element `index` of the array at `place`.
+/// The pointer of element `index` of the array at `place`.
 std::string childPointer(const std::string& place, std::size_t index);
 
 }  // namespace tactus::base

@@ -1,4 +1,4 @@
-// What is wrong where a JSON text breaks off, in words for a person.
+// Describes a JSON syntax error in words for the user.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace tactus::base {
 
-/// `line 3, column 14` of the byte `at` of `text`; both count from 1, columns count characters.
+/// `line 3, column 14` for the byte `at` of `text`. Both count from 1; columns count characters.
 std::string linePlace(std::string_view text, std::size_t at);
 
-/// The error where a parser stopped in `text` after reading `position` bytes; more than the text has means at its end.
+/// The error if a parser stopped in `text` after `position` bytes. A position beyond the text means its end.
 Error syntaxError(std::string_view text, std::size_t position);
 
 }  // namespace tactus::base

@@ -1,4 +1,4 @@
-// Writes JSON text with the keys in the order they are given. (Reading is nlohmann-json's.)
+// Writes JSON text with keys in the order of the calls. (JsonDocument reads it.)
 #pragma once
 
 #include <span>
@@ -11,10 +11,10 @@ namespace tactus::base {
 /// `text` as a JSON string with its quotes.
 std::string jsonString(std::string_view text);
 
-/// `value` as JSON: shortest text that reads back, `null` where it is not finite.
+/// `value` as JSON: the shortest text that reads back equal, `null` if it is not finite.
 std::string jsonNumber(double value);
 
-/// A JSON text in the making, indented by two spaces. Containers opened with `kInline` stay on one line.
+/// Builds a JSON text, indented by two spaces. Containers opened with `kInline` stay on one line.
 ///   JsonWriter json;
 ///   json.beginObject().key("name").value("S4").endObject();
 class JsonWriter {
@@ -40,7 +40,7 @@ class JsonWriter {
   JsonWriter& values(std::span<const double> numbers);
   /// Strings on one line.
   JsonWriter& values(std::span<const std::string> texts);
-  /// JSON text as it is.
+  /// Inserts JSON text unchanged.
   JsonWriter& raw(std::string_view json);
 
   /// The text, with a final newline. All containers must be closed.

@@ -1,4 +1,5 @@
-// CSV tables (RFC 4180): a header, commas, UTF-8 with or without a byte order mark; and as spreadsheets save them.
+// CSV tables (RFC 4180) with a header, commas, and UTF-8 with or without a byte order mark. Also reads spreadsheet
+// variants.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +15,13 @@
 
 namespace tactus::base {
 
-/// A table read from CSV. The cells are views into one buffer that the table keeps alive; beside the text each cell
-/// costs four bytes, so millions of rows fit into memory.
+/// A table read from CSV. The cells are views into one buffer owned by the table. Each cell costs four bytes besides
+/// its text, so millions of rows fit into memory.
 class CsvTable {
  public:
   enum class Header {
-    kRequired,  ///< the first line holds the names of the columns
-    kOptional,  ///< a first line of nothing but numbers is data, and the columns are called 1, 2, …
+    kRequired,  ///< the first line has the names of the columns
+    kOptional,  ///< a first line of numbers only is data; the columns are then called 1, 2, …
   };
 
   /// Reads `text`, said to be of `file` in errors. Lines that start with `#` before the first record are
@@ -32,40 +33,40 @@ class CsvTable {
   /// quote, text of no known encoding, a line longer than 1 MiB, more than 2 GiB.
   static Result<CsvTable> parse(std::string text, std::string file, Header header = Header::kRequired);
 
-  /// Reads the file `path` of at most 2 GiB; from a pipe or device at most kMostPipeBytes (file.h).
+  /// Reads the file `path` of at most 2 GiB, or a pipe or device up to kMostPipeBytes (file.h).
   static Result<CsvTable> read(const std::string& path, Header header = Header::kRequired);
 
   const std::string& file() const { return file_; }
   const std::vector<std::string>& columns() const { return columns_; }
   bool hasHeader() const { return has_header_; }
-  /// Whether the text began with a byte order mark, as tables for spreadsheet programs do.
+  /// Whether the text began with a byte order mark, as written for spreadsheet programs.
   bool hasMark() const { return has_mark_; }
-  /// How the table was read where it is no plain one: `semicolons between the cells, decimal commas`; otherwise empty.
+  /// The variant of the table, e.g. `semicolons between the cells, decimal commas`; empty for a plain table.
   const std::string& readAs() const { return read_as_; }
-  /// `file` and `readAs` as a sentence, or nothing.
+  /// `file` and `readAs` as a sentence; nothing for a plain table.
   std::optional<std::string> note() const;
   std::size_t rowCount() const { return rows_; }
 
-  /// Index of the column `name`, or of the only one that columnKey makes it; or nothing.
+  /// Index of the column `name`, or of the only column whose columnKey is `name`; nothing if there is none.
   std::optional<std::size_t> find(std::string_view name) const;
-  /// Index of the column `name`; its absence is an error that lists the columns there are.
+  /// Index of the column `name`. Returns an error with the list of columns if it is missing.
   Result<std::size_t> require(std::string_view name) const;
 
-  /// The cell as text, spaces at the ends kept.
+  /// The text of a cell, including spaces at its ends.
   std::string_view cell(std::size_t row, std::size_t column) const {
     const std::size_t at = row * columns_.size() + column;
     return std::string_view(*text_).substr(starts_[at], starts_[at + 1] - 1 - starts_[at]);
   }
-  /// The cell as a finite number, or an error with line, column and text.
+  /// The cell as a finite number. Returns an error with line, column and text otherwise.
   Result<double> number(std::size_t row, std::size_t column) const;
-  /// The cell as an integer, or an error.
+  /// The cell as an integer. Returns an error otherwise.
   Result<long long> integer(std::size_t row, std::size_t column) const;
 
-  /// The line that the row begins on, from 1.
+  /// The first line of the row, from 1.
   std::size_t line(std::size_t row) const;
-  /// `line 12, column 'speed_mm_s'`, for errors about a cell.
+  /// `line 12, column 'speed_mm_s'`, for errors in a cell.
   std::string place(std::size_t row, std::size_t column) const;
-  /// An error about a cell: its place, its text, and what was wanted.
+  /// An error in a cell: its place, its text, and `wanted`.
   tl::unexpected<Error> refuse(std::size_t row, std::size_t column, ErrorCode code, std::string wanted) const;
 
  private:
@@ -74,7 +75,7 @@ class CsvTable {
   Result<void> takeHeader(const std::vector<std::string_view>& names, std::size_t line);
   Result<void> takeRow(const std::vector<std::string_view>& cells, std::size_t line);
 
-  /// Where the lines of the rows stop being consecutive.
+  /// A row after which the line numbers are not consecutive.
   struct LineJump {
     std::uint32_t row;
     std::uint32_t line;
@@ -83,33 +84,33 @@ class CsvTable {
   std::string file_;
   std::shared_ptr<const std::string> text_;
   std::vector<std::string> columns_;
-  std::size_t header_cells_ = 0;  // with the empty ones at the end
+  std::size_t header_cells_ = 0;  // including empty ones at the end
   std::string read_as_;
   bool has_header_ = true;
   bool has_mark_ = false;
-  // Row by row where each cell starts in *text_, and one more: a cell ends one byte before the next one starts.
+  // The start of each cell in *text_, row by row, plus one more. A cell ends one byte before the start of the next.
   std::vector<std::uint32_t> starts_;
   std::vector<LineJump> jumps_;
   std::size_t rows_ = 0;
 };
 
-/// Whether a spreadsheet program may take the cell for a formula and run it: it begins with = + - @, a tab or a
-/// carriage return.
+/// Whether a spreadsheet program may execute the cell as a formula: it begins with = + - @, a tab or a carriage return.
 bool looksLikeFormula(std::string_view cell) noexcept;
 
-/// What is wanted where such a text is refused.
+/// The expected content in the error for such a text.
 inline constexpr const char* kNoFormula = "a name that does not begin with = + - @, a tab or a carriage return";
 
-/// The cell for a spreadsheet program: with an apostrophe in front where it, or what stands behind its apostrophes,
-/// looks like a formula. `withoutGuard` gives back what it was.
+/// The cell for a spreadsheet program: with an apostrophe in front if the cell, or its text after leading apostrophes,
+/// looks like a formula. `withoutGuard` restores the original.
 std::string guarded(std::string_view cell);
 std::string_view withoutGuard(std::string_view cell) noexcept;
 
-/// A column's name as the formats write it: small letters and digits, everything else one underscore.
+/// The standard spelling of a column name: lower-case letters and digits, all other characters replaced by one
+/// underscore.
 /// `Speed [mm/s]` gives `speed_mm_s`.
 std::string columnKey(std::string_view name);
 
-/// Builds CSV text: rows in, text out; cells are quoted only where they must be.
+/// Builds CSV text row by row. Quotes a cell only if necessary.
 class CsvWriter {
  public:
   explicit CsvWriter(std::span<const std::string> columns);
@@ -120,7 +121,7 @@ class CsvWriter {
   CsvWriter& cell(long long value);
   CsvWriter& cell(std::size_t value) { return cell(static_cast<long long>(value)); }
   CsvWriter& cell(int value) { return cell(static_cast<long long>(value)); }
-  /// Ends the row. The number of cells must be the number of columns (a check of our own code).
+  /// Ends the row. The row must have one cell per column (checked as our own bug).
   void endRow();
 
   const std::string& text() const { return text_; }

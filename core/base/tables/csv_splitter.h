@@ -10,33 +10,35 @@
 
 namespace tactus::base {
 
-/// How the cells of a table are separated.
+/// The separator of a table's cells.
 struct CsvDialect {
   char separator = ',';
-  std::size_t begin = 0;  ///< where the table begins: behind a line `sep=;`
+  std::size_t begin = 0;  ///< start of the table: after a line `sep=;`
 };
 
-/// The dialect of `text` (UTF-8): semicolons or tabs where the first line has them, and no commas but between digits;
-/// otherwise commas. A first line `sep=;` decides it.
+/// The dialect of `text` (UTF-8). A first line `sep=;` decides. Otherwise semicolons or tabs, if the first line has
+/// them and has commas only between digits; else commas.
 CsvDialect csvDialect(std::string_view text);
 
-/// Splits a buffer into records. The cells move together in place, unquoted, with one byte between neighbours: that
-/// never needs more room than the text had, and one offset says where a cell starts and where the one before ends.
+/// Splits a buffer into records. It moves the unquoted cells to the front of the buffer, with one byte between
+/// neighbors. This never needs more space than the text had, and one offset gives the start of a cell and the end of
+/// the previous one.
 class CsvSplitter {
  public:
   CsvSplitter(std::string& text, const CsvDialect& dialect);
 
-  /// Reads the next record into `cells`; false at the end of the text. Lines that start with # before the first record
-  /// and empty lines are passed over. Refused: an open quote, text after a closing one, a line longer than 1 MiB.
+  /// Reads the next record into `cells`. Returns false at the end of the text. Skips empty lines, and lines that start
+  /// with # before the first record. Returns an error for an open quote, text after a closing quote, or a line longer
+  /// than 1 MiB.
   Result<bool> next(std::vector<std::string_view>& cells);
 
-  /// Gives the room of `cell` and of the cells behind it back: cells of the record that was read last.
+  /// Releases the space of `cell` and of the cells after it. Only for cells of the last record.
   void drop(std::string_view cell) { out_ = static_cast<std::size_t>(cell.data() - text_.data()); }
 
   std::size_t recordLine() const { return record_line_; }
-  /// Whether the record that was read last has a cell in quotes.
+  /// Whether the last record has a quoted cell.
   bool sawQuotes() const { return saw_quotes_; }
-  /// Where the next cell would start.
+  /// The start of the next cell.
   std::size_t end() const { return out_; }
 
  private:
@@ -51,7 +53,7 @@ class CsvSplitter {
   std::string& text_;
   char separator_;
   std::size_t at_ = 0;
-  std::size_t out_ = 0;  // never beyond at_
+  std::size_t out_ = 0;  // never greater than at_
   std::size_t line_ = 1;
   std::size_t record_line_ = 1;
   bool begun_ = false;

@@ -1,4 +1,4 @@
-// Which commas in the cells of a table are decimal points.
+// Decides whether commas in the cells of a table are decimal points.
 #pragma once
 
 #include <cstddef>
@@ -6,13 +6,13 @@
 
 namespace tactus::base {
 
-/// What a table's cells say of its commas, cell after cell.
+/// Counts the kinds of commas in a table, cell by cell.
 class DecimalCommas {
  public:
   enum class Cell {
-    kOther,      ///< no number with a comma
-    kDecimal,    ///< `1,5`, `0,125`, `-12,50`, `1,5e3`: the comma can only be a decimal point
-    kEither,     ///< `1,234`: thousands or a decimal
+    kOther,      ///< not a number with a comma
+    kDecimal,    ///< `1,5`, `0,125`, `-12,50`, `1,5e3`: the comma must be a decimal point
+    kEither,     ///< `1,234`: a thousands separator or a decimal point
     kThousands,  ///< `1,234,567`, `1,234.5`
     kPoint,      ///< a number with a decimal point
   };
@@ -20,8 +20,8 @@ class DecimalCommas {
 
   void add(std::string_view cell);
 
-  /// All commas between digits are decimal points: some can only be one, none can only separate thousands, and there is
-  /// no decimal point beside them.
+  /// Whether all commas between digits are decimal points: at least one must be, none must be a thousands separator,
+  /// and no number has a decimal point.
   bool decimal() const { return decimal_ > 0 && thousands_ == 0 && points_ == 0; }
 
  private:
