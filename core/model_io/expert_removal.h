@@ -1,4 +1,4 @@
-// Takes experts out of the text of a model file: participants who withdrew.
+// Removes experts from the text of a model file: participants who withdrew.
 #pragma once
 
 #include <span>
@@ -9,24 +9,24 @@
 namespace tactus::model_io {
 
 struct ExpertRemoval {
-  std::string text;  ///< what is left
+  std::string text;  ///< the remaining text
   bool changed = false;
-  std::vector<std::string> labels;  ///< of the experts that were taken out, where they are not empty
+  std::vector<std::string> labels;  ///< labels of the removed experts, without empty ones
 };
 
-/// The text of a model without the experts whose id or label holds one of `names` (base::holdsName), and without the
-/// names everywhere else: in the model's name, the labels, the provenance and the keys that are not ours. Rules, own
-/// terms and weight go with the expert; terms that all experts share stay. The notes of the provenance say that experts
-/// were removed, and the checks are evaluated again. Where all weights that are left are 0, they become 1.
+/// Removes from the text of a model the experts whose id or label contains one of `names` (base::holdsName).
+/// Also removes the names elsewhere: in the model's name, labels, provenance and unknown keys. An expert's rules, own
+/// terms and weight go with the expert; shared terms stay. The notes of the provenance mention the removal, and the
+/// checks are computed again. If all remaining weights are 0, they become 1.
 ///
-/// A model without any expert left, and a text that names one and is no readable model, is replaced by a text that says
-/// so and that `parseModel` refuses with that sentence. A text that names nobody stays as it is, byte for byte.
+/// If no expert remains, or the text contains a name but is not a readable model, the result is a text that says so,
+/// and `parseModel` refuses it with that sentence. A text without any of the names stays equal, byte for byte.
 ///
-/// The outcome follows from the text and the names alone, so two stations clean a model to the same bytes; names taken
-/// out one after the other, in any order, leave the same text as all at once.
+/// The result depends only on the text and the names, so two stations get the same bytes. Removing names one after the
+/// other, in any order, gives the same text as removing all at once.
 ExpertRemoval withoutExperts(std::string_view text, std::span<const std::string> names);
 
-/// The ids of the experts in a model's text, in their order; none where the text is no JSON.
+/// The ids of the experts in a model's text, in order; none if the text is not JSON.
 std::vector<std::string> expertIds(std::string_view text);
 
 }  // namespace tactus::model_io

@@ -1,14 +1,14 @@
-// The text that stands where a model was removed, because its experts withdrew. Private to core/model_io.
+// The text that replaces a model whose experts all withdrew. Private to core/model_io.
 #pragma once
 
 #include <string_view>
 
 namespace tactus::model_io {
 
-/// The key of the text that says so.
+/// The key of the sentence that says so.
 inline constexpr std::string_view kRemovedKey = "removed";
 
-/// `{"format": "tactus-force-model", "version": 1, "removed": …}`, which holds nothing of the model.
+/// `{"format": "tactus-force-model", "version": 1, "removed": …}`, without any content of the model.
 constexpr std::string_view removedModelText() {
   return "{\n"
          "  \"format\": \"tactus-force-model\",\n"

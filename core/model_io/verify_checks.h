@@ -1,4 +1,4 @@
-// The reference evaluations that travel with a model, done again.
+// Repeats the reference evaluations stored in a model.
 #pragma once
 
 #include "core/base/error.h"
@@ -6,8 +6,8 @@
 
 namespace tactus::model_io {
 
-/// Evaluates each of `model.checks`. A force off by more than 1e-12 of the output's range, or another `fired`, is an
-/// error of kind kMismatch at `/checks/N`. A model that does not validate gives the error of `fuzzy::validate`.
+/// Evaluates each of `model.checks`. Returns an error of kind kMismatch at `/checks/N` if a force differs by more than
+/// 1e-12 of the output range, or `fired` differs. Returns the error of `fuzzy::validate` if the model is invalid.
 base::Result<void> verifyChecks(const fuzzy::ForceModel& model);
 
 }  // namespace tactus::model_io
