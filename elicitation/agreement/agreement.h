@@ -1,4 +1,4 @@
-// How far raters agree: all measures on one set of ratings.
+// Agreement of raters: all measures on one set of ratings.
 #pragma once
 
 #include <optional>
@@ -20,13 +20,13 @@ struct Agreement {
   OrReason<double> alpha_ordinal;
   OrReason<double> alpha_interval;
   OrReason<KendallW> kendall_w;
-  std::vector<std::optional<ItemConsensus>> items;  ///< one per unit of the data; nothing with fewer than two ratings
+  std::vector<std::optional<ItemConsensus>> items;  ///< one per unit of the data; empty for fewer than two ratings
   long long ratings = 0;
 };
 
 Agreement agreement(const AgreementData& data);
 
-/// Why the measures of categories without order come out so low on terms that have one, in one sentence.
+/// One sentence: why the measures for unordered categories are low for ordered terms.
 std::string_view nominalCaution();
 
 }  // namespace tactus::elicitation

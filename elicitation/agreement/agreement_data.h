@@ -1,4 +1,4 @@
-// From answers, judgements or a table of counts to the ratings that agreement is measured on.
+// Converts answers, judgements or a table of counts to ratings for the agreement measures.
 #pragma once
 
 #include <optional>
@@ -14,34 +14,36 @@
 
 namespace tactus::elicitation {
 
-/// What was rated: a force, or an item of a form.
+/// A rated unit: a force, or an item of a form.
 struct RatedUnit {
   std::string name;               ///< `0.3 N`, `item 12`
-  std::optional<double> force_n;  ///< of a force
-  std::optional<int> item;        ///< number on the form
-  std::string text;               ///< wording of the item, where the form is known
+  std::optional<double> force_n;  ///< if the unit is a force
+  std::optional<int> item;        ///< number on the form, if the unit is an item
+  std::string text;               ///< wording of the item, if the form is known
 };
 
-/// Units with at least one rating, and who rated them how.
+/// The units with at least one rating, and their ratings.
 struct AgreementData {
   std::vector<std::string> terms;  ///< the categories, lowest first
   std::vector<RatedUnit> units;
   RatingCounts counts;
   std::vector<std::string> raters;  ///< participants with at least one rating; empty for a table of counts
-  std::optional<Ratings> ratings;   ///< absent for a table of counts: it does not say who chose what
-  std::string form;                 ///< of answers
-  std::vector<std::string> notes;   ///< one sentence each: what was left out
+  std::optional<Ratings> ratings;   ///< empty for a table of counts, which does not identify the raters
+  std::string form;                 ///< of the answers
+  std::vector<std::string> notes;   ///< one sentence each: omitted data
 };
 
-/// The answers to one form. A rating is an answer with status `answered`; skipped, cannot tell and cleared are missing.
-/// `form_id` empty: the form with the most ratings, the first of them on a tie, and a note names the others. The terms
-/// are those of the form where `forms` knows it, else `terms` (ids, lowest first). Refused: no answer to the form, a
-/// term that is not among them, an item that a known form does not have, an item answered twice by a participant.
+/// The answers to one form. A rating is an answer with status `answered`; skipped, cannot tell and cleared count as
+/// missing.
+/// `form_id`: empty selects the form with the most ratings (the first of equals) and notes the others. The terms are
+/// those of the form if `forms` contains it, else `terms` (ids, lowest first).
+/// Returns an error for: no answer to the form, an unknown term, an item that a known form lacks, two answers of a
+/// participant to one item.
 base::Result<AgreementData> agreementData(std::span<const study::Answer> answers, std::string_view form_id,
                                           std::span<const study::Form> forms, std::span<const std::string> terms);
 
-/// The judgements of one `series`, units are the forces. A rating is a term; not felt, beyond practice and no answer
-/// are missing. Refused: what `countVotes` refuses.
+/// The judgements of one `series`; units are the forces. A rating is a term; not felt, beyond practice and no answer
+/// count as missing. Returns the errors of `countVotes`.
 base::Result<AgreementData> agreementData(std::span<const study::ForceJudgement> judgements, std::string_view series,
                                           std::span<const std::string> terms);
 

@@ -1,4 +1,4 @@
-// Ratings on their way into a table. Internal to agreement_data.h.
+// Puts ratings into a table. Internal to agreement_data.h.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace tactus::elicitation {
 
-/// A rating before units and raters have their places.
+/// A rating before units and raters have indices.
 template <class Unit>
 struct Rating {
   std::string participant;
@@ -19,7 +19,7 @@ struct Rating {
   std::size_t term;
 };
 
-/// Puts `ratings` into a table: units in their order, raters in the order of their first rating.
+/// Puts `ratings` into a table: units in the order of `units`, raters in the order of their first rating.
 template <class Unit>
 void fillTable(AgreementData& data, const std::vector<Rating<Unit>>& ratings, const std::vector<Unit>& units) {
   std::map<std::string, std::size_t> raters;
@@ -34,7 +34,7 @@ void fillTable(AgreementData& data, const std::vector<Rating<Unit>>& ratings, co
   data.ratings = std::move(table);
 }
 
-/// Notes the units that have no rating and are therefore not in `data`.
+/// Notes the units without a rating, which are therefore not in `data`.
 void noteUnrated(const std::vector<std::string>& units, AgreementData& data);
 
 /// Notes the participants among `all` who gave no rating.

@@ -1,4 +1,4 @@
-// How far the raters of one unit agree.
+// Agreement of the raters of one unit.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 namespace tactus::elicitation {
 
 struct ItemConsensus {
-  double entropy_bits = 0;  ///< of the shares of the categories: 0 where all say the same
-  double consensus = 1;     ///< 1 where all say the same, 0 where half are at each end of the scale
+  double entropy_bits = 0;  ///< of the shares of the categories: 0 if all ratings are equal
+  double consensus = 1;     ///< 1 if all ratings are equal, 0 if half are at each end of the scale
   int spread_terms = 0;     ///< highest category minus lowest
 };
 
-/// From how often each category was chosen, the lowest first. The consensus is that of Tastle and Wierman 2007: with
-/// categories X of shares p, mean mu and the width d of the scale, 1 + sum p log2(1 - |X - mu| / d); unlike the entropy
-/// it knows that neighbours are closer than ends. Nothing with fewer than two ratings: one alone agrees with nobody.
+/// Consensus by Tastle and Wierman 2007. For categories X with shares p, mean mu and scale width d: 1 + sum p log2(1 -
+/// |X - mu| / d). Unlike the entropy it takes into account that neighbors are closer than the ends. `counts`: ratings
+/// per category, lowest first. Nothing for fewer than two ratings.
 std::optional<ItemConsensus> itemConsensus(const std::vector<int>& counts);
 
 }  // namespace tactus::elicitation

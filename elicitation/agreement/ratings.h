@@ -1,4 +1,4 @@
-// Which category each rater put each unit into: the raw material of every measure of agreement.
+// The category that each rater gave each unit: the input of every agreement measure.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,12 @@
 
 namespace tactus::elicitation {
 
-/// A result, or one sentence on why the ratings have none. Too few ratings are nobody's mistake, so this is no Error.
+/// A result, or one sentence about why the ratings give none. Too few ratings are not a mistake, so this is not an
+/// Error.
 template <class T>
 using OrReason = tl::expected<T, std::string>;
 
-/// A table of units (forces, items of a form) x raters; any rating may be missing. Categories are ordered and counted
+/// A table of units (forces, items of a form) by raters. Any rating may be missing. Categories are ordered and counted
 /// from 0, the lowest first.
 class Ratings {
  public:
@@ -23,7 +24,7 @@ class Ratings {
   std::size_t raters() const { return raters_; }
   std::size_t categories() const { return categories_; }
 
-  /// The category, or nothing where this rating is missing.
+  /// The category; nothing if the rating is missing.
   std::optional<std::size_t> at(std::size_t unit, std::size_t rater) const;
   void set(std::size_t unit, std::size_t rater, std::size_t category);
 
@@ -36,7 +37,7 @@ class Ratings {
   std::vector<std::optional<std::size_t>> values_;
 };
 
-/// How many raters chose each category, unit by unit; who they were is gone. All numbers are 0 or more.
+/// For each unit the number of raters per category, without their identity. All numbers are >= 0.
 struct RatingCounts {
   std::size_t categories = 0;
   std::vector<std::vector<int>> units;  ///< each with `categories` numbers
@@ -44,7 +45,7 @@ struct RatingCounts {
 
 RatingCounts countRatings(const Ratings& ratings);
 
-/// The number of ratings that one unit has.
+/// The number of ratings of one unit.
 long long ratingsOf(const std::vector<int>& unit);
 
 }  // namespace tactus::elicitation

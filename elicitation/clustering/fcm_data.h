@@ -1,4 +1,4 @@
-// The data of a clustering as the passes see it: in place, scaled on the way (part of fcm.h).
+// The data of a clustering, scaled when read, without a copy (part of fcm.h).
 #pragma once
 
 #include <cstddef>
@@ -9,39 +9,39 @@
 
 namespace tactus::elicitation {
 
-/// Samples that stay where they are, with the numbers that bring them into [-1, 1]: scaled by powers of two and, where
-/// they lie far from 0, shifted by about their median. Then no square of a difference overflows, and a large offset
-/// costs no digits.
+/// Samples in place, with the numbers that map them to [-1, 1]: scales that are powers of two and, for data far from 0,
+/// a shift by about the median. So no square of a difference overflows, and a large offset costs no digits.
 struct FcmData {
   std::span<const double> values;
-  std::span<const double> weights;  ///< one per value, or none: all 1
+  std::span<const double> weights;  ///< one per value; empty: all 1
   double scale = 1;                 ///< x = (value * scale - shift) * stretch
   double shift = 0;
   double stretch = 1;
-  double weight_scale = 1;  ///< a power of two that brings the weights to at most 1
-  double low = -1;          ///< of the scaled values with weight
+  double weight_scale = 1;  ///< a power of two that scales the weights to at most 1
+  double low = -1;          ///< smallest scaled value with a weight above 0
   double high = 1;
   double lowest = -1;  ///< the same in original units
   double highest = 1;
-  /// A few scaled values with weight from places spread evenly over the data, ascending: their shape in short.
+  /// Some scaled values with a weight above 0, from evenly spread places in the data, ascending: a sketch of their
+  /// shape.
   std::vector<double> some;
 
   double range() const { return high - low; }
   double scaled(double value) const { return (value * scale - shift) * stretch; }
   double weight(std::size_t i) const { return weights.empty() ? 1 : weights[i] * weight_scale; }
-  /// A scaled value in the unit of the samples, not outside them.
+  /// A scaled value in the unit of the samples, clamped to their range.
   double toOriginal(double x) const;
   /// J in original units is the scaled J times 2^objectiveExponent().
   int objectiveExponent() const;
 };
 
-/// Looks over `samples` and their weights (none, or one each) once and gives them their scale. Refused: no samples, a
+/// Reads `samples` and `weights` (none, or one each) once and computes their scale. Returns an error for: no samples, a
 /// number that is not finite, a negative weight, another number of weights than samples, no weight above 0.
 base::Result<FcmData> prepareFcmData(std::span<const double> samples, std::span<const double> weights);
 
-/// Values that are scaled already, ascending, with one weight each; both must stay where they are.
+/// Data that are already scaled, ascending, with one weight each. The caller keeps both alive and in place.
 FcmData scaledFcmData(std::span<const double> values, std::span<const double> weights);
 
-/// The distinct values with weight in original units, ascending, but at most `most` of them: the first to be met.
+/// The distinct values with a weight above 0 in original units, ascending; at most `most`, the first ones in the data.
 std::vector<double> distinctValues(const FcmData& data, std::size_t most);
 }  // namespace tactus::elicitation

@@ -1,4 +1,4 @@
-// From a start downhill to a local minimum of J (part of fcm.h).
+// The descent from a start to a local minimum of J (part of fcm.h).
 #pragma once
 
 #include <functional>
@@ -14,23 +14,23 @@ struct FcmDescent {
   double objective = 0;         ///< J of the scaled data
   int iterations = 0;
   bool converged = false;
-  bool minimum = false;  ///< J curves upward in every direction there
+  bool minimum = false;  ///< J curves upward in every direction at the centers
   bool cancelled = false;
 };
 
-/// Where a descent begins.
+/// The kind of the first step of a descent.
 enum class FcmBeginning {
-  kAnywhere,     ///< with a step of Bezdek's iteration, which never raises J
-  kNearMinimum,  ///< with Newton's step
+  kAnywhere,     ///< a step of Bezdek's iteration, which never raises J
+  kNearMinimum,  ///< a Newton step
 };
 
-/// Called before each pass with the largest change of a centre so far; false stops the descent.
+/// Called before each pass with the largest change of a center in the last step. False stops the descent.
 using FcmBeforePass = std::function<bool(double change)>;
 
-/// Descends from `centres` (distinct, ascending) by steps of a matrix between J's second derivatives (Newton, which
-/// ends at full precision) and the metric of Bezdek's iteration (which never raises J), the nearer to the latter the
-/// more often a step had to be taken back. Ends where what remains is estimated to be below settings.tolerance of the
-/// range and, near a smooth minimum, below the rounding of the sums; the last step needs no pass of its own then.
+/// Descends from `centres` (distinct, ascending). The matrix of a step lies between J's second derivatives (Newton,
+/// which reaches full precision) and the metric of Bezdek's iteration (which never raises J). Each rejected step moves
+/// it towards Bezdek's. The descent ends if the estimated remaining distance is below settings.tolerance of the range
+/// and, near a smooth minimum, below the rounding of the sums. The last step then needs no pass of its own.
 FcmDescent descend(const FcmData& data, std::vector<double> centres, FcmBeginning beginning,
                    const FcmSettings& settings, const FcmBeforePass& before_pass);
 

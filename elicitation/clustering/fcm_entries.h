@@ -1,4 +1,4 @@
-// A short weighted stand-in for many samples (part of fcm.h).
+// A short weighted substitute for many samples (part of fcm.h).
 #pragma once
 
 #include <cstddef>
@@ -8,24 +8,24 @@
 
 namespace tactus::elicitation {
 
-/// Scaled values, ascending and distinct, with the weight of the samples that each stands for.
+/// Scaled values, ascending and distinct, each with the total weight of its samples.
 struct FcmEntries {
   std::vector<double> values;
   std::vector<double> weights;
   bool exact = false;  ///< no samples of different value were joined
 
   std::size_t size() const { return values.size(); }
-  /// For the passes; the entries must stay where they are.
+  /// The entries as data for the passes. The entries must stay in place.
   FcmData view() const;
 };
 
-/// Short data and data of few distinct values (quantised speeds) become exact entries: equal values are joined. Other
-/// data become a histogram whose entries are the means of narrow bins: of equal width around the median, of equal
-/// proportion further out, so that an outlier takes no room from the rest. One or two reads of the data; at most
-/// 65,536 bins, about 2 MB.
+/// Makes entries. Short data, and data with few distinct values (quantized speeds), give exact entries: equal values
+/// are joined. Other data give a histogram; its entries are the means of narrow bins. The bins have equal width around
+/// the median and equal proportion further out, so that an outlier does not widen the others. Reads the data once or
+/// twice. At most 65,536 bins, about 2 MB.
 FcmEntries condense(const FcmData& data);
 
-/// At most about `most` entries: means of runs that are narrow and light, so that an outlier keeps a place of its own.
+/// About `most` entries or fewer: means of narrow, light runs, so that an outlier keeps its own entry.
 FcmEntries coarser(const FcmEntries& entries, std::size_t most);
 
 }  // namespace tactus::elicitation

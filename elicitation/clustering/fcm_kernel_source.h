@@ -1,6 +1,6 @@
-// The source of the loops. Included by fcm_kernels.cpp once per instruction set, each time inside another namespace and
-// under another target; not for anybody else. A block's samples go round the kFcmLanes lanes; a register holds some of
-// the lanes, and the loop runs once for each register's share.
+// The source of the loops. Only fcm_kernels.cpp includes it: once per instruction set, each time in another namespace
+// and for another target. The samples of a block are distributed over kFcmLanes lanes. A register holds some of the
+// lanes; the loop runs once for each register's share.
 
 constexpr int kWidth = TACTUS_FCM_WIDTH;
 constexpr int kShares = static_cast<int>(kFcmLanes) / kWidth;
@@ -19,7 +19,7 @@ TACTUS_INLINE void store(double* to, const Register& x) noexcept { __builtin_mem
 TACTUS_INLINE Register smaller(const Register& x, const Register& y) noexcept { return x < y ? x : y; }
 TACTUS_INLINE Register larger(const Register& x, const Register& y) noexcept { return x > y ? x : y; }
 
-// ln 2 in two parts, the first with trailing zeros, so that its multiples by exponents are exact.
+// ln 2 in two parts. The first has trailing zeros, so that its products with exponents are exact.
 constexpr double kLn2High = 0x1.62e42fefa38p-1;
 constexpr double kLn2Low = 0x1.ef35793c7673p-45;
 constexpr double kRoundToInteger = 0x1.8p52;
@@ -60,7 +60,7 @@ TACTUS_INLINE Register exponential(const Register& x) noexcept {
   return x < -700.0 ? Register{} : out;
 }
 
-/// What one sample contributes beside its distances, before its weight.
+/// The contribution of one sample besides its distances, before its weight.
 struct Shares {
   Register h;
   Register least;  // of what must not underflow
@@ -115,9 +115,9 @@ TACTUS_INLINE Shares byRatios(const Register* d, Register* power, int c, double 
   return {nearest * sum * scale, spread(1.0)};
 }
 
-/// On a centre every u^m d is 0, but (u^m d)^2 / h tends to u^m: adds that to the diagonal of the products for the
-/// samples of one share that lie on a centre. Without it a centre on a lone sample has a curvature below 0, and no step
-/// of Newton is possible.
+/// On a center every u^m d is 0, but (u^m d)^2 / h tends to u^m. Adds this limit to the diagonal of the products, for
+/// the samples of one share that lie on a center. Without it, a center on a single sample has a negative curvature, and
+/// Newton's step is impossible.
 template <class Powers>
 void addOnCentres(const FcmBlock& block, const FcmPlace& place, int share, Register* outer, Powers powers) noexcept {
   const int c = static_cast<int>(place.clusters);
@@ -132,7 +132,7 @@ void addOnCentres(const FcmBlock& block, const FcmPlace& place, int share, Regis
   }
 }
 
-/// Adds the samples of one share. `count` clusters known when compiling, or 0.
+/// Adds the samples of one share. `count`: the number of clusters if known at compile time, else 0.
 template <int count, class Powers>
 TACTUS_INLINE Register addShare(const FcmBlock& block, const FcmPlace& place, int share, double* sums,
                                 Powers powers) noexcept {

@@ -1,4 +1,4 @@
-// One pass over the data: everything that a step of the descent needs (part of fcm.h).
+// One pass over the data: all sums for a step of the descent (part of fcm.h).
 #pragma once
 
 #include <cstddef>
@@ -10,24 +10,25 @@
 
 namespace tactus::elicitation {
 
-/// Sums over the samples at fixed centres, with u the memberships and d_k = x - v_k.
+/// Sums over the samples at fixed centers. u: memberships, d_k = x - v_k.
 struct FcmSums {
   std::vector<double> weight;  ///< of u_k^m
-  std::vector<double> pull;    ///< of u_k^m d_k: half the descent direction of J
-  /// Half of J's second derivatives by the centres, c by c, row by row. With h = sum of u_k^m d_k^2 of one sample it is
+  std::vector<double> pull;    ///< of u_k^m d_k: half of J's descent direction
+  /// Half of J's second derivatives with respect to the centers, c by c, row by row. With h = sum of u_k^m d_k^2 of one
+  /// sample it is
   /// -(m + 1)/(m - 1) diag(weight) + 2m/(m - 1) sum of (u_k^m d_k)(u_l^m d_l)/h.
   std::vector<double> curvature;
   double objective = 0;  ///< J
 };
 
-/// Scratch for one c and m: no memberships are kept, memory is O(c^2).
+/// Scratch memory for one c and m: O(c^2), without memberships.
 class FcmPass {
  public:
   FcmPass(std::size_t clusters, double m);
-  /// With the loops of one instruction set, for tests.
+  /// The same with the loops of one instruction set, for tests.
   FcmPass(std::size_t clusters, double m, const FcmKernels& kernels);
 
-  /// The sums at `centres`, scaled; they may coincide with values and with each other.
+  /// Computes the sums at `centres` (scaled). Centers may coincide with values and with each other.
   void run(const FcmData& data, std::span<const double> centres, FcmSums& sums);
 
  private:
@@ -40,7 +41,7 @@ class FcmPass {
   FcmKernels kernels_;
   std::vector<double> lanes_;     // sums of one block, lane by lane: weight, pull, outer products, J
   std::vector<double> total_;     // sums of all blocks
-  std::vector<double> rounding_;  // what the additions to total_ lost (Neumaier 1974)
+  std::vector<double> rounding_;  // rounding errors of the additions to total_ (Neumaier 1974)
 };
 
 }  // namespace tactus::elicitation

@@ -1,4 +1,4 @@
-// From a minimum of J to starts that may lead lower: one centre taken away and put elsewhere (part of fcm.h).
+// Starts that may lead from a minimum of J to a lower one: one center is removed and placed elsewhere (part of fcm.h).
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace tactus::elicitation {
 
-/// The up to `most` choices of lowest J among those that differ from `centres` (ascending) by one centre, which moved
-/// to one of at most 48 entries spread over the data. Each ascending and distinct.
+/// Up to `most` starts, those with the lowest J. Each differs from `centres` (ascending) by one center, moved to one of
+/// at most 48 entries spread over the data. Each is ascending and distinct.
 std::vector<std::vector<double>> relocations(const FcmEntries& entries, const std::vector<double>& centres, double m,
                                              std::size_t most);
 

@@ -1,4 +1,4 @@
-// The lowest minimum of J among those that several starts lead to (part of fcm.h).
+// The lowest minimum of J that the starts lead to (part of fcm.h).
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@ namespace tactus::elicitation {
 
 struct FcmSearch {
   FcmDescent kept;
-  std::vector<FcmDescent> others;  ///< other minima, ascending J; only of the condensed data unless J is close
+  std::vector<FcmDescent> others;  ///< other minima by ascending J; those of the entries unless J is close
   int passes = 0;                  ///< over all samples
   bool cancelled = false;
 };
 
-/// From coarse to fine: the starts on a few hundred entries, their distinct minima on the condensed data, and those
-/// that can be the lowest on all samples. `data` has more distinct values than clusters.
+/// Searches from coarse to fine: descends from all starts on a few hundred entries, from their distinct minima on all
+/// entries, and from the candidates for the lowest minimum on all samples. `data`: more distinct values than clusters.
 FcmSearch searchMinima(const FcmData& data, const FcmSettings& settings);
 
 }  // namespace tactus::elicitation

@@ -1,4 +1,4 @@
-// Where the descents of a clustering begin (part of fcm.h).
+// The starts of a clustering's descents (part of fcm.h).
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,21 @@
 
 namespace tactus::elicitation {
 
-// All take more entries than clusters and give ascending, distinct centres.
+// All functions need more entries than clusters and return ascending, distinct centers.
 
-/// The quantiles (k + 1/2) / clusters, moved apart where they fall on one value.
+/// The quantiles (k + 1/2) / clusters, moved apart if they coincide.
 std::vector<double> quantileStart(const FcmEntries& entries, std::size_t clusters);
 
 /// The middles of equal parts of the range.
 std::vector<double> equalWidthStart(const FcmEntries& entries, std::size_t clusters);
 
-/// The means of the best division into runs, where each value belongs to one cluster alone: what J tends to for m near
-/// 1, found for certain by dynamic programming (Fisher 1958). O(clusters * entries * log entries).
+/// The means of the best division into runs, with each value in exactly one cluster: the limit of J for m near 1. Found
+/// with certainty by dynamic programming (Fisher 1958). O(clusters * entries * log entries).
 std::vector<double> bestRunsStart(const FcmEntries& entries, std::size_t clusters);
 
-/// Values drawn with a probability that grows with the squared distance to those drawn before (Arthur and Vassilvitskii
-/// 2007), so that outliers get their chance. Fewer than asked for where the rest is too close to tell apart.
+/// Random values, drawn with a probability that grows with the squared distance from the values drawn before (Arthur
+/// and Vassilvitskii 2007), so that outliers can be chosen. Fewer centers if the remaining values are too close to
+/// separate.
 std::vector<double> spreadStart(const FcmEntries& entries, std::size_t clusters, base::Random& random);
 
 }  // namespace tactus::elicitation

@@ -1,4 +1,4 @@
-// The other way from judgements to the terms of the force: shares of answers and the trapezoids closest to them.
+// Force terms by frequency: the trapezoids closest to the shares of answers.
 #pragma once
 
 #include <optional>
@@ -16,19 +16,19 @@ namespace tactus::elicitation {
 struct FrequencyStep {
   double force_n = 0;
   int votes = 0;
-  std::vector<double> shares;  ///< of the terms, lowest first; empty where nobody voted
+  std::vector<double> shares;  ///< shares of the terms, lowest first; empty without votes
 };
 
 struct FrequencyTerms : ForceTerms {
-  std::vector<FrequencyStep> steps;  ///< all steps, those that do not count too
-  double rms_error = 0;              ///< root mean square of membership - share, over answers that count and terms
+  std::vector<FrequencyStep> steps;  ///< all steps, including those that do not count
+  double rms_error = 0;              ///< root mean square of membership - share, over counting answers and terms
 };
 
 /// The frequency curve of `output`'s terms (ids and labels from there, lowest first; universe from 0): trapezoids that
-/// sum to 1 everywhere, least squares against the shares, each answer weighing the same (after Chameau and Santamarina
-/// 1987; the paper's vote keeps only the winner of each force). Which steps count, where the universe ends and what
-/// becomes of terms above all that were chosen: as for `forceTerms`. Refused: nobody voted, or at 0 N alone. `steps`
-/// come from `vote` with as many terms as `output`.
+/// sum to 1 everywhere, fitted by least squares to the shares. Each answer has the same weight (after Chameau and
+/// Santamarina 1987; the paper's vote keeps only the winner of each force).
+/// Counting steps, end of the universe and terms above all chosen ones: as in `forceTerms`. Returns an error for no
+/// votes, or votes at 0 N only. `steps`: from `vote`, with as many terms as `output`.
 base::Result<FrequencyTerms> frequencyTerms(const fuzzy::Variable& output, std::span<const VoteStep> steps,
                                             std::optional<double> end_n = std::nullopt);
 

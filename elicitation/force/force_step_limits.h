@@ -1,4 +1,4 @@
-// What counts as a step of the force for a hand on a device.
+// The limits above which a change of force counts as a step for a hand on a device.
 #pragma once
 
 #include "core/analysis/force_steps.h"
@@ -6,8 +6,8 @@
 
 namespace tactus::elicitation {
 
-/// More than one just-noticeable difference, or steeper than the spring of the renderer of `model`, its default where
-/// the model has no renderer.
+/// More than one just-noticeable difference, or steeper than the spring of the renderer of `model` (default spring if
+/// it has no renderer).
 analysis::StepLimits forceStepLimits(const fuzzy::ForceModel& model);
 
 }  // namespace tactus::elicitation

@@ -1,4 +1,4 @@
-// Whether the participants of a force experiment judged the same forces.
+// Checks that the participants of a force experiment judged the same forces.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace tactus::elicitation {
 
-/// One sentence for each participant with a step of `series` whose force is not the one that most judgements of that
-/// step have (the lowest of them on a tie). The vote counts by force, so such a judgement may stand alone.
+/// One sentence for each participant with a step of `series` at another force than most judgements of that step (on a
+/// tie the lowest force). The vote counts by force, so such a judgement may be alone.
 std::vector<std::string> stepForceNotes(std::span<const study::ForceJudgement> judgements, std::string_view series);
 
 }  // namespace tactus::elicitation

@@ -1,4 +1,4 @@
-// From a study to its averaged force model, with everything in between that a report shows.
+// Builds a study's averaged force model, with all intermediate results for a report.
 #pragma once
 
 #include <optional>
@@ -19,59 +19,60 @@
 
 namespace tactus::elicitation {
 
-/// Whose speed terms an expert's rules use.
+/// The origin of the speed terms in an expert's rules.
 enum class SpeedTermsOf {
-  kAveraged,  ///< those averaged over the participants
-  kOwn,       ///< the expert's own, as an override; the averaged ones where the expert has no speeds
+  kAveraged,  ///< averaged over the participants
+  kOwn,       ///< the expert's own, as an override; the averaged ones if the expert has no speeds
 };
 
-/// `averaged`, `own`: the words of `tactus build --terms`.
+/// `averaged`, `own`: the values of `tactus build --terms`.
 std::string_view name(SpeedTermsOf terms) noexcept;
 
 struct BuildSettings {
-  std::string name;         ///< of the model; empty takes the study's
+  std::string name;         ///< name of the model; empty: the study's name
   std::string created_utc;  ///< `2026-11-21T08:00:00Z`
   std::string generator;    ///< program and version
   SpeedSettings speed;
   Averaging averaging = Averaging::kMean;  ///< of the ramps over the participants; kWeightedMean uses `weights`
   SpeedTermsOf terms = SpeedTermsOf::kAveraged;
   WeightSettings weights;
-  std::string series = "ascending";  ///< of the judgements that vote
+  std::string series = "ascending";  ///< series of the judgements that vote
   ForceTermsFrom force_terms = ForceTermsFrom::kVote;
-  std::optional<double> force_end_n;    ///< end of the universe of the force, > 0; else as the judgements say
+  std::optional<double> force_end_n;    ///< end of the force universe, > 0; empty: from the judgements
   std::vector<fuzzy::NamedJson> extra;  ///< further members of the provenance's settings
 };
 
-/// A model and how it came about.
+/// A model and its intermediate results.
 struct BuiltModel {
   fuzzy::ForceModel model;                ///< validated
   std::vector<ParticipantSpeeds> speeds;  ///< one per participant with speeds
   std::vector<double> speed_weights;      ///< one per entry of `speeds` with Averaging::kWeightedMean, else empty
-  std::vector<Ramp> averaged_ramps;       ///< empty where the default speed terms were used
-  std::vector<VoteStep> votes;            ///< empty where the default force terms were used
-  std::optional<ForceTerms> force_terms;  ///< absent where the default force terms were used
+  std::vector<Ramp> averaged_ramps;       ///< empty if the default speed terms are used
+  std::vector<VoteStep> votes;            ///< empty if the default force terms are used
+  std::optional<ForceTerms> force_terms;  ///< empty if the default force terms are used
   std::vector<ExpertRules> experts;       ///< in the order of the model's experts
   ExpertInfluences influences;            ///< of each expert on the averaged force
-  std::vector<std::string> notes;         ///< one sentence each: defaults, warnings, what is simulated
-  /// For each note the id of the variable whose terms it is about; empty where it is about no variable.
+  std::vector<std::string> notes;         ///< one sentence each: defaults, warnings, simulated data
+  /// For each note the id of the variable whose terms it concerns; empty if it concerns none.
   std::vector<std::string> note_subjects;
 };
 
 /// Builds the averaged model of `study` (paper, Section 3). The experts are the participants with rules, in the
-/// participants' order; `forms` are those whose items gave the answers or whose depth terms the given rules use. The
-/// model's depth terms are the set that most experts use (the first of them on a tie), the others' are overrides. Where
-/// a table has no rows the default terms stay, with a note. Holes in the coverage stay too: the lint shows them.
+/// participants' order. `forms`: the forms of the answers, and of the depth terms of given rules.
+/// The model's depth terms are the set that most experts use (on a tie the first); the sets of other experts are
+/// overrides. If a table has no rows, the default terms stay, with a note. Holes in the coverage also stay; the lint
+/// reports them.
 base::Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
                                     const BuildSettings& settings);
 
-/// The model of `built` with the experts weighted by `settings.weights` instead; everything else as it was built, with
-/// the same `study` and `settings`. The clusters are used again: only where the ramps are a weighted mean are the
-/// speed terms averaged anew. The error is that of `expertWeights`.
+/// The model of `built` with other expert weights (`settings.weights`) and everything else unchanged, with the same
+/// `study` and `settings`. Reuses the clusters. Averages the speed terms again only if the ramps are a weighted mean.
+/// Returns the error of `expertWeights`.
 base::Result<fuzzy::ForceModel> reweightedModel(const BuiltModel& built, const study::Study& study,
                                                 const BuildSettings& settings);
 
-/// The model of the expert `expert_id` alone: own terms become the model's, checks are evaluated anew, accepted holes
-/// are dropped. An unknown id is an error that lists the experts.
+/// The model of the expert `expert_id` alone: the expert's own terms become the model's, checks are computed again,
+/// accepted holes are dropped. For an unknown id returns an error with the list of experts.
 base::Result<fuzzy::ForceModel> expertModel(const fuzzy::ForceModel& averaged, std::string_view expert_id);
 
 }  // namespace tactus::elicitation

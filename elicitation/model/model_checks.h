@@ -1,4 +1,4 @@
-// Reference evaluations that travel with a model.
+// The reference evaluations stored in a model.
 #pragma once
 
 #include "core/base/error.h"
@@ -7,7 +7,7 @@
 namespace tactus::elicitation {
 
 /// Replaces the checks of `model` by 36 points spread evenly over the universes of its inputs (Halton 1960), rounded to
-/// three decimals, with their forces. The error is that of `fuzzy::compile`.
+/// three decimals, with their forces. Returns the error of `fuzzy::compile`.
 base::Result<void> setChecks(fuzzy::ForceModel& model);
 
 }  // namespace tactus::elicitation

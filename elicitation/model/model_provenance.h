@@ -1,4 +1,4 @@
-// What a built model says of where it comes from.
+// The provenance of a built model.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 namespace tactus::elicitation {
 
 /// The settings of the build, with the forms and depth terms of each expert and BuildSettings::extra; the sizes of the
-/// study's tables; and, where participants are marked as simulated, notes that say what of them is.
+/// study's tables; and notes about simulated participants, if there are any.
 fuzzy::Provenance modelProvenance(const study::Study& study, std::span<const ExpertRules> experts,
                                   const BuildSettings& settings);
 

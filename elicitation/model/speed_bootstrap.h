@@ -1,4 +1,4 @@
-// Confidence intervals of all participants' speed centres and ramps, and of the averaged ramps.
+// Confidence intervals of all participants' speed centers and ramps, and of the averaged ramps.
 #pragma once
 
 #include <cstddef>
@@ -18,24 +18,24 @@ namespace tactus::elicitation {
 struct StudySpeedIntervals {
   std::size_t replicates = 0;
   std::vector<SpeedIntervals> participants;  ///< in the order of BuiltModel::speeds
-  std::vector<RampInterval> averaged;        ///< of BuiltModel::averaged_ramps: these strokes, these participants
+  std::vector<RampInterval> averaged;        ///< of BuiltModel::averaged_ramps, for these strokes of these participants
 };
 
-/// One StrokeBootstrap per participant, side by side: replicate i of the average is the average of everybody's
-/// replicate i. The averaged intervals say how the strokes vary, not how other participants would. Their degrees of
-/// freedom are those of all participants together (pooledSpread); the median counts each of them alike there.
+/// One StrokeBootstrap per participant. Replicate i of the average is the average of all participants' replicates i.
+/// The averaged intervals describe the variation of strokes, not of participants. Their degrees of freedom are those of
+/// all participants together (pooledSpread). For the median, each participant counts equally.
 /// Thread: any, one at a time.
 class SpeedBootstrap {
  public:
-  /// The speeds of `built`, which buildModel made of `study` with `settings`. The same seed gives the same replicates.
-  /// Refused: no speeds, a level of a participant with fewer than two strokes.
+  /// The speeds of `built`, made by buildModel from `study` with `settings`. The same seed gives the same replicates.
+  /// Returns an error for no speeds, or a participant's level with fewer than two strokes.
   static base::Result<SpeedBootstrap> of(const study::Study& study, const BuiltModel& built,
                                          const BuildSettings& settings, std::uint64_t seed = 1);
 
-  /// Adds replicates; small batches let a caller report, refine and stop.
+  /// Adds replicates. With small batches a caller can report, refine and stop.
   void add(std::size_t replicates);
   std::size_t replicates() const { return participants_.front().replicates(); }
-  /// Without replicates all lists of intervals are empty.
+  /// The intervals so far; empty lists without replicates.
   StudySpeedIntervals intervals(double coverage = kCoverage) const;
 
  private:

@@ -1,4 +1,4 @@
-// The rules of each expert of a study, and the depth terms that they are about.
+// The rules of each expert of a study, and their depth terms.
 #pragma once
 
 #include <span>
@@ -17,12 +17,12 @@ struct ExpertRules {
 
   study::Participant participant;
   Source source = Source::kAnswers;
-  std::vector<std::string> forms;     ///< ids of the forms or readings that the rules come from, in order of first use
+  std::vector<std::string> forms;     ///< ids of the forms or readings of the rules, in order of first use
   std::string depth_terms;            ///< name of the set (ngt_variables.h)
-  bool depth_terms_inferred = false;  ///< from the regions that the rules use, because they name no form
+  bool depth_terms_inferred = false;  ///< derived from the regions in the rules, because they name no form
   std::vector<fuzzy::Rule> rules;
-  std::vector<RuleOrigin> origins;   ///< one for each rule
-  std::vector<MissingItem> missing;  ///< items of those forms that give no rule; empty where the rules are given
+  std::vector<RuleOrigin> origins;   ///< one per rule
+  std::vector<MissingItem> missing;  ///< items of those forms without a rule; empty for given rules
 };
 
 struct StudyRules {
@@ -30,11 +30,11 @@ struct StudyRules {
   std::vector<std::string> notes;    ///< one sentence each
 };
 
-/// Given rules take the place of a participant's answers. The form of an expert decides the set of depth terms; given
-/// rules that name no form get the set that holds the regions they use. Answers to a form that is not in `forms` are
-/// passed over with a note that names their first line. `output_terms`: ids an answer may have.
-/// Refused: what rulesFromAnswers refuses, given rules that name an unknown form, forms of one expert with different
-/// sets of depth terms, an unknown set, no rule at all.
+/// The rules of all experts. Given rules replace a participant's answers. The form of an expert decides the set of
+/// depth terms. Given rules without a form get the set that contains their regions. Answers to a form that is not in
+/// `forms` are skipped with a note that names their first line. `output_terms`: allowed ids of answers.
+/// Returns the errors of rulesFromAnswers, and an error for: given rules that name an unknown form, forms of one expert
+/// with different sets of depth terms, an unknown set, no rules at all.
 base::Result<StudyRules> studyRules(const study::Study& study, std::span<const study::Form> forms,
                                     std::span<const std::string> output_terms);
 

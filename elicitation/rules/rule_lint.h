@@ -1,4 +1,4 @@
-// Findings about the rules of a model, with what only the study knows: items, lines of tables, declared directions.
+// Findings about the rules of a model, using the study's data: items, table lines, declared directions.
 #pragma once
 
 #include <span>
@@ -15,25 +15,25 @@
 
 namespace tactus::elicitation {
 
-/// What a study declares and how far apart is too far. Inputs that the model does not have are passed over.
+/// The study's declared directions and the limits for findings. Inputs that the model lacks are ignored.
 struct RuleLintSettings {
   std::vector<DeclaredDirection> directions = ngtDirections();
   std::string region_input = ngtRegionInput();  ///< empty: no regions
-  int jump_levels = 3;                          ///< levels between neighbouring answers that make a finding
+  int jump_levels = 3;                          ///< levels between neighboring answers that make a finding
   double noticeable_times = 2;                  ///< just-noticeable differences between experts that make a finding
 };
 
 struct RuleLint {
   std::vector<RuleFinding>
       findings;                  ///< by kind in the order of RuleFinding::Kind, within a kind the largest newtons first
-  analysis::Lint model;          ///< reachable range, bounds, completeness; its findings are among those above
-  bool newtons_complete = true;  ///< false where a huge model used up the time for looking at forces
+  analysis::Lint model;          ///< reachable range, bounds, completeness; `findings` includes its findings
+  bool newtons_complete = true;  ///< false if the budget for forces was used up (huge model)
 };
 
-/// All findings about `model`, which must be valid, with `compiled` made from it. `origins`: one for each expert in the
-/// model's order (BuiltModel::experts), or none where only the model is known; then no item is missing and rules are
-/// named by their number. Experts are compared only where the force is in newtons. It ends soon after `stop` says so;
-/// what it found until then is of no use.
+/// All findings about `model`, which must be valid. `compiled`: made from it. `origins`: one per expert in the model's
+/// order (BuiltModel::experts), or none if only the model is known; then there are no missing items, and rules are
+/// named by number. Experts are compared only if the force is in N. Ends soon after `stop` is requested; the result is
+/// then invalid.
 RuleLint ruleLint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                   std::span<const ExpertRules> origins = {}, const RuleLintSettings& settings = {},
                   const std::stop_token& stop = {});

@@ -1,4 +1,4 @@
-// What an item without an answer leaves open.
+// The effect of a missing answer.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace tactus::elicitation {
 
-/// How far an expert's force depends on an answer that was not given.
+/// How much an expert's force depends on a missing answer.
 struct AnswerStake {
   double newtons = 0;         ///< largest minus smallest force over all answers
-  std::vector<double> point;  ///< where; the conditions of the item hold in full there
+  std::vector<double> point;  ///< the point of that difference; it fully meets the conditions of the item
 };
 
-/// The stake of a rule with `conditions` that expert number `expert` might have given, with each output term as its
-/// consequent beside the expert's other rules: the largest one over at most `samples` settings of the inputs that the
-/// conditions do not mention. Nothing where the conditions do not resolve, can never hold in full, or already have a
+/// The stake of a missing rule with `conditions` of expert number `expert`. Tries each output term as its consequent,
+/// together with the expert's other rules. Returns the largest stake over at most `samples` settings of the inputs that
+/// the conditions do not mention. Nothing if the conditions are unknown, can never be fully met, or already have a
 /// rule.
 std::optional<AnswerStake> answerStake(const analysis::ForceProbe& probe, std::size_t expert,
                                        const std::vector<fuzzy::Condition>& conditions, std::size_t samples);

@@ -1,4 +1,4 @@
-// From what an expert said to rules (paper, Section 3.4, Tables A1 and A2).
+// Converts an expert's answers to rules (paper, Section 3.4, Tables A1 and A2).
 #pragma once
 
 #include <span>
@@ -12,41 +12,41 @@
 
 namespace tactus::elicitation {
 
-/// Where a rule, or the absence of one, comes from.
+/// The origin of a rule, or of a missing rule.
 struct RuleOrigin {
-  std::string form;            ///< of an answer; for a given rule the form or reading that it names, may be empty
+  std::string form;            ///< of an answer; for a given rule the form or reading that it names; may be empty
   int item = 0;                ///< the form's item number; 0 for a given rule
   study::TableLine line = {};  ///< of answers.csv, or of rules.csv for a given rule
 };
 
-/// An item that gives no rule.
+/// An item without a rule.
 struct MissingItem {
   enum class Reason { kNoAnswer, kSkipped, kCantTell, kCleared };
 
   RuleOrigin origin;
   Reason reason = Reason::kNoAnswer;
-  std::vector<fuzzy::Condition> conditions;  ///< of the rule that is absent
+  std::vector<fuzzy::Condition> conditions;  ///< of the missing rule
 };
 
 /// `no answer`, `skipped`, `cannot tell`, `cleared`.
 std::string_view name(MissingItem::Reason reason) noexcept;
 
-/// The rules of a form: every item is in one of the two, in the order of the form.
+/// The rules of a form. Every item is either in `rules` or in `missing`, in the order of the form.
 struct AnsweredRules {
   std::vector<fuzzy::Rule> rules;
-  std::vector<RuleOrigin> origins;  ///< one for each rule
+  std::vector<RuleOrigin> origins;  ///< one per rule
   std::vector<MissingItem> missing;
 };
 
-/// The rules of one participant's answers to `form`, in the order of the form's items, weight 1: IF the item's
-/// conditions THEN the output is the answer. An item without an answer (not there, skipped, cannot tell, cleared) is an
-/// absent rule. Refused: an answer to another form, an item number that the form does not have, an item twice (a record
-/// holds what a participant said last; the history of corrections is not part of it), an answer that is not in
-/// `output_terms`, a term without an answer; an answer from a table is named by its line.
+/// The rules of one participant's answers to `form`, in the order of its items, with weight 1: IF the item's conditions
+/// THEN the output is the answer. An item without an answer (absent, skipped, cannot tell, cleared) gives no rule.
+/// Returns an error for: an answer to another form, an item number that the form lacks, a duplicate item (a record
+/// holds only the last answer, without its history), an answer that is not in `output_terms`, a term without status
+/// `answered`. The error has the line of an answer from a table.
 base::Result<AnsweredRules> rulesFromAnswers(std::span<const study::Answer> answers, const study::Form& form,
                                              std::span<const std::string> output_terms);
 
-/// A rule given directly, with its weight. Whether its names exist is for the model that it joins.
+/// A rule given directly, with its weight. The model to which it is added checks its names.
 fuzzy::Rule ruleFrom(const study::GivenRule& given);
 
 }  // namespace tactus::elicitation

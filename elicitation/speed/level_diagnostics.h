@@ -1,4 +1,4 @@
-// How far the speeds of one participant can be trusted to tell the levels apart.
+// Diagnostics of one participant: how well the speeds separate the levels.
 #pragma once
 
 #include <optional>
@@ -17,23 +17,23 @@ namespace tactus::elicitation {
 struct LevelDiagnostics {
   std::vector<LevelSpeeds> levels;                 ///< slow to fast
   std::vector<std::optional<double>> separations;  ///< d' of each level and the next (level_speeds.h)
-  std::optional<LevelTrend> trend;                 ///< of the means of the strokes; absent with fewer than two levels
+  std::optional<LevelTrend> trend;                 ///< of the stroke means; empty for fewer than two levels
   LevelConfusion confusion;
   std::vector<std::string> warnings;  ///< one sentence each, naming the participant and the numbers
 };
 
-/// Diagnoses one participant's samples against `centres` (ascending, one per level of `levels`, which go from slow to
-/// fast). Warned of: what levelConfusion warns of, d' below 1, a centre outside the mean ± SD of its level, and strokes
-/// whose means do not rise with the level (p above 0.05, where the strokes are enough to show it).
+/// Diagnoses one participant's samples against `centres` (ascending, one per level). `levels`: slow to fast. Warns for:
+/// the warnings of levelConfusion, d' below 1, a center outside the mean ± SD of its level, stroke means that do not
+/// rise with the level (p above 0.05, if there are enough strokes to show it).
 LevelDiagnostics levelDiagnostics(std::span<const study::SpeedSample> samples, std::span<const std::string> levels,
                                   std::span<const double> centres, const std::string& participant);
 
-/// Place of the term of `speed` with the largest membership at `speed_mm_s` (clamped to the universe); on a tie the
-/// lower one. `speed` has at least one term.
+/// Index of the term of `speed` with the largest membership at `speed_mm_s` (clamped to the universe); on a tie the
+/// lower one. `speed`: at least one term.
 std::size_t termAt(const fuzzy::Variable& speed, double speed_mm_s);
 
-/// The sentence that the means of all levels read as one and the same term of `averaged`, and how they read with the
-/// participant's `own` terms; nothing where they do not, or where only one level has samples.
+/// A sentence saying that the means of all levels belong to one and the same term of `averaged`, and their terms in the
+/// participant's `own` terms. Nothing if that is not so, or if only one level has samples.
 std::optional<std::string> sameTermNote(std::span<const LevelSpeeds> levels, const fuzzy::Variable& averaged,
                                         const fuzzy::Variable& own, const std::string& participant);
 

@@ -1,4 +1,4 @@
-// From the clusters of insertion speeds to trapezoids (paper, Section 3.2, Fig. 8).
+// Converts the clusters of insertion speeds to trapezoids (paper, Section 3.2, Fig. 8).
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@
 
 namespace tactus::elicitation {
 
-/// Where the ramps of the speed terms begin and end, unless somebody asks for another (alphaCutRamps): the ramp that
-/// fits the membership between two centres best.
+/// Default membership at the ends of the speed ramps (alphaCutRamps). It gives the ramp that best fits the membership
+/// between two centers.
 inline constexpr double kDefaultAlpha = 0.95;
 
-/// Where one term hands over to the next: membership of the lower term 1 up to `p`, 0 from `q` on; p < q.
+/// The transition from one term to the next: membership of the lower term 1 up to `p`, 0 from `q` on; p < q.
 struct Ramp {
   double p = 0;
   double q = 0;
@@ -24,22 +24,23 @@ struct Ramp {
   bool operator==(const Ramp&) const = default;
 };
 
-/// One ramp for each gap of `centres` (ascending, distinct, any unit): p is the point of the gap where the membership
-/// in the lower cluster has fallen to `alpha`, q the point where that in the upper one has risen to it, so
-/// v_k <= p_k < q_k <= v_k+1. The paper says "centre points with membership 1, end points with membership 0" and no
-/// more; alpha = 1 reads that literally (terms between two others become triangles), 0.95 is the ramp that fits the
-/// membership best. Refused: alpha outside (1/2, 1].
+/// One ramp for each gap of `centres` (ascending, distinct, any unit). p is the point of the gap where the membership
+/// in the lower cluster has fallen to `alpha`; q is the point where that in the upper one has risen to it. So v_k <=
+/// p_k < q_k <= v_k+1.
+/// The paper only says "centre points with membership 1, end points with membership 0". alpha = 1 follows this
+/// literally: terms between two others become triangles. 0.95 gives the ramp that fits the membership best. Returns an
+/// error if alpha is outside (1/2, 1].
 base::Result<std::vector<Ramp>> alphaCutRamps(std::span<const double> centres, double m, double alpha);
 
-/// What stands in the middle of a participant's speed terms.
+/// The centers of a participant's speed terms.
 enum class SpeedCentres {
-  kClusters,  ///< the centres of the clusters of all samples, whatever the level (paper, Eq. 1)
-  /// The mean speed of each level, clusters or not. The ramps are cut in the same way from the memberships that Eq. 1
-  /// gives for these centres: m and alpha then only set how steep the ramps are; nothing is fitted.
+  kClusters,  ///< the centers of the clusters of all samples, regardless of level (paper, Eq. 1)
+  /// The mean speed of each level. The ramps use the memberships that Eq. 1 gives for these centers: m and alpha then
+  /// only set the steepness, and nothing is fitted.
   kLevelMeans,
 };
 
-/// `clusters`, `level_means`: the words of `tactus build --centres`.
+/// `clusters`, `level_means`: the values of `tactus build --centres`.
 std::string_view name(SpeedCentres centres) noexcept;
 
 enum class Averaging { kMean, kWeightedMean, kMedian };
@@ -52,15 +53,16 @@ std::string_view name(Averaging averaging) noexcept;
 std::vector<Ramp> averageRamps(std::span<const std::vector<Ramp>> ramps, std::span<const double> weights,
                                Averaging averaging);
 
-/// Upper end of the speed universe: `default_max_mm_s`, or the next multiple of 100 that holds every ramp and
-/// `largest_centre_mm_s`.
+/// Upper end of the speed universe: `default_max_mm_s`, or, if that is too small, the next multiple of 100 above all
+/// ramps and `largest_centre_mm_s`.
 double speedUniverseMax(double default_max_mm_s, double largest_centre_mm_s, std::span<const Ramp> ramps);
 
-/// The terms of `variable` (ascending; one more than ramps) with trapezoids from the ramps, shouldered at its universe.
+/// The terms of `variable` (ascending; one more than ramps), with trapezoids from the ramps and shoulders at the ends
+/// of the universe.
 std::vector<fuzzy::Term> speedTerms(const fuzzy::Variable& variable, std::span<const Ramp> ramps);
 
-/// The samples without those below `share` (0 to 1) of the peak speed of their own stroke (participant, level, stroke):
-/// removes the start and stop of each stroke. Order kept; 0 keeps all.
+/// Drops the samples below `share` (0 to 1) of the peak speed of their stroke (participant, level, stroke), and so the
+/// start and stop of each stroke. Keeps the order; 0 keeps all.
 std::vector<study::SpeedSample> trimStrokes(std::span<const study::SpeedSample> samples, double share);
 
 }  // namespace tactus::elicitation

@@ -1,4 +1,4 @@
-// Confidence intervals of one participant's speed centres and ramps, from drawing whole strokes anew.
+// Confidence intervals of one participant's speed centers and ramps, by a bootstrap over whole strokes.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace tactus::elicitation {
 
-/// Replicates for intervals that are to be printed; fewer serve while a person moves a slider.
+/// Number of replicates for printed intervals. Fewer are enough while the user moves a slider.
 inline constexpr std::size_t kBootstrapReplicates = 2000;
 /// The intervals of the two ends of a ramp.
 struct RampInterval {
@@ -26,7 +26,7 @@ struct RampInterval {
   Interval q;
 };
 
-/// What a participant's strokes say of the draws of each end of a ramp.
+/// The spreads of the two ends of a ramp (DrawSpread).
 struct RampSpread {
   DrawSpread p;
   DrawSpread q;
@@ -35,51 +35,51 @@ struct RampSpread {
 struct SpeedIntervals {
   std::size_t replicates = 0;
   std::vector<Interval> centres;    ///< ascending
-  std::vector<RampInterval> ramps;  ///< one for each gap
+  std::vector<RampInterval> ramps;  ///< one per gap
 };
 
-/// Adds replicates in batches of any size and knows the intervals after each, so that a first answer is there at once
-/// and gets finer while there is time; whoever stops adding has cancelled. Which batches made the replicates does not
-/// matter. One replicate of 24,000 samples takes some tens of microseconds.
-/// Each replicate draws as many strokes as a level has, with replacement, level by level, and computes the centres of
-/// their samples: clusters by going downhill from the participant's own centres (the valley is kept, no other minimum
-/// is looked for), or the means of the levels in ascending order; then the ramps. A draw whose centres coincide, or
-/// that has fewer different speeds than clusters, is drawn again; where that never ends, as with strokes of next to no
-/// variation, the replicate has the participant's own centres.
+/// Adds replicates in batches of any size and gives the intervals after each batch, so that a first result is available
+/// at once and improves over time. The caller cancels by adding no more. The batch sizes do not affect the result. One
+/// replicate of 24,000 samples takes some tens of microseconds.
+/// Each replicate draws, for each level, as many strokes as the level has, with replacement. Then it computes the
+/// centers of their samples and the ramps. Cluster centers come from one descent from the participant's own centers;
+/// other minima are not searched. Level means are sorted. If centers coincide, or there are fewer different speeds than
+/// clusters, the draw is repeated. If that does not end (strokes with almost no variation), the replicate uses the
+/// participant's own centers.
 /// Thread: any, one at a time.
 class StrokeBootstrap {
  public:
-  /// `samples` are those that gave `centres` (after trimming), all of one participant; `levels` and `settings` as for
-  /// clusterSpeeds. Refused: a level with fewer than two strokes, because nothing can be drawn there.
+  /// `samples`: those that gave `centres` (after trimming), of one participant. `levels`, `settings`: as for
+  /// clusterSpeeds. Returns an error for a level with fewer than two strokes, because there is no choice to draw from.
   static base::Result<StrokeBootstrap> of(std::span<const study::SpeedSample> samples,
                                           std::span<const std::string> levels, std::span<const double> centres,
                                           const SpeedSettings& settings, std::uint64_t seed);
 
   void add(std::size_t replicates);
   std::size_t replicates() const { return ramps_.size(); }
-  /// The centres and the ramps of every replicate so far.
+  /// The centers and the ramps of every replicate so far.
   std::span<const std::vector<double>> centres() const { return centres_; }
   std::span<const std::vector<Ramp>> ramps() const { return ramps_; }
-  /// Around the participant's own centres and ramps (drawInterval). Without replicates all lists are empty.
+  /// Intervals around the participant's own centers and ramps (drawInterval). Empty lists without replicates.
   SpeedIntervals intervals(double coverage = kCoverage) const;
-  /// One for each gap.
+  /// One per gap.
   const std::vector<RampSpread>& rampSpreads() const { return ramp_spreads_; }
-  /// What no centre or ramp of the person is below: 0 mm/s, or the lowest sample where the data go below it.
+  /// Lower bound of centers and ramps: 0 mm/s, or the lowest sample if that is below 0.
   double lowest() const { return std::min(0.0, strokes_.lowest()); }
 
  private:
   StrokeBootstrap(StrokeResampler strokes, std::vector<double> centres, const SpeedSettings& settings,
                   std::uint64_t seed);
 
-  /// Of the strokes drawn; empty where they have fewer different speeds than clusters.
+  /// The centers of the drawn strokes; empty if they have fewer different speeds than clusters.
   std::vector<double> centresNow();
   std::vector<double> drawnCentres();
-  /// The centres and then the ends of the ramps.
+  /// The centers, then the ends of the ramps.
   std::vector<double> valuesOf(const std::vector<double>& centres) const;
   void setSpreads();
 
   StrokeResampler strokes_;
-  std::vector<double> own_mm_s_;  // centres of all strokes
+  std::vector<double> own_mm_s_;  // centers of all strokes
   std::vector<double> start_;     // the same, scaled
   SpeedSettings settings_;
   base::Random random_;

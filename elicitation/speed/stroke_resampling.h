@@ -1,4 +1,4 @@
-// Whole strokes of one participant drawn anew within each level, in a form that is fast to cluster again.
+// Draws whole strokes of one participant within each level, in a form that is fast to cluster again.
 #pragma once
 
 #include <cstddef>
@@ -13,37 +13,37 @@
 
 namespace tactus::elicitation {
 
-/// Samples within a stroke are not independent, so an interval must draw strokes, not samples. The strokes are kept as
-/// histograms of kBins bins over the range of all samples, each bin with the mean of what it holds. What that changes
-/// is second order in the width of a bin: for speeds of 0 to 500 mm/s less than 0.001 mm/s of a centre.
+/// Samples within a stroke are not independent, so an interval must draw strokes, not samples. Strokes are stored as
+/// histograms of kBins bins over the range of all samples, each bin with its mean. The error is of second order in the
+/// bin width: below 0.001 mm/s of a center for speeds of 0 to 500 mm/s.
 class StrokeResampler {
  public:
   static constexpr std::size_t kBins = 512;
 
-  /// `samples` (at least two different speeds, all finite) of one participant, each of a level of `levels`.
+  /// `samples`: of one participant, all finite, at least two different speeds, each of a level in `levels`.
   StrokeResampler(std::span<const study::SpeedSample> samples, std::span<const std::string> levels);
 
-  /// The first level, in order, with fewer than two strokes: its place and their number. Then there is no choice.
+  /// The first level with fewer than two strokes: its index and its number of strokes. Nothing if every level has two.
   std::optional<std::pair<std::size_t, std::size_t>> levelWithoutChoice() const;
 
   /// Draws as many strokes as each level has, with replacement.
   void draw(base::Random& random);
-  /// Every stroke once.
+  /// Takes every stroke once.
   void takeAll();
-  /// Every stroke once but the one with these numbers, from 0.
+  /// Takes every stroke once except this one (indices from 0).
   void leaveOut(std::size_t level, std::size_t stroke);
-  /// Strokes of each level.
+  /// The number of strokes of each level.
   std::vector<std::size_t> strokeCounts() const;
 
-  /// The samples of the strokes drawn, ascending, scaled to [-1, 1], and how many each stands for.
+  /// The samples of the drawn strokes, ascending, scaled to [-1, 1], and the number of samples that each represents.
   std::span<const double> values() const { return values_; }
   std::span<const double> weights() const { return weights_; }
   double toScaled(double speed_mm_s) const { return (speed_mm_s - middle_mm_s_) / half_range_mm_s_; }
   double toOriginal(double scaled) const { return middle_mm_s_ + half_range_mm_s_ * scaled; }
-  /// Of all samples, in mm/s.
+  /// The lowest of all samples, in mm/s.
   double lowest() const { return toOriginal(-1); }
 
-  /// The mean of each level's samples of the strokes drawn, in mm/s, exact. Every level has strokes.
+  /// The mean of each level's samples in the drawn strokes, in mm/s, exact. Every level must have strokes.
   std::vector<double> levelMeans() const;
 
  private:
@@ -63,7 +63,7 @@ class StrokeResampler {
   double middle_mm_s_ = 0;
   double half_range_mm_s_ = 1;
   std::vector<std::vector<Stroke>> levels_;
-  std::vector<std::vector<double>> times_;   // how often each stroke was drawn
+  std::vector<std::vector<double>> times_;   // number of draws of each stroke
   std::vector<double> bin_count_, bin_sum_;  // scratch
   std::vector<double> values_, weights_;
 };

@@ -3,8 +3,8 @@
 
 namespace tactus::elicitation {
 
-/// The value that a t-distributed number with `degrees` > 0 degrees of freedom (any real number) does not exceed with
-/// the probability `share`, in [0, 1]; infinite at its ends. Relative error below 1e-10.
+/// The `share` quantile, `share` in [0, 1], of Student's t distribution with `degrees` > 0 (any real number); infinite
+/// at 0 and 1. Relative error below 1e-10.
 double studentQuantile(double share, double degrees);
 
 }  // namespace tactus::elicitation

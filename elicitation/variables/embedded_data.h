@@ -1,4 +1,4 @@
-// The data files of this folder as the program carries them (tactus_embed).
+// The data files of this folder, embedded in the program (tactus_embed).
 #pragma once
 
 #include <string_view>
