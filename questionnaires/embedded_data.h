@@ -1,4 +1,4 @@
-// The data files of this folder as the programs carry them (cmake/TactusEmbed.cmake).
+// The data files of this folder, embedded in the programs (cmake/TactusEmbed.cmake).
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// Reading the data files of this folder: typed members of JSON objects, errors with the place as a JSON pointer.
+// Reads the data files of this folder: typed members of JSON objects; errors have the place as a JSON pointer.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,21 +10,21 @@
 
 namespace tactus::questionnaires {
 
-// Keeps the keys in the order of the file.
+// Keeps the keys in file order.
 using Json = nlohmann::ordered_json;
 
-/// A value and where it stands in its file.
+/// A value and its place in the file.
 struct JsonPlace {
   const Json* json = nullptr;
   std::string pointer;  ///< RFC 6901; empty for the whole text
 
-  /// The member `key`, which must be there.
+  /// The member `key`. Returns an error if it is missing.
   base::Result<JsonPlace> member(std::string_view key) const;
-  /// Element `index` of an array that is long enough.
+  /// Element `index` of an array, which must be long enough.
   JsonPlace element(std::size_t index) const;
 
   base::Result<std::string> string() const;  ///< not empty
-  base::Result<int> integer() const;         ///< from 1
+  base::Result<int> integer() const;         ///< at least 1
   base::Result<std::vector<JsonPlace>> array() const;
   base::Result<std::vector<std::pair<std::string, JsonPlace>>> object() const;
   base::Result<std::vector<std::string>> strings() const;
@@ -33,7 +33,7 @@ struct JsonPlace {
   base::Result<std::string> string(std::string_view key) const;
 };
 
-/// Parses `text` and checks that its member `format` is `format`.
+/// Parses `text`. Returns an error if its member `format` is not `format`.
 base::Result<Json> parseJson(std::string_view text, std::string_view format);
 
 }  // namespace tactus::questionnaires

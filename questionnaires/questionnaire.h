@@ -1,4 +1,4 @@
-// A form as a person sees it: the questions and the choices in one language.
+// A form as displayed: its questions and choices in one language.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@
 
 namespace tactus::questionnaires {
 
-/// One answer that can be chosen.
+/// One possible answer.
 struct Choice {
-  std::string value;  ///< what is stored: a term id, or a point of a scale
-  std::string label;  ///< what is shown; empty for an unnamed point of a scale
+  std::string value;  ///< stored value: a term id, or a point of a scale
+  std::string label;  ///< displayed text; empty for an unnamed point of a scale
 
   bool operator==(const Choice&) const = default;
 };
@@ -34,33 +34,33 @@ struct Questionnaire {
   std::string language;
   std::string title;
   std::string instructions;  ///< may be empty
-  std::string remark;        ///< about the wording, for the researcher; may be empty
+  std::string remark;        ///< on the wording, for the researcher; may be empty
   std::vector<Choice> choices;
   std::vector<Question> questions;  ///< in the order of the form
 
   bool operator==(const Questionnaire&) const = default;
 
-  /// The choice that stores `value`, or nothing.
+  /// The choice with the stored value `value`, or null.
   const Choice* choice(std::string_view value) const;
 };
 
-/// `form` in its own words, in the language `en`.
+/// `form` in its original wording, in the language `en`.
 Questionnaire asPrinted(const study::Form& form);
 Questionnaire asPrinted(const ScaleForm& form);
 
-/// `form` in the words of `wording`. Refused: a wording of another form or version, a condition or an answer without
-/// words.
+/// `form` in the words of `wording`. Returns an error for a wording of another form or version, or a condition or
+/// answer without words.
 base::Result<Questionnaire> inWords(const study::Form& form, const Wording& wording);
 base::Result<Questionnaire> inWords(const ScaleForm& form, const Wording& wording);
 
-/// The forms that people can fill in: `ngt-force-v1` (Table A1), `usability-v1` (paper, Section 5.4).
+/// The ids of the forms to fill in: `ngt-force-v1` (Table A1), `usability-v1` (paper, Section 5.4).
 std::vector<std::string> questionnaireIds();
 
-/// The languages of a form that the program carries, `en` first: the paper's wording.
+/// The embedded languages of a form. The first is `en`, the paper's wording.
 std::vector<std::string> languagesOf(std::string_view form);
 
-/// A form that the program carries in one of its languages. An unknown form or language is an error that lists the
-/// known ones.
+/// An embedded form in one of its languages. For an unknown form or language returns an error with the list of known
+/// ones.
 base::Result<Questionnaire> questionnaire(std::string_view form, std::string_view language);
 
 }  // namespace tactus::questionnaires

@@ -1,4 +1,4 @@
-// One person filling in one form: what to show next, what has been said, and how to go back.
+// One participant fills in one form: the next page, the answers so far, and the way back.
 #pragma once
 
 #include <cstddef>
@@ -15,70 +15,70 @@
 
 namespace tactus::questionnaires {
 
-/// What a screen shows.
+/// The content of a screen.
 struct Page {
   const Question* question = nullptr;
   std::size_t position = 0;                          ///< from 1, in the order shown
   std::size_t count = 0;                             ///< questions of the form
-  const study::AnswerRecord* last_answer = nullptr;  ///< what was said of this question last, if anything
+  const study::AnswerRecord* last_answer = nullptr;  ///< the last answer to this question; null if there is none
 };
 
-/// How far a person has come. The numbers of the five kinds sum to the number of questions.
+/// The progress of a participant. The five numbers sum to the number of questions.
 struct Progress {
   std::size_t answered = 0;
   std::size_t skipped = 0;
   std::size_t cant_tell = 0;
   std::size_t cleared = 0;
-  std::size_t open = 0;  ///< nothing was said yet
+  std::size_t open = 0;  ///< no reply yet
 
   bool operator==(const Progress&) const = default;
 };
 
-/// What a person says of the question on the page.
+/// The participant's reply to the displayed question.
 struct Reply {
   study::Answer::Status status = study::Answer::Status::kSkipped;
-  std::string value;  ///< one of the choices where the status is kAnswered, else empty
+  std::string value;  ///< one of the choices if the status is kAnswered, else empty
 };
 
-/// A form being filled in. Its state follows from the form, the order, the seed and the records added so far, so a run
-/// that is built anew from stored records goes on where the last one stopped. Nothing is overwritten: an answer that is
-/// changed is a further record that supersedes the earlier one.
+/// A form being filled in. The state depends only on the form, the order, the seed and the added records. So a run made
+/// again from stored records continues where the last one stopped. Records are never overwritten: a changed answer is a
+/// new record that supersedes the previous one.
 ///
-/// A reply becomes final in two steps, so that the next page opens on a stored answer only: `draft` makes the record,
-/// and `add` takes it once it is stored.
+/// A reply takes two steps, so that the next page opens only after the answer is stored: `draft` makes the record, and
+/// the caller stores it and passes it to `add`.
 class QuestionnaireRun {
  public:
   QuestionnaireRun(Questionnaire form, ItemOrder order, std::uint64_t seed);
 
-  /// The page that is open, or nothing where the person has gone past the last one.
+  /// The current page; nothing after the last one.
   std::optional<Page> page() const;
 
-  /// The record of `reply` to the open page, to be completed with its entry (id, session, time) and its response time,
-  /// and stored. `entry.supersedes` is filled in. Refused: no open page, a value that is not among the choices, a value
-  /// with another status than kAnswered, clearing where nothing was said.
+  /// The record of `reply` to the current page. The caller completes its entry (id, session, time) and its response
+  /// time, and stores it. `entry.supersedes` is already set. Returns an error for: no current page, a value that is not
+  /// a choice, a value with another status than kAnswered, clearing without an answer.
   base::Result<study::AnswerRecord> draft(const Reply& reply) const;
 
-  /// Takes a stored record and opens the page after the furthest one that was replied to: the next one, or after a
-  /// correction the one from which the person went back. An answer that was cleared stays on its page.
-  /// Refused: a record of another form or version, an item that the form does not have, a value that is not among the
-  /// choices, a record that does not supersede the last one of its item.
+  /// Adds a stored record and opens the page after the last page with a reply. This is the next page or, after a
+  /// correction, the page from which the participant went back. After a cleared answer the page stays.
+  /// Returns an error for: a record of another form or version, an item that the form lacks, a value that is not a
+  /// choice, a record that does not supersede the last one of its item.
   base::Result<void> add(const study::AnswerRecord& record);
 
-  /// Opens the page before, or stays at the first.
+  /// Opens the previous page; stays on the first.
   void back();
-  /// Opens the next page without an answer where one was given before; an open question must be answered or skipped.
-  /// Returns whether the page changed.
+  /// Opens the next page, if the current one has a reply; otherwise the participant must answer or skip. Returns
+  /// whether the page changed.
   bool forward();
 
   Progress progress() const;
-  /// Every question has an answer, a skip or a "can't tell".
+  /// Whether every question has an answer, a skip or a "can't tell".
   bool isComplete() const { return progress().open == 0 && progress().cleared == 0; }
-  /// The person has gone past the last page.
+  /// Whether the participant has passed the last page.
   bool isAtEnd() const noexcept { return at_ == order_.size(); }
-  /// Opens the first page that is open or cleared; returns false where there is none.
+  /// Opens the first page without a reply or with a cleared answer. Returns false if there is none.
   bool goToFirstOpen();
 
-  /// Everything that was said of item `number`, oldest first.
+  /// All records of item `number`, oldest first.
   std::vector<study::AnswerRecord> history(int number) const;
 
   const Questionnaire& form() const noexcept { return form_; }
@@ -90,10 +90,10 @@ class QuestionnaireRun {
   base::Result<void> checkValue(study::Answer::Status status, const std::string& value) const;
 
   Questionnaire form_;
-  std::vector<std::size_t> order_;                         ///< places of form_.questions in the order shown
-  std::vector<std::vector<study::AnswerRecord>> records_;  ///< for each question of the form
-  std::size_t at_ = 0;                                     ///< place in order_
-  std::size_t furthest_ = 0;                               ///< place after the last one that was replied to
+  std::vector<std::size_t> order_;                         ///< indices into form_.questions in display order
+  std::vector<std::vector<study::AnswerRecord>> records_;  ///< per question of the form
+  std::size_t at_ = 0;                                     ///< index into order_
+  std::size_t furthest_ = 0;                               ///< index after the last page with a reply
 };
 
 }  // namespace tactus::questionnaires

@@ -1,4 +1,4 @@
-// A form whose items are statements that a person agrees with on a scale (paper, Section 5.4).
+// A form with statements that the participant rates on a scale of agreement (paper, Section 5.4).
 #pragma once
 
 #include <string>
@@ -20,17 +20,17 @@ struct ScaleForm {
   std::string id;
   int version = 1;
   std::string title;
-  std::string source;  ///< where the wording comes from
-  int points = 7;      ///< the scale goes from 1 to this
-  std::string low;     ///< what 1 means
-  std::string high;    ///< what the highest point means
+  std::string source;  ///< origin of the wording
+  int points = 7;      ///< the scale goes from 1 to this number
+  std::string low;     ///< meaning of 1
+  std::string high;    ///< meaning of the highest point
   std::vector<ScaleItem> items;
 
   bool operator==(const ScaleForm&) const = default;
 };
 
-/// Reads a scale form (JSON, see forms/usability_v1.json) from `text`, said to be of `file` in errors. Refused: a
-/// missing key, fewer than two points, no items, an item number or a statement twice.
+/// Reads a scale form (JSON, see forms/usability_v1.json) from `text`; `file` is its name in errors. Returns an error
+/// for: a missing key, fewer than two points, no items, a duplicate item number or statement.
 base::Result<ScaleForm> parseScaleForm(std::string_view text, const std::string& file);
 
 /// The six statements about the simulator on a 7-point Likert scale, id `usability-v1`.

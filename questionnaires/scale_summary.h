@@ -1,4 +1,4 @@
-// Mean, deviation and range of the answers on a rating scale, as the paper's Table 3 prints them.
+// Mean, deviation and range of the answers on a rating scale, as in Table 3 of the paper.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace tactus::questionnaires {
 /// One row of Table 3.
 struct ScaleSummary {
   int item = 0;
-  std::size_t n = 0;  ///< answers
-  double mean = 0;    ///< 0 where n = 0, as are the others
+  std::size_t n = 0;  ///< number of answers
+  double mean = 0;    ///< 0 if n = 0, as the other statistics
   double sd = 0;      ///< n - 1 in the denominator; 0 for fewer than two answers
   int min = 0;
   int max = 0;
@@ -23,16 +23,16 @@ struct ScaleSummary {
   bool operator==(const ScaleSummary&) const = default;
 };
 
-/// One row per item of `form`, over the answers that no later record supersedes. Skipped, unknown and cleared answers
-/// do not count; neither do those to other forms or versions.
+/// One row per item of `form`, over the answers without a later correction. Skipped, unknown and cleared answers do not
+/// count, nor do answers to other forms or versions.
 std::vector<ScaleSummary> summarise(const ScaleForm& form, std::span<const study::AnswerRecord> answers);
 
-/// Table 3 as printed, nine clinical teachers. The printed maximum of item 3 is impossible: no nine answers from 1 to 7
-/// have its mean 4.44, deviation 0.88 and a maximum of 7.
+/// Table 3 as printed, for nine clinical teachers. Item 3 is impossible as printed: no nine answers from 1 to 7 have
+/// mean 4.44, deviation 0.88 and maximum 7.
 std::vector<ScaleSummary> publishedUsability();
 
-/// Whether `n` answers from 1 to `points` can have the printed mean and standard deviation (rounded to two decimals),
-/// minimum and maximum of `row`. Exhaustive over the counts of each answer.
+/// Whether `n` answers from 1 to `points` can have the mean and standard deviation (rounded to two decimals), minimum
+/// and maximum of `row`. Tries all counts of answers.
 bool isPossible(const ScaleSummary& row, std::size_t n, int points);
 
 }  // namespace tactus::questionnaires

@@ -1,4 +1,4 @@
-// The words of a form in another language, or in plainer words of the same one: data, never code.
+// A form's wording in another language, or in plainer words of the same one. Data, never code.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace tactus::questionnaires {
 
-/// One way to word a form. An item is either worded as a whole, by its number, or put together: the phrase of each of
-/// its conditions, then the question.
+/// One wording of a form. An item is either worded as a whole, by its number, or composed: the phrases of its
+/// conditions, then the question.
 struct Wording {
   struct Phrase {
     study::ItemCondition condition;
     std::string text;
   };
   struct Label {
-    std::string value;  ///< what is stored: a term id, or a point of a scale
+    std::string value;  ///< stored value: a term id, or a point of a scale
     std::string text;
   };
   struct Item {
@@ -32,20 +32,20 @@ struct Wording {
   std::string language;
   std::string title;
   std::string instructions;
-  std::string remark;    ///< for the researcher, e.g. that nobody has reviewed the translation; may be empty
-  std::string question;  ///< after the phrases; empty where items are worded as a whole
+  std::string remark;    ///< for the researcher, e.g. that the translation was not reviewed; may be empty
+  std::string question;  ///< after the phrases; empty if items are worded as a whole
   std::vector<Phrase> phrases;
   std::vector<Item> items;
   std::vector<Label> answers;
 
-  /// The phrases of `conditions` joined, with the question; nothing where one has no phrase.
+  /// The phrases of `conditions` and the question, joined. Nothing if a condition has no phrase.
   std::optional<std::string> sentence(const std::vector<study::ItemCondition>& conditions) const;
   const std::string* item(int number) const;
   const std::string* answer(std::string_view value) const;
 };
 
-/// Reads a wording (JSON, see forms/ngt_force_v1.de.json) from `text`, said to be of `file` in errors. Refused: a
-/// missing key, a phrase, an item or an answer twice.
+/// Reads a wording (JSON, see forms/ngt_force_v1.de.json) from `text`; `file` is its name in errors. Returns an error
+/// for a missing key, or a duplicate phrase, item or answer.
 base::Result<Wording> parseWording(std::string_view text, const std::string& file);
 
 }  // namespace tactus::questionnaires
