@@ -1,4 +1,4 @@
-// Cholesky factorisation of a band matrix with a few full rows at its end.
+// Cholesky factorization of a band matrix with a few full rows at its end.
 #pragma once
 
 #include <cstddef>
@@ -6,22 +6,23 @@
 
 namespace tactus::experiments {
 
-/// A symmetric positive definite matrix, of which the lower triangle is kept: a band, then `border` full rows. Its
-/// factor has the same shape, so that factorising costs a few operations per element that is kept.
+/// A symmetric positive definite matrix, stored as its lower triangle: a band, then `border` full rows. The factor has
+/// the same shape, so factorization costs a few operations per stored element.
 class BorderedMatrix {
  public:
-  /// `size` rows, the last `border` of them full; `band` elements in each other row, the diagonal included.
+  /// `size`: number of rows. `border`: number of full rows at the end. `band`: elements in each other row, including
+  /// the diagonal.
   BorderedMatrix(std::size_t size, std::size_t band, std::size_t border)
       : size_(size), band_(band), banded_(size - border), values_(band * banded_ + border * size) {}
 
-  /// An element that is kept: column <= row, and within the band where the row is not full.
+  /// A stored element: column <= row, and within the band unless the row is full.
   double& at(std::size_t row, std::size_t column) { return values_[place(row, column)]; }
   double at(std::size_t row, std::size_t column) const { return values_[place(row, column)]; }
 
-  /// Replaces the matrix by its factor; the logarithm of its determinant, or infinity where it is not positive
+  /// Replaces the matrix by its factor. Returns the logarithm of its determinant, or infinity if it is not positive
   /// definite.
   double factorise();
-  /// Solves with the factor.
+  /// Solves the equations for the right side `right`. Call after `factorise`.
   std::vector<double> solve(std::vector<double> right) const;
 
  private:
@@ -30,7 +31,7 @@ class BorderedMatrix {
                          : band_ * banded_ + (row - banded_) * size_ + column;
   }
   std::size_t firstColumn(std::size_t row) const { return row >= banded_ || row < band_ ? 0 : row - band_ + 1; }
-  /// The row after `row` that is not zero in `column`.
+  /// The next row after `row` with a non-zero element in `column`.
   std::size_t nextRow(std::size_t row, std::size_t column) const {
     if (row + 1 < column + band_) return row + 1;
     return row + 1 < banded_ ? banded_ : row + 1;

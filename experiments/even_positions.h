@@ -1,4 +1,4 @@
-// Positions that came at any times, brought to equal steps.
+// Resamples positions with arbitrary times to equal steps.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,20 @@ struct PositionSample {
   double position_mm = 0;
 };
 
-/// A stretch of samples without a gap, at 250 Hz: linear between the samples to 1 kHz, then means of four.
+/// A stretch of samples without a gap, resampled to 250 Hz: linear interpolation to 1 kHz, then means of four.
 class EvenPositions {
  public:
   static constexpr double kStepS = 0.004;
 
   explicit EvenPositions(const PositionSample& first) : start_s_(first.time_s), last_(first) {}
 
-  /// Takes the next sample, whose time must be later than the last one's.
+  /// Adds the next sample. Its time must be later than the previous one's.
   void add(const PositionSample& sample);
   double lastTimeS() const noexcept { return last_.time_s; }
 
-  /// Steps so far, those that were forgotten included.
+  /// Number of steps so far, including forgotten ones.
   std::size_t size() const noexcept { return first_ + positions_mm_.size(); }
-  std::size_t first() const noexcept { return first_; }  ///< the first step that is still known
+  std::size_t first() const noexcept { return first_; }  ///< first step not forgotten
   double at(std::size_t step) const { return positions_mm_[step - first_]; }
   double timeS(double step) const noexcept { return start_s_ + 1.5 * kFineS + step * kStepS; }
 

@@ -1,5 +1,5 @@
-// The force-perception experiment (paper, Section 3.1.5) as a state machine: which force comes next, what was said of
-// it.
+// The force-perception experiment (paper, Section 3.1.5) as a state machine: the next force, and the judgement of the
+// last one.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,23 @@ namespace tactus::experiments {
 struct ForceAnswerOption {
   study::ForceJudgement::Kind kind = study::ForceJudgement::Kind::kTerm;
   std::string id;             ///< a term id, `not_felt` or `beyond_practice`
-  bool our_addition = false;  ///< not among the paper's five terms, and never counted as a term
+  bool our_addition = false;  ///< not one of the paper's five terms, and never counted as a term
 
   bool operator==(const ForceAnswerOption&) const = default;
 };
 
-/// What the participant may see of a step: no force, no number of steps, no place in the series.
+/// The part of a step that the participant may see: no force, no step number, no position in the series.
 struct ForceQuestion {
-  std::vector<ForceAnswerOption> answers;  ///< none while getting used to the forces
-  std::string repeat_reason;               ///< one sentence why the step comes again; empty at the first attempt
+  std::vector<ForceAnswerOption> answers;  ///< none during familiarization
+  std::string repeat_reason;               ///< one sentence: why the step is repeated; empty for the first attempt
   bool rest_first = false;                 ///< offer a rest before this step
 
   bool operator==(const ForceQuestion&) const = default;
 };
 
-/// What comes next. `question` is for the participant, all else for the servo and the researcher.
+/// The next step. `question` is for the participant, the other members for the servo and the researcher.
 struct ForcePlan {
-  bool finished = false;  ///< nothing is left to do; the rest then says nothing
+  bool finished = false;  ///< no step is left; all other members are then invalid
   ForceStep step;
   int attempt = 1;
   double pause_before_s = 0;           ///< without force, before the step can start
@@ -48,18 +48,18 @@ struct ForcePlan {
   bool operator==(const ForcePlan&) const = default;
 };
 
-/// What came back from one step.
+/// The result of one step.
 struct ForceAnswer {
   study::ForceJudgement::Kind kind = study::ForceJudgement::Kind::kNoAnswer;
-  std::string term;       ///< where `kind` is kTerm
-  int feel_again = 0;     ///< how often the participant asked to feel it again
+  std::string term;       ///< if `kind` is kTerm
+  int feel_again = 0;     ///< number of times that the participant asked to feel it again
   double forward_mm = 0;  ///< from ForwardMotion, between the full force and the answer
   double forward_speed_mm_s = 0;
   double response_s = 0;  ///< from the full force to the answer
   bool delivered = true;  ///< false: a stall, a trip or a limit kept the force from the hand (stimulus_delivery.h)
 };
 
-/// The state follows from settings, seed and records alone: a session that was interrupted is resumed from its records.
+/// The state depends only on settings, seed and records, so an interrupted session can continue from its records.
 ///
 /// Order: familiarisation, ascending series (to its end or to the first `beyond_practice`), descending series, random
 /// block. A judgement without forward motion, or of a force that was not delivered, is recorded but not scored, and its
@@ -67,21 +67,22 @@ struct ForceAnswer {
 /// `beyond_practice` back, the ascending series goes on.
 class ForceProtocol {
  public:
-  /// `records`: those of the session so far, in the order in which they were added; refused where they do not fit.
+  /// `records`: those of the session so far, in the order of insertion. Returns an error if they do not fit the
+  /// settings.
   static base::Result<ForceProtocol> create(const ForceSettings& settings, std::uint64_t seed,
                                             std::span<const study::JudgementRecord> records = {});
 
   ForcePlan next() const;
 
-  /// The record of an answer to what next() asks; without its entry, which the caller fills in. Refuses an answer that
-  /// was not offered and numbers that cannot be (a negative way or time). No answer (`kNoAnswer`) is always possible.
+  /// The record of an answer to the step of next(). The caller completes its entry. Returns an error for an answer that
+  /// was not offered, or an impossible number (a negative distance or time). `kNoAnswer` is always allowed.
   base::Result<study::JudgementRecord> record(const ForceAnswer& answer) const;
 
-  /// Takes a record that was stored: the next step, or a correction of an earlier one. Refuses, without a change, what
-  /// is neither.
+  /// Adds a stored record: the next step, or a correction of an earlier one. For any other record returns an error and
+  /// changes nothing.
   base::Result<void> add(const study::JudgementRecord& record);
 
-  /// Steps that are known so far, done or not: grows when the ascending series ends. For researchers.
+  /// The steps known so far, done or not. Grows when the ascending series ends. For the researcher.
   std::vector<ForceStep> steps() const;
 
  private:
@@ -96,7 +97,7 @@ class ForceProtocol {
   ForceSettings settings_;
   std::uint64_t seed_;
   std::vector<ForceStep> block_;
-  std::vector<study::JudgementRecord> judgements_;  ///< a correction stands in the place of what it corrects
+  std::vector<study::JudgementRecord> judgements_;  ///< a correction replaces the corrected record
 };
 
 }  // namespace tactus::experiments

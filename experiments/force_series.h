@@ -1,4 +1,4 @@
-// The series of forces of the force-perception experiment: which forces are felt, in which order.
+// The series of forces of the force-perception experiment: their values and their order.
 #pragma once
 
 #include <cstdint>
@@ -16,54 +16,55 @@ struct ForceSteps {
   double highest_n = 1.7;
   double step_n = 0.1;
 
-  /// How many forces there are, both ends included.
+  /// The number of forces, including both ends.
   int count() const;
   /// Force number `i` from 0, rounded to a micronewton, so that 0.1 N + 2 · 0.1 N is 0.3 N.
   double at(int i) const;
 };
 
-/// Everything that can be set; the defaults are the paper's experiment (Section 3.1.5): the ascending series alone.
+/// The settings of the experiment. The defaults are the paper's experiment (Section 3.1.5): the ascending series alone.
 struct ForceSettings {
   std::vector<std::string> terms = {"very_small", "small", "medium", "large", "very_large"};  ///< ids, least first
 
-  /// Felt before the series, without labels and without answers, so that the first answers know the range. Our
-  /// addition; empty = none.
+  /// Forces before the series, without labels or answers, so that the participant knows the range at the first answer.
+  /// Our addition; empty: none.
   std::vector<double> familiarisation_n = {0.1, 0.6, 1.1};
 
   bool ascending = true;  ///< the paper's series; ends at the first answer `beyond_practice`
-  ForceSteps ladder;      ///< of the ascending and the descending series
+  ForceSteps ladder;      ///< for the ascending and the descending series
 
-  /// Our addition: back down from the force that the ascending series reached, against the errors of habituation and
-  /// expectation. It starts `descending_offset_most` steps lower at most, so that nobody counts steps.
+  /// Our addition: a descending series from the force that the ascending series reached, against the errors of
+  /// habituation and expectation. It starts up to `descending_offset_most` steps lower, so that the participant cannot
+  /// count steps.
   bool descending = false;
   int descending_offset_most = 2;  ///< 0 to 5
 
-  /// Our addition: the forces of `random_steps` in random order, each `random_repeats` times. No force twice running,
-  /// never two changes of more than `random_widest_jump` steps running.
+  /// Our addition: the forces of `random_steps` in random order, each `random_repeats` times. No force follows itself,
+  /// and two changes of more than `random_widest_jump` steps never follow each other.
   bool random = false;
   ForceSteps random_steps = {0.1, 1.1, 0.1};
   int random_repeats = 3;      ///< 1 to 10
   int random_widest_jump = 6;  ///< steps
   double catch_share = 0.13;   ///< share of blanks (0 N) and hidden repeats in the block: 0.10 to 0.15, or 0 for none
 
-  /// A judgement counts only if the hand moved forward while it felt the force: the device's own friction hides small
-  /// forces from a resting hand and adds to what a moving hand feels. Measured by ForwardMotion.
-  double forward_least_mm = 10;             ///< way
-  double forward_least_mm_s = 10;           ///< slower stretches are no way; the slowest mean of Table 1 is 31 mm/s
-  std::optional<double> device_friction_n;  ///< against forward motion, as measured; added to the felt force; 0 to 1
+  /// A judgement counts only if the hand moved forward during the force. The device's own friction hides small forces
+  /// from a resting hand and adds to the force on a moving hand. Measured by ForwardMotion.
+  double forward_least_mm = 10;             ///< forward travel
+  double forward_least_mm_s = 10;           ///< slower motion does not count; the slowest mean of Table 1 is 31 mm/s
+  std::optional<double> device_friction_n;  ///< measured against forward motion; added to the felt force; 0 to 1
 
-  double ramp_s = 0.15;        ///< from no force to the full force; 0.05 to 1
-  double continuous_n = 0.88;  ///< force that the device can hold for ever (a Touch)
-  double hold_limit_s = 3;     ///< a larger force is held this long at most, then it fades; the question stays
+  double ramp_s = 0.15;        ///< from zero to the full force; 0.05 to 1
+  double continuous_n = 0.88;  ///< force that the device can hold permanently (a Touch)
+  double hold_limit_s = 3;     ///< longest time for a larger force, which then fades; the question stays
   double pause_s = 2;          ///< without force before each step; at least 2
-  int rest_every = 20;         ///< after so many steps a rest is offered; 0 = never
-  double start_zone_mm = 10;   ///< a step starts when the stylus is held within this way of its place of rest
+  int rest_every = 20;         ///< number of steps between offered rests; 0: never
+  double start_zone_mm = 10;   ///< a step starts when the stylus is within this distance of its rest position
 };
 
-/// Refuses settings that make no sense, with one sentence. Forces are above 0 and at most kHighestForceN.
+/// Returns an error with one sentence for invalid settings. Forces must be above 0 and at most kHighestForceN.
 base::Result<void> validate(const ForceSettings& settings);
 
-/// No stimulus is larger: the highest limit that an expert can unlock.
+/// Largest stimulus: the highest limit that an expert can unlock.
 inline constexpr double kHighestForceN = 3;
 
 inline constexpr const char* kFamiliarisation = "familiarisation";
@@ -71,12 +72,12 @@ inline constexpr const char* kAscending = "ascending";
 inline constexpr const char* kDescending = "descending";
 inline constexpr const char* kRandom = "random";
 
-/// One force to be felt.
+/// One stimulus of a series.
 struct ForceStep {
   std::string series;
   int step = 1;  ///< from 1, place in the series
   double force_n = 0;
-  bool catch_trial = false;  ///< a blank, where the force is 0, or a hidden repeat
+  bool catch_trial = false;  ///< a blank (force 0) or a hidden repeat
 
   bool operator==(const ForceStep&) const = default;
 };
@@ -86,13 +87,14 @@ std::vector<ForceStep> ascendingSeries(const ForceSettings& settings);
 
 /// From `start_n` down to the lowest force of the ladder.
 std::vector<ForceStep> descendingSeries(const ForceSettings& settings, double start_n);
-/// Where the descending series starts after an ascending one that reached `reached_n`: lower by a number of steps that
-/// follows from the seed, never below the lowest force.
+/// The start of the descending series after an ascending one that reached `reached_n`. It is lower by a number of steps
+/// derived from the seed, but never below the lowest force.
 double descendingStart(const ForceSettings& settings, double reached_n, std::uint64_t seed);
 
-/// The random block. Half of the catch trials (rounded up) are blanks, which come neither first nor one after another;
-/// the others are forces that come once more than the rest, marked at their last time. The order is drawn step by step
-/// among what is left and allowed, and drawn anew where nothing is. Refused: settings that leave no allowed order.
+/// The random block. Half of the catch trials (rounded up) are blanks; a blank is never first and never follows a
+/// blank. The other catch trials are forces with one extra occurrence, marked at their last one. The order is drawn
+/// step by step from the remaining allowed forces, and drawn again if none is allowed. Returns an error if the settings
+/// allow no order.
 base::Result<std::vector<ForceStep>> randomBlock(const ForceSettings& settings, std::uint64_t seed);
 
 }  // namespace tactus::experiments

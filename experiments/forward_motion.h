@@ -1,4 +1,4 @@
-// How far and how fast a hand moved forward while it felt a force.
+// Measures the distance and speed of forward motion during a force.
 #pragma once
 
 #include <cstddef>
@@ -7,18 +7,19 @@
 
 namespace tactus::experiments {
 
-/// Way forward and mean speed on it. Time is cut into blocks of 0.1 s; a block counts if the hand got forward in it at
-/// `least_mm_s` or faster. Tremor of 0.3 mm moves a resting hand by less than 0.6 mm a block, so at the default of
-/// 10 mm/s it is no way. Feed it from the full force to the answer; pauses and returns in between do no harm.
+/// Forward travel, and the mean speed over it. Time is divided into blocks of 0.1 s. A block counts if the hand moved
+/// forward at `least_mm_s` or faster. Tremor of 0.3 mm moves a resting hand by less than 0.6 mm per block, so it does
+/// not count at the default of 10 mm/s. Add the samples from the full force to the answer; pauses and returns between
+/// do no harm.
 class ForwardMotion {
  public:
   explicit ForwardMotion(double least_mm_s) : least_mm_s_(least_mm_s) {}
 
-  /// A sample whose time does not rise or that is not finite is left out.
+  /// Adds a sample. Ignores a sample that is not finite or whose time does not rise.
   void add(const PositionSample& sample);
 
   double wayMm() const noexcept { return way_mm_; }
-  /// Mean speed on the way; 0 where there was none.
+  /// Mean speed over the forward travel; 0 without travel.
   double speedMmS() const noexcept { return moving_s_ > 0 ? way_mm_ / moving_s_ : 0; }
 
  private:

@@ -1,5 +1,5 @@
-// How consistent one participant's force judgements are. For researchers to see; nothing is ever left out because of
-// it.
+// Consistency checks of one participant's force judgements. For the researcher only; no judgement is ever left out
+// because of a check.
 #pragma once
 
 #include <cstddef>
@@ -13,55 +13,55 @@
 
 namespace tactus::experiments {
 
-/// Pairs of forces of one series whose term falls though the force rises.
+/// Pairs of forces of one series in which the larger force got the lower term.
 struct MonotonicityCheck {
   std::string series;
   std::size_t pairs = 0;       ///< pairs of judgements of different forces
-  std::size_t violations = 0;  ///< of these, the larger force has the lower term
+  std::size_t violations = 0;  ///< pairs in which the larger force has the lower term
 };
 
-/// How the ascending and the descending series differ at the same force.
+/// Difference between the ascending and the descending series at equal forces.
 struct HysteresisCheck {
-  std::size_t forces = 0;  ///< judged with a term in both series
-  /// Mean of (place of the ascending term - place of the descending term), in terms: positive where forces seem larger
-  /// on the way up. Absent where no force is in both.
+  std::size_t forces = 0;  ///< forces judged with a term in both series
+  /// Mean of (index of the ascending term - index of the descending term), in terms. Positive if forces seem larger in
+  /// the ascending series. Empty if the series have no common force.
   std::optional<double> index;
 };
 
-/// How alike the answers to the same force in the random block are: each pair of judgements, the earlier one first.
+/// Agreement of the answers to equal forces in the random block, over all pairs of judgements, the earlier one first.
 struct RepeatCheck {
   std::size_t pairs = 0;
   std::optional<double> kappa;        ///< quadratic weights (weighted_kappa.h)
-  std::optional<double> within_one;   ///< share of pairs that differ by one term at most
-  std::size_t hidden_pairs = 0;       ///< pairs whose later judgement is a hidden repeat
-  std::optional<double> hidden_same;  ///< share of these with the same term
+  std::optional<double> within_one;   ///< share of pairs that differ by at most one term
+  std::size_t hidden_pairs = 0;       ///< pairs with a hidden repeat as the later judgement
+  std::optional<double> hidden_same;  ///< share of hidden_pairs with equal terms
 };
 
 struct BlankCheck {
-  std::size_t blanks = 0;        ///< judged at 0 N
-  std::size_t false_alarms = 0;  ///< of these, said to be felt
+  std::size_t blanks = 0;        ///< judgements at 0 N
+  std::size_t false_alarms = 0;  ///< blanks judged as felt
 };
 
 struct ResponseTimeCheck {
   std::size_t judgements = 0;
   std::optional<double> median_s;
-  /// Indices into the records of times outside the quartiles by more than 1.5 times their distance (Tukey 1977), on a
-  /// logarithmic scale, because response times are skewed. None for fewer than 8 judgements.
+  /// Indices of the records with outlying times: more than 1.5 interquartile distances outside the quartiles (Tukey
+  /// 1977). Uses a logarithmic scale, because response times are skewed. None for fewer than 8 judgements.
   std::vector<std::size_t> outliers;
 };
 
 struct MotionCheck {
-  std::size_t judgements = 0;         ///< scored ones
-  std::optional<double> median_mm_s;  ///< forward speed while judging
+  std::size_t judgements = 0;         ///< scored judgements
+  std::optional<double> median_mm_s;  ///< forward speed during the judgement
   std::optional<double> slowest_mm_s;
   std::optional<double> fastest_mm_s;
   std::size_t repeated = 0;  ///< attempts without forward motion or without the whole force, which were repeated
 };
 
-/// One thing worth saying of the judgements.
+/// A statement about the judgements.
 struct JudgementFinding {
   std::string check;     ///< `monotonicity`, `hysteresis`, `repeats`, `blanks`, `response_time`, `motion`, `thresholds`
-  bool notable = false;  ///< worth a second look
+  bool notable = false;  ///< deserves the researcher's attention
   std::string sentence;
 };
 
@@ -76,9 +76,9 @@ struct JudgementChecks {
   std::vector<JudgementFinding> findings;
 };
 
-/// Checks the judgements of one session. `terms`: ids, least first, at least two. Records that another one corrects are
-/// left out, as they are everywhere. Only scored judgements with one of the five terms enter, except where a check says
-/// otherwise: `not_felt` and `beyond_practice` are no terms. A term that is not in `terms` counts as none.
+/// Checks the judgements of one session. `terms`: ids, smallest force first, at least two. Corrected records are left
+/// out. Unless a check states otherwise, it uses scored judgements with one of `terms` only; `not_felt`,
+/// `beyond_practice` and unknown terms do not count.
 JudgementChecks checkJudgements(std::span<const study::JudgementRecord> records, std::span<const std::string> terms);
 
 }  // namespace tactus::experiments

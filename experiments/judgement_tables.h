@@ -1,4 +1,4 @@
-// Whether the force judgements of a table can be meant: units, order, words; the checks of judgement_checks.h too.
+// Checks the force judgements of a table: units, order and terms, plus the checks of judgement_checks.h.
 #pragma once
 
 #include <span>

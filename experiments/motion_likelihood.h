@@ -1,4 +1,4 @@
-// How likely a smooth movement with tremor is, given positions: the inner part of smooth_motion.h.
+// The likelihood of a smooth movement with tremor for given positions: the inner part of smooth_motion.h.
 #pragma once
 
 #include <array>
@@ -11,17 +11,17 @@
 
 namespace tactus::experiments {
 
-inline constexpr double kKnotS = 0.012;         // between knots: resolves ramps of 30 ms; the penalty removes the rest
-inline constexpr std::size_t kSplineOrder = 4;  // cubic
+inline constexpr double kKnotS = 0.012;  // between knots: resolves ramps of 30 ms; the penalty smooths shorter details
+inline constexpr std::size_t kSplineOrder = 4;    // cubic
 inline constexpr std::size_t kTremorColumns = 4;  // sine and cosine, and their linear change
 
-/// The four cubic B-splines that are not zero at `u` in [0, 1] between two knots.
+/// The four non-zero cubic B-splines at `u` in [0, 1] between two knots.
 std::array<double, kSplineOrder> splineValues(double u);
 
 /// Normal equations of the spline and of a sinusoid of one frequency.
 struct MotionEquations {
-  /// `noise_mm`: standard deviation of each position; tremor gets its usual amplitude as a prior, so that it cannot
-  /// take the place of the movement.
+  /// `noise_mm`: standard deviation of each position. The tremor has its usual amplitude as a prior, so that the
+  /// sinusoid cannot replace the movement.
   MotionEquations(std::span<const double> positions_mm, double step_s, double offset_mm, double hz,
                   std::size_t spline_count, double noise_mm);
 
@@ -31,20 +31,20 @@ struct MotionEquations {
   double positions = 0;
 };
 
-/// The maximum of the likelihood among the penalties and frequencies that were tried.
+/// The fit of maximum likelihood among the tried penalties and frequencies.
 struct MotionFit {
   double unlikelihood = std::numeric_limits<double>::infinity();  ///< -2 log of the restricted likelihood
-  std::size_t equations = 0;                                      ///< which frequency
+  std::size_t equations = 0;                                      ///< index of the frequency
   int penalty = 0;                                                ///< exponent of 10
   std::vector<double> coefficients;                               ///< of the splines
 };
 
-/// The likeliest of all frequencies and penalties, for movements as rough as `rough` says, one share per third
-/// difference of the coefficients. With `near`, only its neighbours are tried.
+/// The most likely fit over all frequencies and penalties. `rough`: relative roughness of the movement at each third
+/// difference of the coefficients. `near`: if given, only neighbors of this fit are tried.
 MotionFit likeliestMotion(std::span<const MotionEquations> equations, std::span<const double> rough,
                           const MotionFit* near = nullptr);
 
-/// How rough a movement is around each third difference of its coefficients, as a share of the mean, at least 1e-4.
+/// The roughness of a movement at each third difference of its coefficients, relative to the mean, at least 1e-4.
 std::vector<double> roughness(std::span<const double> coefficients);
 
 }  // namespace tactus::experiments

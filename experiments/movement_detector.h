@@ -1,4 +1,4 @@
-// Decides when a hand moves forward or back, from even positions with tremor and noise; its edges are only coarse.
+// Detects forward and backward movements in resampled positions with tremor and noise. Its edges are coarse.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,27 @@ namespace tactus::experiments {
 /// A movement, in steps of EvenPositions.
 struct Movement {
   std::size_t begin = 0;
-  std::size_t fast_from = 0;  ///< the first and the last step at the starting speed or above
+  std::size_t fast_from = 0;  ///< first and last step at the starting speed or above
   std::size_t fast_to = 0;
   std::size_t end = 0;
   bool forward = true;
-  bool interrupted = false;  ///< the positions ended before the movement did
+  bool interrupted = false;  ///< the positions ended during the movement
 };
 
-/// The rule with two thresholds of stroke_segmentation.h over one stretch without gaps.
+/// The two-threshold rule of stroke_segmentation.h, applied to one stretch without gaps.
 class MovementDetector {
  public:
-  /// `lowest_been_mm`: the place furthest back where the hand was in earlier stretches.
+  /// `lowest_been_mm`: the furthest-back position of the hand in earlier stretches.
   MovementDetector(const StrokeSettings& settings, double lowest_been_mm);
 
-  /// Decides all steps that have enough positions after them, or all of them where the stretch has `ended`.
+  /// Processes all steps with enough positions after them; all steps if the stretch has `ended`.
   void advance(const EvenPositions& positions, bool ended);
-  /// The next movement that is certain.
+  /// The next completed movement, or nothing.
   std::optional<Movement> take();
 
   bool movingForward() const noexcept { return phase_ == Phase::kMoving; }
   double lowestBeenMm() const noexcept { return lowest_been_mm_; }
-  /// Positions before this step are not looked at any more, except to measure movements that were taken.
+  /// Positions before this step are no longer needed, except to measure movements already taken.
   std::size_t earliestNeeded() const noexcept;
   void forgetBefore(std::size_t step);
 

@@ -1,4 +1,4 @@
-// The results that the paper prints: Table 1 (insertion speeds) and Table 2 (votes on forces).
+// The results printed in the paper: Table 1 (insertion speeds) and Table 2 (votes on forces).
 #pragma once
 
 #include <string>
@@ -15,16 +15,16 @@ struct PublishedSpeed {
   double sd_mm_s = 0;
 };
 
-/// Table 1, participant by participant, each from slow to fast.
+/// Table 1 by participant, each from slow to fast.
 std::vector<PublishedSpeed> publishedSpeeds();
 
-/// One row of Table 2: how many of the four nurses chose each term at one force.
+/// One row of Table 2: the number of nurses, of four, who chose each term at one force.
 struct PublishedVotes {
   double force_n = 0;
   std::vector<int> votes;  ///< one per term of `publishedVoteTerms`
 };
 
-/// The terms of Table 2, from the least force to the largest.
+/// The terms of Table 2, from the smallest force to the largest.
 std::vector<std::string> publishedVoteTerms();
 
 /// Table 2: 0.1 to 1.1 N.

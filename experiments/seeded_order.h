@@ -1,4 +1,4 @@
-// Random orders that follow from the seed of a session, block by block.
+// Random orders for the blocks of a session, derived from its seed.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace tactus::experiments {
 
-/// The seed of one block of a session: the session's seed and the block's name, mixed. FNV-1a over the 8 bytes of
-/// `seed` (least first) and the bytes of `block`, then the finalizer of splitmix64. Each block has its own stream of
-/// random numbers, so a block that is added or left out changes no other one. Blocks in use: `speed/levels`,
-/// `force/descending`, `force/random`.
+/// The seed of one block: a mix of the session's seed and the block's name. FNV-1a over the 8 bytes of `seed` (least
+/// significant first) and the bytes of `block`, then the finalizer of splitmix64. Each block has its own random
+/// numbers, so adding or omitting a block changes no other. Blocks in use: `speed/levels`, `force/descending`,
+/// `force/random`.
 std::uint64_t blockSeed(std::uint64_t seed, std::string_view block) noexcept;
 
 /// `items` in random order, each order equally likely (Fisher and Yates; Durstenfeld 1964).

@@ -1,4 +1,4 @@
-// The speed experiment (paper, Section 3.1.4) as a state machine: what to ask for next, what came of it.
+// The speed experiment (paper, Section 3.1.4) as a state machine: the next stroke, and the result of the last one.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +17,23 @@ namespace tactus::experiments {
 struct SpeedSettings {
   enum class Order {
     kAsGiven,   ///< as in the paper: slow, medium, fast
-    kShuffled,  ///< the levels in an order that follows from the seed
+    kShuffled,  ///< the levels in an order derived from the seed
   };
   std::vector<std::string> levels = {"slow", "medium", "fast"};  ///< term ids
   Order order = Order::kAsGiven;
-  int strokes = 4;        ///< per level, one after another (paper: "consecutively four times"); 1 to 50
-  int practice = 1;       ///< strokes before them at each level, never used for the model; 0 to 20
-  StrokeSettings stroke;  ///< which strokes are accepted
+  int strokes = 4;        ///< per level, consecutive (paper: "consecutively four times"); 1 to 50
+  int practice = 1;       ///< strokes before them at each level, not used for the model; 0 to 20
+  StrokeSettings stroke;  ///< criteria for accepted strokes
 };
 
-/// Refuses settings that make no sense, with one sentence.
+/// Returns an error with one sentence for invalid settings.
 base::Result<void> validate(const SpeedSettings& settings);
 
-/// What the participant is to do next. No speed is shown to the participant, neither wanted nor measured.
+/// The next task of the participant. The participant never sees a speed, requested or measured.
 struct SpeedPlan {
-  bool finished = false;  ///< nothing is left to do; the rest then says nothing
-  std::string level;      ///< term id of the speed that is asked for
-  int level_place = 1;    ///< from 1: its place in the order of this session
+  bool finished = false;  ///< no stroke is left; all other members are then invalid
+  std::string level;      ///< term id of the requested speed
+  int level_place = 1;    ///< from 1: position in the order of this session
   int level_count = 0;
   bool practice = false;
   int number = 1;  ///< stroke `number` of `count` of the level's practice or strokes
@@ -46,25 +46,26 @@ struct SpeedPlan {
   bool operator==(const SpeedPlan&) const = default;
 };
 
-/// The state follows from settings, seed and records alone: a session that was interrupted is resumed from its records.
+/// The state depends only on settings, seed and records, so an interrupted session can continue from its records.
 ///
-/// Each stroke is asked for until one attempt is accepted; the others stay on record with their verdicts. Where the
-/// researcher takes an accepted stroke back (a record with the verdict `rejected` that supersedes it), it is asked for
+/// Each stroke is repeated until one attempt is accepted; the other attempts stay on record with their verdicts. If the
+/// researcher rejects an accepted stroke (a record with the verdict `rejected` that supersedes it), it is requested
 /// again.
 class SpeedProtocol {
  public:
-  /// `records`: those of the session so far, in the order in which they were added; refused where they do not fit.
+  /// `records`: those of the session so far, in the order of insertion. Returns an error if they do not fit the
+  /// settings.
   static base::Result<SpeedProtocol> create(const SpeedSettings& settings, std::uint64_t seed,
                                             std::span<const study::StrokeRecord> records = {});
 
   SpeedPlan next() const;
 
-  /// The record of `stroke` for what next() asks for; without its entry (id, session, time), which the caller fills in.
-  /// `recording` begins with the stream's sample number `recording_first` and holds the whole stroke.
+  /// The record of `stroke` for the task of next(). The caller completes its entry (id, session, time). `recording`:
+  /// starts at sample number `recording_first` of the stream and contains the whole stroke.
   study::StrokeRecord record(const Stroke& stroke, study::Recording recording, std::size_t recording_first) const;
 
-  /// Takes a record that was stored: the next stroke, or a correction of an earlier one (`entry.supersedes`). Refuses,
-  /// without a change, what is neither.
+  /// Adds a stored record: the next stroke, or a correction of an earlier one (`entry.supersedes`). For any other
+  /// record returns an error and changes nothing.
   base::Result<void> add(const study::StrokeRecord& record);
 
   /// Term ids in the order of this session.
@@ -94,7 +95,7 @@ class SpeedProtocol {
 
   SpeedSettings settings_;
   std::vector<std::string> levels_;
-  std::vector<Attempt> attempts_;  ///< a correction stands in the place of what it corrects
+  std::vector<Attempt> attempts_;  ///< a correction replaces the corrected record
 };
 
 }  // namespace tactus::experiments

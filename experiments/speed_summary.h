@@ -1,4 +1,4 @@
-// What Table 1 shows: the mean and the standard deviation of the insertion speed, per participant and level.
+// The content of Table 1: mean and standard deviation of the insertion speed, per participant and level.
 #pragma once
 
 #include <span>
@@ -18,8 +18,8 @@ struct SpeedSummary {
   double sd_mm_s = 0;  ///< n - 1 in the denominator; 0 for one sample
 };
 
-/// One summary per participant and level, over all samples of their strokes (paper, Table 1), in the order in which
-/// they first appear in `samples`.
+/// One summary per participant and level, over all samples of their strokes (paper, Table 1), in the order of first
+/// appearance in `samples`.
 std::vector<SpeedSummary> summariseSpeeds(std::span<const study::SpeedSample> samples);
 
 }  // namespace tactus::experiments

@@ -1,4 +1,4 @@
-// Whether strokes in a table were copied from another participant or another stroke.
+// Detects strokes in a table that are copies of other strokes.
 #pragma once
 
 #include <span>

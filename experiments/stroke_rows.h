@@ -1,4 +1,4 @@
-// Whether the rows of strokes in a table stand in the order of time, each once.
+// Checks that the rows of strokes in a table are in time order, without duplicates.
 #pragma once
 
 #include <span>
@@ -9,19 +9,19 @@
 
 namespace tactus::experiments {
 
-/// How the rows of one stroke stand.
+/// The order of the rows of one stroke.
 enum class RowOrder {
-  kRising,     ///< times rise or stay
-  kNoTimes,    ///< all times are one
+  kRising,     ///< times never fall
+  kNoTimes,    ///< all times are equal
   kBackwards,  ///< times fall from the first row to the last
-  kTwice,      ///< a fifth of the rows or more are exact repetitions
-  kRestarts,   ///< times begin again, or two depths 2 mm apart or more have one time: two strokes under one number
+  kTwice,      ///< at least a fifth of the rows are exact duplicates
+  kRestarts,   ///< times start again, or depths at least 2 mm apart have the same time: two strokes with one number
   kUnsorted,
 };
 
 RowOrder rowOrder(const TableStroke& stroke);
 
-/// Findings about the rows of one participant's strokes: one sentence for each kind of disorder.
+/// Findings about the rows of one participant's strokes: one sentence per kind of disorder.
 std::vector<study::DataFinding> rowFindings(std::span<const TableStroke* const> strokes);
 
 }  // namespace tactus::experiments

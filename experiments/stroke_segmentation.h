@@ -13,30 +13,30 @@
 
 namespace tactus::experiments {
 
-/// Finds strokes while the samples come in.
+/// Finds strokes while samples arrive.
 ///
-/// A stroke begins where the hand's speed reaches `start_speed_mm_s` and ends where it stays under `stop_speed_mm_s`
-/// for longer than `longest_pause_s`, or where the hand goes back by more than `longest_reversal_mm`. That is decided
-/// on the slope over `speed_window_s`. Then both ends are measured again without delay on the movement without tremor
-/// (smooth_motion.h): they are where its speed passes `edge_speed_mm_s`. Moving back to where the hand has been before
-/// is a return and no stroke, and so is moving forward by less than `least_mm`.
+/// A stroke starts when the hand's speed reaches `start_speed_mm_s`. It ends when the speed stays below
+/// `stop_speed_mm_s` for longer than `longest_pause_s`, or when the hand moves back by more than `longest_reversal_mm`.
+/// This decision uses the slope over `speed_window_s`. Then both ends are measured again without delay, on the movement
+/// without tremor (smooth_motion.h), at its speed `edge_speed_mm_s`. A movement back to earlier positions is a return,
+/// not a stroke. Neither is a forward movement of less than `least_mm`.
 ///
-/// Samples may come at any rate from about 60 Hz up, evenly or not. A sample whose time does not rise, that is not
-/// finite or further away than a kilometre is left out, but counts for `first` and `last`. The strokes depend on the
-/// samples only, not on when they are taken.
+/// Samples may arrive at any rate above about 60 Hz, evenly or not. A sample is ignored if its time does not rise, it
+/// is not finite, or it is further away than a kilometer; it still counts for `first` and `last`. The strokes depend on
+/// the samples only, not on the times of the calls.
 class StrokeFinder {
  public:
-  /// The settings must be valid (a check of our own code; see `validate`).
+  /// The settings must be valid (checked as our own bug; see `validate`).
   explicit StrokeFinder(const StrokeSettings& settings = {});
 
-  /// Takes the next sample. Thread: any, one at a time. Real-time safe: no.
+  /// Adds the next sample. Thread: any, one at a time. Real-time safe: no.
   void add(const PositionSample& sample);
-  /// The stream has ended: what is open is closed, and a movement that is not over is `interrupted`.
+  /// Ends the stream. A movement in progress becomes `interrupted`.
   void finish();
-  /// The next stroke, in the order of time, or nothing so far. A stroke comes about 0.7 s after its end.
+  /// The next stroke in time order; nothing if there is none yet. A stroke is available about 0.7 s after its end.
   std::optional<Stroke> take();
 
-  /// Whether the hand is moving forward, as far as it is known: for a screen.
+  /// Whether the hand is currently moving forward, as far as known. For display.
   bool moving() const noexcept { return stretch_ && stretch_->detector.movingForward(); }
 
  private:
@@ -48,7 +48,7 @@ class StrokeFinder {
     double time_s;
     double position_mm;
   };
-  /// What is known since the last gap.
+  /// The data since the last gap.
   struct Stretch {
     Stretch(const StrokeSettings& settings, const PositionSample& first, double lowest_been_mm)
         : positions(first), detector(settings, lowest_been_mm) {}
@@ -72,8 +72,8 @@ class StrokeFinder {
   std::deque<Stroke> strokes_;
 };
 
-/// The strokes of a whole recording: the same as from a StrokeFinder that was fed and finished. Refuses settings that
-/// `validate` refuses.
+/// The strokes of a whole recording, equal to those of a StrokeFinder. Returns the error of `validate` for invalid
+/// settings.
 base::Result<std::vector<Stroke>> findStrokes(std::span<const PositionSample> samples,
                                               const StrokeSettings& settings = {});
 

@@ -1,4 +1,4 @@
-// The speeds of recorded strokes, and their mean and standard deviation per stroke and per level.
+// The speeds of recorded strokes, and their mean and standard deviation per stroke and level.
 #pragma once
 
 #include <span>
@@ -11,19 +11,19 @@
 
 namespace tactus::experiments {
 
-/// The motion between the first and the last sample of a stroke, each 1 ms, from `depth` (and `time`, where it was
-/// recorded) as in speed_from_positions.h: time and depth from 0 at the stroke's start, all rounded to a millionth. A
-/// recording with a channel `speed`, as imported tables have it, is taken as it is. Refused: a recording without
-/// `depth`, a stroke that lies outside its recording, positions that speedFromPositions refuses.
+/// The motion between the first and the last sample of a stroke, in steps of 1 ms, from `depth` (and `time`, if
+/// recorded) as in speed_from_positions.h. Time and depth start at 0; all values are rounded to a millionth. A
+/// recording with a channel `speed`, as in imported tables, is used unchanged. Returns an error for a recording without
+/// `depth`, a stroke outside its recording, or positions that speedFromPositions refuses.
 base::Result<std::vector<MotionSample>> strokeMotion(const study::StrokeRecord& record);
 
-/// The speeds of strokeMotion, mm/s. The channel `speed` is enough for them.
+/// The speeds of strokeMotion, mm/s. A recording with only the channel `speed` is enough.
 base::Result<std::vector<double>> strokeSpeeds(const study::StrokeRecord& record);
 
 /// Mean and standard deviation of the speeds of one stroke, or of all strokes of a level as in Table 1.
 struct SpeedStatistics {
   std::string level;
-  int number = 0;  ///< of the stroke; 0 for a whole level
+  int number = 0;  ///< number of the stroke; 0 for a whole level
   std::size_t strokes = 0;
   std::size_t samples = 0;
   double mean_mm_s = 0;
@@ -37,8 +37,8 @@ struct SessionSpeeds {
   std::vector<SpeedStatistics> levels;  ///< over all samples of the level's strokes, in the order of their first stroke
 };
 
-/// Of one session: its accepted strokes that no later record corrects; practice is left out. For researchers, never for
-/// the participant.
+/// The speeds of one session: its accepted strokes without a later correction, without practice. For the researcher,
+/// never for the participant.
 base::Result<SessionSpeeds> speedStatistics(std::span<const study::StrokeRecord> records);
 
 }  // namespace tactus::experiments

@@ -1,4 +1,4 @@
-// Whether the speeds, depths and times of strokes in a table are in mm/s, mm and s.
+// Checks that the speeds, depths and times of strokes in a table are in mm/s, mm and s.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace tactus::experiments {
 
-/// What the columns of a stroke would have to be multiplied by to be in s, mm and mm/s.
+/// The factors that convert the columns of a stroke to s, mm and mm/s.
 struct UnitFactors {
   double time = 1;
   double depth = 1;
@@ -19,29 +19,31 @@ struct UnitFactors {
   bool operator==(const UnitFactors&) const = default;
 };
 
-/// How the columns of one stroke fit each other: the depth must change as the speed says.
+/// The consistency of one stroke's columns: the depth must change as the speeds say.
 struct UnitFit {
   enum class Verdict {
-    kUnknown,  ///< too few rows, or times or depths that do not change
+    kUnknown,  ///< too few rows, or constant times or depths
     kFits,     ///< speed and change of depth within a factor of 1.5
-    kOther,    ///< another unit makes it fit, and only one
-    kNeither,  ///< no usual unit does
+    kOther,    ///< exactly one other unit makes it fit
+    kNeither,  ///< no usual unit makes it fit
   };
   Verdict verdict = Verdict::kUnknown;
   UnitFactors factors;          ///< kOther only
-  double depth_over_speed = 1;  ///< change of depth divided by what the speeds add up to; may be negative
+  double depth_over_speed = 1;  ///< change of depth divided by the integral of the speeds; may be negative
 };
 
-/// A stroke as the tables hold it: 0.05 to 120 s, 3 to 1000 mm, 1 to 2000 mm/s on the median. Another unit is taken
-/// only where these hold with it, and time or speed do not without, or the depths contradict the speeds.
+/// Checks a stroke of a table against plausible values: 0.05 to 120 s, 3 to 1000 mm, 1 to 2000 mm/s in the median.
+/// Another unit is assumed only if these limits hold with it, and if time or speed violate them without it or the
+/// depths contradict the speeds.
 UnitFit unitFit(const TableStroke& stroke);
 
-/// Findings about the units of one participant's strokes: units that cannot be meant are refused.
+/// Findings about the units of one participant's strokes. Impossible units are kRefused.
 std::vector<study::DataFinding> unitFindings(std::span<const TableStroke* const> strokes);
 
-/// Findings about participants whose columns fit each other, and yet are of another scale: strokes under 8 mm and
-/// speeds under 15 mm/s (under 8 mm/s where depths say nothing), strokes 5 times as long as those of every other
-/// participant, or a fifth, or speeds 8 times theirs, or an eighth.
+/// Findings about participants with consistent columns but another scale:
+/// - strokes under 8 mm and speeds under 15 mm/s (under 8 mm/s if depths give no information);
+/// - strokes at least 5 times as long as those of every other participant, or at most a fifth;
+/// - speeds at least 8 times theirs, or at most an eighth.
 std::vector<study::DataFinding> scaleFindings(std::span<const std::vector<const TableStroke*>> participants);
 
 }  // namespace tactus::experiments

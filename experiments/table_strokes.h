@@ -1,4 +1,4 @@
-// The rows of a table of speeds, stroke by stroke.
+// The rows of a table of speeds, grouped by stroke.
 #pragma once
 
 #include <span>
@@ -10,26 +10,27 @@
 
 namespace tactus::experiments {
 
-/// One stroke of a table. It views the samples that it was made of.
+/// One stroke of a table. It refers to the samples from which it was made.
 struct TableStroke {
   std::string_view participant;
   std::string_view level;
   int number = 0;
   std::vector<const study::SpeedSample*> rows;     ///< in the order of the table
-  std::vector<const study::SpeedSample*> in_time;  ///< the same by time, exact repetitions of a row left out
+  std::vector<const study::SpeedSample*> in_time;  ///< sorted by time, without exact duplicates of a row
 
   study::TableLine line() const { return rows.front()->line; }
   /// `stroke 2 at slow`, for sentences.
   std::string name() const { return "stroke " + std::to_string(number) + " at " + std::string(level); }
 };
 
-/// All strokes, in the order of their first rows. Each has a row or more. `samples` must outlive the result.
+/// All strokes, in the order of their first rows, with at least one row each. `samples` must outlive the result.
 std::vector<TableStroke> tableStrokes(std::span<const study::SpeedSample> samples);
 
 /// The strokes of each participant, in the order of their first rows.
 std::vector<std::vector<const TableStroke*>> byParticipant(std::span<const TableStroke> strokes);
 
-/// Names of strokes for a sentence: `stroke 1 at slow`, `3 strokes at slow`, `all 12 strokes` of `of`.
+/// Names of strokes for a sentence, e.g. `stroke 1 at slow`, `3 strokes at slow`, `all 12 strokes`. `of`: the number of
+/// all strokes.
 std::string strokesText(std::span<const TableStroke* const> strokes, std::size_t of);
 
 }  // namespace tactus::experiments
