@@ -1,4 +1,4 @@
-// Work that may take longer than a frame, on a thread of its own. Of several jobs only the newest counts.
+// Runs long work on a thread of its own. Only the newest of several jobs counts.
 #pragma once
 
 #include <condition_variable>
@@ -12,26 +12,27 @@
 
 namespace tactus::workbench {
 
-/// Thread: gui, but for what a job does.
+/// Thread: gui. Only the job itself runs on the other thread.
 class Background {
  public:
-  /// What to do with the result of a job, on the thread of the GUI.
+  /// Handles the result of a job. Runs on the GUI thread.
   using Deliver = std::function<void()>;
-  /// Computes on the other thread, from what it owns or shares without changing it. May give up when the token says so.
+  /// Computes on the other thread. Reads only data that it owns or shares unchanged. May stop early if `stop` asks for
+  /// it.
   using Job = std::function<Deliver(const std::stop_token& stop)>;
 
   Background() = default;
-  /// Waits for the end of a job that runs.
+  /// Waits for a running job to end.
   ~Background();
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
 
-  /// Begins `job` as soon as the one that runs has ended. What was asked for before is dropped: a job that waits does
-  /// not begin, one that runs is told to stop, and its result is not delivered.
+  /// Starts `job` after the running job has ended. Drops every earlier request: a waiting job does not start; a running
+  /// job is asked to stop, and its result is not delivered.
   void run(Job job);
-  /// Drops everything.
+  /// Drops the waiting job and the result of the running one.
   void drop();
-  /// Whether a result will come.
+  /// Whether a result is still to come.
   bool isBusy() const { return busy_; }
 
  private:
@@ -44,7 +45,7 @@ class Background {
   std::condition_variable_any wake_;
   std::function<void(const std::stop_token&)> waiting_;
   std::stop_source running_;
-  std::jthread thread_;  ///< began with the first job
+  std::jthread thread_;  ///< started by the first job
 };
 
 }  // namespace tactus::workbench

@@ -9,7 +9,7 @@ namespace tactus::workbench {
 
 struct BuildNote {
   QString sentence;
-  std::string subject;  ///< id of the variable whose terms it is about; empty: of none
+  std::string subject;  ///< id of the variable whose terms the note is about; empty: no variable
 
   bool operator==(const BuildNote&) const = default;
 };

@@ -1,4 +1,4 @@
-// Brings calls from other threads into the GUI's.
+// Passes calls from other threads to the GUI thread.
 #pragma once
 
 #include <QObject>
@@ -15,8 +15,8 @@ class CallQueue : public QObject {
 
   explicit CallQueue(QObject* parent = nullptr);
 
-  /// `call` is made by the event loop of the GUI's thread, after those that were posted before; never, once the box is
-  /// gone. What `post` saw is seen by the call. Thread: any.
+  /// The event loop of the GUI thread makes `call`, after all calls posted earlier. It makes no call after the mailbox
+  /// is destroyed. The call sees everything that the poster had written. Thread: any.
   void post(Call call);
 
  protected:

@@ -5,7 +5,7 @@ class QWidget;
 
 namespace tactus::workbench {
 
-/// Gives `label`, a widget that shows text, the look of secondary text.
+/// Gives `label`, a widget that shows text, the font and color of secondary text.
 void setMuted(QWidget& label);
 
 }  // namespace tactus::workbench

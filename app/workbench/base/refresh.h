@@ -1,4 +1,4 @@
-// Work of a panel that waits until somebody can see it, and then happens at most once per frame of the screen.
+// Repaints or recomputes a panel only while it is visible, at most once per screen frame.
 #pragma once
 
 #include <QDeadlineTimer>
@@ -10,10 +10,10 @@ class QWidget;
 
 namespace tactus::workbench {
 
-/// While the panel cannot be seen, a request only makes it stale, and `work` is done when it is shown again. While it
-/// can, requests are answered from the event loop, the first at once and the others with the next frame, all requests
-/// of a frame together. What is hidden computes nothing, and a drag draws what is newest. A plot inside a panel waits
-/// until the panel has computed what the plot will show, so that it is drawn once.
+/// While the panel is hidden, a request only marks it stale; `work` runs when the panel is shown again. While it is
+/// visible, the event loop runs `work`: at once for the first request, then once per frame for all requests of that
+/// frame. So a hidden panel computes nothing, and a drag draws only the newest state. A plot inside a panel waits until
+/// the panel has computed its data, so that the plot is drawn once.
 class Refresh : public QObject {
   Q_OBJECT
 
@@ -23,11 +23,11 @@ class Refresh : public QObject {
   /// `panel` owns this.
   Refresh(QWidget* panel, std::function<void()> work);
 
-  /// The panel is shown, and its work is still to be done.
+  /// Whether the panel is shown and its work is still to be done.
   bool isDue() const;
-  /// The work goes on in slices: what is shown is coarse.
+  /// Whether `work` is in progress in slices, so that the panel shows a coarse picture.
   bool isRefining() const { return refining_ && isSeen(); }
-  /// `work` says so where it has more slices to do, and again after the last one.
+  /// `work` calls this with true if it has more slices to do, and with false after the last slice.
   void setRefining(bool refining);
 
  public slots:

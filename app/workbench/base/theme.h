@@ -10,12 +10,12 @@ class QSettings;
 
 namespace tactus::workbench::theme {
 
-inline constexpr int kGrid = 8;          ///< px; every distance is a multiple of it or half of it
+inline constexpr int kGrid = 8;          ///< px; every distance is a multiple of this or of its half
 inline constexpr int kCornerRadius = 8;  ///< px, of cards and banners
 
 enum class Look { kLight, kDark };
 
-/// The look that was chosen last; light before somebody chose.
+/// The look that the user chose last; light before the first choice.
 Look storedLook(const QSettings& settings);
 void storeLook(QSettings& settings, Look look);
 
@@ -34,39 +34,38 @@ QColor warningFill();
 QColor errorInk();
 QColor errorFill();
 
-/// The line of the mean.
+/// The line of the mean force.
 QColor mean();
 
-/// The force of the friction, where it stands beside that of the mean.
+/// The force with friction, drawn beside the mean force.
 QColor friction();
 
-/// Line of expert `index`: Okabe and Ito's colors (2008), told apart with any kind of color vision; they repeat after
-/// six.
+/// Line color of expert `index`, from Okabe and Ito (2008): distinct for every kind of color vision. Repeats after six.
 QColor expert(std::size_t index);
 
-/// Color of term `index` of `count`: a ramp from dark blue to amber that rises in lightness, so that the order of the
-/// terms survives any kind of color vision and a print in gray.
+/// Color of term `index` of `count`: a ramp from dark blue to amber with rising lightness. So the order of the terms
+/// stays visible with every kind of color vision and in a gray print.
 QColor term(std::size_t index, std::size_t count);
-/// The same color, with enough contrast for small text on a card.
+/// The same color with enough contrast for small text on a card.
 QColor termText(std::size_t index, std::size_t count);
 
 /// Black or white ink, whichever reads better on `fill`.
 QColor inkOn(const QColor& fill);
 
 QFont titleFont();    ///< name of the model
-QFont headingFont();  ///< heads of cards and panels
+QFont headingFont();  ///< headings of cards and panels
 QFont smallFont();    ///< notes, readouts, labels in plots
 
-/// What a color with an alpha looks like on a card.
+/// `color`, which has an alpha, blended onto a card.
 QColor onCard(const QColor& color);
 
-/// The color of the present look that `color` stands for: what was taken from the functions above in the other look
-/// gets its counterpart, with its alpha; everything else, also the white of light cards, stays as it is.
+/// The color of the current look that corresponds to `color`. A theme color of the other look becomes its counterpart
+/// with the same alpha. Every other color, also the white of light cards, stays unchanged.
 QColor inLook(const QColor& color);
 
-/// The calm look on the Fusion style, the same on every desktop. At the start of the program.
+/// Sets the Fusion style with the theme's colors, the same on every desktop. Call at the start of the program.
 void apply(QApplication& application, Look look = Look::kLight);
-/// Another look at once: colors that widgets took from here are exchanged too. Plots follow by themselves
+/// Changes the look at once, also the theme colors that widgets have stored. Plots follow on their own
 /// (plot/plot_look.h).
 void changeLook(QApplication& application, Look look);
 

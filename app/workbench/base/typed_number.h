@@ -1,4 +1,4 @@
-// Numbers as people type them: with a decimal point or comma, with an exponent, with their unit behind.
+// Numbers as users type them: with a decimal point or comma, an exponent, and the unit after the number.
 #pragma once
 
 #include <QString>
@@ -8,21 +8,22 @@
 
 namespace tactus::workbench {
 
-/// The number that the whole of `typed` says, or one sentence that says what is wrong. `13.5`, `13,5`, `1e2`, `+4` and
-/// `13.5 mm` with `unit` "mm" are numbers; with both marks or two of one (`1.234,5`) nobody knows which is meant.
+/// Reads the whole of `typed` as one number; otherwise returns one sentence with the reason. Numbers are `13.5`,
+/// `13,5`, `1e2`, `+4` and, with `unit` "mm", `13.5 mm`. Refused as ambiguous: both marks, or one mark twice
+/// (`1.234,5`).
 tl::expected<double, QString> typedNumber(const QString& typed, const QString& unit = {});
 
-/// What a number must be beyond a number.
+/// Limits for a typed number.
 struct NumberBounds {
   double min = 0;
   double max = 0;
   bool whole = false;
   QString unit;
 };
-/// The same within bounds; never a number that is not the typed one.
+/// Refuses a number outside `bounds`. It never changes the number.
 tl::expected<double, QString> typedNumber(const QString& typed, const NumberBounds& bounds);
 
-/// Numbers between semicolons, or between commas with a space behind each: `290; 365`, `290, 365`, `13,5; 20`.
+/// Numbers separated by semicolons, or by commas followed by a space: `290; 365`, `290, 365`, `13,5; 20`.
 tl::expected<std::vector<double>, QString> typedNumbers(const QString& typed, const QString& unit = {});
 
 }  // namespace tactus::workbench

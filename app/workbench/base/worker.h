@@ -1,4 +1,4 @@
-// A thread that does what it is given, one thing after another.
+// A thread that runs tasks in the order of their arrival.
 #pragma once
 
 #include <condition_variable>
@@ -14,14 +14,14 @@ class Worker {
   using Task = std::function<void()>;
 
   Worker() = default;
-  /// Waits until everything that was posted is done.
+  /// Waits until all posted tasks are done.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// `task` is run after all that were posted before. Thread: the one that made the worker.
+  /// `task` runs after all tasks posted earlier. Thread: the one that created the worker.
   void post(Task task);
-  /// Until everything that was posted is done. Thread: the one that made the worker.
+  /// Waits until all posted tasks are done. Thread: the one that created the worker.
   void waitForDone();
 
  private:
@@ -31,9 +31,9 @@ class Worker {
   std::deque<Task> tasks_;
   bool busy_ = false;
   bool ending_ = false;
-  std::condition_variable wake_;  ///< there is something to do
-  std::condition_variable done_;  ///< there is nothing left to do
-  std::thread thread_;            ///< began with the first task
+  std::condition_variable wake_;  ///< a task arrived, or the worker ends
+  std::condition_variable done_;  ///< no task is left
+  std::thread thread_;            ///< started by the first task
 };
 
 }  // namespace tactus::workbench
