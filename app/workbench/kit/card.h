@@ -1,4 +1,4 @@
-// A white panel with round corners: the surface everything on the screen stands on.
+// A panel with round corners: the background of all content on the screen.
 #pragma once
 
 #include <QColor>
@@ -13,14 +13,14 @@ class Card : public QFrame {
  public:
   explicit Card(QWidget* parent = nullptr);
 
-  /// Colors of the theme follow a change of the look.
+  /// A theme color follows a change of the look.
   void setColors(const QColor& fill, const QColor& edge);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  std::optional<QColor> fill_;  ///< nothing: that of cards
+  std::optional<QColor> fill_;  ///< nothing: the theme's card color
   std::optional<QColor> edge_;
 };
 

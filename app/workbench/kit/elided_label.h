@@ -1,5 +1,4 @@
-// A line of text that gets shorter or ends in an ellipsis where it does not fit, and then has the whole text as its
-// tool tip.
+// A line of text that becomes shorter or ends in an ellipsis if it does not fit. Its tool tip then has the whole text.
 #pragma once
 
 #include <QLabel>
@@ -12,7 +11,7 @@ class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(QWidget* parent = nullptr);
 
-  /// `brief` stands in the place of `text` where that does not fit; without it the end of `text` is left out.
+  /// Shows `brief` if `text` does not fit. Without `brief` the end of `text` is cut.
   void setFullText(const QString& text, const QString& brief = {});
 
   QSize minimumSizeHint() const override;

@@ -1,4 +1,4 @@
-// A name put on one or two lines where it has little room.
+// Fits a name into a narrow place, on one or two lines.
 #pragma once
 
 #include <QFontMetricsF>
@@ -6,11 +6,11 @@
 
 namespace tactus::workbench {
 
-/// `label` as it fits into `width` px: on one line, or broken at the space or behind the vowel that leaves the most
-/// even halves (`Laryngo-`, `pharynx`), with an ellipsis where even that is too wide.
+/// `label` fitted into `width` px: on one line, or on two lines of nearly equal length. The break is at a space or
+/// after a vowel (`Laryngo-`, `pharynx`). Text that is still too wide ends in an ellipsis.
 QString brokenLabel(const QString& label, double width, const QFontMetricsF& metrics);
 
-/// The widest line of the label once it is broken, in px.
+/// The width of the widest line after the break, px.
 double brokenWidth(const QString& label, const QFontMetricsF& metrics);
 
 }  // namespace tactus::workbench

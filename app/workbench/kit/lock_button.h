@@ -1,4 +1,4 @@
-// A small padlock that is open or closed: a vertex that may not move.
+// A small padlock, open or closed. Closed: the vertex beside it may not move.
 #pragma once
 
 #include <QAbstractButton>

@@ -1,4 +1,4 @@
-// A message on top of the window that does not get in the way: one sentence and a button to close it.
+// A message above the panels that does not block the window: one sentence and a close button.
 #pragma once
 
 #include "app/workbench/kit/card.h"

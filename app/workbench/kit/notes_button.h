@@ -1,4 +1,4 @@
-// A button that says how many notes there are about something, and shows them below itself.
+// A button that shows the number of notes and opens their list below itself.
 #pragma once
 
 #include <QToolButton>

@@ -1,6 +1,6 @@
-// A box to type an exact number: it takes a decimal point and a decimal comma in every locale, shows no zeros at the
-// end, and its unit behind it. What is no number inside the range stays as it was typed, in a red frame with a
-// sentence, and changes nothing.
+// A box for an exact number. It takes a decimal point or comma in every locale, shows no trailing zeros, and shows the
+// unit after the number. Refused input (no number, or out of range) changes nothing: the text stays in the box, with a
+// red frame and a sentence that says why.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -10,14 +10,14 @@
 
 namespace tactus::workbench {
 
-/// A step that divides the universe of `variable` into 90 to 900 parts, a power of ten in its unit.
+/// A power of ten, in the unit of `variable`, that divides its universe into 90 to 900 steps.
 double stepOf(const fuzzy::Variable& variable);
 
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
  public:
-  /// A number in the universe of `variable`, moved by `step`.
+  /// A number in the universe of `variable`; the arrow keys move it by `step`.
   NumberBox(const fuzzy::Variable& variable, double step, QWidget* parent = nullptr);
 
   QString textFromValue(double value) const override;
@@ -25,18 +25,18 @@ class NumberBox : public QDoubleSpinBox {
   QValidator::State validate(QString& text, int& place) const override;
   void stepBy(int steps) override;
 
-  /// Only whole numbers may be typed.
+  /// Accepts only whole numbers from now on.
   void setWhole();
-  /// Shows `value`. Something that is being typed, or was refused, stays where the number itself is the same.
+  /// Shows `value`. If the value is unchanged, text in progress or refused text stays in the box.
   void setValue(double value);
-  /// Shows `value`, which may have more digits than the box.
+  /// Shows `value`, which may have more digits than the box shows.
   void setExact(double value);
-  /// What was set so, with all its digits, as long as the box shows it; otherwise what was typed.
+  /// The value given to `setExact`, with all its digits, while the box shows it; otherwise the typed number.
   double exact() const { return value() == shown_ ? exact_ : value(); }
 
-  /// Takes what was typed; false where it is no number of the range: then it stays, and the box says why.
+  /// Takes the typed text as the value. Returns false if it is refused: the text stays, and the box says why.
   bool commit();
-  /// Why what stands in the box was refused; empty where it was not.
+  /// Why the text in the box was refused; empty if it was not.
   QString refusal() const { return refusal_; }
 
  protected:
@@ -50,13 +50,13 @@ class NumberBox : public QDoubleSpinBox {
   bool takesText();
   void setRefusal(const QString& sentence);
 
-  int digits_ = 0;  ///< after the point, of a number that was not typed
+  int digits_ = 0;  ///< digits after the point of a number that was set, not typed
   bool whole_ = false;
   double exact_ = 0;
   double shown_ = 0;
-  std::optional<double> typed_;  ///< shown with all its digits
+  std::optional<double> typed_;  ///< the typed number, shown with all its digits
   QString refusal_;
-  QString tool_tip_;  ///< while the refusal stands in its place
+  QString tool_tip_;  ///< the normal tool tip, kept while the box shows a refusal
   QWidget* frame_;
 };
 

@@ -1,4 +1,4 @@
-// A small form below a button, for what needs one or two values: it closes with Escape or a click beside it.
+// A small form below a button for one or two values. Escape or a click outside closes it.
 #pragma once
 
 #include <QFrame>
@@ -18,7 +18,7 @@ class PopupForm : public QFrame {
   void addField(const QString& label, QWidget* field);
   /// A sentence above the fields.
   void setNote(const QString& sentence);
-  /// Shows the form below `anchor`, or above it where there is no room; it is deleted when it closes.
+  /// Shows the form below `anchor`, or above it if the space below is too small. The form is deleted when it closes.
   void openAt(const QWidget& anchor);
 
  signals:

@@ -1,5 +1,5 @@
-// The order in which Tab goes through a window: as it is read, part by part from top to bottom and from left to right,
-// whatever the order in which the parts were made.
+// The Tab order of a window: reading order, group by group, from top to bottom and from left to right. The order of
+// creation does not matter.
 #pragma once
 
 #include <QList>
@@ -8,12 +8,12 @@ class QWidget;
 
 namespace tactus::workbench {
 
-/// What can be reached with Tab in `window` as it stands on the screen now. What only could scroll is left out where
-/// all of it can be seen.
+/// The visible widgets of `window` that Tab can reach, in reading order. Leaves out a scroll area if all its content is
+/// visible.
 QList<QWidget*> readingOrder(const QWidget& window);
 
-/// Gives the keyboard to the one after (`forward`) or before the one that has it, and scrolls it into view. Returns
-/// false where there is nothing.
+/// Moves the focus to the next widget (`forward`) or the previous one, and scrolls it into view. Returns false if there
+/// is none.
 bool focusNextAsRead(const QWidget& window, bool forward);
 
 }  // namespace tactus::workbench

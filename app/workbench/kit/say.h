@@ -1,4 +1,4 @@
-// Messages of a view to the person, wherever the view stands in the window.
+// Messages from a view to the user, wherever the view is in the window.
 #pragma once
 
 #include <QString>
@@ -7,19 +7,19 @@ class QWidget;
 
 namespace tactus::workbench {
 
-/// A window that shows messages. Views find the one around them with `sayError` and `sayDone`.
+/// A window that shows messages. Views reach the window around them with `sayError` and `sayDone`.
 class MessagePlace {
  public:
   virtual ~MessagePlace() = default;
-  /// What did not happen, and why: stays until the person closes it.
+  /// A failure and its reason. The message stays until the user closes it.
   virtual void showError(const QString& sentence) = 0;
-  /// What was done: in the strip, for some seconds.
+  /// A completed action. The strip shows it for some seconds.
   virtual void say(const QString& sentence) = 0;
 };
 
-/// `showError` of the window around `from`; nothing happens without one.
+/// Calls `showError` of the window around `from`; does nothing without one.
 void sayError(QWidget& from, const QString& sentence);
-/// `say` of the window around `from`; nothing happens without one.
+/// Calls `say` of the window around `from`; does nothing without one.
 void sayDone(QWidget& from, const QString& sentence);
 
 }  // namespace tactus::workbench

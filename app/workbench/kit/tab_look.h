@@ -1,4 +1,4 @@
-// Which of several tabs is in front, at a glance and in both looks.
+// Makes the current tab easy to see in both looks.
 #pragma once
 
 #include <QObject>
@@ -7,13 +7,13 @@ class QTabBar;
 
 namespace tactus::workbench {
 
-/// Gives the tab in front the ink of the text and, in the dark look, a lighter ground; the others the ink of secondary
-/// text. No line runs under them.
+/// The current tab has the normal text color and, in the dark look, a lighter background. The other tabs have the color
+/// of secondary text. No line is drawn below the tabs.
 class TabLook : public QObject {
   Q_OBJECT
 
  public:
-  /// Belongs to `bar`.
+  /// `bar` owns this object.
   explicit TabLook(QTabBar& bar);
 
  protected:

@@ -1,5 +1,5 @@
-// Text in as many lines as it needs, in a place whose height somebody else gives: unlike a QLabel it does not make the
-// height of everything around it depend on the width, which would let a scroll area scroll where all fits.
+// Text on as many lines as it needs, in a place whose height the layout sets. With a QLabel the height of the whole
+// layout would depend on the width, and a scroll area could scroll although everything fits.
 #pragma once
 
 #include <QLabel>
