@@ -1,4 +1,5 @@
-// Who edits, as it stands in the history: asked for once, kept in the settings. Nobody's name is guessed.
+// The author of edits, as the history shows it. The program asks for the name once and keeps it in the settings. It
+// never guesses a name.
 #pragma once
 
 #include <QObject>
@@ -16,9 +17,9 @@ class AuthorName : public QObject {
  public:
   AuthorName(QSettings& settings, EditController& edits, QObject* parent = nullptr);
 
-  /// Empty until somebody says it; edits are then marked `unnamed`.
+  /// Empty until the user gives a name; edits are then marked `unnamed`.
   QString name() const;
-  /// For the edits from now on; what was done before keeps its author.
+  /// Sets the author of all later edits. Earlier edits keep their author.
   void setName(const QString& name);
 
  private:

@@ -15,26 +15,26 @@ namespace tactus::workbench {
 
 struct CurveFamily {
   QString figure;              ///< `Fig. 10a`
-  std::size_t input = 0;       ///< that varies from curve to curve
-  std::vector<double> values;  ///< of it, in its unit, inside its universe
+  std::size_t input = 0;       ///< the input whose value differs from curve to curve
+  std::vector<double> values;  ///< values of that input, in its unit, inside its universe
 
   friend bool operator==(const CurveFamily&, const CurveFamily&) = default;
 };
 
-/// The family that `preset` shows of `model`, or nothing.
+/// The family that `preset` shows of `model`; nothing if the preset has no family.
 std::optional<CurveFamily> familyOf(const fuzzy::ForceModel& model, const FigurePreset& preset);
 
 struct FamilyCurves {
   std::vector<double> x;                               ///< ascending, in the unit of the input on the x axis
-  std::vector<std::vector<fuzzy::Evaluation>> curves;  ///< one list per value of the family
+  std::vector<std::vector<fuzzy::Evaluation>> curves;  ///< one curve per value of the family
 };
 
-/// The curves along `x_input`, which is not the one that varies; `values` holds one value per input, those of these two
-/// are not used.
+/// The curves along `x_input`, which must not be the family's input. `values` has one value per input; the values of
+/// `x_input` and of the family's input are not used.
 FamilyCurves computeFamily(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t x_input,
                            std::span<const double> values, const CurveFamily& family);
 
-/// The curve number `index` in a legend: `Lubrication 0.25`, `Neck flexion 30 deg`.
+/// The legend text of curve `index`: `Lubrication 0.25`, `Neck flexion 30 deg`.
 QString familyLineText(const fuzzy::ForceModel& model, const CurveFamily& family, std::size_t index);
 
 }  // namespace tactus::workbench

@@ -1,5 +1,5 @@
-// Edits of the open model with undo: gestures that are shown while they go on, one entry in the history for each, and
-// what each did to the force. Every part of the program that changes the model does it here.
+// Edits of the open model, with undo. A gesture (for example a drag) is shown while it is in progress and becomes one
+// entry of the history, with its effect on the force. Every part of the program changes the model through this class.
 #pragma once
 
 #include <QObject>
@@ -20,53 +20,53 @@ class EditController : public QObject {
   Q_OBJECT
 
  public:
-  /// Follows `models`: a model that is opened begins a history of its own.
+  /// Follows `models`: each model that is opened starts its own history.
   explicit EditController(ModelController& models, QObject* parent = nullptr);
 
-  /// Whether a model is open. Everything below may be called with a model only.
+  /// Whether a model is open. All other functions need an open model.
   bool isOpen() const { return history_.has_value(); }
-  /// The model as it stands, a gesture that goes on included.
+  /// The current model, including a gesture in progress.
   const fuzzy::ForceModel& model() const { return history_->model(); }
-  /// The model at the beginning of the gesture, from which its edits start.
+  /// The model at the beginning of the gesture. Edits of the gesture start from it.
   const fuzzy::ForceModel& base() const { return history_->base(); }
   bool inGesture() const { return history_ && history_->inGesture(); }
-  /// Why the gesture went less far than asked; empty where it did not stop.
+  /// Why the gesture stopped short of the request; empty if it did not stop.
   const QString& stopped() const { return stopped_; }
 
-  /// Everything that happened to the model since it was opened: what a study file and a recovery store.
+  /// All events of the model since it was opened. The study file and the autosave store them.
   const editing::EditHistory& history() const { return *history_; }
-  /// The event is in a study file now.
+  /// Marks the event as stored in a study file.
   void markStored(const study::RecordId& id);
-  /// Reads a version of the model from where it was stored.
+  /// Reads a version of the model from its storage.
   using VersionReader = std::function<base::Result<study::ModelVersion>(const study::RecordId&)>;
-  /// Goes on with `history`, read from a study or after a crash, in the place of the present one, which is dropped. The
-  /// open model becomes its current one, over the same inputs. States that are not in memory come from `read`; without
-  /// one nobody can return to them.
+  /// Replaces the current history by `history`, read from a study or after a crash. The current state of `history`
+  /// becomes the open model; it must have the same inputs. `read` supplies states that are not in memory; without it
+  /// the user cannot return to them.
   void adopt(editing::EditHistory history, VersionReader read = {});
   /// The model of any state, read where it is not in memory.
   base::Result<editing::SharedModel> readyOf(editing::StateId state);
   /// Who edits, from now on; empty where nobody said.
   void setAuthor(const QString& name);
   const QString& author() const { return author_; }
-  /// Who edits, `unnamed` where nobody said, and now.
+  /// The author (`unnamed` if not known) and the current time.
   editing::Stamp stamp() const;
 
-  /// A gesture: begun, updated any number of times, committed or cancelled. Its models go to the ModelController at
-  /// most once in 16 ms, the latest one wins; the last one always arrives.
+  /// A gesture: begin it, update it any number of times, then commit or cancel it. The ModelController gets the newest
+  /// model at most once per 16 ms, and always gets the last one.
   void begin();
-  /// Shows the edit, made from `base()`. An error is announced and leaves the gesture as it was. Returns whether it was
-  /// none.
+  /// Shows the edit, made from `base()`. An error is announced and leaves the gesture unchanged. Returns false for an
+  /// error.
   bool update(base::Result<editing::Edit> edit);
   void commit();
   void cancel();
-  /// An edit of `model()` that is a gesture by itself.
+  /// Makes an edit of `model()` as a gesture of its own.
   bool apply(base::Result<editing::Edit> edit);
-  /// Says that something could not be done, in one sentence.
+  /// Announces in one sentence that an action is refused.
   void refuse(const QString& sentence);
 
   bool canUndo() const { return history_ && (history_->canUndo() || inGesture()); }
   bool canRedo() const { return history_ && history_->canRedo(); }
-  /// What undo takes back, and what redo brings again; empty where there is nothing.
+  /// The edits that undo takes back and redo brings back; empty if there is none.
   QString undoText() const;
   QString redoText() const;
 
@@ -74,39 +74,39 @@ class EditController : public QObject {
   /// for the model that was opened, and until a state that is not in memory has been read.
   QString effectOf(editing::StateId state);
 
-  /// The same in numbers; nothing where it is not known.
+  /// The same as numbers; nothing if it is not known.
   std::optional<editing::EditImpact> impactOf(editing::StateId state);
-  /// The curve on the screen showed this of the edit that made the current state: no number of it is smaller from now
-  /// on.
+  /// Reports what the curve on the screen shows about the edit that made the current state. From then on no number of
+  /// that edit's effect is smaller than on the curve.
   void include(const editing::GhostCurve& curve, std::size_t input, std::span<const double> point);
 
-  /// Names the current state. Without a name nothing happens.
+  /// Names the current state. Does nothing if `name` is empty.
   void snapshot(const QString& name);
-  /// `who`, an expert's name or code, says of the current state: this feels right.
+  /// Records that `who`, an expert's name or code, says of the current state: "this feels right".
   void signOff(const QString& who);
 
  public slots:
   void undo();
   void redo();
-  /// Back or forward to any state of the list.
+  /// Returns to any state of the list.
   void returnTo(tactus::editing::StateId state);
 
  signals:
-  /// Another model was opened; the history is empty.
+  /// Another model was opened; the history is new.
   void modelReset();
-  /// An edit that was accepted is about to be made and sent; `changed` follows where it changed something.
+  /// An accepted edit is about to be made and sent. `changed` follows if it changes the model.
   void sending();
   /// `model()` changed.
   void changed();
-  /// Undo, redo or the list of entries changed: there may be new events to store.
+  /// Undo, redo or the list of entries changed. There may be new events to store.
   void historyChanged();
   /// An event was marked as stored.
   void stored();
-  /// What an edit did is about to be said: the curve on the screen has to be looked at.
+  /// The effect of an edit is about to be reported. Receivers must now call `include` for the curve on the screen.
   void reporting();
-  /// What the edits did is known better.
+  /// The effects of edits became known or more exact.
   void effectsChanged();
-  /// After an edit: what changed and what it does to the force.
+  /// Comes after an edit: what changed, and the effect on the force.
   void reported(const QString& sentence);
   void refused(const QString& sentence);
 
@@ -125,7 +125,7 @@ class EditController : public QObject {
   QString author_;
   QString stopped_;
   QTimer frame_;      ///< runs for 16 ms after a model was sent
-  bool due_ = false;  ///< a newer one waits for its end
+  bool due_ = false;  ///< a newer model waits for the end of `frame_`
   QTimer report_;
 };
 

@@ -1,4 +1,4 @@
-// Force along one input while the others stay: the numbers behind the force-depth curves.
+// Force along one input while the other inputs stay fixed: the numbers behind the force-depth curves.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,11 @@
 
 namespace tactus::workbench {
 
-/// Evenly spaced samples of a curve; the vertices of the terms come on top. More than the pixels of two mm on a screen.
+/// Evenly spaced samples of a curve, in addition to the vertices of the terms: one for two pixels of a plot 1000 px
+/// wide.
 inline constexpr std::size_t kCurveSamples = 513;
-/// The same for a model of more than `kManyExperts`: the kinks lie at vertices, and between them every curve is smooth.
+/// The same for a model with more than `kManyExperts` experts. All kinks lie at vertices, and every curve is smooth
+/// between them.
 inline constexpr std::size_t kCurveSamplesOfMany = 129;
 inline constexpr std::size_t kManyExperts = 32;
 
@@ -29,20 +31,20 @@ struct Interval {
   double high = 0;
 };
 
-/// Where to sample input `x_input`: evenly over its universe, at every vertex of every term list of it, and at the
-/// neighboring numbers of each vertex, so that kinks, jumps and the ends of gaps are exact.
+/// The sample positions of input `x_input`: even over its universe, at every vertex of its term lists, and at the two
+/// floating-point neighbors of each vertex. So kinks, jumps and the ends of gaps are exact.
 std::vector<double> samplePositions(const fuzzy::ForceModel& model, std::size_t x_input);
 
-/// The curves along `x_input`; `values` holds one value per input, that of `x_input` is not used.
+/// The curves along `x_input`. `values` has one value per input; the value of `x_input` is not used.
 ForceCurves computeCurves(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t x_input,
                           std::span<const double> values);
 
-/// Steps of the force along `x_input` that a hand on a device notices or that are steeper than the renderer's spring;
-/// none where the output is no force in newtons, or for a model of more than `kManyExperts`.
+/// Steps of the force along `x_input` that a hand on a device notices, or that are steeper than the renderer's spring.
+/// Empty if the output is not a force in newtons, or for a model with more than `kManyExperts` experts.
 std::vector<analysis::ForceStep> noticeableSteps(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                                                  std::size_t x_input, std::span<const double> values);
 
-/// Where no rule fires: the intervals of positive width between samples that did not fire.
+/// The intervals without a firing rule: of positive width, between samples that did not fire.
 std::vector<Interval> silentIntervals(std::span<const double> x, std::span<const fuzzy::Evaluation> curve);
 
 }  // namespace tactus::workbench

@@ -1,4 +1,5 @@
-// What the curves are compared with: the model before the last edit, or another one that somebody chose.
+// The model with which the curves are compared: the model before the last edit, or a reference that the user chose.
+// "Ghost" names the faint curves of that model.
 #pragma once
 
 #include <QObject>
@@ -17,13 +18,13 @@ namespace tactus::workbench {
 class EditController;
 class SceneController;
 
-/// The curves before, in the present setting, and how far the mean is from them now.
+/// The curves of the ghost in the current setting, and the difference of the mean force to it.
 struct GhostCurves {
   std::vector<double> x;                ///< ascending, in the unit of the input on the x axis
   std::vector<fuzzy::Evaluation> mean;  ///< one per place
   std::vector<std::vector<fuzzy::Evaluation>>
-      experts;  ///< per expert of the open model; empty for one not there before
-  /// How far the means are apart; its `points` are left out.
+      experts;  ///< per expert of the open model; empty for an expert that the ghost lacks
+  /// The difference of the two means; its `points` are left empty.
   editing::GhostCurve difference;
 };
 
@@ -34,35 +35,34 @@ class GhostController : public QObject {
  public:
   GhostController(EditController& edits, const SceneController& scene, QObject* parent = nullptr);
 
-  /// The model that stands for "before": the reference where one was set; in a gesture the model at its beginning;
-  /// otherwise the one that the present state was made from. Null where there is none, or while this is off.
+  /// The model "before": the reference if one is set; during a gesture the model at its beginning; otherwise the parent
+  /// of the current state. Null if there is none, or while the ghost is off.
   std::shared_ptr<const OpenModel> before() const { return on_ ? shown() : nullptr; }
-  /// What `before` is: `Before the last edit`, or the name of the reference.
+  /// The name of `before`: `Before the last edit`, or the name of the reference.
   QString label() const;
-  /// What was changed since, in words; empty for a reference.
+  /// The change since `before`, in words; empty for a reference.
   QString whatChanged() const;
   bool isOn() const { return on_; }
   bool hasReference() const { return reference_ != nullptr; }
 
-  /// Compares with `model`, called `label`, until `clearReference` or until another model is opened. Refused: other
-  /// inputs or another output than the open model has.
+  /// Compares with `model`, named `label`, until `clearReference` or until another model is opened. Refused: a model
+  /// whose inputs or output differ from those of the open model.
   base::Result<void> setReference(std::shared_ptr<const OpenModel> model, const QString& label);
   void clearReference();
 
-  /// The curves of `before`, computed when asked for and only after something they depend on changed; null where there
-  /// is none. A model must be open.
+  /// The curves of `before`; null if there is none. Computed at the first call after a change. A model must be open.
   const GhostCurves* curves() const;
-  /// What the last edit did, as the history says it, and where along the present curves it is largest: `max ΔF at least
-  /// 0.032 N (0.4 JND) · on this curve 0.021 N (0.3 JND) at 215 mm`. Against a reference, and while a gesture goes on,
-  /// that of the curve alone: `max ΔF on this curve …`. Just-noticeable differences only where the unit of the force is
-  /// newtons; where the largest of them is at another place, both places.
+  /// The effect of the last edit as in the history, and the largest difference along the current curves: `max ΔF at
+  /// least 0.032 N (0.4 JND) · on this curve 0.021 N (0.3 JND) at 215 mm`. Against a reference, and during a gesture,
+  /// the curve alone: `max ΔF on this curve …`. Just-noticeable differences appear only if the unit of the force is
+  /// newtons. If the largest of them is at another place, the text names both places.
   QString differenceText() const;
 
  public slots:
   void setOn(bool on);
 
  signals:
-  /// Another model before, or none any more.
+  /// Another ghost, or none any more.
   void changed();
 
  private:
@@ -77,11 +77,11 @@ class GhostController : public QObject {
   const SceneController& scene_;
   bool on_ = true;
   std::shared_ptr<const OpenModel> before_;
-  std::optional<editing::StateId> state_;  ///< of before_
+  std::optional<editing::StateId> state_;  ///< the state of before_
   std::shared_ptr<const OpenModel> reference_;
   QString reference_label_;
 
-  // Computed when asked for, and what they were computed from.
+  // Computed on demand, with the inputs of the computation.
   mutable std::optional<GhostCurves> curves_;
   mutable std::shared_ptr<const OpenModel> curves_before_;
   mutable std::shared_ptr<const OpenModel> curves_after_;

@@ -1,4 +1,4 @@
-// What an edit does to the force, in words.
+// The effect of an edit on the force, in words.
 #pragma once
 
 #include <QString>
@@ -8,11 +8,12 @@
 
 namespace tactus::workbench {
 
-/// How far a force moved, > 0: `0.032 N`, or `below 0.001 N` where it would read as nothing.
+/// A change of force > 0: `0.032 N`, or `below 0.001 N` if it would round to zero.
 QString forceChangeText(double change_n, const std::string& unit);
 
-/// `max ΔF at least 0.032 N (0.4 JND)`, because it is the largest of many places; just-noticeable differences only
-/// where `unit`, that of the force, is newtons. `no change of the force` where it is the same.
+/// `max ΔF at least 0.032 N (0.4 JND)`: "at least", because it is the largest of a sample of points. Just-noticeable
+/// differences appear only if `unit`, the unit of the force, is newtons. `no change of the force` if the sample has no
+/// difference.
 QString impactText(const editing::EditImpact& impact, const std::string& unit);
 
 }  // namespace tactus::workbench

@@ -1,4 +1,4 @@
-// A model that is open in the workbench: what its file says, and its compiled form.
+// A model that is open in the workbench: the contents of its file, and its compiled form.
 #pragma once
 
 #include <QString>
@@ -37,12 +37,12 @@ struct OpenModel {
 /// Reads and compiles the model file `path`.
 base::Result<OpenModel> readOpenModel(const QString& path);
 
-/// Place of the input, or of the expert, `id` in `model`.
+/// The index of the input or of the expert `id` in `model`.
 std::optional<std::size_t> inputNamed(const fuzzy::ForceModel& model, const std::string& id);
 std::optional<std::size_t> expertNamed(const fuzzy::ForceModel& model, const std::string& id);
 
-/// Whether the provenance or the label of an expert says that data are simulated: the word in a text, or a key with the
-/// word and a value other than false, 0, null and empty.
+/// Whether the provenance, or the label of an expert, says that data are simulated. Signs are the word "simulated" in a
+/// text, or a key with that word whose value is not false, 0, null or empty.
 bool saysSimulated(const fuzzy::ForceModel& model);
 
 }  // namespace tactus::workbench

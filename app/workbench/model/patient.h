@@ -1,4 +1,4 @@
-// What a nurse changes about tube and patient: lubrication and neck flexion, as inputs of the open model.
+// The inputs that a nurse can change on tube and patient: lubrication and neck flexion.
 #pragma once
 
 #include <QString>
@@ -17,21 +17,21 @@ inline constexpr auto kNeckFlexionId = "neck_flexion";
 inline constexpr auto kDepthId = "depth";
 inline constexpr auto kSpeedId = "speed";
 
-/// The middle of the part of `variable`'s universe that belongs fully to `term`.
+/// The middle of the part of the universe of `variable` in which `term` has membership 1.
 double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term);
 
-/// The part of the universe that belongs to `term` by half or more; of no width where there is none.
+/// The part of the universe in which `term` has membership 0.5 or more; of width 0 if there is none.
 Interval halfRange(const fuzzy::Variable& variable, const fuzzy::Term& term);
 
-/// The term that `value` belongs to most; the first of equals. Nothing where it belongs to none.
+/// The term with the largest membership at `value`; the first of equals. Nothing if `value` belongs to no term.
 std::optional<std::size_t> strongestTerm(const fuzzy::Variable& variable, double value);
 
-/// Neck flexion of a head held upright and of one flexed forward: the middle of its first and last term.
+/// Neck flexion of an upright head and of a flexed one: the core middles of the first and the last term.
 struct NeckPostures {
   double upright = 0;
   double flexed = 0;
 };
-/// Nothing: there are not two terms to choose from.
+/// Nothing if the variable has fewer than two terms.
 std::optional<NeckPostures> neckPostures(const fuzzy::Variable& neck_flexion);
 
 }  // namespace tactus::workbench

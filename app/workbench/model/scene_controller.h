@@ -1,5 +1,6 @@
-// The setting in which the open model is looked at: a value for each input, the input on the x axis, the place that is
-// read, and whose terms are shown. Curves are computed when asked for, and only after something they depend on changed.
+// The setting in which the user looks at the open model: a value for each input, the input on the x axis, the reading
+// place, and the choice of terms. Curves are computed on demand, only after a change. The reading place is the x
+// position under the mouse, or else the operating point.
 #pragma once
 
 #include <QObject>
@@ -17,7 +18,7 @@
 
 namespace tactus::workbench {
 
-/// The forces at the place that is read.
+/// The forces at the reading place.
 struct Reading {
   double x = 0;  ///< value of the input on the x axis, in its unit
   fuzzy::Evaluation mean;
@@ -30,11 +31,11 @@ class SceneController : public QObject {
  public:
   explicit SceneController(const ModelController& models, QObject* parent = nullptr);
 
-  /// The model that is looked at, or null. Everything below may be called with a model only.
+  /// The model on the screen; null if none is open. All other functions need a model.
   const OpenModel* model() const { return model_.get(); }
-  /// The same, to keep.
+  /// The same, as shared ownership.
   std::shared_ptr<const OpenModel> shared() const { return model_; }
-  /// Whether that is another one in the place of the open model, while versions are compared.
+  /// Whether it is another model in place of the open one, while versions are compared.
   bool showsAnother() const { return models_.shown() != models_.current(); }
 
   std::size_t xInput() const { return x_input_; }
@@ -45,55 +46,55 @@ class SceneController : public QObject {
 
   /// The expert whose own terms are shown; nothing: the shared terms.
   std::optional<std::size_t> termsOf() const { return terms_of_; }
-  /// The terms of a variable of the model as they are shown.
+  /// The terms of a variable of the model, as chosen with `termsOf`.
   const std::vector<fuzzy::Term>& terms(const fuzzy::Variable& variable) const;
 
-  /// The curves along the x axis in the present setting.
+  /// The curves along the x axis in the current setting.
   const ForceCurves& curves() const;
 
-  /// Curves of the mean at several values of another input, shown in the place of those of the experts.
+  /// The family of curves of the mean at several values of another input; it replaces the curves of the experts.
   const std::optional<CurveFamily>& family() const { return family_; }
-  /// Its curves along the x axis in the present setting. There must be a family.
+  /// The curves of the family in the current setting. Needs a family.
   const FamilyCurves& familyCurves() const;
 
-  /// The forces at the place under the mouse, or at the value of the input on the x axis.
+  /// The forces at the reading place.
   const Reading& reading() const;
-  /// How the force comes about there.
+  /// How the model derives the force there.
   const analysis::Explanation& explanation() const;
-  /// The place itself: one value per input.
+  /// The reading place as one value per input.
   std::vector<double> readingPoint() const;
   double readingX() const { return hover_.value_or(values_[x_input_]); }
 
-  /// How many forces have been computed for this scene: one for each expert and one for the mean at each place. What
-  /// nobody sees adds nothing.
+  /// The number of forces computed for this scene: per place one for each expert and one for the mean. Hidden views add
+  /// none.
   std::uint64_t evaluations() const { return evaluations_; }
-  /// Adds forces that others compute for this scene.
+  /// Adds forces that other objects computed for this scene.
   void countEvaluations(std::uint64_t forces) const { evaluations_ += forces; }
 
  public slots:
   void setXInput(std::size_t input);
-  /// Sets input `input` to `value`, clamped to its universe. What is no number changes nothing.
+  /// Sets input `input` to `value`, clamped to its universe. Ignores NaN.
   void setValue(std::size_t input, double value);
-  /// Sets the inputs as in a figure of the paper, with the depth on the x axis where the model has one, and its family
-  /// of curves.
+  /// Sets the inputs as in a figure of the paper, puts the depth on the x axis if the model has one, and shows the
+  /// figure's family of curves.
   void applyPreset(const tactus::workbench::FigurePreset& preset);
-  /// The curves of the experts again.
+  /// Shows the curves of the experts again.
   void clearFamily();
-  /// Reads at `x` on the x axis until `clearHover`.
+  /// Moves the reading place to `x` on the x axis until `clearHover`.
   void setHover(double x);
   void clearHover();
   void setTermsOf(std::optional<std::size_t> expert);
 
  signals:
-  /// Another model: other variables or experts.
+  /// Another model with other variables or experts.
   void modelChanged();
-  /// The same variables and experts with other terms or rules; followed by `termsChanged`, `curvesChanged` and
-  /// `readingChanged`.
+  /// The same variables and experts with other terms or rules. `termsChanged`, `curvesChanged` and `readingChanged`
+  /// follow.
   void modelEdited();
   void xInputChanged();
   void valueChanged(std::size_t input);
   void curvesChanged();
-  /// Another family, or none any more; its lines are others. `curvesChanged` tells of new curves of the same family.
+  /// Another family with other lines, or none any more. `curvesChanged` announces new curves of the same family.
   void familyChanged();
   void presetApplied(const tactus::workbench::FigurePreset& preset);
   void readingChanged();
@@ -116,7 +117,7 @@ class SceneController : public QObject {
   std::optional<double> hover_;
   std::optional<std::size_t> terms_of_;
   std::optional<CurveFamily> family_;
-  // Computed when asked for.
+  // Computed on demand.
   mutable std::optional<ForceCurves> curves_;
   mutable std::optional<FamilyCurves> family_curves_;
   mutable std::optional<Reading> reading_;

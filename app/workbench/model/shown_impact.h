@@ -1,4 +1,4 @@
-// How much an edit changes the force, as every part of the screen says it: with the curve that is on the screen.
+// The effect of an edit on the force, as all parts of the screen show it: never less than on the curve on the screen.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,13 @@ struct CurveSetting {
   std::vector<double> values;
 };
 
-/// The forces of both models along that curve, at the places where the screen draws either.
+/// The forces of both models along that curve, at the sample positions of both models.
 editing::GhostCurve curveBetween(const fuzzy::ForceModel& before, const fuzzy::CompiledModel& compiled_before,
                                  const fuzzy::ForceModel& after, const fuzzy::CompiledModel& compiled_after,
                                  const CurveSetting& setting);
 
-/// editing::editImpact, and what the curve shows beyond it. `setting` without values, or of another number of inputs:
-/// no curve. Thread: any.
+/// editing::editImpact, raised to what the curve shows. If `setting` has no values, or values for another number of
+/// inputs, no curve is used. Thread: any.
 editing::EditImpact shownImpact(const fuzzy::ForceModel& before, const fuzzy::CompiledModel& compiled_before,
                                 const fuzzy::ForceModel& after, const fuzzy::CompiledModel& compiled_after,
                                 const CurveSetting& setting);
