@@ -1,4 +1,4 @@
-// Texts and lines on a drawing, so that no two texts overlap and no line runs through a text: boxes that may be turned.
+// Places texts and lines on a drawing so that no two texts overlap and no line crosses a text. Boxes may be turned.
 #pragma once
 
 #include <QLineF>
@@ -10,11 +10,11 @@
 
 namespace tactus::workbench {
 
-/// A rectangle around a middle, turned by an angle.
+/// A rectangle around a center, turned by an angle.
 struct TurnedBox {
   QPointF middle;
   QSizeF size;
-  double angle_deg = 0;  ///< clockwise on the screen, as QPainter turns
+  double angle_deg = 0;  ///< clockwise on the screen, as in QPainter
 
   QPolygonF corners() const;
 };
@@ -22,18 +22,18 @@ struct TurnedBox {
 /// The box around a line, `width` px wide.
 TurnedBox boxOf(const QLineF& line, double width);
 
-/// Whether two boxes have more than an edge in common.
+/// Whether two boxes share more than an edge.
 bool overlap(const TurnedBox& one, const TurnedBox& other);
 
 class LabelBoard {
  public:
-  /// Only what lies in `bounds` as a whole is placed.
+  /// Boxes are placed only if they lie completely inside `bounds`.
   explicit LabelBoard(const QRectF& bounds) : bounds_(bounds) {}
 
   bool isFree(const TurnedBox& box) const;
-  /// Keeps the room of `box` whether it is free or not.
+  /// Reserves `box`, free or not.
   void take(const TurnedBox& box) { taken_.push_back(box); }
-  /// Takes the room of `box` if it is free.
+  /// Reserves `box` if it is free. Returns whether it was.
   bool place(const TurnedBox& box);
 
  private:

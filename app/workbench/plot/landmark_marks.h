@@ -1,5 +1,5 @@
-// Landmarks of the anatomy at an edge of a plot with a depth axis: a bar or a tick, and a name. Only files of
-// plots/ include this.
+// Anatomical landmarks at an edge of a plot with a depth axis: a bar or a tick, and a name. Needs QCustomPlot: only
+// plotting code includes this.
 #pragma once
 
 #include <vector>
@@ -14,21 +14,21 @@ class LandmarkMarks : public QCPLayerable {
 
  public:
   enum class Place {
-    kInside,  ///< at the lower edge, over the ground of the plot
-    kAbove,   ///< on top of the plot, which leaves height() for them
-    kUnder,   ///< under the upper edge, where the ground of the plot is free
-    kBeside,  ///< along the left axis, over the ground of the plot, where that axis is the depth
+    kInside,  ///< at the lower edge, inside the plot area
+    kAbove,   ///< above the plot, which leaves height() px for them
+    kUnder,   ///< below the upper edge, inside the plot area
+    kBeside,  ///< along the left axis if that is the depth axis, inside the plot area
   };
 
   LandmarkMarks(QCustomPlot& plot, Place place);
 
-  /// The landmarks of the axis of `variable`, none where it is not the depth.
+  /// Shows the landmarks for the axis of `variable`; none if it is not the depth.
   void setVariable(const fuzzy::Variable& variable);
-  /// Without names where there is no room for them: bars alone.
+  /// False: bars without names, for small plots.
   void setNamed(bool named) { named_ = named; }
-  /// One line per landmark with its place and its source; empty where there are none.
+  /// One line per landmark with its place and its source; empty without landmarks.
   QString explanation() const;
-  /// Room that the bars and the rows of names take, px; 0 without landmarks.
+  /// Height of the bars and the rows of names, px; 0 without landmarks.
   int height() const;
 
  protected:

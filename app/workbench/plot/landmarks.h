@@ -1,5 +1,4 @@
-// Places of the anatomy along the way of the tube, for display beside a depth axis. The data are in
-// data/landmarks.json.
+// Anatomical landmarks along the path of the tube, shown beside a depth axis. The data are in data/landmarks.json.
 #pragma once
 
 #include <QString>
@@ -9,7 +8,7 @@
 
 namespace tactus::workbench {
 
-/// Depth from the rim of the nostril of an adult, as typical values; people differ by about 10 %.
+/// Depth from the rim of an adult's nostril. Values are typical; people differ by about 10 %.
 struct Landmark {
   QString name;
   double from_mm = 0;
@@ -18,7 +17,7 @@ struct Landmark {
   QString source;
 };
 
-/// The landmarks for the axis of `variable`: those inside its universe where it is the depth in mm, otherwise none.
+/// The landmarks inside the universe of `variable` if it is the depth in mm; otherwise none.
 std::vector<Landmark> landmarksFor(const fuzzy::Variable& variable);
 
 }  // namespace tactus::workbench

@@ -11,14 +11,14 @@ namespace tactus::workbench {
 
 class PlotSource;
 
-/// Pixels of the picture for one of its layout: sharp on paper at 16 cm width, and on any screen.
+/// Pixels of the picture per pixel of its layout: sharp on paper at 16 cm width, and on any screen.
 inline constexpr double kPictureScale = 2;
 
-/// `plot` with its legend and the lines of `caption` below it, the first of which is the title.
+/// `plot` with its legend and, below it, the lines of `caption`. The first line is the title.
 QImage pictureOf(PlotSource& plot, const QStringList& caption);
 
-/// Writes that picture to `path`, whole or not at all: PNG, SVG or PDF, by the ending of `path`. Refused: another
-/// ending, a file that cannot be written.
+/// Writes that picture to `path`, completely or not at all, as PNG, SVG or PDF by the extension of `path`. Refused:
+/// another extension, a file that cannot be written.
 base::Result<void> savePicture(PlotSource& plot, const QStringList& caption, const QString& path);
 
 }  // namespace tactus::workbench

@@ -1,12 +1,13 @@
-// A QCustomPlot that draws straight into its window. Only files of plots/ include this.
+// A QCustomPlot that draws directly into its window. Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
 #include <qcustomplot.h>
 
 namespace tactus::workbench {
 
-/// QCustomPlot draws into pictures of its own and then lays them over each other, several megabytes each on a fine
-/// screen. Here the layers are drawn where they are seen, so a plot costs no more than its lines; `update` draws it.
+/// QCustomPlot draws each layer into an image of its own and then combines the images, several megabytes each on a
+/// high-resolution screen. This class draws the layers directly, so a plot costs no more than its lines. `update` draws
+/// it.
 class PlotCanvas : public QCustomPlot {
  public:
   using QCustomPlot::QCustomPlot;
@@ -16,7 +17,7 @@ class PlotCanvas : public QCustomPlot {
   void resizeEvent(QResizeEvent* event) override;
 };
 
-/// A graph whose fill is drawn in strips; its line covers the edge, so the fill need not be smoothed.
+/// A graph that draws its fill in strips. The line covers the edge, so the fill needs no smoothing.
 class FilledGraph : public QCPGraph {
  public:
   using QCPGraph::QCPGraph;
@@ -25,8 +26,8 @@ class FilledGraph : public QCPGraph {
   void drawFill(QCPPainter* painter, QVector<QPointF>* lines) const override;
 };
 
-// Qt hands fills of many rows to other threads and waits for them, which takes longer than the work where the processor
-// has something else to do. These fill strip by strip; vector pictures in one piece.
+// Qt passes fills of many rows to other threads and waits for them. On a busy processor that takes longer than the fill
+// itself. These functions fill strip by strip; in vector pictures they fill in one piece.
 
 /// Fills `area`, px.
 void fillInStrips(QCPPainter& painter, const QRectF& area, const QColor& color);

@@ -1,4 +1,4 @@
-// What stands below a picture of a plot and above its table: the model, what is shown, and the setting it is shown in.
+// The caption below a picture of a plot and above its table: the model, the subject of the plot, and its setting.
 #pragma once
 
 #include <QString>
@@ -10,18 +10,18 @@ namespace tactus::workbench {
 
 class SceneController;
 
-/// A table without columns for a plot of the open model: the caption `model: what`, the values of all inputs but
-/// `axes` in a second line, `notes` (empty ones are left out), and a last line where the model says that data are
-/// simulated. `suffix` ends the name proposed for a file: `-curves`.
+/// A table without columns for a plot of the open model. Its caption has the line `model: what`, a line with the values
+/// of all inputs but `axes`, the non-empty `notes`, and a last line if the model says that data are simulated. `suffix`
+/// ends the proposed file name: `-curves`.
 PlotTable captionedTable(const SceneController& scene, const QString& what, std::span<const std::size_t> axes,
                          const QStringList& notes, const QString& suffix);
 
-/// The same for membership functions: no setting has a part in them. `whose` says whose terms they are.
+/// The same for membership functions, which have no setting. `whose` names the owner of the terms.
 PlotTable captionedTerms(const SceneController& scene, const fuzzy::Variable& variable, const QString& whose);
-/// Whose terms the scene shows: `shared terms`, `terms of S4`.
+/// The owner of the terms that the scene shows: `shared terms`, `terms of S4`.
 QString termsText(const SceneController& scene);
 
-/// `Lubrication 1 · Neck flexion 60 deg`: the values of all inputs but `axes`, the place under the mouse not counted.
+/// `Lubrication 1 · Neck flexion 60 deg`: the values of all inputs but `axes`, without the place under the mouse.
 QString settingText(const SceneController& scene, std::span<const std::size_t> axes);
 
 }  // namespace tactus::workbench

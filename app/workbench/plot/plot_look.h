@@ -1,13 +1,13 @@
-// Keeps a plot in the present look: its lines, axes and texts take the colors of a new look when the palette changes.
-// Includes QCustomPlot, so only files of plots/ include it.
+// Keeps a plot in the current look: when the palette changes, its lines, axes and texts get the colors of the new look.
+// Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
 #include <qcustomplot.h>
 
 namespace tactus::workbench {
 
-/// Watches `plot`, which owns the watch. What draws itself with the colors of the theme needs nothing else; colors that
-/// are not of the theme stay as they are.
+/// Watches `plot`, which owns the watcher. Objects that paint with theme colors need nothing else. Colors from outside
+/// the theme stay unchanged.
 void followLook(QCustomPlot& plot);
 
 }  // namespace tactus::workbench

@@ -1,5 +1,5 @@
-// The button at the head of every plot: copies the plot as a picture or a table, or saves it as PNG, SVG, PDF or CSV,
-// with the settings as a caption.
+// The button in the header of every plot. It copies the plot as a picture or a table, or saves it as PNG, SVG, PDF or
+// CSV, with the settings as a caption.
 #pragma once
 
 #include <QToolButton>
@@ -16,23 +16,22 @@ class PlotMenu : public QToolButton {
   Q_OBJECT
 
  public:
-  /// `table` gives the numbers that `plot` shows and has the plot show what is newest; its caption is that of the
-  /// picture too. It is called when something is copied or saved only. A model must be open by then. `plot` must live
-  /// as long as this.
+  /// `table` returns the numbers of `plot` and updates the plot; the picture uses the same caption. It is called only
+  /// for copying or saving, and then a model must be open. `plot` must outlive this.
   PlotMenu(PlotSource& plot, std::function<PlotTable()> table, QWidget* parent);
 
-  /// The plot with its caption, whole or not at all: PNG, SVG or PDF by the ending of `path`.
+  /// Saves the plot with its caption, completely or not at all: PNG, SVG or PDF by the extension of `path`.
   base::Result<void> savePicture(const QString& path);
-  /// The numbers as CSV, the caption above them in lines that start with `#`.
+  /// Saves the numbers as CSV, after the caption in lines that start with `#`.
   base::Result<void> saveTable(const QString& path);
 
   QSize sizeHint() const override;
 
  public slots:
   void copyPicture();
-  /// As text with tabs for a spreadsheet, and as CSV.
+  /// As tab-separated text for a spreadsheet, and as CSV.
   void copyTable();
-  /// Asks for a file first. What goes wrong is said in the banner of the window.
+  /// Asks for a file first. The banner of the window shows an error.
   void choosePicture();
   void chooseTable();
 
@@ -46,8 +45,8 @@ class PlotMenu : public QToolButton {
   std::function<PlotTable()> table_;
 };
 
-/// The button of the plot that is meant without pointing at it: of the panel with the keyboard, otherwise of the panel
-/// under the mouse, otherwise the first one in `window` that can be seen. Null where there is none.
+/// The button of the current plot: in the panel with the keyboard focus, else in the panel under the mouse, else the
+/// first visible one in `window`. Null if there is none.
 PlotMenu* currentPlot(QWidget& window);
 
 }  // namespace tactus::workbench

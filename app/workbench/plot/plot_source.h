@@ -1,4 +1,4 @@
-// A plot that can be drawn into a picture: what all plots with a save and copy button give.
+// A plot that can be drawn into a picture. All plots with a copy and save button implement it.
 #pragma once
 
 #include <QPen>
@@ -10,12 +10,12 @@ class QCPPainter;
 
 namespace tactus::workbench {
 
-/// A line, or with a fill an area, that the legend of a picture names.
+/// A legend entry of a picture: a line, or an area if it has a fill.
 struct LegendEntry {
   QString name;
   QPen pen;
   QBrush fill = Qt::NoBrush;
-  bool dots = false;  ///< the points of the line are marked
+  bool dots = false;  ///< the points of the line have dots
 };
 
 class PlotSource {
@@ -25,12 +25,12 @@ class PlotSource {
   PlotSource(const PlotSource&) = delete;
   PlotSource& operator=(const PlotSource&) = delete;
 
-  /// Room for the plot in a picture, px, without legend and caption.
+  /// Size of the plot in a picture, px, without legend and caption.
   virtual QSize pictureSize() const { return {1000, 560}; }
-  /// What the picture explains below the plot, in this order.
+  /// The legend entries of the picture, in this order.
   virtual std::vector<LegendEntry> legend() const { return {}; }
-  /// Draws the plot as it stands over `size` px at the origin, ground included, without what only the mouse brings.
-  /// A QCPPainter is a QPainter (plot_style.h); the plot on the screen looks the same afterwards.
+  /// Draws the plot in its current state over `size` px at the origin, with its background and without hover marks. A
+  /// QCPPainter is a QPainter (plot_style.h). The plot on the screen stays unchanged.
   virtual void paintPicture(QCPPainter& painter, const QSize& size) = 0;
 };
 

@@ -1,4 +1,4 @@
-// What all plots have in common: colors, axes, fonts. Includes QCustomPlot, so only files of plots/ include it.
+// What all plots have in common: colors, axes, fonts. Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
 #include <initializer_list>
@@ -11,7 +11,7 @@ namespace tactus::workbench {
 /// A plot without interactions, decorations or legend, in the colors of the theme.
 QCustomPlot* makePlot(QWidget* parent);
 
-/// Draws `plot` again with the next frame, once however often this is called, and only while it can be seen.
+/// Draws `plot` with the next frame: once for any number of calls, and only while the plot is visible.
 void redraw(QCustomPlot& plot);
 
 /// Adds a line of `width` px and a fill below it in the same color; the plot owns the graph.
@@ -20,13 +20,13 @@ QCPGraph& addShape(QCustomPlot& plot, const QColor& color, double width, float f
 /// Lines and fonts of an axis over the universe of `variable`.
 void styleAxis(QCPAxis& axis, const fuzzy::Variable& variable);
 
-/// Draws `plot` over `size` px at the origin of `painter` without `hidden`; on the screen it stays as it was.
+/// Draws `plot` without `hidden` over `size` px at the origin of `painter`. The plot on the screen stays unchanged.
 void paintPlot(QCustomPlot& plot, QCPPainter& painter, const QSize& size, std::initializer_list<QCPLayerable*> hidden);
 
-/// `line` mixed with the ground: fainter, and opaque.
+/// `line` mixed with the background: fainter, and opaque.
 QColor fadedLine(const QColor& line);
 
-/// A line before an edit: dashed, and fainter than `line`.
+/// A line of the model before an edit: dashed, and fainter than `line`.
 QPen ghostPen(const QColor& line, bool fast = false);
 
 /// Ticks at round numbers and at both ends of the universe.

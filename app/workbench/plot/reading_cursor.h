@@ -1,4 +1,5 @@
-// The place that is read in the curve plot: a line, a dot on every curve, and a tag. Only files of plots/ include this.
+// The reading place in the curve plot: a line, a dot on every curve, and a tag. Needs QCustomPlot: only plotting code
+// includes this.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// The terms of the x axis as faint bands behind the curves, as strong as the membership. Only files of plots/ include
-// this.
+// The terms of the x axis as faint bands behind the curves. A band is as strong as its membership. Needs QCustomPlot:
+// only plotting code includes this.
 #pragma once
 
 #include <vector>
@@ -28,7 +28,7 @@ class TermBands : public QCPLayerable {
   double min_ = 0;
   double max_ = 1;
   std::vector<fuzzy::MembershipFunction> terms_;
-  std::vector<double> places_;  ///< between which the colors run straight
+  std::vector<double> places_;  ///< the color changes linearly between these
 };
 
 }  // namespace tactus::workbench

@@ -1,5 +1,5 @@
-// The names of terms above a plot or to its right, each with a thin line to its place, and on demand a bar over the
-// part of the axis that belongs to the term. Only files of plots/ include this.
+// The names of terms above a plot or to its right, each with a thin line to its place. On request each has a bar over
+// the term's part of the axis. Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
 #include <vector>
@@ -22,14 +22,14 @@ class TermLabels : public QCPLayerable {
 
   /// The names of `terms` over the universe of `variable`.
   void setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
-  /// At most that many rows of names.
+  /// At most `rows` rows of names.
   void setRows(int rows) { rows_ = rows; }
-  /// Bars between the plot and the names, where no bands behind the plot show the terms.
+  /// Shows bars between the plot and the names. For plots without bands behind the curves.
   void setBars(bool bars) { bars_ = bars; }
-  /// Room between the plot and this, px, for something else.
+  /// Free space between the plot and the labels, px.
   void setDistance(double px) { distance_ = px; }
 
-  /// Room beside the axis rectangle that the rows need, px, the distance not counted.
+  /// Size beside the axis rectangle that the rows need, px, without the distance.
   int height() const;
 
  protected:
@@ -41,7 +41,7 @@ class TermLabels : public QCPLayerable {
     QString text;
     double center = 0;     ///< on the axis
     Interval half;         ///< where the membership is 0.5 or more
-    std::size_t term = 0;  ///< its place in the order of the terms, which gives the color
+    std::size_t term = 0;  ///< index of the term, which sets the color
   };
 
   const QCPAxis& axis() const;

@@ -1,5 +1,5 @@
-// The line of a membership function over the universe of its variable, as a plot draws it. Only files of plots/ include
-// this.
+// The line of a membership function over the universe of its variable, as plots draw it. Needs QCustomPlot: only
+// plotting code includes this.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ struct TermOutline {
   QVector<double> membership;
 };
 
-/// The corners of the shape between `low` and `high`; a vertical edge has two points at one place.
+/// The corners of the shape between `low` and `high`. A vertical edge has two points at one place.
 TermOutline outlineOf(const fuzzy::Term& term, double low, double high);
 
-/// Columns `term`, the variable, and `membership`, and a row for every corner of every term, also of those beyond the
-/// universe; a Gaussian is sampled over the universe.
+/// Fills the columns `term`, the variable, and `membership`: a row for every corner of every term, also beyond the
+/// universe. A Gaussian is sampled over the universe.
 void fillTable(PlotTable& table, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
 
 }  // namespace tactus::workbench

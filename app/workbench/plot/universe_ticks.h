@@ -1,12 +1,12 @@
-// The numbers at an axis over a universe: round ones and both ends.
+// The numbers on an axis over a universe: round numbers and both ends.
 #pragma once
 
 #include <vector>
 
 namespace tactus::workbench {
 
-/// About `count` round numbers between `min` and `max`, ascending, and both ends; a round number too near to an end
-/// would print over it and is left out. `count` of at least 1; only the ends where `count` is 1.
+/// About `count` >= 1 round numbers between `min` and `max`, ascending, and both ends. A round number that would
+/// overlap an end is left out. `count` = 1 gives the ends alone.
 std::vector<double> universeTicks(double min, double max, int count);
 
 }  // namespace tactus::workbench

@@ -1,4 +1,5 @@
-// The present value in a membership plot: a line, and a dot at each membership. Only files of plots/ include this.
+// The current value in a membership plot: a line, and a dot at each membership. Needs QCustomPlot: only plotting code
+// includes this.
 #pragma once
 
 #include <optional>
