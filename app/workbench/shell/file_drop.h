@@ -1,4 +1,4 @@
-// A model or study file that is dropped on the window, wherever it falls.
+// Accepts a model or study file dropped anywhere on the window.
 #pragma once
 
 #include <QObject>
@@ -8,16 +8,16 @@ class QDropEvent;
 
 namespace tactus::workbench {
 
-/// Takes one file at a time, named like a model or a study. A field under the mouse does not get it as text.
+/// Accepts one file at a time with the extension of a model or a study. Text fields do not get the file as text.
 class FileDrop : public QObject {
   Q_OBJECT
 
  public:
-  /// Belongs to `window`.
+  /// `window` owns this.
   explicit FileDrop(QWidget& window);
 
  signals:
-  /// Once the program that the file comes from has been answered: it does not wait for what follows here.
+  /// Emitted after the drop has been answered, so that the source program does not wait for the receiver.
   void dropped(const QString& path);
 
  protected:

@@ -1,4 +1,4 @@
-// How long an edit takes until the screen shows it.
+// Measures the time from an edit to its display.
 #pragma once
 
 #include <QElapsedTimer>
@@ -15,15 +15,15 @@ namespace tactus::workbench {
 
 class Refresh;
 
-/// Measures from the moment an edit is sent to the moment when every plot that is shown has been painted with it; work
-/// that panels do through a Refresh is waited for, and so is the paint event after it. What is hidden does not count.
-/// An edit that is sent before the one before it is on the screen is shown together with it, and the time of the older
-/// one counts. Measuring costs nothing between edits. Thread: gui.
+/// Measures from the sending of an edit until every visible plot has been painted with it. That includes the work of
+/// panels through a Refresh, and the paint event after it. Hidden panels do not count. If a second edit is sent before
+/// the first is on the screen, both are shown together, and the time of the first counts. Costs nothing between edits.
+/// Thread: gui.
 class FrameClock : public QObject {
   Q_OBJECT
 
  public:
-  /// A series of times, of this session.
+  /// Times since the program started.
   struct Times {
     double last_ms = 0;
     double median_ms = 0;
@@ -31,19 +31,19 @@ class FrameClock : public QObject {
     std::size_t edits = 0;
   };
 
-  /// `root`: the part of the window whose panels count; it outlives this.
+  /// `root`: the part of the window whose panels count. It outlives this.
   explicit FrameClock(const QWidget& root, QObject* parent = nullptr);
 
-  /// Until all plots have been painted, a surface or map that refines in slices at least coarsely. Nothing before the
-  /// first edit.
+  /// The time until all plots were painted. A surface or map that refines in slices counts from its coarse picture on.
+  /// Nothing before the first edit.
   std::optional<Times> painted() const { return timesOf(painted_ms_); }
-  /// Until all plots have been painted at their finest.
+  /// The time until all plots were painted at their finest.
   std::optional<Times> finest() const { return timesOf(finest_ms_); }
 
  public slots:
   /// An edit is being sent.
   void begin();
-  /// It has been sent: whoever shows it knows.
+  /// The edit has been sent: all receivers know about it.
   void sent();
 
  signals:
@@ -60,9 +60,9 @@ class FrameClock : public QObject {
   static std::optional<Times> timesOf(const std::vector<double>& all_ms);
 
   const QWidget& root_;
-  QElapsedTimer clock_;               ///< valid while an edit is on its way
-  QList<QPointer<Refresh>> watched_;  ///< of the panels, while an edit is on its way
-  bool coarse_ = false;               ///< painted, and panels refine
+  QElapsedTimer clock_;               ///< valid while an edit is not on the screen yet
+  QList<QPointer<Refresh>> watched_;  ///< of the panels, while an edit is not on the screen yet
+  bool coarse_ = false;               ///< painted coarsely; panels still refine
   bool looking_ = false;
   std::vector<double> painted_ms_;
   std::vector<double> finest_ms_;

@@ -1,4 +1,4 @@
-// How long the last edit took until the plots showed it, for the strip at the bottom.
+// The strip's label for the time from the last edit to the plots.
 #pragma once
 
 #include <QLabel>

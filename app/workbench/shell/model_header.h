@@ -60,7 +60,7 @@ class ModelHeader : public QWidget {
   Card* simulated_;
   QLabel* terms_label_;
   QComboBox* terms_of_;
-  std::vector<std::optional<std::size_t>> choices_;  ///< expert of each entry of terms_of_
+  std::vector<std::optional<std::size_t>> choices_;  ///< the expert of each entry of terms_of_
 };
 
 }  // namespace tactus::workbench

@@ -1,5 +1,4 @@
-// The strip at the bottom: the operating point as numbers that can be typed, what was said last, and the state of
-// things.
+// The strip at the bottom: the operating point as numbers to edit, the last message, and the state of device and file.
 #pragma once
 
 #include <QString>
@@ -29,10 +28,10 @@ class OperatingStrip : public QWidget {
   void setFrameTime(QWidget* time);
   /// How long the last edit took until it was felt, or nothing while nothing is felt.
   void showLatency(const QString& latency);
-  /// Where edits are kept instead of in a file, with a word about it; empty: the file's state is shown. `bad`: they are
-  /// not kept now.
+  /// Shows where edits are stored if not in a file, in words; empty: shows the state of the file. `bad`: storing fails
+  /// at the moment.
   void showStored(const QString& stored, bool bad);
-  /// One sentence, for as long as it takes to read it. Nothing in the window moves for it.
+  /// Shows one sentence, long enough to read it. The layout of the window does not change.
   void showMessage(const QString& sentence);
   const QString& message() const { return message_; }
 

@@ -1,7 +1,6 @@
-// The panels of the stages as dock widgets: moved, put on top of each other, taken out of the window, closed. Each
-// stage has a layout of its own, which is kept in the settings. A panel that stands alone has a slim title; where
-// panels share a place, their tabs are all there is, and a click with the right button on a tab moves or closes its
-// panel.
+// The panels of the stages as dock widgets: the user can move, stack, undock and close them. Each stage has its own
+// layout, which the settings keep. A panel on its own has a slim title. Panels in one place have tabs instead; a right
+// click on a tab moves or closes its panel.
 #pragma once
 
 #include <QHash>
@@ -25,18 +24,18 @@ class PanelArea : public QMainWindow {
  public:
   explicit PanelArea(QSettings& settings, QWidget* parent = nullptr);
 
-  /// Adds `panel` under the name `id`, which is kept in settings. It is shown in the stages that have a place for it.
+  /// Adds `panel` under the settings key `id`. The stages that have a place for it show it.
   QDockWidget* addPanel(const QString& id, const QString& title, QWidget* panel);
-  /// The first layout of `stage`; a later call adds places to it. A panel that was not added is left out, and what
-  /// stands beside it moves up.
+  /// Sets the default layout of `stage`; a later call adds places. A place whose panel was not added is left out; its
+  /// neighbors take the space.
   void addPlaces(Stage stage, const std::vector<PanelPlace>& places);
 
-  /// Shows the panels of `stage` where they were left there.
+  /// Shows the panels of `stage` in their last places.
   void enter(Stage stage);
   std::optional<Stage> stage() const { return stage_; }
-  /// Puts the panels of the present stage back in their first places.
+  /// Resets the panels of the current stage to the default layout.
   void resetLayout();
-  /// Stores the layout of the present stage.
+  /// Stores the layout of the current stage.
   void storeLayout();
 
   /// Shows or hides each panel.
@@ -58,7 +57,7 @@ class PanelArea : public QMainWindow {
   QList<QDockWidget*> order_;
   QHash<int, std::vector<PanelPlace>> places_;
   std::optional<Stage> stage_;
-  QTimer titles_;  ///< once after any number of panels moved
+  QTimer titles_;  ///< one update after any number of moved panels
 };
 
 }  // namespace tactus::workbench

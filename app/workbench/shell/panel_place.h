@@ -1,4 +1,4 @@
-// Where panels stand in the first layout of a stage.
+// The places of panels in the default layout of a stage.
 #pragma once
 
 #include <functional>
@@ -9,19 +9,19 @@ namespace tactus::workbench {
 
 struct PanelPlace {
   enum class How {
-    kFirst,  ///< takes all there is
-    kRight,  ///< the right part of what `beside` had
-    kBelow,  ///< the lower part of what `beside` had
-    kTab,    ///< behind `beside`
+    kFirst,  ///< takes the whole area
+    kRight,  ///< the right part of the place of `beside`
+    kBelow,  ///< the lower part of the place of `beside`
+    kTab,    ///< a tab behind `beside`
   };
-  const char* panel = "";  ///< name given to PanelArea::addPanel
+  const char* panel = "";  ///< id given to PanelArea::addPanel
   How how = How::kFirst;
   const char* beside = "";
-  int percent = 50;  ///< of what `beside` had, for this panel
+  int percent = 50;  ///< of the place of `beside`, for this panel
 };
 
-/// `places` without the panels that are not there: the first panel that stood behind such a one takes its place, and
-/// what stood beside it moves up.
+/// `places` without the panels that are missing. The first tab behind a missing panel takes its place; the panels
+/// beside it take the space.
 std::vector<PanelPlace> placesOfPresent(const std::vector<PanelPlace>& places,
                                         const std::function<bool(const std::string& panel)>& is_there);
 

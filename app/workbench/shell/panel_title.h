@@ -1,5 +1,4 @@
-// The title of a panel that stands alone: one slim line. Where panels share a place their tabs name them, and it is
-// gone.
+// The title of a panel that stands alone: one slim line. It is hidden while tabs name the panel.
 #pragma once
 
 #include <QWidget>
@@ -17,14 +16,14 @@ class PanelTitle : public QWidget {
  public:
   explicit PanelTitle(QDockWidget& panel);
 
-  /// Whether a tab names the panel already.
+  /// Whether a tab already names the panel.
   void setTabbed(bool tabbed);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
 
  signals:
-  /// Somebody asks what can be done with the panel, at `place` on the screen.
+  /// The user asks for the menu of the panel, at `place` on the screen.
   void menuRequested(const QPoint& place);
 
  protected:

@@ -1,4 +1,4 @@
-// The model files that were opened last, newest first, kept in the settings.
+// The model files opened most recently, newest first, kept in the settings.
 #pragma once
 
 #include <QObject>
@@ -12,7 +12,7 @@ class RecentFiles : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kMost = 8;  ///< what a menu shows without scrolling
+  static constexpr int kMost = 8;  ///< as many as a menu shows without scrolling
 
   explicit RecentFiles(QSettings& settings, QObject* parent = nullptr);
 

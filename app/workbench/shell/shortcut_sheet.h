@@ -1,4 +1,4 @@
-// The sheet of all shortcuts: those of the menus, read from their actions, and what the mouse and the keys do in plots.
+// The list of all shortcuts: those of the menus, read from their actions, and the mouse and key functions of plots.
 #pragma once
 
 #include <QDialog>

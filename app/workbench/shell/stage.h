@@ -14,9 +14,9 @@ inline constexpr std::array<Stage, 5> kStages = {Stage::kCollect, Stage::kUnders
 /// The name in settings; never translated.
 QString stageId(Stage stage);
 QString stageName(Stage stage);
-/// What is done there, in a few words.
+/// The task of the stage in a few words.
 QString stageHint(Stage stage);
-/// Whether it can be entered; the others have their place in the rail and say what will be there.
+/// Whether the stage can be entered. The rail also shows the others and says what they will hold.
 bool isReady(Stage stage);
 
 }  // namespace tactus::workbench

@@ -1,4 +1,4 @@
-// One stage in the rail: its picture, its name, and what is done there.
+// One stage in the rail: its picture, its name and its task.
 #pragma once
 
 #include <QAbstractButton>
@@ -15,7 +15,7 @@ class StageButton : public QAbstractButton {
  public:
   explicit StageButton(Stage stage, QWidget* parent = nullptr);
 
-  /// The name below the picture, and what is done there as the tool tip.
+  /// True: the name stands below the picture, and the task is the tool tip.
   void setCompact(bool compact);
 
   QSize sizeHint() const override;

@@ -1,4 +1,4 @@
-// Pictures of the stages, drawn as lines so that they are sharp at any scale and take the color of their text.
+// Pictures of the stages as line drawings: sharp at any scale, in the color of the text.
 #pragma once
 
 #include <QPainterPath>
@@ -7,7 +7,7 @@
 
 namespace tactus::workbench {
 
-/// Lines in a square of 24 x 24.
+/// Lines in a square of 24 x 24 units.
 QPainterPath stagePicture(Stage stage);
 
 }  // namespace tactus::workbench

@@ -17,11 +17,11 @@ class StageRail : public QWidget {
   explicit StageRail(QWidget* parent = nullptr);
 
   void setStage(Stage stage);
-  /// Takes less room.
+  /// True: a narrow rail.
   void setCompact(bool compact);
 
  signals:
-  /// Somebody chose `stage`, which can be entered.
+  /// The user chose `stage`, which can be entered.
   void chosen(tactus::workbench::Stage stage);
 
  private:

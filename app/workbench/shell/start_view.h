@@ -1,4 +1,4 @@
-// What the window shows before a model is open.
+// The screen before a model is open.
 #pragma once
 
 #include <QWidget>

@@ -1,5 +1,4 @@
-// Lets Ctrl+Z undo the model wherever the keyboard is: a field takes the key for itself only while somebody types in
-// it.
+// Makes Ctrl+Z undo the model from every widget. A text field keeps the key only while the user types in it.
 #pragma once
 
 #include <QObject>
@@ -10,7 +9,7 @@ class UndoKeys : public QObject {
   Q_OBJECT
 
  public:
-  /// Watches the fields of the whole application.
+  /// Watches the text fields of the whole application.
   explicit UndoKeys(QObject* parent);
 
  protected:
