@@ -1,5 +1,5 @@
-// What the workbench needs of a study when it is opened: its participants, its model with the whole history, and what
-// was felt. Where it holds no model yet, the averaged one is built as `tactus build` does it.
+// The part of a study that the workbench loads on opening: participants, the model with its history, and recordings. If
+// the study has no model yet, the averaged model is built as by `tactus build`.
 #pragma once
 
 #include <QString>
@@ -17,21 +17,21 @@
 
 namespace tactus::workbench {
 
-/// Somebody who can feel a model.
+/// A person who can feel a model.
 struct StudyPerson {
   study::RecordId id;
   QString code;
   bool simulated = false;
-  bool researcher = false;  ///< told so in a profile
+  bool researcher = false;  ///< says so in a profile
 };
 
-/// The category of the profile that tells who of a study is the researcher.
+/// The profile category that marks the researcher of a study.
 inline constexpr auto kResearcherCategory = "researcher";
 
 struct StudyContents {
   QString path;
   store::StudyInfo info;
-  std::vector<StudyPerson> people;  ///< by code
+  std::vector<StudyPerson> people;  ///< sorted by code
   std::vector<store::FeelSummary> recordings;
   std::vector<study::ModelVersion> versions;    ///< without their texts
   std::optional<editing::EditHistory> history;  ///< of the model; nothing: there is none
@@ -41,10 +41,10 @@ struct StudyContents {
   StudyNotices notices;
 };
 
-/// Reads the study. `stamp`: of a model that is built. Thread: that of `file`.
+/// Reads the study. `stamp`: author and time of a model that is built. Thread: the one of `file`.
 base::Result<StudyContents> readContents(const store::StudyFile& file, const editing::Stamp& stamp);
 
-/// A model that was built from a study's answers.
+/// A model built from the answers of a study.
 struct BuiltFromStudy {
   editing::EditHistory history;  ///< of its own
   QString sentence;              ///< of what it was built
@@ -60,7 +60,7 @@ base::Result<StudyNotices> readNotices(const store::StudyFile& file);
 /// The participants of the study. Thread: that of `file`.
 base::Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file);
 
-/// Now, by the clock on the wall.
+/// The current time of the wall clock, ms since 1970 UTC.
 std::int64_t utcNowMs();
 
 }  // namespace tactus::workbench

@@ -1,5 +1,5 @@
-// The open study: its model with all edits as versions, and whatever else is to be kept in it. The file belongs to a
-// thread of its own; here orders are given and answers arrive, and nothing waits.
+// The open study: its model with all edits as versions, and all other records to store. A separate thread owns the
+// file. This class sends orders to it and receives answers; it never waits.
 #pragma once
 
 #include <QObject>
@@ -27,22 +27,22 @@ class StudyController : public QObject {
   Q_OBJECT
 
  public:
-  /// Stores the edits of `edits` while the model is the study's.
+  /// While the open model belongs to the study, stores every edit of `edits`.
   StudyController(ModelController& models, EditController& edits, QObject* parent = nullptr);
-  /// Waits until everything that was ordered is written, then closes the study.
+  /// Waits until all orders are written, then closes the study.
   ~StudyController() override;
 
   bool isOpen() const { return !path_.isEmpty(); }
-  /// The study is opened, read or left, and other orders of this kind are not taken.
+  /// A study is being opened, read or closed. Further orders of this kind are ignored.
   bool isOpening() const { return opening_; }
-  /// Something can be ordered for it: it is open, and not just being closed.
+  /// Whether `order` may be called: a study is open and is not being closed.
   bool takesOrders() const { return isOpen() && !closing_; }
   const QString& path() const { return path_; }
-  /// The name of the file, for the screen.
+  /// The file name for the screen.
   QString fileName() const;
-  /// The open model is the study's: its edits become versions.
+  /// The open model belongs to the study: its edits become versions.
   bool keepsModel() const;
-  /// The study has a model, open or not.
+  /// The study has a model, whether it is the open model or not.
   bool hasModel() const { return has_model_; }
   const std::vector<StudyPerson>& people() const { return people_; }
   const std::vector<store::FeelSummary>& recordings() const { return recordings_; }
@@ -55,54 +55,53 @@ class StudyController : public QObject {
   /// `finishErasure` runs.
   bool isErasing() const { return erasing_; }
 
-  /// Something that was ordered is not written yet.
+  /// Some orders are not written yet.
   bool isBusy() const { return orders_.isBusy(); }
-  /// Why something is not written; empty while all is well. What the disk refused is tried again every few seconds,
-  /// anything else with `storeNow`.
+  /// Why an order is not written; empty if all is well. A disk error is retried every few seconds; after any other
+  /// error call `storeNow`.
   const QString& failure() const { return orders_.failure().isEmpty() ? refused_ : orders_.failure(); }
-  /// `Stored in STUDY`, `Saving in STUDY…`, `Not stored in STUDY`; empty where the model is not the study's.
+  /// `Stored in STUDY`, `Saving in STUDY…`, `Not stored in STUDY`; empty if the model does not belong to the study.
   QString savedText() const;
 
-  /// Works are done in the order in which they were ordered; one that the disk keeps from being done is done again
-  /// later. Of anything else that is wrong with it `refused` is told, or without one everybody with `failed`. The study
-  /// must take orders.
+  /// Runs `work` after all earlier orders. If the disk fails, the order is retried later. For any other failure it
+  /// calls `refused`; without `refused` it emits `failed`. `takesOrders` must be true.
   void order(StudyOrders::Work work, StudyOrders::Done done = {}, StudyOrders::Refused refused = {});
 
-  /// The version that the model on the screen is, or will be once it is written; nothing where the study does not keep
-  /// the model. Of a model that is shown in its place, the version that it is or was made from.
+  /// The version of the model on the screen, also if it is not written yet; nothing if the study does not keep the
+  /// model. For a model shown in place of the open one: its version, or the version from which it was made.
   std::optional<study::RecordId> modelVersion() const;
 
  public slots:
-  /// Opens the study file `path` with its model, or builds one where it has answers and none; ends with `opened` or
-  /// `failed`. The study that is open stays until then.
+  /// Opens the study file `path` with its model. If it has answers but no model, builds one. Ends with `opened` or
+  /// `failed`. The current study stays open until then.
   void open(const QString& path);
-  /// Makes the study file `path` and opens it.
+  /// Creates the study file `path` and opens it.
   void create(const QString& path);
-  /// Lets go of the study. Its model stays open beside it.
+  /// Closes the study. Its model stays open outside the study.
   void close();
-  /// Shows the model of the study again, as it was stored last.
+  /// Shows the study's model again, as stored last.
   void openModel();
-  /// Builds the averaged model anew from the answers. It becomes a further model in the study.
+  /// Builds the averaged model from the answers again and adds it to the study as another model.
   void buildModel();
-  /// The open model and everything that was done to it become versions in the study.
+  /// Puts the open model with its whole history into the study as versions.
   void putModel();
   /// Erases what an interrupted erasure left, in the thread of the study; `said` or `failed` tells the end.
   void finishErasure();
   /// Tries again at once what could not be written.
   void storeNow();
-  /// Reads again who is in the study and what was recorded.
+  /// Reads the participants and recordings of the study again.
   void refresh();
 
  signals:
-  /// The study will be let go of: the last moment to order something for it.
+  /// The study is about to be closed. This is the last chance to call `order`.
   void leaving();
   void opened();
   void closed();
-  /// One sentence: what could not be done with which file, and why.
+  /// One sentence: what failed for which file, and why.
   void failed(const QString& path, const QString& sentence);
-  /// One or two sentences about what was done.
+  /// One or two sentences about a completed action.
   void said(const QString& sentence);
-  /// What `savedText` says, `isBusy` or `failure` changed.
+  /// `savedText`, `isBusy` or `failure` changed.
   void savedChanged();
   void contentsChanged();
   void notesChanged();
@@ -134,8 +133,8 @@ class StudyController : public QObject {
   EditController& edits_;
   QString path_;
   bool opening_ = false;
-  bool closing_ = false;   ///< everything is written, and the file is being closed
-  bool adopting_ = false;  ///< a history is handed over: what it announces is not to be stored
+  bool closing_ = false;   ///< everything is written; the file is being closed
+  bool adopting_ = false;  ///< a history is being handed over; its signals must not be stored
   bool has_model_ = false;
   std::vector<StudyPerson> people_;
   std::vector<store::FeelSummary> recordings_;

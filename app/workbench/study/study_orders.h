@@ -1,5 +1,5 @@
-// What was ordered for the open study and is not written yet: done in its order by the thread of the study, told here,
-// and tried again while the disk refuses.
+// The orders for the open study that are not written yet. The study's thread runs them in order; this class reports the
+// results and retries after disk errors.
 #pragma once
 
 #include <QObject>
@@ -22,28 +22,28 @@ class StudyOrders : public QObject {
   /// `worker` and `answers` may come to life later, and must do so before the first order; `worker` ends before this.
   StudyOrders(StudyWorker& worker, CallQueue& answers, QObject* parent = nullptr);
 
-  /// What to do with the study, in its thread; and what then, here.
+  /// An order: `Work` runs in the study's thread, `Done` afterwards in this thread.
   using Work = std::function<base::Result<void>(store::StudyFile&, study::RecordIds&)>;
   using Done = std::function<void()>;
-  /// Told why a work cannot be done, in one sentence, where the disk is not the reason; it is not tried again.
+  /// Called for a permanent failure (anything but a disk error), with one sentence. The order is not retried.
   using Refused = std::function<void(const QString& sentence)>;
-  /// The study must stay open until the work is done (`whenWritten`).
+  /// The study must stay open until the order is done (`whenWritten`).
   void add(Work work, Done done, Refused refused);
 
   bool isBusy() const { return !waiting_.empty(); }
-  /// Something has been waiting so long that the screen should say so.
+  /// An order has waited so long that the screen should say so.
   bool isSlow() const { return slow_; }
-  /// What the disk refused last; empty while all is well. It is tried again every few seconds.
+  /// The last disk error; empty if all is well. The order is retried every few seconds.
   const QString& failure() const { return failure_; }
-  /// Tries again at once.
+  /// Retries now.
   void tryAgain();
-  /// `then` is told whether everything that was ordered so far is written; false: the disk refuses.
+  /// Calls `then` after all orders so far, with true if they are written and false if the disk fails.
   void whenWritten(std::function<void(bool)> then);
 
  signals:
   /// One of the above changed.
   void changed();
-  /// One sentence, once for each reason: the disk refuses.
+  /// The disk fails: one sentence, once for each reason.
   void failed(const QString& sentence);
 
  private:

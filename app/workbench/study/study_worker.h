@@ -1,5 +1,5 @@
-// The thread that owns the study file: what it is asked to do, one after another. Nothing else touches the file, so a
-// disk that is slow or full holds nobody up.
+// The thread that owns the study file. It runs tasks in order. No other thread uses the file, so a slow or full disk
+// never blocks the window.
 #pragma once
 
 #include <deque>
@@ -16,32 +16,32 @@ namespace tactus::workbench {
 
 class StudyWorker {
  public:
-  /// Something to be done with the study; told what came of it.
+  /// An order for the study, with a callback for its result.
   struct Work {
     std::function<base::Result<void>(store::StudyFile&, study::RecordIds&)> run;
-    /// In the thread of the worker, after each attempt. A failure of the disk (ErrorCode::kIo) is tried again.
+    /// Runs in the worker's thread after each attempt. A disk error (ErrorCode::kIo) is retried.
     std::function<void(const base::Result<void>&)> answer;
   };
-  /// What only the thread of the worker touches.
+  /// The state that only the worker's thread uses.
   struct Desk {
     std::optional<store::StudyFile> file;  ///< the open study
-    std::optional<store::StudyFile> next;  ///< one that was opened and takes its place when it is told to
+    std::optional<store::StudyFile> next;  ///< an opened study that replaces `file` on request
     std::deque<Work> works;                ///< not done yet, because the disk refused the first of them
     study::RecordIds ids;
 
-    /// Does the works in their order, until the disk refuses one. Returns whether none is left.
+    /// Runs the orders in sequence until the disk refuses one. Returns whether all are done.
     bool catchUp();
   };
   using Task = std::function<void(Desk&)>;
 
-  /// `task` runs in the thread of the worker, after all that were posted before.
+  /// Runs `task` in the worker's thread after all tasks posted before.
   void post(Task task) {
     worker_.post([this, task = std::move(task)] { task(desk_); });
   }
 
  private:
-  Desk desk_;      ///< of the thread of the worker, but for its end
-  Worker worker_;  ///< last: everything that was posted is done before the study is closed
+  Desk desk_;      ///< used by the worker's thread, except in the destructor
+  Worker worker_;  ///< last member: all posted tasks are done before the study is closed
 };
 
 }  // namespace tactus::workbench

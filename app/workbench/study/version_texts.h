@@ -1,5 +1,4 @@
-// The old versions of the study's model: read by the thread of the study, the newest ahead, the others when somebody
-// asks for them.
+// The texts of the study model's old versions. The study's thread reads the newest in advance, the others on request.
 #pragma once
 
 #include <QObject>
@@ -21,33 +20,35 @@ class VersionTexts : public QObject {
   Q_OBJECT
 
  public:
+  /// 64 MiB: enough text for a long run of undo.
   static constexpr std::size_t kMostAheadBytes = std::size_t{64} << 20U;
 
   /// `worker` ends before this; `answers` is where it answers.
   VersionTexts(StudyWorker& worker, CallQueue& answers, QObject* parent = nullptr);
 
-  /// Forgets everything and reads those of `versions` (of the study that is open, oldest first) ahead that were added
-  /// last, about `most_ahead_bytes` of text, so that undo finds them at once.
+  /// Drops all texts. Then reads in advance the newest of `versions` (of the open study, oldest first), about
+  /// `most_ahead_bytes` of text, so that undo does not have to wait.
   void begin(const std::vector<study::ModelVersion>& versions, std::size_t most_ahead_bytes = kMostAheadBytes);
-  /// Gives what has been read, or why it cannot be. A version that was not read yet is an error too, and is read then.
+  /// Returns a version that has been read, or the error of reading it. A version that is not read yet is an error, too;
+  /// it is read then.
   EditController::VersionReader reader();
 
  signals:
-  /// One that somebody asked for in vain has been read by now.
+  /// A version that a reader requested too early has been read.
   void arrived();
 
  private:
   using Read = base::Result<study::ModelVersion>;
   struct Shelf {
     std::map<study::RecordId, Read> read;
-    std::set<study::RecordId> asked;     ///< in vain so far
+    std::set<study::RecordId> asked;     ///< requested too early
     std::vector<study::RecordId> ahead;  ///< to be read, in this order
     std::size_t most_bytes = 0;
     std::size_t bytes = 0;
   };
   void ask(const study::RecordId& id);
   void readAhead(std::size_t next);
-  /// Reads `wanted` and puts it on the shelf; then `then`, unless there is another shelf by now.
+  /// Reads `wanted` and puts the texts on the shelf; then calls `then`, unless `begin` has made another shelf.
   void read(std::vector<study::RecordId> wanted, std::function<void()> then);
 
   StudyWorker& worker_;
