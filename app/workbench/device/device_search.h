@@ -1,4 +1,4 @@
-// Looks for haptic devices in the background: a driver can take its time.
+// Searches for haptic devices in the background, because drivers can be slow.
 #pragma once
 
 #include <QObject>
@@ -15,12 +15,12 @@ class DeviceSearch : public QObject {
  public:
   explicit DeviceSearch(QObject* parent = nullptr);
 
-  /// What was found last; before the first search the virtual device alone.
+  /// The result of the last search; before the first search only the virtual device.
   const devices::DeviceList& list() const { return list_; }
   bool isSearching() const { return pending_.valid(); }
 
  public slots:
-  /// Ends with `found`. Without effect while a search runs.
+  /// Starts a search, which ends with `found`. Does nothing while a search is in progress.
   void search();
 
  signals:
