@@ -1,4 +1,4 @@
-// The screen of the research mode: the header of the model, and the panels of the present stage.
+// The screen of the research mode: the model header and the panels of the current stage.
 #pragma once
 
 #include <QWidget>
@@ -28,10 +28,10 @@ class BenchView : public QWidget {
   FeelPanel& feelPanel() { return *feel_panel_; }
   ModelHeader& header() { return *header_; }
 
-  /// Starts feeling on the chosen device, or stops.
+  /// Starts feeling on the chosen device, or stops it.
   void toggleFeel();
 
-  /// What copies and saves the curves, and the map, whether they are shown or not.
+  /// The menus that copy and save the curves and the map. They work while the panels are hidden, too.
   PlotMenu& curvesMenu();
   PlotMenu& mapMenu();
 

@@ -1,5 +1,5 @@
-// Puts what is compared with the curves into the window: what was before an edit, and reference curves from files. What
-// was chosen about them holds at the next start too.
+// Adds the comparisons of the curves to the window: the ghost (the model before an edit) and reference curves from
+// files. The settings keep the user's choices for the next start.
 #pragma once
 
 #include <QObject>
@@ -20,7 +20,7 @@ class CurveParts : public QObject {
   Q_OBJECT
 
  public:
-  /// After EditParts, whose membership function editor gets the shapes before an edit.
+  /// Create after EditParts: its membership function editor shows the shapes before an edit.
   CurveParts(MainWindow& window, const ModelController& models, EditController& edits, GhostController& ghost,
              ReferenceController& references, QSettings& settings);
 

@@ -1,5 +1,5 @@
-// Puts what edits the model into the window: the Edit menu, the membership function editor, the message after each
-// edit, and how long it took to the screen.
+// Adds editing to the window: the Edit menu, the membership function editor, the message after each edit, and the time
+// from an edit to the screen.
 #pragma once
 
 #include <QObject>
@@ -20,7 +20,7 @@ class EditParts : public QObject {
   Q_OBJECT
 
  public:
-  /// Before a model is opened: a stage takes its layout when it is entered first.
+  /// Create before a model is opened: a stage gets its layout at its first use.
   EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene);
 
   MembershipEditor& editor() { return *editor_; }

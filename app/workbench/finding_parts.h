@@ -1,4 +1,4 @@
-// Puts the findings into the window: their panel, and what else shows the finding that is chosen.
+// Adds the findings to the window: their panel, and the links from a chosen finding to the other panels.
 #pragma once
 
 namespace tactus::workbench {
@@ -9,7 +9,7 @@ class RuleController;
 class TermController;
 
 struct FindingParts {
-  /// Before a model is opened: a stage takes its layout when it is entered first.
+  /// Create before a model is opened: a stage gets its layout at its first use.
   FindingParts(MainWindow& window, FindingsController& findings, TermController& terms, RuleController& rules);
 };
 

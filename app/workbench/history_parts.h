@@ -1,5 +1,5 @@
-// Puts the versions of the model into the window: the panel History, its entries in the menu Edit, and the strip that
-// says what is compared.
+// Adds the versions of the model to the window: the History panel, its entries in the menu Edit, and the strip that
+// names the compared versions.
 #pragma once
 
 #include <QObject>
@@ -27,14 +27,14 @@ class HistoryParts : public QObject {
   Q_OBJECT
 
  public:
-  /// Before a model is opened. `menu` is the menu Edit.
+  /// Create before a model is opened. `menu` is the menu Edit.
   HistoryParts(MainWindow& window, QMenu& menu, EditController& edits, CompareController& compare,
                SceneController& scene, FeelController& feel, AuthorName& author);
 
-  /// Offers what a crash left behind, opens `study` where it belongs to one, and says where work cannot be kept from
-  /// the next one.
+  /// Offers work that a crash left behind, opens `study` if the work belongs to it, and warns if work cannot be
+  /// autosaved.
   void addRecovery(AutosaveController& autosave, RecoveryController& recovery, StudyController& study);
-  /// The curves have the side that is not shown as their ghost while versions are compared.
+  /// While versions are compared, the curves show the hidden side as their ghost.
   void addGhost(GhostController& ghost);
 
  private:

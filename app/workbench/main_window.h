@@ -1,4 +1,4 @@
-// The window: menus, files dropped on it, messages, and the screen of the task at hand.
+// The main window: menus, dropped files, messages, and the current screen.
 #pragma once
 
 #include <QMainWindow>
@@ -34,32 +34,32 @@ class MainWindow : public QMainWindow, public MessagePlace {
   MainWindow(ModelController& models, SceneController& scene, FeelController& feel, RecentFiles& recent,
              QSettings& settings);
 
-  /// The entry of the File menu that opens a reference curve, for whoever does it.
+  /// The entry of the File menu that opens a reference curve. The caller connects it.
   QAction* addReferenceAction();
-  /// Where panels of the stages are added, before a model is opened.
+  /// The panels of the stages. Add panels before a model is opened.
   PanelArea& panels();
   FeelPanel& feelPanel();
   OperatingStrip& strip() { return *strip_; }
   MessageBanner& banner() { return *banner_; }
-  /// Says one sentence in the strip, for a while: what was done, or why something was not. Errors go to the banner.
+  /// Shows one sentence in the strip for some seconds: what was done, or why it was refused. Errors go to the banner.
   void say(const QString& sentence) override;
   void showError(const QString& sentence) override;
   /// The line above the panels.
   ModelHeader& header();
   /// The study that is open, by its file's name, in the title and beside the heading; empty: none.
   void showStudy(const QString& name);
-  /// Adds a line over the screen, below the messages.
+  /// Adds a line above the screen, below the messages.
   void addStrip(QWidget* strip);
-  /// Asks what to do with changes that are not saved, where there are some. Whether another model may be opened.
+  /// Asks the user about unsaved changes, if there are any. Returns whether another model may be opened.
   bool mayLoseChanges();
 
  public slots:
   void enter(tactus::workbench::Stage stage);
-  /// Opens a model file, or asks for the study file; changes that are not saved are asked about first.
+  /// Opens a model file, or emits `studyChosen` for a study file. Asks about unsaved changes first.
   void openFile(const QString& path);
 
  signals:
-  /// A study file is to be opened.
+  /// The user chose a study file to open.
   void studyChosen(const QString& path);
 
  protected:
@@ -97,7 +97,7 @@ class MainWindow : public QMainWindow, public MessagePlace {
   QStackedWidget* screens_;
   StartView* start_;
   BenchView* bench_;
-  QString study_;  ///< name of the file of the study that is open
+  QString study_;  ///< file name of the open study
   StageRail* rail_;
   OperatingStrip* strip_;
   QMenu* recent_menu_ = nullptr;

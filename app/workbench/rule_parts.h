@@ -1,4 +1,4 @@
-// Puts the rule editor into the window.
+// Adds the rule editor to the window.
 #pragma once
 
 namespace tactus::workbench {
@@ -8,7 +8,7 @@ class RuleController;
 
 class RuleParts {
  public:
-  /// Before a model is opened: a stage takes its layout when it is entered first.
+  /// Create before a model is opened: a stage gets its layout at its first use.
   RuleParts(MainWindow& window, RuleController& rules);
 };
 

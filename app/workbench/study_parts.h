@@ -1,5 +1,5 @@
-// Puts the study into the window: the menu Study, where edits are stored, messages, recordings in the feel panel, and
-// an end of the program that waits for what is being written.
+// Adds the study to the window: the menu Study, the state of storing, messages, and recordings in the feel panel.
+// Closing the window waits until everything is written.
 #pragma once
 
 #include <QObject>
@@ -27,7 +27,7 @@ class StudyParts : public QObject {
   QMenu& menu() { return *menu_; }
 
  protected:
-  /// The window stays until everything is written, or until somebody gives it up.
+  /// Keeps the window open until everything is written, or until the user gives it up.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

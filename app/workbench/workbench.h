@@ -1,4 +1,4 @@
-// The composition root of tactus-workbench: owns the controllers and the window, and passes them down.
+// The composition root of tactus-workbench: owns the controllers and the window, and connects them.
 #pragma once
 
 #include "app/workbench/curve_parts.h"
@@ -31,7 +31,7 @@ class QSettings;
 namespace tactus::workbench {
 
 struct Workbench {
-  /// What a crash would lose is kept below `autosave_root`.
+  /// Autosaved work is kept below `autosave_root`.
   explicit Workbench(QSettings& settings, const QString& autosave_root = autosaveRoot())
       : scene(models),
         feel(scene),
@@ -65,7 +65,7 @@ struct Workbench {
 
   ModelController models;
   SceneController scene;
-  FeelController feel;  ///< before the window, so that an edit is felt before it is drawn
+  FeelController feel;  ///< before the window, so that the device gets an edit before the screen does
   EditController edits;
   CompareController compare;
   AuthorName author;
