@@ -22,11 +22,11 @@ class OperatingStrip : public QWidget {
  public:
   OperatingStrip(const ModelController& models, SceneController& scene, QWidget* parent = nullptr);
 
-  /// A place for the state of the device, between the operating point and the latency.
+  /// The widget for the state of the device; stands between the operating point and the latency.
   void setDeviceState(QWidget* state);
-  /// A place for how long the last edit took until it was seen, beside the latency.
+  /// The widget for the time from an edit to the screen; stands beside the latency.
   void setFrameTime(QWidget* time);
-  /// How long the last edit took until it was felt, or nothing while nothing is felt.
+  /// Shows the time from the last edit to the force; empty while no model is felt.
   void showLatency(const QString& latency);
   /// Shows where edits are stored if not in a file, in words; empty: shows the state of the file. `bad`: storing fails
   /// at the moment.
