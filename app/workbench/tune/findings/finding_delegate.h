@@ -1,4 +1,5 @@
-// One row of the findings: sign and kind, whom it is about, the newtons at stake, and the sentence in up to two lines.
+// Paints one row of the findings: sign and kind, the experts concerned, the newtons at stake, and the sentence in up to
+// two lines.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -20,7 +21,7 @@ class FindingDelegate : public QStyledItemDelegate {
  public:
   FindingDelegate(const FindingsModel& model, QObject* parent);
 
-  /// Whether the findings are of an older model and stand muted.
+  /// Whether the findings belong to an older model; they are then muted.
   void setOld(bool old) { old_ = old; }
   /// Unit of the output, as in the model.
   void setForceUnit(std::string unit) { force_unit_ = std::move(unit); }

@@ -1,6 +1,6 @@
-// What the lint finds in the open model, kept up to date after each edit on a thread of its own, and the edits that
-// would settle the chosen finding. How many findings the last edit added is known whether the panel is seen or not;
-// fixes are computed while it is.
+// The findings of the lint for the open model, updated on a separate thread after each edit, and the edits that would
+// fix the chosen finding. The number of findings added by the last edit is always known; fixes are computed only while
+// the panel is visible.
 #pragma once
 
 #include <QObject>
@@ -18,11 +18,11 @@ namespace tactus::workbench {
 class EditController;
 class SceneController;
 
-/// One way to settle a finding.
+/// One way to fix a finding.
 struct FixOffer {
   QString text;    ///< of the button
   QString effect;  ///< `max ΔF 0.032 N (0.4 JND)`
-  QString what;    ///< what would stand in the undo list
+  QString what;    ///< the entry in the undo list
   editing::Edit edit;
 };
 
@@ -31,44 +31,44 @@ class FindingsController : public QObject {
   Q_OBJECT
 
  public:
-  /// Lints the model of `edits`; a chosen finding moves the operating point of `scene`. Both outlive this.
+  /// Lints the model of `edits`. A chosen finding moves the operating point of `scene`. Both outlive this.
   FindingsController(EditController& edits, SceneController& scene, QObject* parent = nullptr);
 
   /// Enable while the panel is visible: fixes of the chosen finding are computed only then.
   void setWatched(bool watched);
 
-  /// The findings of the model as it was linted last.
+  /// The findings of the last lint.
   const std::vector<ShownFinding>& findings() const { return *shared(); }
-  /// The same, to keep; other findings are another list.
+  /// The same list as shared ownership. It never changes; new findings make a new list.
   std::shared_ptr<const std::vector<ShownFinding>> shared() const;
-  /// Whether they are of the model as it stands. Otherwise they are being refreshed.
+  /// Whether the findings belong to the current model. If not, a new lint is on its way.
   bool isCurrent() const { return report_ != nullptr && linted_ == revision_; }
-  /// How many findings the last edit added; 0 for a model that was opened, and until the edit was linted.
+  /// How many findings the last edit added; 0 for a model as opened, and until the edit is linted.
   std::size_t added() const { return isCurrent() ? added_ : 0; }
-  /// The reachable range, the completeness and the rest of the lint; null before the first one.
+  /// The last lint: reachable range, completeness and the rest; null before the first one.
   const elicitation::RuleLint* lint() const;
   /// The model that was linted.
   const fuzzy::ForceModel* lintedModel() const;
 
   /// Index of the chosen finding.
   std::optional<std::size_t> chosen() const { return chosen_; }
-  /// The ways to settle it; empty while they are computed and where there is none.
+  /// The fixes of the chosen finding; empty while they are computed and if there is none.
   const std::vector<FixOffer>& fixes() const { return fixes_; }
-  /// Whether fixes may still come.
+  /// Whether fixes may still arrive.
   bool isLookingForFixes() const { return fix_worker_.isBusy(); }
 
  public slots:
-  /// Chooses a finding: the operating point goes there, and its fixes are computed.
+  /// Chooses a finding: moves the operating point to it, and computes its fixes.
   void choose(std::size_t index);
   void clearChoice();
-  /// The operating point goes to where the change of the force ends, or to where it begins.
+  /// Moves the operating point to the end of the change of force (false) or to its beginning (true).
   void goTo(bool other_end);
-  /// Carries out a fix of the chosen finding as one entry of the undo list. A fix that was made of another model than
-  /// the one that is open is refused. Returns whether it was carried out.
+  /// Applies a fix of the chosen finding as one entry of the undo list. Refused: a fix made from another model than the
+  /// open one. Returns whether it was applied.
   bool apply(std::size_t fix);
 
  signals:
-  /// Other findings, or they became old or current.
+  /// New findings, or they became old or current.
   void changed();
   void chosenChanged();
   void fixesChanged();
@@ -88,9 +88,9 @@ class FindingsController : public QObject {
   EditController& edits_;
   SceneController& scene_;
   bool watched_ = false;
-  quint64 revision_ = 0;  ///< of the model; every change of it counts
-  quint64 linted_ = 0;    ///< of the report
-  bool begun_ = false;    ///< the lint of the present revision was asked for
+  quint64 revision_ = 0;  ///< counts the changes of the model
+  quint64 linted_ = 0;    ///< revision of the report
+  bool begun_ = false;    ///< the lint of the current revision has started
   std::shared_ptr<const Report> report_;
   std::size_t added_ = 0;
   std::optional<std::size_t> chosen_;

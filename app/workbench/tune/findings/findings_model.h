@@ -1,4 +1,4 @@
-// The findings of the lint as a list: those of one kind and one expert, in the order of the controller.
+// The findings of the lint as a list, filtered by kind and expert, in the order of the controller.
 #pragma once
 
 #include <QAbstractListModel>
@@ -20,9 +20,9 @@ class FindingsModel : public QAbstractListModel {
  public:
   explicit FindingsModel(const FindingsController& findings, QObject* parent = nullptr);
 
-  /// Nothing: all.
+  /// Filters by kind; nothing: all kinds.
   void setKind(std::optional<elicitation::RuleFinding::Kind> kind);
-  /// By the text in ShownFinding::who; empty: all. A finding about two experts is one of each.
+  /// Filters by the text in ShownFinding::who; empty: all. A finding about two experts passes for each of them.
   void setWho(const QString& who);
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -32,12 +32,12 @@ class FindingsModel : public QAbstractListModel {
   /// Index of the finding in row `row` in FindingsController::findings.
   std::size_t indexAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
   const ShownFinding& findingAt(int row) const { return (*all_)[indexAt(row)]; }
-  /// Row of a finding by that index; -1 where it is filtered out.
+  /// The row of a finding with that index; -1 if it is filtered out.
   int rowOf(std::size_t index) const;
 
-  /// Whether the rows are those of the findings that the controller has now; a hidden list need not be.
+  /// Whether the rows show the controller's current findings. A hidden list may be old.
   bool isCurrent() const;
-  /// Takes the findings of the controller as they are now.
+  /// Takes the controller's current findings.
   void adopt();
 
  private:
@@ -46,7 +46,7 @@ class FindingsModel : public QAbstractListModel {
   const FindingsController& findings_;
   std::optional<elicitation::RuleFinding::Kind> kind_;
   QString who_;
-  std::shared_ptr<const std::vector<ShownFinding>> all_;  ///< null before the first time
+  std::shared_ptr<const std::vector<ShownFinding>> all_;  ///< null before the first `adopt`
   std::vector<std::size_t> rows_;                         ///< indices in all_
 };
 

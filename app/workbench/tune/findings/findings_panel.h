@@ -1,4 +1,4 @@
-// What the lint finds in the model: most newtons first, with filters and one-click fixes.
+// The panel of the lint's findings: largest force first, with filters and one-click fixes.
 #pragma once
 
 #include "app/workbench/kit/card.h"

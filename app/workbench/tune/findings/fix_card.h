@@ -1,4 +1,4 @@
-// The chosen finding in full, where it is, and one button for each way to settle it.
+// The chosen finding in full, its place, and one button for each fix.
 #pragma once
 
 #include <QFrame>

@@ -1,4 +1,4 @@
-// A finding about the rules as the screen shows it: in words, with its place in the space of the inputs.
+// A finding about the rules in the form for the screen: in words, with its place in the input space.
 #pragma once
 
 #include <QString>
@@ -12,19 +12,19 @@
 
 namespace tactus::workbench {
 
-/// What a finding is about; the kinds of one group share color and sign.
+/// The group of a finding. Kinds of one group share color and sign.
 enum class FindingGroup {
   kCoverage,   ///< places without a force
-  kConflict,   ///< rules or experts that contradict each other
-  kDirection,  ///< the force goes the other way, or too far at once
-  kNeedless,   ///< rules and terms that do nothing
+  kConflict,   ///< contradictions between rules or experts
+  kDirection,  ///< the force changes in the wrong direction, or too much at once
+  kNeedless,   ///< rules and terms without effect
 };
 
-/// Whether somebody said that it may stay.
+/// Whether a researcher accepted the finding.
 enum class Acceptance {
   kNone,
   kAccepted,
-  kLapsed,  ///< not a finding: an acceptance whose hole is gone
+  kLapsed,  ///< not a finding, but an acceptance whose hole no longer exists
 };
 
 struct ShownFinding {
@@ -32,22 +32,23 @@ struct ShownFinding {
   FindingGroup group = FindingGroup::kCoverage;
   QString kind;      ///< `Hole`
   QString who;       ///< `S1 and S4`, or `Mean`
-  QString sentence;  ///< one, with the labels of the model
+  QString sentence;  ///< one sentence, with the labels of the model
   Acceptance acceptance = Acceptance::kNone;
-  /// The force at stake in just-noticeable differences around the force at its beginning; nothing where the force is
-  /// not in newtons.
+  /// The force at stake in just-noticeable differences around the force at its beginning; nothing if the force is not
+  /// in newtons.
   std::optional<double> noticeable;
-  /// Where to look at it, one value per input; nothing for inputs that do not matter. Empty where there is no place.
+  /// Where to look at it, one value per input; nothing for an input that does not matter. Empty if it has no place.
   std::vector<std::optional<double>> at;
-  std::vector<std::optional<double>> other_end;  ///< where the change of the force begins; empty where it has one place
+  std::vector<std::optional<double>> other_end;  ///< the beginning of the change of force; empty if the finding has one
+                                                 ///< place
 };
 
 FindingGroup groupOf(elicitation::RuleFinding::Kind kind);
 /// `Hole`, `Mean jumps`, …
 QString kindText(elicitation::RuleFinding::Kind kind);
 
-/// The findings of `lint`, most newtons first, those without newtons after them, then accepted holes and at last
-/// acceptances that lapsed. `lint` was made from `model`, `compiled` too. Thread: any.
+/// The findings of `lint`: largest force first, then those without a force, then accepted holes, then lapsed
+/// acceptances. `lint` and `compiled` are made from `model`. Thread: any.
 std::vector<ShownFinding> shownFindings(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                                         const elicitation::RuleLint& lint);
 
