@@ -1,5 +1,5 @@
-// Keeps what a crash would lose in a file of its own: within a second of an edit, by a worker, until it is stored or
-// the document is closed.
+// Autosaves the edits that a crash would lose. A worker writes them to a separate file within a second of an edit. The
+// file is deleted when the edits are stored or the document is closed.
 #pragma once
 
 #include <QObject>
@@ -21,31 +21,31 @@ class AutosaveController : public QObject {
   Q_OBJECT
 
  public:
-  /// When something is written, ms.
+  /// The delays before a write, ms.
   struct Times {
     int after_edit_ms = 1000;
     int in_gesture_ms = 2000;     ///< a drag changes the model with every frame
-    int after_failure_ms = 5000;  ///< until it is tried again
+    int after_failure_ms = 5000;  ///< before the next attempt
   };
 
-  /// Writes into a folder of its own below `root`.
+  /// Writes into a new folder below `root`.
   AutosaveController(ModelController& models, EditController& edits, QString root, Times times,
                      QObject* parent = nullptr);
   AutosaveController(ModelController& models, EditController& edits, QString root, QObject* parent = nullptr)
       : AutosaveController(models, edits, std::move(root), Times(), parent) {}
-  /// A process that ends in order has been asked what to do with its changes: nothing stays behind.
+  /// Deletes the autosave: at a normal end the user has already decided about unsaved changes.
   ~AutosaveController() override;
 
-  /// Writes now what is due, and waits until everything is written. Returns the number of that writing, which holds
-  /// the present state: `written` tells whether it succeeded.
+  /// Writes pending changes now, and waits until all is written. Returns the number of the write that holds the current
+  /// state; `written` reports success.
   quint64 flush();
-  /// The folder that is written to; empty where nothing is due.
+  /// The autosave folder; empty if there is none. Waits for the worker.
   QString folder();
 
  signals:
-  /// The writing of this number, and with it all earlier ones of the same document, is on disk.
+  /// The write of this number, and all earlier ones of the same document, are on disk.
   void written(quint64 number);
-  /// One sentence; once until it works again. It is tried again all the same.
+  /// One sentence; emitted once per series of failures. The write is retried anyway.
   void failed(const QString& sentence);
 
  private:
@@ -60,9 +60,9 @@ class AutosaveController : public QObject {
   const Times times_;
   std::shared_ptr<AutosaveFolder> folder_;
   QTimer due_;
-  bool busy_ = false;   ///< the worker writes
-  bool again_ = false;  ///< there is something newer than what it writes
-  quint64 number_ = 0;  ///< of the last writing that was begun
+  bool busy_ = false;   ///< the worker is writing
+  bool again_ = false;  ///< the model changed after the write began
+  quint64 number_ = 0;  ///< number of the last write that began
   QString failure_;
   CallQueue answers_;
   Worker worker_;  ///< last: it waits for its end before the rest is gone

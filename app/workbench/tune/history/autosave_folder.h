@@ -1,5 +1,5 @@
-// Where edits that are stored nowhere else wait: a folder for each process and document, locked while the process
-// lives. What is found in a folder without a living process was left by a crash.
+// The autosave folders. Each process and document has its own folder, locked while the process lives. A folder without
+// a living process was left by a crash.
 #pragma once
 
 #include <QDateTime>
@@ -15,28 +15,27 @@ class QLockFile;
 
 namespace tactus::workbench {
 
-/// The folder of this user for autosaved work; it need not be there.
+/// This user's folder for autosaves; it may not exist yet.
 QString autosaveRoot();
 
-/// Writes what a history has not stored into a folder. Versions that were written once are not written again: they
-/// stand in closed parts of 50 versions, fewer where the model is large; the newest part is replaced as a whole.
-/// Thread: one at a time.
+/// Writes the unstored part of a history into a folder. Closed parts of 50 versions (fewer for a large model) are
+/// written once; the newest part is replaced as a whole. Thread: any, one at a time.
 class AutosaveFolder {
  public:
-  /// Nothing is made before the first `write`. Folders stand in `root`.
+  /// Creates nothing before the first `write`. The folders are inside `root`.
   explicit AutosaveFolder(QString root);
   ~AutosaveFolder();
 
-  /// What there is to lose, apart from the history itself.
+  /// Facts about the document, apart from its history.
   struct Facts {
-    QString document;    ///< path of what is edited
-    bool saved = false;  ///< its file has the current state
+    QString document;    ///< path of the edited document
+    bool saved = false;  ///< the file of the document has the current state
   };
   base::Result<void> write(const editing::EditHistory& history, const Facts& facts);
-  /// Forgets and deletes everything: it is stored, or was given up. The next `write` begins anew.
+  /// Deletes the autosave, because its edits are stored or given up. The next `write` starts a new one.
   void remove();
 
-  /// Empty before the first write.
+  /// The folder; empty before the first write.
   const QString& path() const { return path_; }
 
  private:
@@ -46,31 +45,31 @@ class AutosaveFolder {
   QString path_;
   std::unique_ptr<QLockFile> lock_;
   std::size_t closed_parts_ = 0;
-  std::size_t closed_events_ = 0;  ///< that stand in them
+  std::size_t closed_events_ = 0;  ///< number of events in the closed parts
 };
 
-/// Work that a process left behind when it ended without closing its document.
+/// Autosaved work of a process that ended without closing its document.
 struct LostWork {
   QString folder;
   QString document;
-  int edits = 0;       ///< gestures, undo and redo not counted
-  QDateTime last;      ///< when something was written last
-  bool saved = false;  ///< the file of the document has the last state; only the history is left
+  int edits = 0;       ///< gestures, without undo and redo
+  QDateTime last;      ///< time of the last write
+  bool saved = false;  ///< the document's file has the last state; only the history would be lost
 };
 
-/// All of it in `root`, the newest first. Folders of living processes are left out, this one's too.
+/// All lost work in `root`, newest first. Skips the folders of living processes, also of this one.
 std::vector<LostWork> lostWork(const QString& root);
 
-/// Lost work, taken so that no other process takes it too.
+/// Lost work, locked so that no other process can take it.
 class TakenWork {
  public:
-  /// Refused where another process has it by now.
+  /// Refused if another process has taken it already.
   static base::Result<std::unique_ptr<TakenWork>> take(const LostWork& work);
   ~TakenWork();
 
-  /// All parts as one. Thread: any, one at a time.
+  /// Reads all parts as one. Thread: any, one at a time.
   base::Result<editing::Autosave> read() const;
-  /// Deletes it for good.
+  /// Deletes the work permanently.
   void discard();
 
  private:

@@ -1,4 +1,4 @@
-// Chooses two versions of the model, says how far their forces are apart and where, and switches between them.
+// The card to choose two versions of the model, see how far their forces differ and where, and switch between them.
 #pragma once
 
 #include <QWidget>

@@ -1,5 +1,5 @@
-// Two versions of the model side by side: how far their forces are apart, and a switch between them that can be seen
-// and felt. The open model is never changed by it.
+// Compares two versions of the model, A and B: how far their forces differ, and a switch that the user can see and
+// feel. The open model never changes.
 #pragma once
 
 #include <QObject>
@@ -20,82 +20,82 @@ namespace tactus::workbench {
 class EditController;
 class ModelController;
 
-/// What can stand on a side of the comparison.
+/// A version that the user can choose for a side of the comparison.
 struct CompareChoice {
   enum class Kind {
-    kOpen,      ///< the open model as it stands: the mean of its experts
+    kOpen,      ///< the open model: the mean of its experts
     kPrevious,  ///< the state before the current one
     kExpert,    ///< one expert of the open model alone
     kState,     ///< a state of the history
   };
   Kind kind = Kind::kOpen;
-  editing::StateId state = 0;  ///< of kState
-  std::string expert;          ///< of kExpert: the id
+  editing::StateId state = 0;  ///< for kState
+  std::string expert;          ///< for kExpert: the id
 
   bool operator==(const CompareChoice&) const = default;
 };
 
 enum class CompareSide { kA, kB };
 
-/// How far the force of A and the force of B are apart, over the whole universe.
+/// The difference between the forces of A and B over the whole universe.
 struct CompareResult {
-  double largest_n = 0;    ///< largest |difference| seen
-  std::vector<double> at;  ///< where, one value per input; empty where no difference was seen
+  double largest_n = 0;    ///< largest |difference| found
+  std::vector<double> at;  ///< its place, one value per input; empty if there is no difference
   double a_n = 0;          ///< the forces there
   double b_n = 0;
-  double noticeable = 0;     ///< largest difference in just-noticeable ones around the force of A
-  double rms_n = 0;          ///< over points spread evenly
-  std::size_t only_one = 0;  ///< points at which only one of them has a force
+  double noticeable = 0;     ///< largest difference in just-noticeable differences around the force of A
+  double rms_n = 0;          ///< over evenly spread points
+  std::size_t only_one = 0;  ///< points at which only one of the two has a force
 };
 
-/// Thread: gui. The difference is computed in the background; what is asked last counts.
+/// Thread: gui. Computes the difference in the background; only the newest request counts.
 class CompareController : public QObject {
   Q_OBJECT
 
  public:
   CompareController(ModelController& models, EditController& edits, QObject* parent = nullptr);
 
-  /// One line of what can be chosen.
+  /// One entry of the list of choices.
   struct Option {
     CompareChoice choice;
     QString name;
   };
-  /// The open model, the state before it, its experts, then snapshots, sign-offs and states, the newest first.
+  /// The open model, the state before it, its experts, then snapshots, sign-offs and states, newest first.
   std::vector<Option> options() const;
   QString nameOf(const CompareChoice& choice) const;
 
   const CompareChoice& choice(CompareSide side) const { return sides_[index(side)]; }
-  /// A state that the history does not have is not chosen.
+  /// Chooses a version for a side. Ignores a state that the history does not have.
   void choose(CompareSide side, CompareChoice choice);
 
-  /// The side that is shown and felt; nothing where nobody compares and the open model is shown.
+  /// The side on the screen and on the device; nothing if no comparison is active and the open model is shown.
   std::optional<CompareSide> shown() const { return shown_; }
-  /// Whether what is shown and felt is not the open model.
+  /// Whether another model than the open one is shown and felt.
   bool showsAnother() const;
 
-  /// The model of a side, compiled, or why there is none.
+  /// The compiled model of a side, or the reason why there is none.
   base::Result<std::shared_ptr<const OpenModel>> modelOf(CompareSide side);
 
-  /// Of the sides as they are, once it is known.
+  /// The result for the current sides; nothing until it is computed.
   const std::optional<CompareResult>& result() const { return result_; }
-  /// What the screen shows as a curve: the result is at least what it shows.
+  /// Sets the source of the curve on the screen. The result is never less than that curve shows.
   void setCurve(std::function<CurveSetting()> curve) { curve_ = std::move(curve); }
-  /// Has the result computed where it is not known and no gesture goes on; ends with `resultChanged`.
+  /// Computes the result if it is not known and no gesture is in progress; ends with `resultChanged`.
   void compute();
 
  public slots:
-  /// Shows and lets feel one side; what cannot be shown is refused with a sentence.
+  /// Shows and renders one side. Emits one sentence if that is not possible.
   void show(tactus::workbench::CompareSide side);
-  /// B, and A after B.
+  /// Switches to B, and from B to A.
   void toggle();
-  /// The open model is shown and felt again.
+  /// Shows and renders the open model again.
   void end();
 
  signals:
-  /// What can be chosen, or what is chosen.
+  /// The list of choices, or the choice itself, changed.
   void choicesChanged();
   void shownChanged();
-  /// The result became known, or is not known any more.
+  /// The result became known or unknown.
   void resultChanged();
   void refused(const QString& sentence);
   void said(const QString& sentence);

@@ -1,4 +1,4 @@
-// Says on top of the panels what is shown and felt while versions are compared; hidden otherwise.
+// The strip above the panels that names the version shown and felt during a comparison; otherwise hidden.
 #pragma once
 
 #include "app/workbench/kit/card.h"
@@ -16,7 +16,7 @@ class CompareStrip : public Card {
  public:
   explicit CompareStrip(CompareController& compare, QWidget* parent = nullptr);
 
-  /// Whether the shown model is felt on a device, too.
+  /// Whether the shown model is also felt on a device.
   void setFelt(bool felt);
 
  private:

@@ -1,4 +1,4 @@
-// The switch between A and B: one of them is pressed while versions are compared, none otherwise.
+// The switch between A and B. One button is pressed during a comparison, none otherwise.
 #pragma once
 
 #include <QWidget>

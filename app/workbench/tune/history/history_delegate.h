@@ -1,4 +1,4 @@
-// Paints a row of the history: its place in the tree, what was changed, what it did, and its badges.
+// Paints a row of the history: its place in the tree, the change, the effect on the force, and its badges.
 #pragma once
 
 #include <QStyledItemDelegate>

@@ -1,4 +1,4 @@
-// The history as a list for the screen. What an edit did to the force is computed for the rows that are looked at.
+// The history as a list for the screen. The effect of an edit is computed when its row is visible.
 #pragma once
 
 #include <QAbstractListModel>
@@ -22,7 +22,7 @@ class HistoryModel : public QAbstractListModel {
     kSignOffsRole,               ///< QStringList: `S4 feels right`
   };
 
-  /// Empty until `refresh`, and again once another history begins.
+  /// Empty until `refresh`, and again when another history begins.
   explicit HistoryModel(EditController& edits, QObject* parent = nullptr);
 
   /// Reads the history again.

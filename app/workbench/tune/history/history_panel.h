@@ -1,5 +1,6 @@
-// What happened to the model: every state with what it did to the force, by whom and when, branches included; names for
-// states, sign-offs by experts, and the comparison of any two. A click returns to a state; nothing is ever lost.
+// The history of the model: every state, branches included, with its effect on the force, its author and its time. The
+// user can name states, record sign-offs by experts, compare any two states, and return to a state with a click. No
+// state is ever lost.
 #pragma once
 
 #include "app/workbench/kit/card.h"
@@ -27,7 +28,7 @@ class HistoryPanel : public Card {
                QWidget* parent = nullptr);
 
  public slots:
-  /// Puts the cursor where the current state is named, signed off, or where the author stands.
+  /// Puts the keyboard focus into the field for a snapshot's name, for a sign-off, or for the author.
   void askSnapshot();
   void askSignOff();
   void askAuthor();
@@ -52,7 +53,7 @@ class HistoryPanel : public Card {
   QListView* view_;
   QWidget* versions_;
   QWidget* side_;
-  QToolButton* switch_;  ///< between the two, where there is no room for both
+  QToolButton* switch_;  ///< switches between the two if the panel is too small for both
   bool side_asked_ = false;
   QLineEdit* snapshot_;
   QPushButton* name_it_;

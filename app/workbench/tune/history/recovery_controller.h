@@ -1,4 +1,4 @@
-// After a crash: finds what was not stored, and brings it back with its history, or deletes it, as the person decides.
+// Recovery after a crash: finds unstored work and, as the user decides, restores it with its history or deletes it.
 #pragma once
 
 #include <QObject>
@@ -26,25 +26,26 @@ class RecoveryController : public QObject {
   RecoveryController(ModelController& models, EditController& edits, AutosaveController& autosave, QString root,
                      QObject* parent = nullptr);
 
-  /// What is offered now; nothing where there is none, or where it was put off.
+  /// The work offered now; nothing if there is none or the user postponed it.
   std::optional<LostWork> offered() const;
-  /// How many more wait behind it.
+  /// The number of further offers.
   int others() const { return offered_.empty() ? 0 : static_cast<int>(offered_.size()) - 1; }
   bool isBusy() const { return busy_; }
 
  public slots:
-  /// Opens the document of what is offered, where it is not open, and goes on with its history. The work is deleted
-  /// once the restored state itself is autosaved; where the document is left before, it stays and is offered again.
-  /// Ends with `restored` or `failed`. Changes of the open model are replaced.
+  /// Opens the document of the offered work, if it is not open, and continues its history. The work is deleted after
+  /// the restored state is autosaved; if the document is closed before, the work stays and is offered again. Ends with
+  /// `restored` or `failed`. Changes of the open model are replaced.
   void restore();
-  /// Deletes what is offered.
+  /// Deletes the offered work.
   void discard();
-  /// Leaves it where it is until its document is opened, or the next start.
+  /// Postpones the offer until the document is opened again or until the next start.
   void later();
 
  signals:
   void offerChanged();
-  /// Work of a study: the study `path` has to be opened first; the work is restored as soon as its model is open.
+  /// The work belongs to the study `path`, which must be opened first. The work is restored when the study's model is
+  /// open.
   void studyNeeded(const QString& path);
   void restored(const QString& sentence);
   void failed(const QString& sentence);
@@ -52,10 +53,10 @@ class RecoveryController : public QObject {
  private:
   void scan();
   void onOpened();
-  /// What a worker made of the files.
+  /// The result of the worker's read.
   struct Found {
     editing::Autosave autosave;
-    std::optional<editing::EditHistory> history;  ///< nothing where a study has the beginning of it
+    std::optional<editing::EditHistory> history;  ///< nothing if the beginning of the history is in a study
   };
   static base::Result<Found> read(const TakenWork& taken, const editing::Stamp& stamp, bool in_study);
   void adopt(base::Result<Found> found);
@@ -69,14 +70,14 @@ class RecoveryController : public QObject {
   AutosaveController& autosave_;
   const QString root_;
   std::vector<LostWork> offered_;
-  QStringList put_off_;               ///< folders
-  std::shared_ptr<TakenWork> taken_;  ///< being restored
-  /// Work that was restored into the open document.
+  QStringList put_off_;               ///< folders of postponed work
+  std::shared_ptr<TakenWork> taken_;  ///< the work being restored
+  /// Work restored into the open document.
   struct Replaced {
     std::shared_ptr<TakenWork> work;
-    quint64 number = 0;  ///< of the first autosave that holds it
+    quint64 number = 0;  ///< number of the first autosave that contains it
   };
-  std::vector<Replaced> replaced_;  ///< to be deleted once that is written
+  std::vector<Replaced> replaced_;  ///< to be deleted after that write
   bool busy_ = false;
   QString wanted_;  ///< the study that has to be opened first
   CallQueue answers_;

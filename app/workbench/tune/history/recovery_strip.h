@@ -1,4 +1,4 @@
-// Offers what a crash left behind: restore, discard, or later.
+// Offers the work that a crash left behind: restore, discard, or later.
 #pragma once
 
 #include "app/workbench/kit/card.h"
