@@ -1,4 +1,4 @@
-// A cell of the rule grids, and the ways from one to another.
+// A cell of the rule grids, and the moves between cells.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace tactus::workbench {
 
-/// A cell of the grids, which stand above each other.
+/// A cell of the grids. The grids stand one above the other.
 struct RuleCell {
   std::size_t grid = 0;
   std::size_t row = 0;
@@ -16,25 +16,27 @@ struct RuleCell {
   bool operator==(const RuleCell&) const = default;
 };
 
-/// How many cells there are. Every grid has a row at least, and there is a column at least.
+/// The numbers of cells. Every grid has at least one row, and there is at least one column.
 struct RuleGridSizes {
-  std::vector<std::size_t> rows;  ///< of each grid
-  std::size_t columns = 0;        ///< of all
+  std::vector<std::size_t> rows;  ///< per grid
+  std::size_t columns = 0;        ///< of every grid
 
   bool has(const RuleCell& cell) const {
     return cell.grid < rows.size() && cell.row < rows[cell.grid] && cell.column < columns;
   }
-  /// Nothing where there is no grid.
+  /// The first cell; nothing if there is no grid.
   std::optional<RuleCell> first() const { return rows.empty() ? std::nullopt : std::optional(RuleCell()); }
 };
 
-// `from` is a cell of `sizes` in all of these.
+// In all these functions `from` is a cell of `sizes`.
 
-/// One cell on as the arrow keys go: from grid to grid, not beyond the ends. The signs of `columns` and `rows` count.
+/// The next cell for an arrow key: crosses from grid to grid, stops at the ends. Only the signs of `columns` and `rows`
+/// count.
 RuleCell stepped(const RuleGridSizes& sizes, RuleCell from, int columns, int rows);
-/// The same cell `count` grids further down, or of the last one.
+/// The same cell `count` grids below, or in the last grid.
 RuleCell steppedGrid(const RuleGridSizes& sizes, RuleCell from, int count);
-/// The next cell as they are filled in: along the row, then the next row, then the next grid; the last one itself.
+/// The next cell in the order of filling in: along the row, then the next row, then the next grid. The last cell
+/// returns itself.
 RuleCell nextToFill(const RuleGridSizes& sizes, RuleCell from);
 
 }  // namespace tactus::workbench

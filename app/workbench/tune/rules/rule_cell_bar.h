@@ -1,4 +1,4 @@
-// The selected cell of the rule grids: its conditions in words, the words to answer with, weight and whether it counts.
+// The bar of the selected cell: its conditions in words, the possible answers, the weight and the enabled state.
 #pragma once
 
 #include <QWidget>
@@ -18,11 +18,11 @@ class RuleCellBar : public QWidget {
  public:
   explicit RuleCellBar(RuleController& rules, QWidget* parent = nullptr);
 
-  /// Shows the rules and the selection as they stand now.
+  /// Shows the current rules and selection.
   void showCell();
 
  signals:
-  /// A number was typed: the keys go back to the grids.
+  /// A number was typed: the keyboard focus returns to the grids.
   void done();
 
  private:

@@ -1,5 +1,5 @@
-// The rules of one expert as they are edited: whose, in which grids, the selected cell, and what the rules do at the
-// place that is read. Turns what the hand does with rules into edits.
+// The edited rules of one expert: the grids, the selected cell, and the strength of each rule at the reading place.
+// Turns the user's actions into edits.
 #pragma once
 
 #include <QObject>
@@ -27,63 +27,64 @@ class RuleController : public QObject {
 
   RuleController(EditController& edits, const SceneController& scene, QObject* parent = nullptr);
 
-  /// Whether a model is open. Everything below may be called with a model only.
+  /// Whether a model is open. All other functions need an open model.
   bool isOpen() const { return edits_.isOpen(); }
   const fuzzy::ForceModel& model() const { return edits_.model(); }
 
-  /// Whose rules are edited.
+  /// The expert whose rules are edited.
   const fuzzy::Expert& expert() const;
-  /// The words of the answers: the terms of the output as the expert understands them.
+  /// The force words: the terms of the output as this expert defines them.
   const std::vector<fuzzy::Term>& words() const { return fuzzy::termsFor(expert(), model().output); }
-  /// The word with the id `term`, as an index.
+  /// The index of the word with the id `term`.
   std::optional<std::size_t> wordOf(const std::string& term) const;
   const fuzzy::Variable& input(const std::string& id) const;
   const std::vector<fuzzy::Term>& terms(const std::string& input_id) const;
 
   /// The input of the columns.
   const std::string& region() const { return region_; }
-  /// One grid for each other input, in the model's order; made when asked for.
+  /// One grid for each input but the region's, in the model's order; computed on demand.
   const std::vector<Grid>& grids() const;
   const editing::GridCell& cell(const RuleCell& place) const;
   /// `IF Tube lubrication is Well AND Insertion depth is Stomach`.
   QString conditionsOf(const RuleCell& place) const;
-  /// What else the rules with the conditions of a cell say that count, beside the one that is shown.
+  /// The consequents of further rules with the conditions of a cell, beside the shown rule. Only rules that count:
+  /// enabled, with a weight > 0.
   QStringList otherAnswers(const RuleCell& place) const;
   std::optional<RuleCell> selected() const;
 
-  /// How much rule number `rule` acts at the place that is read, in [0, 1]; also while the comparison shows another
-  /// model this is said of the open one.
+  /// The strength of rule `rule` at the reading place, in [0, 1]. It belongs to the open model, also while a comparison
+  /// shows another one.
   double strength(std::size_t rule) const;
-  /// How much term number `term` of an input holds there, in [0, 1].
+  /// The membership of term `term` of an input there, in [0, 1].
   double membership(const std::string& input_id, std::size_t term) const;
-  /// The place that is read, on one input.
+  /// The value of an input at the reading place.
   double valueHere(const std::string& input_id) const;
 
   base::Result<void> add(fuzzy::Rule rule);
   base::Result<void> replace(std::size_t rule, fuzzy::Rule with);
 
  public slots:
-  // Ids come by value: an edit may replace the model that they were read from.
+  // Ids are passed by value, because an edit may replace the model that holds them.
   void setExpert(std::string id);
   void setRegion(std::string id);
-  /// A cell that is not there selects nothing.
+  /// Selects a cell; a cell that does not exist clears the selection.
   void select(std::optional<tactus::workbench::RuleCell> cell);
-  /// Moves the selection as the arrow keys do: from grid to grid, not beyond the ends.
+  /// Moves the selection like the arrow keys: from grid to grid, not beyond the ends.
   void step(int columns, int rows);
-  /// The same cell of the next (1) or previous (-1) grid.
+  /// Selects the same cell of the next (1) or previous (-1) grid.
   void stepGrid(int grids);
-  /// To the first or last column.
+  /// Selects the first or last column.
   void stepToEnd(bool last);
-  /// To the next cell as they are filled in: along the row, then the next row, then the next grid.
+  /// Selects the next cell in the order of filling in: along the row, then the next row, then the next grid.
   void goOn();
 
-  /// Answers the selected cell with a word, or takes its answer away. A word that is not there does nothing.
+  /// Answers the selected cell with a word; nothing removes its answer. Ignores a word that does not exist.
   void answer(std::optional<std::size_t> word);
   void answerAndGoOn(std::size_t word);
 
   void setConsequent(std::size_t rule, std::string word);
   void setWeight(std::size_t rule, double weight);
-  /// Steps of a weight, one gesture until `endWeighing` or a short rest.
+  /// One step of a weight. Steps are one gesture until `endWeighing` or a short pause.
   void weigh(std::size_t rule, double weight);
   void endWeighing();
   void enable(const std::vector<std::size_t>& rules, bool enabled);
@@ -92,10 +93,10 @@ class RuleController : public QObject {
  signals:
   /// Another model or expert.
   void expertChanged();
-  /// The rules or the terms that they name, or the input of the columns.
+  /// The rules, the terms that they name, or the input of the columns changed.
   void rulesChanged();
   void selectionChanged();
-  /// What acts at the place that is read.
+  /// The strengths at the reading place changed.
   void hereChanged();
 
  private:

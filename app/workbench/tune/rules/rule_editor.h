@@ -1,4 +1,4 @@
-// The rule editor: whose rules, as grids to be answered and as a list of all; where the panel is low, one at a time.
+// The rule editor of one expert: grids to fill in and a list of all rules. A low panel shows one of the two at a time.
 #pragma once
 
 #include "app/workbench/kit/card.h"

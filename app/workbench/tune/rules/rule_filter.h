@@ -1,4 +1,4 @@
-// Which rules of a list a person wants to see: words of the rule, and what is the matter with it.
+// The filter of the rule list, by the words of a rule.
 #pragma once
 
 #include <QString>
@@ -15,14 +15,15 @@ struct RuleWords {
   bool operator==(const RuleWords&) const = default;
 };
 
-/// What somebody typed: `well esoph`, `if well and stomach then small`. Letters match whatever their case.
+/// The user's text: `well esoph`, `if well and stomach then small`. Upper and lower case are equal.
 class RuleFilter {
  public:
   RuleFilter() = default;
   explicit RuleFilter(const QString& typed);
 
-  /// Whether every part between `and` is found in one condition, or in the consequent, and what stands behind `then` in
-  /// the consequent. Without these words every word stands for itself. An empty filter takes every rule.
+  /// Whether the rule passes. Each part between `and` must be found in one condition; the part after `then`, in the
+  /// consequent. Without `then` a part may be in the consequent, too. Without any of these words each word is a part.
+  /// An empty filter passes every rule.
   bool takes(const RuleWords& rule) const;
 
  private:

@@ -1,4 +1,4 @@
-// A rule in free form: a term or nothing for each input, the consequent, the weight.
+// The form for any rule: a term or nothing for each input, the consequent, the weight.
 #pragma once
 
 #include <QFrame>
@@ -23,15 +23,15 @@ class RuleForm : public QFrame {
  public:
   explicit RuleForm(RuleController& rules, QWidget* parent = nullptr);
 
-  /// Opens for a new rule.
+  /// Opens the form for a new rule.
   void openNew();
-  /// Opens with rule number `rule`, to be rewritten.
+  /// Opens the form for rule `rule`, to replace it.
   void openFor(std::size_t rule);
-  /// Follows the rules and terms as they stand now.
+  /// Updates the form to the current rules and terms.
   void follow();
 
  signals:
-  /// The rule number `rule` is as the form says.
+  /// Rule `rule` now has the contents of the form.
   void done(std::size_t rule);
 
  protected:
@@ -52,8 +52,8 @@ class RuleForm : public QFrame {
   void accept();
 
   RuleController& rules_;
-  std::optional<std::size_t> target_;  ///< the rule that is rewritten; nothing for a new one
-  fuzzy::Rule before_;                 ///< what it was when the form was opened
+  std::optional<std::size_t> target_;  ///< the rule to replace; nothing for a new one
+  fuzzy::Rule before_;                 ///< that rule when the form was opened
   QLabel* title_;
   QWidget* lines_place_;
   QGridLayout* lines_grid_;

@@ -1,4 +1,4 @@
-// Where the cells of the rule grids stand: the grids above each other, with the heads of their common columns on top.
+// The positions of the cells of the rule grids. The grids stand one above the other, below common column heads.
 #pragma once
 
 #include <QRectF>
@@ -13,17 +13,17 @@ namespace tactus::workbench {
 class RuleGridGeometry {
  public:
   struct Needs {
-    std::vector<std::size_t> rows;  ///< of each grid
+    std::vector<std::size_t> rows;  ///< per grid
     std::size_t columns = 0;
-    double row_head = 0;  ///< px, width of the heads of the rows
+    double row_head = 0;  ///< px, width of the row heads
     double line = 0;      ///< px, height of a line of text
-    double cell = 0;      ///< px, width that the words need
+    double cell = 0;      ///< px, width for the longest word
   };
 
   RuleGridGeometry() = default;
   RuleGridGeometry(Needs needs, QSizeF room);
 
-  /// The room below which the grids have to be scrolled.
+  /// The size below which the grids need scroll bars.
   static QSizeF smallest(const Needs& needs);
 
   QRectF cell(const RuleCell& cell) const;

@@ -1,4 +1,4 @@
-// The grids with the bar of the selected cell and a line that says how the keys work.
+// The grids with the bar of the selected cell and a line that explains the keys.
 #pragma once
 
 #include <QWidget>

@@ -1,4 +1,4 @@
-// The rules as grids of force words: condition against region, answered with the number keys or the mouse.
+// The rules as grids of force words: condition against region. The user answers with the number keys or the mouse.
 #pragma once
 
 #include <QWidget>
@@ -19,13 +19,13 @@ class RuleGrids : public QWidget {
 
   QSize sizeHint() const override { return minimumSizeHint(); }
   QSize minimumSizeHint() const override;
-  /// Where a cell stands, in the coordinates of the widget.
+  /// The rectangle of a cell, in the coordinates of the widget.
   QRect cellRect(const RuleCell& cell) const { return places().cell(cell).toRect(); }
-  /// The words as a menu, for the selected cell.
+  /// A menu of the words for the selected cell.
   QMenu* makeMenu();
 
  public slots:
-  /// Shows the rules as they stand now.
+  /// Shows the current rules.
   void showRules();
 
  protected:
@@ -51,7 +51,7 @@ class RuleGrids : public QWidget {
   QString tipOf(const RuleCell& cell) const;
 
   RuleController& rules_;
-  // Of the rules as they stand, once somebody asked for it.
+  // For the current rules; computed on demand.
   mutable std::optional<RuleGridGeometry::Needs> needs_;
   mutable std::optional<RuleGridGeometry> geometry_;
 };

@@ -1,4 +1,4 @@
-// How the list of rules is painted and edited in place: force words in their colors, weights as numbers.
+// Paints the list of rules and edits it in place: force words in their colors, weights as numbers.
 #pragma once
 
 #include <QStyledItemDelegate>

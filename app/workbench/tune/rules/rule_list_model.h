@@ -14,9 +14,9 @@ class RuleListModel : public QAbstractTableModel {
  public:
   enum Column { kNumber, kConditions, kConsequent, kWeight, kEnabled, kStrength, kColumns };
   enum Role {
-    kSort = Qt::UserRole,  ///< a number or text that orders the column
+    kSort = Qt::UserRole,  ///< a number or text, the sort key of the column
     kConflict,             ///< bool
-    kActs,                 ///< strength here, in [0, 1]
+    kActs,                 ///< strength at the reading place, in [0, 1]
     kIsEnabled,            ///< bool
     kWord,                 ///< index of the consequent among the words
     kLines,                ///< the conditions, each on a line of its own
@@ -24,9 +24,9 @@ class RuleListModel : public QAbstractTableModel {
 
   explicit RuleListModel(RuleController& rules, QObject* parent = nullptr);
 
-  /// Takes over the rules as they stand; rows that are the same rule stay what they are.
+  /// Takes the current rules. A row whose rule is the same stays the same row.
   void refresh();
-  /// Takes over the strengths at the place that is read.
+  /// Takes the strengths at the reading place.
   void refreshStrengths();
   const RuleWords& wordsOf(int row) const { return rows_[static_cast<std::size_t>(row)].words; }
 

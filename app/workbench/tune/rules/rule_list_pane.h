@@ -1,4 +1,4 @@
-// All rules of the expert as a list that can be filtered, sorted and edited, with the form for rules in free form.
+// All rules of the expert as a list to filter, sort and edit, with the form for any rule.
 #pragma once
 
 #include <QWidget>
@@ -57,7 +57,7 @@ class RuleListPane : public QWidget {
   QToolButton* remove_;
   RuleForm* form_;
   Refresh* refresh_;
-  bool stale_ = true;  ///< rules changed since the list took them over
+  bool stale_ = true;  ///< rules changed after the list took them
 };
 
 }  // namespace tactus::workbench

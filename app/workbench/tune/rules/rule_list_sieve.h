@@ -1,4 +1,4 @@
-// The rules of the list that somebody wants to see, in the order that somebody chose.
+// Filters and sorts the list of rules as the user chose.
 #pragma once
 
 #include <QSortFilterProxyModel>

@@ -11,8 +11,8 @@ namespace tactus::workbench {
 struct RuleRow {
   fuzzy::Rule rule;
   RuleWords words;
-  bool conflict = false;  ///< another rule that counts contradicts it
-  double strength = 0;    ///< at the place that is read
+  bool conflict = false;  ///< another rule that counts (enabled, weight > 0) contradicts it
+  double strength = 0;    ///< at the reading place
 
   bool operator==(const RuleRow& other) const = default;
 };
@@ -20,10 +20,10 @@ struct RuleRow {
 /// All rows, in the order of the rules. A model must be open.
 std::vector<RuleRow> ruleRows(const RuleController& rules);
 
-/// Whether the rows are about the same conditions: one rule, edited or not.
+/// Whether the rows have the same conditions: one rule, edited or not.
 bool sameRule(const RuleRow& one, const RuleRow& other);
 
-/// Whether rule number `rule` is still the one of `row`: a list may be a moment older than the rules.
+/// Whether rule `rule` is still the rule of `row`. A list may be older than the rules.
 bool isStill(const RuleController& rules, std::size_t rule, const RuleRow& row);
 
 }  // namespace tactus::workbench

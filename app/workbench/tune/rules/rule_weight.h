@@ -1,4 +1,4 @@
-// The box for the weight of a rule, wherever one is typed.
+// The box to type the weight of a rule.
 #pragma once
 
 #include "app/workbench/kit/number_box.h"

@@ -1,5 +1,4 @@
-// The words of the answers as buttons with their colors and keys: a legend of the grids, and a way to answer with the
-// mouse.
+// The force words as buttons with their colors and keys: a legend of the grids, and a way to answer with the mouse.
 #pragma once
 
 #include <QWidget>
@@ -20,9 +19,9 @@ class WordBar : public QWidget {
  public:
   explicit WordBar(QWidget* parent = nullptr);
 
-  /// The words of the output; buttons are made anew only where the words differ.
+  /// Sets the words of the output. Makes new buttons only if the words differ.
   void setWords(const std::vector<fuzzy::Term>& words);
-  /// The word of the present answer, or nothing where there is none to change.
+  /// Marks the word of the current answer; nothing if there is no answer to change.
   void setAnswer(std::optional<std::size_t> word);
 
  signals:

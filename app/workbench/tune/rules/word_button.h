@@ -1,4 +1,4 @@
-// A button with a force word on its color, and the key that says the same.
+// A button with a force word on its color, and the key for the same word.
 #pragma once
 
 #include <QAbstractButton>
@@ -10,10 +10,10 @@ class WordButton : public QAbstractButton {
   Q_OBJECT
 
  public:
-  /// Without a color it stands for no answer.
+  /// Without a color the button means "no answer".
   WordButton(const QString& word, const QString& key, std::optional<QColor> color, QWidget* parent);
 
-  /// Whether it is the present answer.
+  /// Marks the button as the current answer.
   void setMarked(bool marked);
 
   QSize sizeHint() const override;
