@@ -1,4 +1,4 @@
-// Which part of which term is under the mouse. Plain geometry in pixels.
+// Finds the part of a term under the mouse. Plain geometry in pixels.
 #pragma once
 
 #include <QPointF>
@@ -10,7 +10,7 @@
 
 namespace tactus::workbench {
 
-/// The rectangle of a plot of memberships: which values its sides stand for.
+/// The rectangle of a membership plot, and the values at its sides.
 struct PlotFrame {
   QRectF area;      ///< px
   double low = 0;   ///< value at the left side, in the unit of the variable
@@ -21,13 +21,12 @@ struct PlotFrame {
   double valueAt(double x_px) const;
 };
 
-// How near the mouse has to be, px. Fingers on a touch screen and tired eyes set them, not the size of the marks.
+// The largest distance to the mouse, px. Sized for fingers on a touch screen and tired eyes, not for the marks.
 inline constexpr double kVertexReach = 12;
 inline constexpr double kEdgeReach = 7;
 
-/// The nearest vertex within reach, else the nearest edge, else the term whose shape holds the place. Of vertices that
-/// lie on each other the one that can move to the side of the mouse is taken; what belongs to `preferred` (a term) goes
-/// before the others.
+/// The nearest vertex within reach; else the nearest edge; else the term whose shape contains `place`. Of vertices at
+/// one place it takes the one that can move to the side of the mouse. A part of the term `preferred` wins.
 std::optional<Grip> gripAt(const PlotFrame& frame, const std::vector<fuzzy::Term>& terms, QPointF place,
                            std::optional<std::size_t> preferred);
 

@@ -1,5 +1,5 @@
-// The handles of the membership function editor: dots to take hold of, what is held drawn strong, and a tag that names
-// it. Only files of plots/ include this.
+// The handles of the membership function editor: dots to drag, bold lines for the moving part, and a tag that names it.
+// Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
 #include <optional>
@@ -14,28 +14,30 @@ class GripMarks : public QCPLayerable {
   Q_OBJECT
 
  public:
+  /// A dot of the editor.
   struct Handle {
     double x = 0;
     double membership = 0;
     QColor color;
-    bool large = false;  ///< of the term that is selected
+    bool large = false;  ///< of the selected term
     bool locked = false;
-    bool moves = false;  ///< with what is held or under the mouse
+    bool moves = false;  ///< moves with the dragged part or the part under the mouse
   };
-  /// A line on the shape that moves, between two places.
+  /// A line along the moving part of a shape, between two places.
   struct Stroke {
     double from_x = 0, from_membership = 0;
     double to_x = 0, to_membership = 0;
   };
 
-  /// `layer` has a buffer of its own, so the handles follow the mouse without drawing the shapes again.
+  /// `layer` must have its own buffer, so that the handles follow the mouse without drawing the shapes again.
   GripMarks(QCustomPlot& plot, const QString& layer);
 
   void setHandles(std::vector<Handle> handles);
   void setStrokes(std::vector<Stroke> strokes);
-  /// `text` beside the place (x, membership); empty: no tag. `warns`: the tag says why something cannot move.
+  /// Shows `text` beside the place (x, membership); empty: no tag. `warns`: the tag gives the reason why a part cannot
+  /// move.
   void setTag(const QString& text, double x, double membership, bool warns);
-  /// The part of the x axis that is the universe; what lies beyond is shaded.
+  /// The universe on the x axis. The plot area beyond it is shaded.
   void setUniverse(double min, double max);
 
  protected:

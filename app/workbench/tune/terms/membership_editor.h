@@ -1,4 +1,4 @@
-// The membership function editor: one variable of the model, its terms to be moved by hand and typed as numbers.
+// The membership function editor: the terms of one variable, moved by mouse and keys or typed as numbers.
 #pragma once
 
 #include "app/workbench/base/build_note.h"

@@ -1,5 +1,5 @@
-// The membership functions of one variable, to be moved by hand: a vertex, an edge or a whole term is dragged, and the
-// arrow keys move what was taken hold of last. The plot changes nothing itself: it says what the hand does.
+// The plot of the membership functions of one variable. The user drags a vertex, an edge or a whole term; the arrow
+// keys move the selected part. The plot changes no model: it only emits the user's actions.
 #pragma once
 
 #include <QWidget>
@@ -28,23 +28,23 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
  public:
   explicit MembershipEditorPlot(QWidget* parent = nullptr);
 
-  /// What is drawn. A drag keeps the axis as it was at its beginning.
+  /// The terms to draw. During a drag the axis stays as it was at the beginning.
   void setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
-  /// The shapes before an edit, as thin dashed outlines where they differ from those now; empty: none.
+  /// The shapes before an edit: thin dashed outlines where they differ from the current ones; empty: none.
   void setGhost(std::vector<fuzzy::Term> before);
   /// Whether the vertex `point` of each term is locked, in the order of the terms.
   void setLocked(std::vector<std::vector<bool>> locked);
-  /// Vertices of neighbours that lie on each other move together.
+  /// If true, vertices of neighbors at one place move together.
   void setSumToOne(bool sum_to_one);
   void setSelected(std::optional<tactus::workbench::Grip> grip);
   /// The operating point, or none.
   void setValue(std::optional<double> value);
-  /// Why what is held goes no further; empty: it moves freely.
+  /// Why the dragged part cannot move further; empty if it moves freely.
   void setStopped(const QString& reason);
 
   bool isDragging() const { return pressed_ && dragging_; }
 
-  /// Where a handle is, px in this widget, for whoever points at it.
+  /// The position of a handle, px in this widget. For tests.
   QPointF pixelOf(double x, double membership) const;
 
   /// The corners of the terms as they are drawn.
@@ -55,14 +55,14 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
  signals:
   void selected(std::optional<tactus::workbench::Grip> grip);
   void moveBegun(const tactus::workbench::Grip& grip);
-  /// The hand is `by` away from where it took hold, in the unit of the variable.
+  /// The mouse is `by` away from the start of the drag, in the unit of the variable.
   void moved(double by);
   void moveEnded();
   void moveCancelled();
-  /// A press of an arrow key: `count` is 1 to the right, -1 to the left.
+  /// An arrow key was pressed: `count` is 1 to the right, -1 to the left.
   void stepped(int count, bool coarse);
   void stepsEnded();
-  /// The next handle is wanted: 1, or the one before: -1.
+  /// The user asks for the next handle (1) or the previous one (-1).
   void nextWanted(int direction);
 
  protected:

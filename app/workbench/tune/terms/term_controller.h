@@ -1,5 +1,5 @@
-// The list of terms that is edited, and how: whose list of which variable, what is held, which vertices are locked, and
-// whether the terms keep their sum of one. Turns what the hand does with membership functions into edits.
+// The edited list of terms and its state: variable, owner of the list, selected part, locked vertices, and whether the
+// terms keep a sum of one. Turns the user's moves into edits.
 #pragma once
 
 #include <QObject>
@@ -22,56 +22,55 @@ class TermController : public QObject {
  public:
   explicit TermController(EditController& edits, QObject* parent = nullptr);
 
-  /// Whether a model is open. Everything below may be called with a model only.
+  /// Whether a model is open. All other functions need an open model.
   bool isOpen() const { return edits_.isOpen(); }
   const fuzzy::ForceModel& model() const { return edits_.model(); }
 
-  /// The list that is edited. With an expert chosen who has no list of its own for the variable, this is the shared
-  /// one.
+  /// The edited list. If the chosen expert has no list of its own for the variable, this is the shared list.
   const editing::TermListId& list() const { return list_; }
   const fuzzy::Variable& variable() const;
   const std::vector<fuzzy::Term>& terms() const;
-  /// The expert that was chosen, or empty for the shared lists.
+  /// The chosen expert; empty: the shared lists.
   const std::string& expert() const { return expert_; }
-  /// The experts whose rules resolve against the list.
+  /// The experts whose rules use the list.
   std::vector<std::string> readers() const;
-  /// Whether the list is that of an expert who was chosen, but others read it too: then edits are for all of them.
+  /// Whether an expert is chosen but other experts use the same list. An edit then changes all of them.
   bool isSharedWithOthers() const;
-  /// Whether it was said that edits of such a list are for all its readers.
+  /// Whether the user confirmed that edits of this shared list apply to all its experts.
   bool editsForAll() const;
 
-  /// How many rules name the term, of all experts that resolve against the list.
+  /// The number of rules that name the term, over all experts that use the list.
   std::size_t rulesOf(const std::string& term) const;
 
-  /// A good place for a new term: the middle of the widest gap between terms or, where there is none, of the right half
-  /// of the widest core.
+  /// A good place for a new term: the middle of the widest gap between terms; without gaps, the middle of the right
+  /// half of the widest core.
   double roomiestPlace() const;
 
   std::optional<Grip> selected() const { return selected_; }
   bool isLocked(const std::string& term, std::size_t point) const;
-  /// Whether moves keep the sum of the terms at one. Terms that already have it keep it until the mode is switched off.
+  /// Whether moves keep the sum of the terms at one. On for terms that sum to one, until the user switches it off.
   bool keepsSum() const;
 
  public slots:
-  // Ids come by value: an edit may replace the model that they were read from.
+  // Ids are passed by value, because an edit may replace the model that holds them.
   void setVariable(std::string id);
-  /// Whose terms: an expert's id, or empty for the shared ones.
+  /// Chooses the owner of the terms: an expert's id, or empty for the shared lists.
   void setExpert(std::string id);
   void select(std::optional<tactus::workbench::Grip> grip);
-  /// The handle after (1) or before (-1) the selected one.
+  /// Selects the next handle (1) or the previous one (-1).
   void selectNext(int direction);
   void setLocked(std::string term, std::size_t point, bool locked);
-  /// Switching it on is an edit where the terms do not sum to one.
+  /// If the terms do not sum to one, switching it on is an edit.
   void setKeepsSum(bool keeps);
 
-  // A move of the hand: begun, moved any number of times, ended or cancelled. `by` counts from the beginning, in the
-  // unit of the variable, and is rounded as finely as the values are shown.
+  // A move: begin it, move any number of times, then end or cancel it. `by` counts from the beginning, in the unit of
+  // the variable, and is rounded to the displayed precision.
   void beginMove(const tactus::workbench::Grip& grip);
   void moveBy(double by);
   void endMove();
   void cancelMove();
 
-  /// One press of an arrow key: `count` steps to the right. Presses until `endSteps` are one gesture.
+  /// One press of an arrow key: `count` steps to the right. All presses until `endSteps` are one gesture.
   void step(int count, bool coarse);
   void endSteps();
 
@@ -80,24 +79,24 @@ class TermController : public QObject {
   /// Adds a term with this label around `at`.
   void add(const QString& label, double at);
   void rename(std::string term, const QString& label);
-  /// `with_rules`: rules that name it go too; otherwise a term with rules is refused.
+  /// Removes a term. `with_rules`: also the rules that name it; without it, a term with rules is refused.
   void remove(std::string term, bool with_rules);
-  /// Splits a term into parts at `cuts`; rules are copied to the parts.
+  /// Splits a term into parts at `cuts`. Rules are copied to the parts.
   void split(std::string term, const std::vector<double>& cuts);
-  /// Edits of a list that others read too go to all of them, or to the chosen expert alone, who gets an own list. What
-  /// waits for this choice is carried out. The choice stays until another model is opened.
+  /// Decides whether edits of a shared list apply to all its experts or only to the chosen expert, who then gets its
+  /// own list. The waiting edit is then made. The decision holds until another model is opened.
   void chooseScope(bool for_all);
-  /// Gives the chosen expert an own list, or takes it back to the shared one.
+  /// Gives the chosen expert its own list, or returns it to the shared list.
   void setOwnList(bool own);
 
  signals:
   /// An edit waits for `chooseScope`.
   void scopeAsked();
-  /// It was chosen.
+  /// The user decided.
   void scopeChosen();
-  /// Other terms are shown: another model, variable or list.
+  /// Another list: the model, the variable or the owner changed.
   void listChanged();
-  /// The same list with other values, terms or modes.
+  /// The same list with changed values, terms or modes.
   void termsChanged();
   void selectionChanged();
   void locksChanged();
@@ -121,8 +120,8 @@ class TermController : public QObject {
   bool stepping_ = false;
   std::vector<editing::VertexPlace> locked_;
   std::vector<editing::TermListId> sum_not_kept_;
-  std::vector<editing::TermListId> for_all_;  ///< experts, by variable, whose edits are for all readers
-  std::function<void()> pending_;             ///< what waits for the choice
+  std::vector<editing::TermListId> for_all_;  ///< experts, by variable, whose edits apply to all users of the list
+  std::function<void()> pending_;             ///< the edit that waits for the decision
 };
 
 }  // namespace tactus::workbench

@@ -1,4 +1,4 @@
-// Small forms for what is done to a whole term: split it, or remove it together with its rules.
+// Small forms for a whole term: split it, or remove it together with its rules.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@ namespace tactus::workbench {
 
 class TermController;
 
-/// Asks below `anchor` where to cut the term, and splits it. `terms` outlives `parent`.
+/// Asks below `anchor` for the cuts, then splits the term. `terms` outlives `parent`.
 void askSplit(TermController& terms, const std::string& term, const QWidget& anchor, QWidget* parent);
-/// Removes the term; where rules name it, asks before.
+/// Removes the term. Asks first if rules name it.
 void askRemove(TermController& terms, const std::string& term, const QWidget& anchor, QWidget* parent);
 
 }  // namespace tactus::workbench

@@ -1,4 +1,4 @@
-// What the mouse or the keys take hold of in a list of terms: a vertex, an edge, or a whole term.
+// A grip: the part of a term list that the mouse or the keys move. It is a vertex, an edge, or a whole term.
 #pragma once
 
 #include <QString>
@@ -14,13 +14,13 @@ struct Grip {
 
   std::size_t term = 0;  ///< index in the list of terms
   Part part = Part::kTerm;
-  std::size_t point = 0;  ///< of a vertex: index in Term::points
-  bool mirrored = false;  ///< the left one of the two handles of a Gaussian's sigma: it grows to the left
+  std::size_t point = 0;  ///< for a vertex: index in Term::points
+  bool mirrored = false;  ///< the left one of a Gaussian's two sigma handles: it grows to the left
 
   bool operator==(const Grip&) const = default;
 };
 
-/// Where a vertex is taken hold of.
+/// The place of a grip on the plot.
 struct GripHandle {
   Grip grip;
   double x = 0;           ///< in the unit of the variable
@@ -30,13 +30,13 @@ struct GripHandle {
 /// The handles of term `index` of `terms`, in the order of the x axis.
 std::vector<GripHandle> handlesOf(const std::vector<fuzzy::Term>& terms, std::size_t index);
 
-/// Whether the terms have what `grip` names.
+/// Whether `terms` have the part that `grip` names.
 bool holds(const std::vector<fuzzy::Term>& terms, const Grip& grip);
 
 /// The points of its term that move with `grip`, as indices in Term::points.
 std::vector<std::size_t> pointsOf(const std::vector<fuzzy::Term>& terms, const Grip& grip);
 
-/// What will move and its value: `Nasopharynx: left shoulder 80 mm`, `Nasopharynx: left edge 60 to 80 mm`.
+/// The name and the value of the grip: `Nasopharynx: left shoulder 80 mm`, `Nasopharynx: left edge 60 to 80 mm`.
 QString gripText(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms, const Grip& grip);
 
 }  // namespace tactus::workbench

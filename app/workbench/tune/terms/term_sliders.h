@@ -1,4 +1,4 @@
-// Sliders for the vertices of one term, as in the paper: the chosen term, in step with the plot and the numbers.
+// Sliders for the vertices of the selected term, as in the paper. They follow the plot and the numbers.
 #pragma once
 
 #include <QString>
@@ -39,7 +39,7 @@ class TermSliders : public QWidget {
   QHBoxLayout* layout_;
   ElidedLabel* title_;
   std::vector<Part> parts_;
-  std::size_t term_ = 0;  ///< its place in the list; the first one where nothing is chosen
+  std::size_t term_ = 0;  ///< index in the list; the first term if none is selected
   fuzzy::Shape shape_ = fuzzy::Shape::kTrapezoid;
 };
 

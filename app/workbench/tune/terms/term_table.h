@@ -1,4 +1,4 @@
-// The terms of the list that is edited, one row each: name, shape, every point as a number with its lock, split and
+// The edited list of terms as a table, one row each: name, shape, every point as a number with its lock, split and
 // remove.
 #pragma once
 
@@ -37,7 +37,7 @@ class TermTable : public QScrollArea {
   struct Row {
     std::string term;
     fuzzy::Shape shape = fuzzy::Shape::kTrapezoid;
-    QWidget* band = nullptr;  ///< behind the row; tinted where the term is selected
+    QWidget* band = nullptr;  ///< behind the row; tinted if the term is selected
     QLineEdit* name = nullptr;
     QComboBox* shapes = nullptr;
     std::vector<Point> points;

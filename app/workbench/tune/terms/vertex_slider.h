@@ -1,5 +1,5 @@
-// A slider that moves one vertex of a term: with the mouse, or with the arrow keys in fine and, with Shift, coarse
-// steps.
+// A slider that moves one vertex of a term: with the mouse, or with the arrow keys in fine steps (with Shift: coarse
+// steps).
 #pragma once
 
 #include <QSlider>
@@ -14,16 +14,16 @@ class VertexSlider : public QSlider {
 
   /// The ends of the slider, in the unit of the variable; `from` < `to`.
   void setEnds(double from, double to);
-  /// Where the vertex is. Announces nothing; the handle stays at the nearer end for a vertex beyond it.
+  /// Moves the handle to the vertex and emits nothing. For a vertex beyond an end the handle stays at that end.
   void setPlace(double place);
 
  signals:
   void moveBegun();
-  /// The hand is `by` away from where it took hold, in the unit of the variable.
+  /// The mouse is `by` away from the start of the drag, in the unit of the variable.
   void moved(double by);
   void moveEnded();
   void moveCancelled();
-  /// A press of an arrow key: `count` is 1 to the right, -1 to the left.
+  /// An arrow key was pressed: `count` is 1 to the right, -1 to the left.
   void stepped(int count, bool coarse);
   void stepsEnded();
 
