@@ -1,4 +1,4 @@
-// What the legend above the curves lists.
+// The entries of the legend above the curves.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,13 @@ class CurvePlot;
 class ReadingModel;
 class SceneController;
 
-/// The mean first; then the experts, of many one item for all, and the parts of their spread; or the lines of a family.
-/// `spread_changed` is called when a part of the spread was shown or hidden. All must live as long as the items.
+/// The mean first; then either the experts (one entry for all if there are many) and the parts of their spread, or the
+/// lines of a family. Calls `spread_changed` after a part of the spread was shown or hidden. All arguments must outlive
+/// the items.
 std::vector<CurveLegend::Item> curveItems(const SceneController& scene, CurvePlot& plot, ReadingModel& readings,
                                           const std::function<void()>& spread_changed);
 
-/// The item of `row` of the readings among them, or nothing.
+/// The index of the item that belongs to `row` of the readings; nothing if there is none.
 std::optional<int> curveItemOf(const SceneController& scene, int row);
 
 }  // namespace tactus::workbench

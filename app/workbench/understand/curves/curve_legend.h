@@ -1,4 +1,4 @@
-// The legend above the curves: a name and a piece of every line, which shows and hides it.
+// The legend above the curves: a name and a sample of every line. A click shows or hides the line.
 #pragma once
 
 #include <QAbstractButton>
@@ -10,16 +10,16 @@
 
 namespace tactus::workbench {
 
-/// One name of the legend, checked while its line is shown.
+/// One entry of the legend, checked while its line is visible.
 class LegendChip : public QAbstractButton {
   Q_OBJECT
 
  public:
   LegendChip(LegendEntry look, const QString& tip, QWidget* parent);
 
-  /// Another name for the same line.
+  /// Changes the name of the line.
   void setName(const QString& name);
-  /// The same line in other colors.
+  /// Changes the colors of the line.
   void setLook(LegendEntry look);
 
   QSize sizeHint() const override;
@@ -39,7 +39,7 @@ class CurveLegend : public QWidget {
  public:
   explicit CurveLegend(QWidget* parent = nullptr);
 
-  /// Stand behind the items from now on; the last one gets the rest of its row.
+  /// The widgets after the items. The last one gets the rest of its row.
   void setTail(std::vector<QWidget*> tail);
 
   struct Item {
@@ -48,9 +48,9 @@ class CurveLegend : public QWidget {
     bool shown = true;
     std::function<void(bool)> toggled;
   };
-  /// In rows from the left, as many as the width needs.
+  /// Arranges the items in rows from the left, as many rows as the width needs.
   void setItems(std::vector<Item> items);
-  /// Shows an item as checked or not, and tells nobody.
+  /// Checks or unchecks an item without a signal.
   void setShown(int index, bool shown);
   /// The chip of item `index`, or null.
   LegendChip* chipAt(int index) const;

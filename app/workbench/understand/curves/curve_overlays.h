@@ -1,5 +1,5 @@
-// What lies behind and over the curves of the force: the spread of the experts, the curves before an edit, and
-// reference curves. Only files of plots/ include this.
+// The lines and areas behind and over the force curves: the spread of the experts, the ghost (the curves before an
+// edit), and reference curves. Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
 #include <span>
@@ -23,14 +23,14 @@ class CurveOverlays {
  public:
   explicit CurveOverlays(QCustomPlot& plot);
 
-  /// Takes everything away, before the plot drops its lines or another model comes.
+  /// Removes everything. Call before the plot removes its lines or gets another model.
   void clear();
 
   void setSpread(const std::vector<double>& x, const ForceSpread& spread, SpreadShown shown);
-  /// The lines before, dashed, in the pens of the lines now: that of the mean first, then those of the experts. A pen
-  /// without style hides its line. Null: no ghost.
+  /// Draws the ghost, dashed, in the pens of the current lines: first the mean, then the experts. A pen without style
+  /// hides its line. Null: no ghost.
   void setGhost(const GhostCurves* ghost, const std::vector<QPen>& pens);
-  /// Lines of the mean at several values of an input, called `names`.
+  /// The lines of a family: the mean at several values of an input, with these names.
   void setFamily(const QStringList& names);
   void setFamilyCurves(const FamilyCurves& curves);
   void setFamilyShown(std::size_t line, bool shown);
@@ -38,16 +38,16 @@ class CurveOverlays {
   LegendEntry familyLine(std::size_t line) const;
   std::size_t familySize() const { return family_.size(); }
   void setReferences(const std::vector<ReferenceCurve>& references);
-  /// Steps of the force, each a thick piece from one side to the other.
+  /// The steps of the force, each a thick line from one side to the other.
   void setSteps(const std::vector<analysis::ForceStep>& steps);
   bool hasSteps() const { return steps_ != nullptr && steps_->visible(); }
-  /// While the hand moves: thin lines.
+  /// True during a drag: thin lines.
   void setFast(bool fast);
 
-  /// The look of the application changed.
+  /// Takes the colors of the current look.
   void takeLook();
 
-  /// Entries of the family, the spread and the references, and one for the ghost with `ghost_name`.
+  /// The entries of the family, the spread and the references; `ghost_name` is the entry of the ghost.
   std::vector<LegendEntry> legend(const QString& ghost_name) const;
 
  private:

@@ -1,5 +1,5 @@
-// The plot of force along one input: a thin line per expert, the mean thick with its spread, gaps where an expert
-// abstains; dashed what was before an edit, dotted what a reference says.
+// The plot of force along one input: a thin line per expert, a thick line for the mean with its spread, and gaps where
+// an expert abstains. Curves before an edit are dashed; reference curves are dotted.
 #pragma once
 
 #include <QStringList>
@@ -37,9 +37,9 @@ class CurvePlot : public QWidget, public PlotSource {
   explicit CurvePlot(QWidget* parent = nullptr);
   ~CurvePlot() override;
 
-  /// The universes of `x` and of the output become the axes; `experts` name the lines.
+  /// The axes become the universes of `x` and of the output; `experts` gives the names of the lines.
   void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output, const std::vector<fuzzy::Expert>& experts);
-  /// The terms of the x axis, shown as bands with their names on top.
+  /// The terms of the x axis, as bands with their names above the plot.
   void setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms);
   void setCurves(const ForceCurves& curves);
   /// Shows or hides the line of an expert.
@@ -48,28 +48,28 @@ class CurvePlot : public QWidget, public PlotSource {
   bool isMeanShown() const;
   bool isExpertShown(std::size_t expert) const;
   void setReading(const Reading& reading);
-  /// Which parts of the spread `setCurves` draws from now on.
+  /// Chooses the parts of the spread that `setCurves` draws.
   void setSpreadShown(SpreadShown shown) { spread_ = shown; }
   SpreadShown spreadShown() const { return spread_; }
-  /// The curves before an edit, called `name` in a legend; null: none.
+  /// The curves before an edit, with their name for the legend; null: none.
   void setGhost(const GhostCurves* ghost, const QString& name);
-  /// Lines called `names`, of the mean at several values of an input, in the place of those of the experts; empty:
-  /// none.
+  /// The lines of a family: the mean at several values of an input, in place of the experts' lines. `names` are their
+  /// names; empty: no family.
   void setFamily(const QStringList& names);
   void setFamilyCurves(const FamilyCurves& curves);
   void setFamilyShown(std::size_t line, bool shown);
   bool isFamilyShown(std::size_t line) const;
-  /// How its line looks in a legend.
+  /// The legend entry of a line of the family.
   LegendEntry familyLine(std::size_t line) const;
-  /// Curves for the present x axis. The axis of the force grows where they reach farther than the output.
+  /// The reference curves for the current x axis. The force axis grows if they exceed the output's universe.
   void setReferences(const std::vector<ReferenceCurve>& references);
-  /// Marks the steps of the curves that are shown (expert numbers as in `setAxes`).
+  /// Marks the steps of the visible curves (expert numbers as in `setAxes`).
   void setSteps(const std::vector<analysis::ForceStep>& steps);
-  /// How many of them are marked.
+  /// The number of marked steps.
   std::size_t stepsMarked() const { return steps_marked_; }
-  /// While the hand moves: thin lines without smoothing, which are drawn in half the time.
+  /// True during a drag: thin lines without smoothing, which take half the time to draw.
   void setFast(bool fast);
-  /// How the line of an expert, or of the mean, looks in a legend.
+  /// The legend entry of an expert's line, or of the mean.
   LegendEntry lineOf(std::optional<std::size_t> expert) const;
 
   std::vector<LegendEntry> legend() const override;

@@ -1,5 +1,5 @@
-// The main area: the plot of the curves with the choice of the x axis, the settings of the paper's figures, the legend,
-// what changed since an edit, and reference curves.
+// The main panel: the plot of the curves, the choice of the x axis, the settings of the paper's figures, the legend,
+// the change since an edit, and reference curves.
 #pragma once
 
 #include "app/workbench/base/plot_table.h"
@@ -30,16 +30,16 @@ class CurvesPanel : public Card {
   CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget* parent = nullptr);
 
   PlotMenu& plotMenu() { return *menu_; }
-  /// Draws what `ghost` has as "before", and says how far the mean is from it. Once.
+  /// Draws the ghost and shows how far the mean is from it. Call once.
   void setGhost(GhostController& ghost);
-  /// Lays reference curves over the plot. Once.
+  /// Draws the reference curves over the plot. Call once.
   void setReferences(ReferenceController& references);
-  /// While the hand moves, lines are thin and not smoothed.
+  /// True during a drag: thin lines without smoothing.
   void setFast(bool fast);
   void setSpreadShown(SpreadShown shown);
 
  signals:
-  /// Somebody chose another spread.
+  /// The user chose another spread.
   void spreadChosen(tactus::workbench::SpreadShown shown);
 
  protected:

@@ -1,5 +1,5 @@
-// The settings and families of the paper's figures in a menu. The button has the name of the figure whose family of
-// curves is shown.
+// The menu of the settings and families of the paper's figures. The button shows the figure whose family of curves is
+// visible.
 #pragma once
 
 #include <QPushButton>
@@ -8,7 +8,7 @@ namespace tactus::workbench {
 
 class SceneController;
 
-/// Hidden for a model that has other inputs than the figures.
+/// Hidden if the model does not have the inputs of the figures.
 class FigureButton : public QPushButton {
   Q_OBJECT
 

@@ -1,5 +1,5 @@
-// The table beside the curves: the mean and every expert with their force at the place that is read. A check mark shows
-// or hides the line.
+// The table beside the curves: the forces of the mean and of every expert at the reading place. A check mark shows or
+// hides the line.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -25,11 +25,11 @@ class ReadingModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
-  /// Whether the line of `row` is shown.
+  /// Whether the line of `row` is visible.
   bool isShown(int row) const { return shown_[static_cast<std::size_t>(row)]; }
 
  public slots:
-  /// Has the forces read again; called by whoever shows them, so that hidden ones are never computed.
+  /// Makes the views read the forces again. Called by the visible view, so that hidden forces are never computed.
   void announceReading();
 
  signals:
@@ -43,7 +43,7 @@ class ReadingModel : public QAbstractTableModel {
 
   const SceneController& scene_;
   std::vector<bool> shown_;
-  std::vector<std::string> ids_;  ///< of the experts
+  std::vector<std::string> ids_;  ///< ids of the experts
 };
 
 }  // namespace tactus::workbench

@@ -1,4 +1,4 @@
-// The forces at the place that is read, one row for the mean and each expert. It is the legend of the curves as well.
+// The forces at the reading place, one row for the mean and each expert. It is also the legend of the curves.
 #pragma once
 
 #include "app/workbench/kit/card.h"

@@ -1,4 +1,5 @@
-// Below the curves: how far the model is from each reference curve, and the button that takes one away.
+// The bar below the curves: the difference between the model and each reference curve, and a button to remove the
+// curve.
 #pragma once
 
 #include <QWidget>
@@ -18,7 +19,7 @@ class ReferenceBar : public QWidget {
  public:
   ReferenceBar(ReferenceController& references, const SceneController& scene, QWidget* parent = nullptr);
 
-  /// Shows the differences as they are now.
+  /// Shows the current differences.
   void showDifferences();
 
  protected:

@@ -1,4 +1,4 @@
-// The reference curves that are laid over the plot, and how far the model is from each.
+// The reference curves over the plot, and the difference between the model and each of them.
 #pragma once
 
 #include <QObject>
@@ -21,21 +21,21 @@ class ReferenceController : public QObject {
  public:
   explicit ReferenceController(const SceneController& scene, QObject* parent = nullptr);
 
-  /// All that were opened, also those for another x axis than the present one.
+  /// All open curves, also those for another input than the one on the x axis.
   const std::vector<ReferenceCurve>& all() const { return references_; }
-  /// Those for the input on the x axis, in the same order.
+  /// The curves for the input on the x axis, in the same order.
   std::vector<ReferenceCurve> shown() const;
 
-  /// The expert that they are compared with; nothing: the mean.
+  /// The expert to compare with; nothing: the mean.
   std::optional<std::size_t> expert() const { return expert_; }
-  /// For each that is shown: the difference to the present curve, computed when asked for and only after something it
-  /// depends on changed. Nothing where the two have no range in common.
+  /// For each shown curve the difference to the current curve of the model. Computed at the first call after a change.
+  /// Nothing if the two have no range in common.
   const std::vector<std::optional<ReferenceDifference>>& differences() const;
   /// `RMS 0.043 N · largest 0.12 N at 92 mm · over 0 to 150 mm`.
   QString differenceText(const std::optional<ReferenceDifference>& difference) const;
 
  public slots:
-  /// Adds the curves of the CSV file `path`; those of the same names are replaced. Ends with `changed` or `refused`.
+  /// Adds the curves of the CSV file `path`; curves with the same names are replaced. Ends with `changed` or `refused`.
   /// A model must be open.
   void open(const QString& path);
   void remove(const QString& name);
@@ -43,7 +43,7 @@ class ReferenceController : public QObject {
 
  signals:
   void changed();
-  /// One sentence: what, where, found, wanted.
+  /// One sentence: what, where, what was found, what was wanted.
   void refused(const QString& sentence);
 
  private:

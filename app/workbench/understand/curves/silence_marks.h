@@ -1,5 +1,5 @@
-// Where no rule fires: hatched over the whole height where every expert abstains, and a hatched lane at the foot of the
-// plot for each expert who abstains alone. Only files of plots/ include this.
+// Marks the places where no rule fires: hatched over the whole height where every expert abstains, and a hatched lane
+// at the lower edge for each expert who abstains alone. Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
 #include <vector>
@@ -21,11 +21,11 @@ class SilenceMarks : public QCPLayerable {
 
   explicit SilenceMarks(QCustomPlot& plot);
 
-  /// `everyone`: where all experts abstain; `lanes`: where single experts do. At most six lanes are drawn, the last one
-  /// then stands for all the others.
+  /// `everyone`: the intervals in which all experts abstain; `lanes`: those of single experts. Draws at most six lanes;
+  /// the last one then stands for all other experts.
   void set(std::vector<Interval> everyone, std::vector<Lane> lanes);
 
-  /// Room at the foot of the plot, px, that something else takes.
+  /// Height at the lower edge that is used for something else, px.
   void setFoot(double px) { foot_ = px; }
 
  protected:
