@@ -1,5 +1,5 @@
-// How the forces of the experts lead to the mean: a line per expert with the set of its rules, the centroid of the set,
-// and its share in the mean.
+// How the forces of the experts lead to the mean: one line per expert with the set of its rules, the centroid of the
+// set, and the expert's share in the mean.
 #pragma once
 
 #include <QWidget>
@@ -22,7 +22,7 @@ class ExpertFlow : public QWidget {
   QSize minimumSizeHint() const override;
 
  signals:
-  /// Somebody clicked the line of `expert`.
+  /// The user clicked the line of `expert`.
   void chosen(std::size_t expert);
 
  protected:

@@ -1,4 +1,4 @@
-// One input: its membership functions, and its value as a marker, a slider and a number, with the terms it belongs to.
+// One input: its membership functions, its value as a marker, a slider and a number, and the terms of the value.
 #pragma once
 
 #include "app/workbench/base/plot_table.h"

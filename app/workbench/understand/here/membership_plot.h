@@ -1,4 +1,5 @@
-// The membership functions of one variable, small: filled shapes with their names, and a marker at the present value.
+// A small plot of one variable's membership functions: filled shapes with their names, and a marker at the current
+// value.
 #pragma once
 
 #include <QWidget>
@@ -23,9 +24,9 @@ class MembershipPlot : public QWidget, public PlotSource {
  public:
   explicit MembershipPlot(const fuzzy::Variable& variable, QWidget* parent = nullptr);
 
-  /// The terms that are drawn, over the universe of the variable.
+  /// The terms to draw, over the universe of the variable.
   void setTerms(const std::vector<fuzzy::Term>& terms);
-  /// The marker, or none.
+  /// The value of the marker; nothing: no marker.
   void setValue(std::optional<double> value);
 
   /// The corners of the terms as they are drawn.
@@ -33,7 +34,7 @@ class MembershipPlot : public QWidget, public PlotSource {
   QSize pictureSize() const override { return {800, 360}; }
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
-  // Room to the left and right of the axis, px, for whoever lines something up with it.
+  // Margins to the left and right of the axis, px. Other widgets use them to align with the axis.
   static constexpr int kLeftMargin = 24;
   static constexpr int kRightMargin = 16;
 

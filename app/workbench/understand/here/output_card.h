@@ -1,4 +1,4 @@
-// The output: its membership functions and the mean at the place that is read.
+// The output: its membership functions and the mean force at the reading place.
 #pragma once
 
 #include "app/workbench/base/plot_table.h"

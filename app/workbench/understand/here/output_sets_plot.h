@@ -1,4 +1,4 @@
-// The sets that the rules make of the output terms, the set they make together, and its centroid, which is the force.
+// The output sets of the rules, their aggregation, and its centroid, which is the force.
 #pragma once
 
 #include <QWidget>
@@ -20,12 +20,12 @@ class OutputSetsPlot : public QWidget, public PlotSource {
  public:
   explicit OutputSetsPlot(QWidget* parent = nullptr);
 
-  /// The sets of one expert in the colors of their terms.
+  /// Shows the sets of one expert in the colors of their terms.
   void showExpert(const fuzzy::ForceModel& model, const analysis::Explanation& explanation, std::size_t expert);
-  /// The set of every expert in the color of the expert, and the mean.
+  /// Shows one set per expert in the color of the expert, and the mean.
   void showExperts(const fuzzy::ForceModel& model, const analysis::Explanation& explanation);
 
-  /// The corners of the sets as they are drawn: set, force, height.
+  /// The corners of the drawn sets: set, force, height.
   void fillTable(PlotTable& table) const;
   QSize pictureSize() const override { return {800, 420}; }
   std::vector<LegendEntry> legend() const override;

@@ -1,5 +1,5 @@
-// How the rules of one expert lead to the force: a line per rule that acts, from the memberships of its conditions over
-// its firing strength to the set it makes of its output term, the strongest first.
+// How the rules of one expert lead to the force: one line per firing rule, strongest first. A line goes from the
+// memberships of the conditions over the firing strength to the set of the output term.
 #pragma once
 
 #include <QWidget>
@@ -46,9 +46,9 @@ class RuleFlow : public QWidget {
   std::shared_ptr<const OpenModel> open_;
   std::size_t expert_ = 0;
   analysis::ExplainedExpert explained_;
-  std::vector<double> values_;                   ///< of the inputs, inside their universes
-  std::vector<std::size_t> inputs_;              ///< those that the expert's rules read
-  std::vector<analysis::ExplainedRule> acting_;  ///< the strongest first
+  std::vector<double> values_;                   ///< values of the inputs, inside their universes
+  std::vector<std::size_t> inputs_;              ///< the inputs that the expert's rules use
+  std::vector<analysis::ExplainedRule> acting_;  ///< strongest first
 };
 
 }  // namespace tactus::workbench

@@ -1,5 +1,5 @@
-// The rule viewer: which rules act at the place that is read, and how the force comes out of them, for one expert or
-// for the mean.
+// The rule viewer: which rules fire at the reading place, and how they produce the force, for one expert or for the
+// mean.
 #pragma once
 
 #include "app/workbench/base/plot_table.h"

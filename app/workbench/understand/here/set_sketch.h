@@ -1,4 +1,4 @@
-// Small pictures of fuzzy sets without axes: one term, filled up to a height, or a set as it is.
+// Small pictures of fuzzy sets without axes: one term, filled to a height, or any set.
 #pragma once
 
 #include <QColor>
@@ -23,7 +23,7 @@ class SetSketch {
   void ground();
   /// The outline of `term`.
   void term(const fuzzy::Term& term, const QColor& color);
-  /// The set of `term` cut or scaled at `strength`, filled.
+  /// The filled set of `term`, cut or scaled at `strength`.
   void implied(const fuzzy::Term& term, double strength, fuzzy::Implication implication, const QColor& color);
   /// `set`, filled.
   void set(const analysis::Polyline& set, const QColor& color);

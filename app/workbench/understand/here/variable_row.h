@@ -1,4 +1,4 @@
-// The variables of the model side by side, one card each; it scrolls where there are too many.
+// The variables of the model side by side, one card each. The row scrolls if they do not fit.
 #pragma once
 
 #include <QScrollArea>
