@@ -1,5 +1,4 @@
-// The color of a force: the ramp of the terms, so that what is amber as a term of the output is amber as a force. Map,
-// surface and their scales take it from here.
+// The color of a force for map, surface and their scales. It is the color ramp of the output's terms.
 #pragma once
 
 #include <QBrush>
@@ -7,11 +6,11 @@
 
 namespace tactus::workbench {
 
-/// Color of the force that lies `share` of the way from the lowest to the highest force of the universe; beyond the
-/// ends that of the end.
+/// Color of a force at `share` of the way from the lowest to the highest force of the universe. Values beyond the ends
+/// get the color of the end.
 QColor forceColor(double share);
 
-/// The ground where no rule fires: hatched, as the gaps of the curves.
+/// The background where no rule fires: hatched, like the gaps of the curves.
 QBrush silentGround();
 
 }  // namespace tactus::workbench

@@ -1,4 +1,4 @@
-// The force over two inputs as a color map with contours. The operating point is a cross in it; a click sets it.
+// The force over two inputs as a color map with contours. A cross marks the operating point; a click moves it.
 #pragma once
 
 #include <QWidget>
@@ -33,7 +33,7 @@ class ForceMapPlot : public QWidget, public MapView {
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  signals:
-  /// The mouse was pressed or dragged at a place, in the units of the axes.
+  /// The mouse was pressed or dragged at a point, in the units of the axes.
   void picked(double x, double y);
 
  protected:

@@ -1,4 +1,4 @@
-// Whose force a map or surface shows, and over which two inputs: three boxes in the head of each panel that shows it.
+// The boxes in the header of a map or surface panel: the expert (or mean) and the two inputs.
 #pragma once
 
 #include <QWidget>
@@ -10,15 +10,14 @@ namespace tactus::workbench {
 class ForceMapController;
 class SceneController;
 
-/// All choices of one controller show the same; what is chosen in one holds for all. While it is on the screen, its
-/// panel counts as a viewer of the map.
+/// All instances of one controller show the same choice. A visible instance counts its panel as a viewer of the map.
 class MapChoice : public QWidget {
   Q_OBJECT
 
  public:
   MapChoice(const SceneController& scene, ForceMapController& map, QWidget* parent = nullptr);
 
-  /// Whose force it is, as it is written: `Mean`.
+  /// The owner of the force, as shown: `Mean`.
   QString who() const;
 
  protected:

@@ -1,5 +1,5 @@
-// What lies over a color map: lines of equal force, and the cross at the operating point. Only files of plots/ include
-// this.
+// The marks over a color map: contour lines, and the cross at the operating point. Needs QCustomPlot: only plotting
+// code includes this.
 #pragma once
 
 #include <QLineF>
@@ -14,14 +14,14 @@ class ContourMarks : public QCPLayerable {
 
  public:
   struct Line {
-    QString text;                ///< the level, as it is written on the line
+    QString text;                ///< the level, as written on the line
     QColor ground;               ///< the color of the level, behind the text
     std::vector<QLineF> pieces;  ///< in the units of the axes
   };
 
   explicit ContourMarks(QCustomPlot& plot);
 
-  /// `labelled`: each line says its level at a place where no other line runs through the number.
+  /// `labelled`: each line shows its level at a place where no other line crosses the number.
   void set(std::vector<Line> lines, bool labelled = false) {
     lines_ = std::move(lines);
     labelled_ = labelled;

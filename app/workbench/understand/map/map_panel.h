@@ -1,4 +1,4 @@
-// Force over two inputs as a color map. A click sets the operating point.
+// Force over two inputs as a color map. A click moves the operating point.
 #pragma once
 
 #include "app/workbench/understand/map/map_view_panel.h"

@@ -1,4 +1,4 @@
-// A drawing of a force map: what the color map and the surface have in common for the panel around them.
+// The common interface of the color map and the surface for the panel around them.
 #pragma once
 
 #include <QString>
@@ -12,11 +12,11 @@ namespace tactus::workbench {
 
 class MapView : public PlotSource {
  public:
-  /// The universes of `x`, `y` and of the force become the axes; the map is then that of others and goes.
+  /// The axes become the universes of `x`, `y` and of the force. This removes the map.
   virtual void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, const fuzzy::Variable& output) = 0;
-  /// The map for the axes that were set, or none.
+  /// The map for the current axes; null: none.
   virtual void setMap(const ForceMap* map) = 0;
-  /// The operating point and what stands beside it. `force_n` is not set where no rule fires.
+  /// The operating point and its label. `force_n` is nothing if no rule fires.
   virtual void setPoint(double x, double y, std::optional<double> force_n, const QString& tag) = 0;
 };
 

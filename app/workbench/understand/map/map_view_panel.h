@@ -1,5 +1,5 @@
-// A drawing of the force over two inputs, with the choice of its axes and of whose force it shows: what the panels of
-// the map and of the surface have in common.
+// The common panel of map and surface: a drawing of the force over two inputs, with the choice of its axes and its
+// expert.
 #pragma once
 
 #include <QString>
@@ -25,17 +25,17 @@ class MapViewPanel : public Card {
   PlotMenu& plotMenu() { return *menu_; }
 
  protected:
-  /// What the panel says and shows.
+  /// The texts and widgets of the panel.
   struct Content {
     QWidget* plot;    ///< becomes a child
-    MapView* view;    ///< the same
-    QWidget* below;   ///< the plot, or null; becomes a child
-    QString missing;  ///< where the model has one input alone
-    QString suffix;   ///< of the file proposed for its table or picture: `-map`
+    MapView* view;    ///< the same object
+    QWidget* below;   ///< the widget below the plot, or null; becomes a child
+    QString missing;  ///< shown if the model has only one input
+    QString suffix;   ///< ends the proposed file name of a table or picture: `-map`
   };
   MapViewPanel(const SceneController& scene, ForceMapController& map, const Content& content, QWidget* parent);
 
-  /// Has the plot show what it would show if it were seen.
+  /// Updates a hidden plot.
   virtual void catchUp() { showMap(); }
 
  private:

@@ -1,5 +1,5 @@
-// What stands around a surface: walls with a grid, axes with numbers and names at the edges where they can be read, and
-// the landmarks of a depth axis at the upper edge. Moves along while the surface is turned. No widget, no painting.
+// The surroundings of a surface: walls with a grid, axes with numbers and names at the edges where they are readable,
+// and the landmarks of a depth axis at the upper edge. They turn with the surface. No widget, no painting.
 #pragma once
 
 #include <QFont>
@@ -28,20 +28,20 @@ struct SurfaceAxes {
   QVector<QLineF> grid;              ///< on the walls
   QVector<QLineF> edges;             ///< of the walls
   QVector<QLineF> axis_lines;        ///< axes and their ticks
-  std::vector<SurfaceText> numbers;  ///< at the ticks
-  std::vector<SurfaceText> names;    ///< of the axes, with their units
-  QVector<QPolygonF> landmark_bars;  ///< where the landmarks are
+  std::vector<SurfaceText> numbers;  ///< numbers at the ticks
+  std::vector<SurfaceText> names;    ///< names of the axes, with their units
+  QVector<QPolygonF> landmark_bars;  ///< extents of the landmarks
   QVector<QLineF> landmark_leads;    ///< from a bar to its name
   std::vector<SurfaceText> landmarks;
 };
 
-/// The axes of a box that is `seen` so, over the universes of `x`, `y` and of the force `z`. Texts are in `font` (those
-/// of landmarks in italics) and stand inside `bounds`, px; none overlaps another. A text without room is left out, an
-/// axis that points at the viewer has none.
+/// The axes of a box seen through `seen`, over the universes of `x`, `y` and of the force `z`. Texts are in `font`
+/// (landmarks in italics) and inside `bounds`, px; none overlaps another. A text that does not fit is left out. An axis
+/// that points at the viewer has no texts.
 SurfaceAxes surfaceAxes(const SurfaceProjection& seen, const fuzzy::Variable& x, const fuzzy::Variable& y,
                         const fuzzy::Variable& z, const QFont& font, const QRectF& bounds);
 
-/// The ends of a wall along x, y and z: 0 or 1, the one away from the viewer.
+/// The corner of the box away from the viewer: 0 or 1 along x, y and z.
 BoxPoint farCorner(const SurfaceProjection& seen);
 
 }  // namespace tactus::workbench

@@ -1,4 +1,4 @@
-// The forces of a map as a mesh of four-cornered cells in a box, with holes where no rule fires.
+// The forces of a map as a mesh of four-cornered cells in a box. Cells where no rule fires are holes.
 #pragma once
 
 #include <array>
@@ -12,21 +12,22 @@ namespace tactus::workbench {
 
 /// A cell of the mesh: its corners are the nodes (x, y) to (x + 1, y + 1).
 struct SurfaceCell {
-  bool hole = true;   ///< at a corner, or between them, no rule fires; the rest is then without meaning
-  double height = 0;  ///< mean of the corners, share of the universe of the force
-  BoxVector normal;   ///< unit vector across the cell, upward
+  bool hole = true;   ///< no rule fires at a corner or between them; the other members then have no meaning
+  double height = 0;  ///< mean of the corners, as a share of the force universe
+  BoxVector normal;   ///< unit normal vector of the cell, upward
 };
 
 class SurfaceMesh {
  public:
   SurfaceMesh() = default;
-  /// Every `stride`-th place of `map`, forces as shares of [min_n, max_n]. `stride` divides the map's side less one.
+  /// Takes every `stride`-th point of `map`, with forces as shares of [min_n, max_n]. `stride` must divide the map's
+  /// side minus 1.
   SurfaceMesh(const ForceMap& map, double min_n, double max_n, std::size_t stride = 1);
 
   /// Cells along each input; 0 without a map.
   std::size_t cells() const { return cells_; }
   const SurfaceCell& cell(std::size_t x, std::size_t y) const { return cell_[y * cells_ + x]; }
-  /// The node (x, y), both up to cells(). Its height is 0 where no rule fires.
+  /// The node (x, y), both from 0 to cells(). Its height is 0 if no rule fires.
   BoxPoint node(std::size_t x, std::size_t y) const;
 
  private:
@@ -35,9 +36,9 @@ class SurfaceMesh {
   std::vector<SurfaceCell> cell_;
 };
 
-/// The order in which the cells of a mesh are painted, so that what is nearer covers what is farther, from every angle:
-/// rows and columns from the far end to the near one. A ray to the viewer meets the cells above their places on the
-/// floor, and over the floor it only ever goes toward the near ends.
+/// The painting order of the cells, so that nearer cells cover farther ones from every angle: rows and columns from the
+/// far end to the near end. Reason: a ray to the viewer meets the cells above its path on the floor, and that path only
+/// goes toward the near ends.
 class PaintOrder {
  public:
   PaintOrder(std::size_t cells, const BoxVector& to_viewer)
@@ -59,8 +60,8 @@ class PaintOrder {
   bool y_rises_;
 };
 
-/// How bright a cell is: 1 as its color is, less where it turns away from a light at the upper left behind the viewer.
-/// Both sides are lit.
+/// The brightness of a cell: 1 for its plain color, less if it faces away from a light at the upper left behind the
+/// viewer. Both sides are lit.
 double brightness(const BoxVector& normal, const SurfaceProjection& seen);
 
 }  // namespace tactus::workbench

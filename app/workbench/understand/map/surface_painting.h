@@ -17,15 +17,15 @@ namespace tactus::workbench {
 class SurfacePainting {
  public:
   enum class Quality {
-    kQuick,   ///< hard edges, for a picture that moves
-    kSmooth,  ///< smooth edges, some five times slower
+    kQuick,   ///< hard edges, for a moving picture
+    kSmooth,  ///< smooth edges, about five times slower
   };
-  static constexpr std::size_t kMeshLines = 25;  ///< along each input, the borders not counted
+  static constexpr std::size_t kMeshLines = 25;  ///< along each input, without the borders
 
-  /// `mesh` with at least one cell.
+  /// `mesh` must have at least one cell.
   SurfacePainting(std::shared_ptr<const SurfaceMesh> mesh, const SurfaceProjection& seen, Quality quality);
 
-  /// Goes on painting until all is done or `budget_ms` have passed.
+  /// Continues to paint until all is done or `budget_ms` have passed.
   void paint(QPainter& painter, double budget_ms);
   void paint(QPainter& painter);
   bool isDone() const { return next_ == order_.count(); }
@@ -40,7 +40,7 @@ class SurfacePainting {
   SurfaceProjection seen_;
   Quality quality_;
   PaintOrder order_;
-  std::size_t line_every_;      ///< cells
+  std::size_t line_every_;      ///< cells between two mesh lines
   std::vector<QPointF> nodes_;  ///< on the screen
   std::size_t next_ = 0;
 };

@@ -1,4 +1,4 @@
-// Force over two inputs as a surface, with the same choice of axes and of whose force it shows as the map.
+// Force over two inputs as a surface. The panel has the same choices of axes and expert as the map.
 #pragma once
 
 #include "app/workbench/understand/map/map_view_panel.h"

@@ -1,4 +1,4 @@
-// The picture of a surface: what is shown, how it is turned, and how it is painted, at once or in slices. No widget.
+// The picture of a surface: its contents, its angle, and its painting, at once or in slices. No widget.
 #pragma once
 
 #include <QImage>
@@ -31,7 +31,7 @@ struct SurfaceFrame {
   SurfaceLook look;
   QSizeF size;  ///< px of the whole drawing
 
-  /// The room of the box, of the color scale beside it, and of the texts.
+  /// The areas of the box, the color scale beside it, and the texts.
   QRectF boxArea() const;
   QRectF scaleArea() const;
   QRectF textArea() const;
@@ -39,16 +39,16 @@ struct SurfaceFrame {
   SurfaceAxes axes() const;
 };
 
-/// The whole picture; `mesh` may be null while nothing is computed yet. Returns the time that the mesh took, ns.
+/// Paints the whole picture. `mesh` may be null if nothing is computed yet. Returns the painting time of the mesh, ns.
 double paintSurface(QPainter& painter, const SurfaceFrame& frame, std::shared_ptr<const SurfaceMesh> mesh,
                     SurfacePainting::Quality quality);
 
-/// A picture that is painted in slices into an image of its own.
+/// A picture that is painted in slices into its own image.
 class SurfaceImage {
  public:
   SurfaceImage(const SurfaceFrame& frame, std::shared_ptr<const SurfaceMesh> mesh, double device_pixel_ratio);
 
-  /// Goes on for about `budget_ms`.
+  /// Continues to paint for about `budget_ms`.
   void work(double budget_ms);
   bool isDone() const { return done_; }
   const QImage& image() const { return image_; }

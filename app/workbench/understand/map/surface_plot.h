@@ -1,5 +1,5 @@
-// The force over two inputs as a surface that is turned with mouse and keys. The operating point is a dot on it, with
-// the lines of the surface through it.
+// The force over two inputs as a surface that the user turns with mouse and keys. A dot marks the operating point, with
+// the surface lines through it.
 #pragma once
 
 #include <QTimer>
@@ -14,14 +14,14 @@
 
 namespace tactus::workbench {
 
-/// While the picture changes it is painted as fine as half a frame allows, and as fine as the map is once it rests.
+/// A moving picture is painted as fine as half a frame allows; at rest, as fine as the map.
 class SurfacePlot : public QWidget, public MapView {
   Q_OBJECT
 
  public:
-  static constexpr double kQuickMs = 5;  ///< for the mesh of a picture that moves; walls and texts come on top
-  static constexpr int kSliceMs = 6;     ///< of a picture that rests, at a time
-  static constexpr int kRestMs = 150;    ///< without a change, until a picture counts as resting
+  static constexpr double kQuickMs = 5;  ///< for the mesh of a moving picture; walls and texts take extra time
+  static constexpr int kSliceMs = 6;     ///< one painting slice of a resting picture
+  static constexpr int kRestMs = 150;    ///< time without a change after which the picture is at rest
 
   explicit SurfacePlot(QWidget* parent = nullptr);
 
@@ -31,14 +31,14 @@ class SurfacePlot : public QWidget, public MapView {
 
   const SurfaceLook& look() const { return frame_.look; }
   void setLook(const SurfaceLook& look);
-  /// Nothing is left to refine.
+  /// Whether the picture is at rest and fully refined.
   bool isRested() const { return rested_; }
-  /// Cells along each input of the picture that is on the screen.
+  /// The number of cells along each input in the visible picture.
   std::size_t cellsShown() const { return cells_shown_; }
 
   QSize sizeHint() const override { return {560, 380}; }
 
-  /// The surface as it is turned now, the whole of it.
+  /// The whole surface at its current angle.
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  protected:
@@ -67,7 +67,7 @@ class SurfacePlot : public QWidget, public MapView {
   std::optional<ForceMap> map_;
   std::vector<std::pair<std::size_t, std::shared_ptr<const SurfaceMesh>>> meshes_;  ///< of the map, by stride
   QImage picture_;                                                                  ///< without the operating point
-  bool stale_ = true;  ///< picture_ is not that of the frame and the map
+  bool stale_ = true;  ///< picture_ does not match the frame and the map
   bool rested_ = false;
   std::size_t cells_shown_ = 0;
   double cell_ns_ = 700;  ///< measured, of a quick picture

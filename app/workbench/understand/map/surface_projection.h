@@ -1,5 +1,5 @@
-// How the box of a surface is seen: turned by an angle, looked down on by another, without perspective, so that equal
-// forces stay equally long wherever they stand.
+// The view of a surface's box: azimuth and elevation without perspective, so that equal forces have equal lengths
+// everywhere.
 #pragma once
 
 #include <QPointF>
@@ -7,14 +7,14 @@
 
 namespace tactus::workbench {
 
-/// A place in the box: each coordinate is a share in [0, 1] of its universe; z is the force.
+/// A point in the box. Each coordinate is a share in [0, 1] of its universe; z is the force.
 struct BoxPoint {
   double x = 0;
   double y = 0;
   double z = 0;
 };
 
-/// A direction in the box, measured in its edges: all edges have the unit of length that kBox gives.
+/// A direction in the box, in the length units of kBox.
 struct BoxVector {
   double x = 0;
   double y = 0;
@@ -23,13 +23,13 @@ struct BoxVector {
 
 inline double dot(const BoxVector& a, const BoxVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/// Lengths of the edges of the box relative to each other: the long one for the depth, whose profile is the finest.
+/// Relative lengths of the box's edges. The depth has the longest edge, because its profile has the finest details.
 inline constexpr BoxVector kBox = {1.85, 1.1, 0.8};
 
 struct SurfaceAngles {
-  /// Where the viewer stands, degrees: 0 at the low end of y, so that x goes to the right; 90 at the high end of x.
+  /// Direction of the viewer, degrees: 0 is the low end of y, with x to the right; 90 is the high end of x.
   double azimuth_deg = 32;
-  /// How high the viewer stands, degrees from -90 to 90: 0 looks along the floor, 90 straight down.
+  /// Height of the viewer, degrees from -90 to 90: 0 looks along the floor, 90 straight down.
   double elevation_deg = 30;
 
   friend bool operator==(const SurfaceAngles&, const SurfaceAngles&) = default;
@@ -37,15 +37,15 @@ struct SurfaceAngles {
 
 class SurfaceProjection {
  public:
-  /// The whole box in `area` (px) at every azimuth, `zoom` times as large and shifted by `shift` px.
+  /// Fits the box into `area` (px) at every azimuth, then scales it by `zoom` and shifts it by `shift` px.
   SurfaceProjection(const SurfaceAngles& angles, const QRectF& area, double zoom = 1, QPointF shift = {});
 
-  /// Where a place of the box stands on the screen, px.
+  /// The position of a box point on the screen, px.
   QPointF operator()(const BoxPoint& point) const;
-  /// How far a place stands toward the viewer, in lengths of the box, 0 at its middle.
+  /// How near a point is to the viewer, in lengths of the box; 0 at the center of the box.
   double nearness(const BoxPoint& point) const;
 
-  /// The unit vector toward the viewer; those to the right and up on the screen.
+  /// The unit vectors toward the viewer, and to the right and up on the screen.
   const BoxVector& toViewer() const { return to_viewer_; }
   const BoxVector& right() const { return right_; }
   const BoxVector& up() const { return up_; }

@@ -1,5 +1,5 @@
-// The operating point on a surface: where it stands, the lines of the surface through it, and which parts of them the
-// surface itself hides. No widget, no painting.
+// The operating point on a surface: its position, the surface lines through it, and the parts of them that the surface
+// hides. No widget, no painting.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace tactus::workbench {
 
-/// Height of the mesh above a place of the floor (shares of x and y), between the nodes bilinear; nothing over a hole
-/// or beside the mesh.
+/// Height of the mesh above a point of the floor (shares of x and y), bilinear between the nodes; nothing over a hole
+/// or outside the mesh.
 std::optional<double> heightAt(const SurfaceMesh& mesh, double x, double y);
 
-/// Whether the mesh stands between a place on it and the viewer.
+/// Whether the mesh lies between a point on it and the viewer.
 bool isCovered(const SurfaceMesh& mesh, const BoxPoint& point, const BoxVector& to_viewer);
 
-/// The lines of the surface through the place (x, y), along x and along y, as runs of points that the viewer sees.
+/// The surface lines through (x, y), along x and along y, as runs of points that the viewer sees.
 std::vector<std::vector<BoxPoint>> visibleSections(const SurfaceMesh& mesh, double x, double y,
                                                    const BoxVector& to_viewer);
 
