@@ -1,4 +1,4 @@
-// The regions along the way of the tube, as the depth terms of a model divide it.
+// The anatomical regions along the path of the tube, as the depth terms of a model divide it.
 #pragma once
 
 #include <QString>
@@ -9,18 +9,18 @@
 
 namespace tactus::workbench {
 
-/// Where one term has the largest membership of all.
+/// A range in which one term has the largest membership.
 struct DepthRegion {
   QString label;
   double from_mm = 0;
   double to_mm = 0;
 };
 
-/// The regions of `depth`, from the nostril inwards. Places that belong to no term are in none. The boundaries are
-/// exact to a 4000th of the universe.
+/// The regions of `depth`, from the nostril inward. Places without a term belong to no region. The boundaries are exact
+/// to 1/4000 of the universe.
 std::vector<DepthRegion> depthRegions(const fuzzy::Variable& depth);
 
-/// The region that `depth_mm` is in.
+/// The region of `depth_mm`; nothing if it is in none.
 std::optional<std::size_t> regionAt(const std::vector<DepthRegion>& regions, double depth_mm);
 
 }  // namespace tactus::workbench

@@ -1,5 +1,5 @@
-// The device: which one, Start and Stop, how the hand takes the tube, and how it is doing. It says when the device is
-// simulated.
+// The controls of the device: the choice of the device, Start and Stop, the grip, and the state. A simulated device is
+// labelled as such.
 #pragma once
 
 #include <QWidget>
@@ -24,15 +24,15 @@ class DeviceBar : public QWidget {
  public:
   DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent = nullptr);
 
-  /// A model is open, so that there is something to feel.
+  /// Whether a model is open and can be felt.
   void setModelOpen(bool open);
   /// Shows `sentence` until the next start.
   void showFailure(const QString& sentence);
-  /// Reads the state that changes while running: latency and rate.
+  /// Reads the values that change during a run: latency and rate.
   void showProgress();
 
  public slots:
-  /// Starts on the chosen device, or stops.
+  /// Starts on the chosen device, or stops it.
   void toggle();
 
  protected:
@@ -63,7 +63,7 @@ class DeviceBar : public QWidget {
   QBoxLayout* line_ = nullptr;
   QString failure_;
   bool model_open_ = false;
-  bool advises_ = false;  ///< the message is advice for a hand that has not pushed yet
+  bool advises_ = false;  ///< the message asks the user to push
 };
 
 }  // namespace tactus::workbench

@@ -1,4 +1,4 @@
-// Feeling the open model: device, hand, patient, force and the placement. It only puts its parts together.
+// The panel for feeling the open model: device, hand, patient, force and placement. It only arranges its parts.
 #pragma once
 
 #include <QWidget>
@@ -33,21 +33,21 @@ class FeelPanel : public QWidget {
   FeelPanel(SceneController& scene, FeelController& feel, QWidget* parent = nullptr);
   ~FeelPanel() override;
 
-  /// A further card below everything else.
+  /// Adds a card below the others.
   void addCard(QWidget* card);
-  /// Starts on the chosen device, or stops.
+  /// Starts on the chosen device, or stops it.
   void toggle();
-  /// A recording waits for the next start, or is in progress and so long, s. The pad shows it.
+  /// Shows on the pad that a recording waits for the next start (`armed`), or is in progress with this length, s.
   void showRecording(bool armed, std::optional<int> recorded_s);
-  /// There is room for more than what is needed to feel.
+  /// Whether the panel has space for more than the necessary parts.
   bool isRoomy() const { return roomy_; }
 
  signals:
   void roomChanged(bool roomy);
 
  protected:
-  /// Space holds the tube and F12 stops, wherever the keyboard is, while a model is felt. Escape stops too, unless
-  /// something is dragged: then it takes the drag back.
+  /// While a model is felt, Space holds the tube and F12 stops, wherever the keyboard focus is. Escape stops, too,
+  /// unless a drag is in progress; then it cancels the drag.
   bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
@@ -82,17 +82,17 @@ class FeelPanel : public QWidget {
   bool roomy_ = false;
   bool armed_ = false;
   std::optional<int> recorded_s_;
-  std::optional<haptics::DeviceInfo> traced_on_;  ///< what the trace was felt on
+  std::optional<haptics::DeviceInfo> traced_on_;  ///< the device of the trace
   SagittalView* sagittal_;
   ProcedurePanel* procedure_;
   PlacementCard* placement_;
   QBoxLayout* halves_ = nullptr;          ///< hand and patient
-  QBoxLayout* picture_ = nullptr;         ///< way of the tube and procedure
-  QBoxLayout* cards_ = nullptr;           ///< from top to bottom
-  std::optional<fuzzy::Variable> depth_;  ///< whose regions are shown
+  QBoxLayout* picture_ = nullptr;         ///< path of the tube and procedure
+  QBoxLayout* cards_ = nullptr;           ///< top to bottom
+  std::optional<fuzzy::Variable> depth_;  ///< the variable whose regions are visible
   bool filtering_ = false;
-  bool asking_ = false;        ///< the widget with the keyboard is asked whether it wants Escape
-  bool escape_taken_ = false;  ///< it does
+  bool asking_ = false;        ///< the focused widget is being asked whether it uses Escape
+  bool escape_taken_ = false;  ///< it uses Escape
   bool trace_due_ = false;     ///< the trace is drawn at every second beat
 };
 

@@ -1,4 +1,4 @@
-// What the servo evaluates: the open model in the setting in which it is looked at.
+// The servo's scene: the open model in its current setting.
 #pragma once
 
 #include <memory>

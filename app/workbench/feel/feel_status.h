@@ -1,4 +1,4 @@
-// What is felt, in a few words for the strip at the bottom: the device and its state.
+// The strip's label for the device and its state.
 #pragma once
 
 #include <QLabel>
@@ -14,7 +14,7 @@ class FeelStatus : public QLabel {
   explicit FeelStatus(const FeelController& feel, QWidget* parent = nullptr);
 
  signals:
-  /// How long the last edit took until it was felt; empty while nothing is felt.
+  /// The time from the last edit to the force; empty while no model is felt.
   void latencyChanged(const QString& latency);
 
  private:

@@ -11,9 +11,9 @@ class ForceBar : public QWidget {
  public:
   explicit ForceBar(QWidget* parent = nullptr);
 
-  /// `force_n` fills the bar; `friction_n`, what was asked for, is a mark where the limits took some of it.
+  /// `force_n` fills the bar. A mark shows `friction_n`, the requested force, if the limits reduced it.
   void setForces(double force_n, double friction_n);
-  /// End of the scale, > 0.
+  /// Sets the end of the scale, > 0.
   void setFullScale(double full_n);
 
   QSize sizeHint() const override;

@@ -1,5 +1,5 @@
-// The force of the last ten seconds: what the hand feels, or split into fuzzy force, friction and limits; in a
-// replay the recorded force beside it.
+// The force of the last ten seconds: the force on the hand, or its parts (fuzzy force, friction, limits). A replay also
+// shows the recorded force.
 #pragma once
 
 #include <QWidget>
@@ -22,16 +22,16 @@ class ForceTracePlot : public QWidget, public PlotSource {
  public:
   explicit ForceTracePlot(QWidget* parent = nullptr);
 
-  /// The force axis has the name of `output` and ends at its end, > 0; a larger force makes it longer.
+  /// Names the force axis after `output`. The axis ends at the upper end of the universe (> 0), or at a larger force.
   void setOutput(const fuzzy::Variable& output);
-  /// Shows what makes up the force as well.
+  /// Whether to show the parts of the force, too.
   void setSplit(bool split);
   bool isSplit() const { return split_; }
   /// Draws the last ten seconds; the newest point is at the right.
   void setHistory(const FeelHistory& history);
 
   QSize pictureSize() const override { return {1000, 360}; }
-  /// None where the force that is felt is the only line.
+  /// Empty if the felt force is the only line.
   std::vector<LegendEntry> legend() const override;
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
@@ -44,12 +44,12 @@ class ForceTracePlot : public QWidget, public PlotSource {
 
   QCustomPlot* plot_;
   QCPGraph* force_;
-  QCPGraph* recorded_;  ///< of the recording that is replayed
+  QCPGraph* recorded_;  ///< force of the replayed recording
   QCPGraph* friction_;
   QCPGraph* model_;
-  QCPGraph* limits_;  ///< fills what the limits took, between friction and force
+  QCPGraph* limits_;  ///< fills the area that the limits removed, between friction and force
   bool split_ = false;
-  bool replays_ = false;  ///< beside what was recorded
+  bool replays_ = false;  ///< a replay, with the recorded force beside it
   double full_n_ = 1;
   std::string force_name_;
 };

@@ -1,4 +1,4 @@
-// What a nurse can change while the tube is placed: lubrication, and the request to flex the neck.
+// The conditions that a nurse can change during the placement: lubrication and neck flexion.
 #pragma once
 
 #include <QWidget>

@@ -1,4 +1,4 @@
-// The placement in numbers: strokes and depth while it lasts, and what the last one came to.
+// The placement in numbers: strokes and depth during it, and the summary of the last one.
 #pragma once
 
 #include <QWidget>
@@ -22,7 +22,7 @@ class PlacementCard : public QWidget {
 
   void setProgress(unsigned strokes, double depth_mm, const QString& region);
   void setSummary(const std::optional<PlacementSummary>& summary);
-  /// Whether another placement can be begun.
+  /// Whether a run is in progress, so that another placement can begin.
   void setRunning(bool running);
 
  signals:
@@ -37,7 +37,7 @@ class PlacementCard : public QWidget {
   QPushButton* next_;
   QGridLayout* layout_ = nullptr;
   bool below_ = false;
-  bool has_summary_ = false;  ///< of a placement that has ended
+  bool has_summary_ = false;  ///< of a finished placement
 };
 
 }  // namespace tactus::workbench

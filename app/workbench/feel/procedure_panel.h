@@ -1,4 +1,4 @@
-// The steps of the procedure; the one at hand is lit by the depth of the tip.
+// The steps of the procedure. The step for the current depth is highlighted.
 #pragma once
 
 #include <QWidget>
@@ -19,7 +19,7 @@ class ProcedurePanel : public QWidget {
 
   /// Depth of the tip, mm.
   void setDepth(double depth_mm);
-  /// Only the step at hand and its text.
+  /// True: only the current step and its text.
   void setCompact(bool compact);
 
  private:
@@ -32,7 +32,7 @@ class ProcedurePanel : public QWidget {
   std::vector<ProcedureStep> steps_;
   std::vector<Row> rows_;
   QWidget* list_;
-  QLabel* head_;  ///< the step at hand, where there is no list
+  QLabel* head_;  ///< the current step, if the list is hidden
   QLabel* text_;
   std::optional<std::size_t> shown_;
 };

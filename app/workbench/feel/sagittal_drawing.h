@@ -1,5 +1,5 @@
-// The lines of the schematic: a head in profile that looks to the left, throat, esophagus and stomach, and the way of
-// the tube through them. Drawn for this program, not to scale.
+// The lines of the schematic: a head in profile that looks to the left, throat, esophagus and stomach, and the path of
+// the tube. Drawn for this program, not to scale.
 #pragma once
 
 #include <QPainterPath>
@@ -9,20 +9,20 @@
 
 namespace tactus::workbench::sagittal {
 
-/// The canvas that all lines are on.
+/// The size of the canvas, in drawing units.
 inline constexpr double kWidth = 270;
 inline constexpr double kHeight = 400;
 
-/// All for a head that is flexed forward by `flexion`, [0, 1].
+/// All functions take the forward flexion of the head, `flexion` in [0, 1].
 QPainterPath outline(double flexion);
 QPainterPath airway(double flexion);  ///< mouth and windpipe, which the tube must not enter
 QPainterPath stomach(double flexion);
 
-/// Where the tip of the tube is at `depth_mm` from the nostril; below 0 it is in front of the nose.
+/// The position of the tip at `depth_mm` from the nostril; below 0 it is in front of the nose.
 QPointF placeAt(double depth_mm, double flexion);
-/// How wide the passage is there, on the canvas.
+/// The width of the passage there, in drawing units.
 double widthAt(double depth_mm);
-/// Depth of the end of the way, mm.
+/// The depth at the end of the path, mm.
 double endMm();
 
 }  // namespace tactus::workbench::sagittal

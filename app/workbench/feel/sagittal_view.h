@@ -1,5 +1,5 @@
-// A schematic of nose, throat, esophagus and stomach: the tube with its tip at its depth, and the region lit that the
-// tip is in. The regions are those of the model's depth terms.
+// A schematic of nose, throat, esophagus and stomach with the tube at its depth. The region of the tip is highlighted.
+// The regions are those of the model's depth terms.
 #pragma once
 
 #include <QVariantAnimation>
@@ -20,9 +20,9 @@ class SagittalView : public QWidget {
   void setRegions(std::vector<DepthRegion> regions);
   /// Depth of the tip, mm.
   void setDepth(double depth_mm);
-  /// The region that the tip is in; empty in front of the nose and where there is none.
+  /// The region of the tip; empty in front of the nose and outside all regions.
   QString regionText() const;
-  /// The head moves there within a second, as the force does.
+  /// Moves the head within one second, as the force changes.
   void setNeckFlexed(bool flexed);
 
   QSize sizeHint() const override { return {260, 300}; }
@@ -47,7 +47,7 @@ class SagittalView : public QWidget {
   std::vector<DepthRegion> regions_;
   double depth_mm_ = 0;
   std::optional<bool> flexed_;
-  double flexion_ = 0;  ///< as it is drawn, [0, 1]
+  double flexion_ = 0;  ///< as drawn, [0, 1]
   QVariantAnimation turn_;
 };
 

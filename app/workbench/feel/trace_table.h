@@ -11,9 +11,8 @@ namespace tactus::workbench {
 class FeelHistory;
 class SceneController;
 
-/// Time in s up to the newest sample at 0, the force felt, the fuzzy force F_d and the force that friction asks for, in
-/// N, and in a replay the recorded force. The caption names `device`, on which it was felt, and says where that is a
-/// simulated one.
+/// Columns: time, s, with the newest sample at 0; felt force, fuzzy force F_d and requested friction force, N; in a
+/// replay also the recorded force. The caption names `device` and says if it is simulated.
 PlotTable traceTable(const SceneController& scene, const FeelHistory& history,
                      const std::optional<haptics::DeviceInfo>& device);
 

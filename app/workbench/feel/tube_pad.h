@@ -1,5 +1,5 @@
-// Where the mouse is the hand: left and right moves the tube along its axis, the button holds it. Shows how far the
-// tube lags behind the cursor, which on a virtual device is what a force looks like.
+// The pad on which the mouse is the hand: left and right moves the tube along its axis, the mouse button holds it. It
+// shows how far the tube lags behind the cursor, which is how a virtual device shows a force.
 #pragma once
 
 #include <QWidget>
@@ -17,15 +17,15 @@ class TubePad : public QWidget {
 
   struct Reading {
     double hand_mm = 0;    ///< along the axis
-    double tube_mm = 0;    ///< where the hand took the tube
-    double target_mm = 0;  ///< what the cursor wants
+    double tube_mm = 0;    ///< the point of the tube that the hand holds
+    double target_mm = 0;  ///< target at the cursor
     bool live = false;     ///< mouse and keyboard drive the hand
     bool held = false;     ///< the hand holds the tube
-    bool latch = false;    ///< a press takes the tube, the next one lets go
+    bool latch = false;    ///< a first press holds the tube, a second one releases it
     bool running = false;
     bool replay = false;            ///< a recording moves the tube
-    bool armed = false;             ///< a recording begins with the next start
-    std::optional<int> recorded_s;  ///< length of the recording in progress, s
+    bool armed = false;             ///< a recording waits for the next start
+    std::optional<int> recorded_s;  ///< length of the current recording, s
 
     bool operator==(const Reading&) const = default;
   };

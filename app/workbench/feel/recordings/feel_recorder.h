@@ -14,30 +14,30 @@ namespace tactus::workbench {
 
 class FeelRecorder {
  public:
-  /// An input of the model that is a condition of tube or patient.
+  /// An input of the model that is a condition of the tube or the patient.
   struct Condition {
     std::string id;
     std::string unit;
     double value = 0;
   };
 
-  /// The first sample that is added is time 0. `rate_hz`: of the servo.
+  /// The first added sample is time 0. `rate_hz`: rate of the servo.
   FeelRecorder(double rate_hz, const std::vector<Condition>& conditions);
 
-  /// Whether these are the conditions that it began with, in other values.
+  /// Whether `conditions` are the recorder's conditions, with any values.
   bool has(const std::vector<Condition>& conditions) const;
-  /// From the next sample on; as many as at the beginning.
+  /// Sets the values from the next sample on; as many values as conditions.
   void setConditions(const std::vector<double>& values) { conditions_ = values; }
-  /// Whether samples of the servo between the last one that was added and `next` are missing.
+  /// Whether servo samples between the last added sample and `next` are missing.
   bool isGapBefore(const haptics::Sample& next) const { return last_tick_ && next.tick != *last_tick_ + 1; }
-  /// `depth_mm` as the model counts it; `placement` from 1.
+  /// Adds a sample. `depth_mm` in the coordinates of the model; `placement` counts from 1.
   void add(const haptics::Sample& sample, double depth_mm, int placement);
 
   /// Seconds since the first sample.
   double lengthS() const { return length_s_; }
-  /// Seconds since the last piece was taken.
+  /// Seconds since the end of the last piece.
   double pieceS() const;
-  /// What was added since the last call; the time goes on from piece to piece. Nothing where that was nothing.
+  /// The samples added since the last call, or nothing. Times continue from piece to piece.
   std::optional<study::Recording> takePiece();
 
  private:

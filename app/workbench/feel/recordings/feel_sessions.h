@@ -1,5 +1,5 @@
-// The sessions of a study in which somebody feels a model: one for each person and each start of a device, made when
-// the first record of it comes. Belongs to the thread of the study file.
+// The study sessions in which a person feels a model: one for each person and each run. A session is created with its
+// first record. Used only by the thread of the study file.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ namespace tactus::workbench {
 
 class FeelSessions {
  public:
-  /// Who feels on what.
+  /// A person and the device.
   struct Visit {
-    std::uint64_t run = 0;               ///< number of the start of the device
+    std::uint64_t run = 0;               ///< number of the run
     std::optional<study::RecordId> who;  ///< nothing: the researcher
     study::Moment started;
     std::string device;
@@ -27,11 +27,11 @@ class FeelSessions {
     std::optional<double> device_friction_n;
   };
 
-  /// The session of `visit` in `file`, made where there is none yet. The researcher becomes a person of the study, with
-  /// a code and a profile that says so, the first time that they feel something.
+  /// The session of `visit` in `file`; creates it if there is none. At the first session of the researcher it adds a
+  /// person with a code and a profile that says so.
   base::Result<study::RecordId> sessionOf(const Visit& visit, store::StudyFile& file, study::RecordIds& ids);
 
-  /// Number of the recording `serial` within `session`, counted from 1 as they begin.
+  /// The number of the recording `serial` within `session`, counted from 1 in the order of their beginning.
   int numberOf(std::uint64_t serial, const study::RecordId& session);
 
  private:
@@ -43,7 +43,7 @@ class FeelSessions {
   std::map<study::RecordId, int> counts_;
 };
 
-/// Now, by both clocks.
+/// The current time of both clocks.
 study::Moment momentNow();
 
 }  // namespace tactus::workbench

@@ -1,5 +1,5 @@
-// What is felt goes into the open study: a summary of each placement, and recordings, which can be replayed on the
-// present model.
+// Stores what is felt in the open study: a summary of each placement, and recordings. Replays recordings through the
+// current model.
 #pragma once
 
 #include <QObject>
@@ -29,32 +29,32 @@ class FeelStore : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr double kPieceS = 2;  ///< of a recording; a crash loses no more
+  static constexpr double kPieceS = 2;  ///< of a recording; a crash loses at most this
 
   FeelStore(FeelController& feel, SceneController& scene, StudyController& study, QObject* parent = nullptr);
-  /// What was recorded until then is ordered to be written.
+  /// Orders the rest of the current recording to be written.
   ~FeelStore() override;
 
-  /// Who feels, for what is stored from now on; nothing: the researcher.
+  /// The person who feels, for all records from now on; nothing: the researcher.
   std::optional<study::RecordId> who() const { return who_; }
-  /// There is a study to record into.
+  /// Whether a study is open to record into.
   bool canRecord() const;
-  /// A recording goes on, or waits for the start of a device.
+  /// Whether a recording is in progress or waits for the start of a device.
   bool isRecording() const { return recording_; }
-  /// Of the recording that goes on, s.
+  /// Length of the current recording, s.
   double recordedS() const { return recorder_ ? recorder_->lengthS() : 0; }
-  /// The recording that is replayed.
+  /// The recording being replayed; nothing if there is none.
   std::optional<study::RecordId> replayed() const;
 
  public slots:
   void setWho(std::optional<tactus::study::RecordId> who);
-  /// A recording begins with a new placement, at once or with the next start of a device; it ends with the run.
+  /// Starts a recording with a new placement: at once, or with the next start of a device. It ends with the run.
   void setRecording(bool recording);
-  /// Moves as the recording did, through the present model.
+  /// Replays the movement of a recording through the current model.
   void replay(const tactus::study::RecordId& recording);
 
  signals:
-  /// Recording, its length in seconds, replay or who changed.
+  /// The recording, its length in seconds, the replay or the person changed.
   void changed();
   void said(const QString& sentence);
   void failed(const QString& sentence);
@@ -77,7 +77,7 @@ class FeelStore : public QObject {
   study::FeltSetting setting() const;
   std::vector<FeelRecorder::Condition> conditions() const;
   study::Entry entry();
-  /// Orders `record`, `what` for the person, to be appended once its session is there; then `done`.
+  /// Orders `record` to be appended when its session exists; then calls `done`. `what` names the record for the user.
   template <class Record>
   void store(Record record, const QString& what, const FeelSessions::Visit& visit, std::uint64_t serial,
              std::function<void()> done);
@@ -85,7 +85,7 @@ class FeelStore : public QObject {
   FeelController& feel_;
   SceneController& scene_;
   StudyController& study_;
-  std::shared_ptr<FeelSessions> sessions_;  ///< touched by the thread of the study alone
+  std::shared_ptr<FeelSessions> sessions_;  ///< used only by the thread of the study
   study::RecordIds ids_;
   std::optional<study::RecordId> who_;
   std::uint64_t seen_run_ = 0;
@@ -93,19 +93,19 @@ class FeelStore : public QObject {
   bool recording_ = false;
   std::optional<FeelRecorder> recorder_;
   FeelSessions::Visit recorded_visit_;
-  std::uint64_t recordings_ = 0;  ///< begun so far
+  std::uint64_t recordings_ = 0;  ///< number of recordings begun
   std::uint64_t first_orders_ = 0;
   std::uint64_t placement_orders_ = 0;
   int placement_ = 0;
   int pieces_ = 0;
   int shown_s_ = -1;
-  std::optional<study::FeltSetting> felt_;  ///< when the hand took the tube for the first time in this placement
+  std::optional<study::FeltSetting> felt_;  ///< at the first grip of this placement
 
   struct Replay {
     study::RecordId id;
     study::Recording recording;
     std::vector<double> time_s;  ///< of each sample, since the start of the run
-    std::size_t sample = 0;      ///< that was followed last
+    std::size_t sample = 0;      ///< the last sample that was followed
   };
   std::optional<Replay> replay_;
   struct Next {
@@ -113,7 +113,7 @@ class FeelStore : public QObject {
     RecordedForce beside;
     Replay replay;
   };
-  std::optional<Next> next_;  ///< begins as soon as the device before has stopped
+  std::optional<Next> next_;  ///< begins when the previous device has stopped
 };
 
 }  // namespace tactus::workbench

@@ -1,4 +1,4 @@
-// What is felt and kept in the study: who feels, Record, and the recordings with Replay.
+// The records of feeling in the study: the person, the button Record, and the recordings with Replay.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ class RecordingsCard : public Card {
  public:
   RecordingsCard(FeelStore& store, StudyController& study, FeelController& feel, QWidget* parent = nullptr);
 
-  /// Without room for it, the hint for who has no study open is left out.
+  /// False: leaves out the hint for users without an open study, to save space.
   void setRoomy(bool roomy);
 
  private:
@@ -37,14 +37,14 @@ class RecordingsCard : public Card {
   StudyController& study_;
   FeelController& feel_;
   QLabel* hint_;
-  QLabel* where_;  ///< the study that is recorded into
+  QLabel* where_;  ///< the study that gets the recordings
   QWidget* content_;
   QComboBox* who_;
   QPushButton* record_;
   QComboBox* list_;
   QPushButton* replay_;
   bool roomy_ = true;
-  std::size_t listed_ = 0;  ///< recordings in the list
+  std::size_t listed_ = 0;  ///< number of recordings in the list
 };
 
 }  // namespace tactus::workbench
