@@ -1,5 +1,8 @@
 // The setting in which the user looks at the open model: a value for each input, the input on the x axis, the reading
-// place, and the choice of terms. Curves are computed on demand, only after a change. The reading place is the x
+// place, and the choice of terms. Curves are computed on demand, only after a change.
+// The reading place is the x position under the mouse, or else the operating point (the values of all inputs):
+//   operating point: depth 150 mm, speed 50 mm/s. Mouse at 92 mm on the depth axis.
+//   reading place: depth 92 mm, speed 50 mm/s
 // position under the mouse, or else the operating point.
 #pragma once
 
