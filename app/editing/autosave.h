@@ -1,5 +1,5 @@
-// What a crash must not lose: edits that are not in the study file yet, and the gesture that goes on. The caller writes
-// the text to a file of its choice (base::writeFileAtomically) and reads it back at the next start.
+// The text of an autosave: edits that are not in the study file yet, and the current gesture. The caller writes the
+// text to a file (base::writeFileAtomically) and reads it at the next start.
 #pragma once
 
 #include <cstddef>
@@ -13,42 +13,42 @@
 
 namespace tactus::editing {
 
-inline constexpr std::size_t kMostAutosaveBytes = std::size_t{256} << 20U;  ///< to give to base::readFile
+inline constexpr std::size_t kMostAutosaveBytes = std::size_t{256} << 20U;  ///< limit for base::readFile: 256 MiB
 
 struct Autosave {
-  /// A gesture that was going on.
+  /// A gesture that was in progress.
   struct Unfinished {
     std::string label;
     fuzzy::ForceModel model;
   };
 
-  std::string document;                       ///< what was being edited, as the caller names it: a path
-  std::vector<study::ModelVersion> versions;  ///< that were not stored, parents first
+  std::string document;                       ///< the edited document, as the caller names it: a path
+  std::vector<study::ModelVersion> versions;  ///< not stored; parents first
   std::optional<Unfinished> unfinished;
 };
 
-/// Events of a history by their index, from `first` up to the one before `last`.
+/// Events of a history by index: from `first` to the one before `last`.
 struct EventRange {
   std::size_t first = 0;
   std::size_t last = std::numeric_limits<std::size_t>::max();
 };
 
-/// JSON of everything in `history` that is not stored; `document` says of what. A long history can be written in parts:
-/// then of the events in `range` alone, and of the gesture that goes on where the range includes the last event.
+/// JSON of everything in `history` that is not stored; `document` names the document. A long history can be written in
+/// parts: the text then has only the events in `range`, and the gesture only if `range` includes the last event.
 std::string autosaveText(const EditHistory& history, const std::string& document, EventRange range = {});
 
-/// Whether there is anything that a crash would lose. A model that was opened and left as it is would not be.
+/// Whether a crash would lose anything. False for a model that was opened and not edited.
 bool needsAutosave(const EditHistory& history);
 
-/// Reads such a text, said to be of `file` in errors. Every model is validated and must fit its SHA-256.
+/// Reads such a text; errors name `file`. Every model is validated and must match its SHA-256.
 base::Result<Autosave> parseAutosave(std::string_view text, const std::string& file);
 
-/// The versions of `autosave` that a study with the versions `stored` lacks: to be appended in this order. Appending
-/// twice adds nothing.
+/// The versions of `autosave` that are missing in a study with the versions `stored`. Append them in this order. A
+/// second call after that returns none.
 std::vector<study::ModelVersion> lostVersions(const Autosave& autosave, std::span<const study::ModelVersion> stored);
 
-/// The history after a crash: `stored` (as for historyFrom) and then what the study lacked, which is marked as not
-/// stored and has its models in memory. The gesture that was going on becomes one edit, `… (recovered)`, with the
+/// The history after a crash: `stored` (as for historyFrom), then the versions that the study lacks. These are marked
+/// as not stored and keep their models in memory. The interrupted gesture becomes one edit, `… (recovered)`, with the
 /// author and time of `stamp`.
 base::Result<EditHistory> recovered(std::span<const study::ModelVersion> stored, const Autosave& autosave,
                                     study::RecordIds ids, const Stamp& stamp);

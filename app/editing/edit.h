@@ -1,4 +1,4 @@
-// What every edit of a force model gives: the model after it, compiled, and what changed in words.
+// The result of an edit of a force model: the new model, compiled, and the change in words.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace tactus::editing {
 
-/// A finished edit. Edits are pure functions of the model before: during a drag each one starts from the model at the
-/// beginning of the gesture (EditHistory::base), so that a drag that runs into a neighbour and back leaves nothing
-/// behind.
+/// A finished edit. Edits are pure functions of the model before. During a drag each edit starts from the model at the
+/// beginning of the gesture (EditHistory::base). So a drag into a neighbor and back leaves no trace.
 struct Edit {
   fuzzy::ForceModel model;        ///< valid
-  fuzzy::CompiledModel compiled;  ///< of `model`: to be felt and plotted without compiling again
+  fuzzy::CompiledModel compiled;  ///< from `model`: to feel and plot it without compiling again
   std::string label;              ///< `Insertion depth / Nasopharynx: right foot 125 to 132 mm`
-  std::string stopped;            ///< why it went less far than asked; empty where it did not stop
+  std::string stopped;            ///< why the edit stopped short of the request; empty if it did not
 };
 
-/// Compiles `model`. A model that does not make sense is refused with the error of `fuzzy::validate`.
+/// Compiles `model`. An invalid model is refused with the error of `fuzzy::validate`.
 base::Result<Edit> finished(fuzzy::ForceModel model, std::string label, std::string stopped = {});
 
-/// Evaluates the checks of `model` anew, at the points that it has; `compiled` is made from it. An edit makes them
-/// wrong, and a model file with wrong checks is refused. EditHistory does this once for each gesture.
+/// Computes the expected forces of the checks in `model` again, at the same points; `compiled` is made from it. An edit
+/// makes them wrong, and the reader refuses a model file with wrong checks. EditHistory does this once for each
+/// gesture.
 void refreshChecks(fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled);
 
 }  // namespace tactus::editing

@@ -1,4 +1,7 @@
 // Undo, redo, snapshots and sign-off of one model: a tree of states in which nothing is ever overwritten.
+// A state is the model after one gesture. An edit after an undo begins a branch:
+//   open (0) -> edit (1) -> edit (2); undo to 1; edit (3)
+//   state 1 now has two children: 2 (a branch) and 3 (the current line)
 #pragma once
 
 #include <cstdint>
@@ -17,10 +20,10 @@
 
 namespace tactus::editing {
 
-/// A state of the model by its number, from 0 in the order in which they came up.
+/// The number of a state of the model, from 0 in the order of creation.
 using StateId = std::size_t;
 
-/// Who did something, and when.
+/// The author and the time of an event.
 struct Stamp {
   std::string author;
   std::int64_t utc_ms = 0;
@@ -29,30 +32,30 @@ struct Stamp {
 };
 
 enum class EventKind {
-  kOpened,    ///< the model that the history began with
+  kOpened,    ///< the first model of the history
   kEdit,      ///< a new state
   kUndo,      ///< back to the state before
   kRedo,      ///< forward again
   kReturn,    ///< to any other state
-  kSnapshot,  ///< a state got a name
-  kSignOff,   ///< an expert said of a state: this feels right
+  kSnapshot,  ///< a state was named
+  kSignOff,   ///< an expert said of a state: "this feels right"
 };
 
 /// `opened`, `edit`, `undo`, `redo`, `return`, `snapshot`, `sign-off`.
 std::string_view name(EventKind kind) noexcept;
 
-/// One thing that happened; each becomes a version of the model in the study file (history_versions.h).
+/// One event; each becomes a version of the model in the study file (history_versions.h).
 struct Event {
   study::RecordId id;
-  std::optional<study::RecordId> parent;  ///< the version that the state was made from, or that has the same text
+  std::optional<study::RecordId> parent;  ///< the version from which the state was made, or which has the same text
   EventKind kind = EventKind::kEdit;
   std::string label;
   Stamp stamp;
-  StateId state = 0;    ///< that the model has after it
+  StateId state = 0;    ///< of the model after the event
   bool stored = false;  ///< in the study file
 };
 
-/// What is known of one state.
+/// One state of the model.
 struct State {
   std::optional<StateId> parent;                       ///< the state that was edited
   std::optional<StateId> redo;                         ///< where redo goes from here
@@ -77,35 +80,35 @@ class EditHistory {
   const fuzzy::ForceModel& model() const { return ready()->model; }
   const fuzzy::CompiledModel& compiled() const { return ready()->compiled; }
 
-  /// A gesture (a drag, a run of arrow keys): every update is an edit of `base`, and all of it becomes one entry.
-  /// Everything else that changes or names the state ends it with `commit`.
+  /// Begins a gesture (a drag, a series of arrow keys). Every update is an edit of `base`, and the whole gesture
+  /// becomes one entry. All functions that change or name the state end it with `commit`.
   void begin();
   bool inGesture() const { return in_gesture_; }
-  /// What the gesture has changed so far, in words; empty where it changed nothing.
+  /// The change of the gesture so far, in words; empty if there is none.
   std::string gestureLabel() const { return shown_ ? shown_->label : std::string(); }
   /// The model at the beginning of the gesture: what its edits start from.
   const fuzzy::ForceModel& base() const { return ready_->model; }
   /// Shows `edit`; begins a gesture where none goes on.
   void update(Edit edit);
-  /// Makes the last update an entry. Nothing where there was none, or where it changed nothing.
+  /// Makes the last update an entry. Returns nothing if there was no update or no change.
   std::optional<StateId> commit(const Stamp& stamp);
   /// Drops the gesture.
   void cancel();
-  /// An edit that is a gesture by itself. Nothing where it changed nothing.
+  /// Makes an edit as a gesture of its own. Returns nothing if it changed nothing.
   std::optional<StateId> apply(Edit edit, const Stamp& stamp);
 
   bool canUndo() const { return states_[current_].parent.has_value(); }
   bool canRedo() const { return states_[current_].redo.has_value(); }
-  /// Refused: nothing to undo; a state whose model is not in memory (`missing`). An edit after an undo begins a new
-  /// branch; the old one stays and can be returned to.
+  /// Refused: nothing to undo; a state whose model is not in memory (`missing`). An edit after an undo begins a branch;
+  /// the old branch stays and the user can return to it.
   base::Result<void> undo(const Stamp& stamp);
   base::Result<void> redo(const Stamp& stamp);
-  /// Any state that ever was.
+  /// Returns to any state.
   base::Result<void> returnTo(StateId state, const Stamp& stamp);
 
   /// Names the current state.
   void snapshot(const std::string& name, const Stamp& stamp);
-  /// The author of the stamp says of the current state: this feels right. The event's label tells after how many edits.
+  /// The author of `stamp` says of the current state: "this feels right". The event's label gives the number of edits.
   void signOff(const Stamp& stamp);
 
   StateId current() const { return current_; }
@@ -114,10 +117,10 @@ class EditHistory {
   const std::string& labelOf(StateId state) const { return events_[states_[state].event].label; }
   /// The version of the event that made the state.
   const study::RecordId& versionOf(StateId state) const { return events_[states_[state].event].id; }
-  /// The undo list: from the model that was opened over the current state to the end of redo.
+  /// The undo list: from the opened model through the current state to the end of redo.
   std::vector<StateId> line() const;
 
-  /// The model of a state, for comparing and A/B. Refused where it is not in memory.
+  /// The model of a state, for comparisons. Refused if it is not in memory.
   base::Result<fuzzy::ForceModel> modelOf(StateId state) const;
   /// The same with its compiled form. Compiles only what neither the history nor its user holds: the current state and
   /// the one before it are held.
@@ -125,20 +128,20 @@ class EditHistory {
   /// How much the edit that made `state` changed the force, computed when first asked for (editImpact says how long
   /// that takes). Nothing for a model that was opened, or where a model is not in memory.
   std::optional<EditImpact> impact(StateId state);
-  /// Takes into the impact of `state` what was seen along a curve on the screen (model_ghost.h). Returns whether it
-  /// grew; false where there is no impact.
+  /// Raises the impact of `state` to what a curve on the screen shows (model_ghost.h). Returns whether it grew; false
+  /// if there is no impact.
   bool include(StateId state, const GhostCurve& curve, std::size_t input, std::span<const double> point);
-  /// The same of any two states.
+  /// The difference between any two states.
   base::Result<EditImpact> compare(StateId before, StateId after) const;
 
-  /// The event is in the study file now.
+  /// Marks the event as stored in the study file.
   void markStored(const study::RecordId& id);
-  /// Lets go of the models of the oldest states, so that little more than `most_bytes` are left. Only of those whose
-  /// version is stored; never of the current one, of snapshots and of signed-off ones. Returns the bytes left.
+  /// Drops the models of the oldest states until about `most_bytes` are left. Keeps models of unstored versions, of the
+  /// current state, of snapshots and of signed-off states. Returns the bytes left.
   std::size_t trim(std::size_t most_bytes);
-  /// The version to read for a state whose model is not in memory, or nothing.
+  /// The version to read for a state whose model is not in memory; nothing if it is in memory.
   std::optional<study::RecordId> missing(StateId state) const;
-  /// Hands in that model, read from the version `version`. Refused where the state has another version.
+  /// Supplies that model, read from the version `version`. Refused if the state has another version.
   base::Result<void> provide(StateId state, const study::RecordId& version, const fuzzy::ForceModel& model);
 
  private:

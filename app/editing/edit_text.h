@@ -1,4 +1,4 @@
-// The words in which edits, rules and values are named: labels where the model has them, ids otherwise.
+// The names of edits, rules and values in words: labels if the model has them, ids otherwise.
 #pragma once
 
 #include <string>
@@ -15,15 +15,15 @@ std::string labelOf(const fuzzy::Expert& expert);
 /// `point` is below fuzzy::pointCount(shape).
 std::string pointName(fuzzy::Shape shape, std::size_t point);
 
-/// `value` to a ten-thousandth of the universe or a little finer, without zeros at the end: `62.5`.
+/// `value` to 1/10,000 of the universe or a little finer, without trailing zeros: `62.5`.
 std::string numberText(const fuzzy::Variable& variable, double value);
-/// With its unit: `62.5 mm`; a ratio has none.
+/// The number with its unit: `62.5 mm`; a ratio has none.
 std::string quantityText(const fuzzy::Variable& variable, double value);
 
-/// `IF Tube lubrication is Well AND Insertion depth is Stomach`, in the words of `expert`'s terms; an id that the model
-/// does not have stands as it is.
+/// `IF Tube lubrication is Well AND Insertion depth is Stomach`, with the labels of the terms of `expert`. An id that
+/// the model does not have stays as it is.
 std::string conditionsText(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, const fuzzy::Rule& rule);
-/// The label of an output term as `expert` understands it, or `id`.
+/// The label of an output term in the list of `expert`; `id` if there is none.
 std::string consequentText(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, const std::string& id);
 
 }  // namespace tactus::editing

@@ -1,4 +1,4 @@
-// The history as rows from top to bottom: the line on which undo and redo move, and the branches beside it.
+// The history as rows from top to bottom: the line of undo and redo, and the branches beside it.
 #pragma once
 
 #include <vector>
@@ -12,18 +12,18 @@ struct HistoryRow {
   enum class Place {
     kDone,  ///< on the way to the current state
     kCurrent,
-    kUndone,  ///< redo leads there
-    kBranch,  ///< left by an edit after an undo; it can be returned to
+    kUndone,  ///< redo leads to it
+    kBranch,  ///< left by an edit after an undo; the user can return to it
   };
   StateId state = 0;
   Place place = Place::kDone;
-  std::size_t level = 0;           ///< how far it is indented: a branch is one level deeper than the state it leaves
-  bool starts = false;             ///< nothing above it on its own level belongs to it
-  bool goes_on = false;            ///< further rows of its own level belong to it
-  std::vector<std::size_t> marks;  ///< indices of the events that named or signed it, the oldest first
+  std::size_t level = 0;           ///< depth of the indent: a branch is one level deeper than its parent state
+  bool starts = false;             ///< first row of its level in this run
+  bool goes_on = false;            ///< more rows of its level follow
+  std::vector<std::size_t> marks;  ///< indices of the events that named or signed it, oldest first
 };
 
-/// Every state once. A branch stands between the state it leaves and the state that follows that one.
+/// Every state once. A branch stands between its parent state and the next state of the line.
 std::vector<HistoryRow> historyRows(const EditHistory& history);
 
 }  // namespace tactus::editing

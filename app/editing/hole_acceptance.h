@@ -1,5 +1,7 @@
-// Holes in the coverage that a researcher accepted: by name, so an acceptance holds for the boundaries that it was
-// given for.
+// Acceptance of coverage holes by a researcher. An acceptance is a hole's name with its boundaries, so it holds for
+// these boundaries only:
+//   accepted: the hole at depth 125 to 138 mm
+//   after an edit moves it to 125 to 140 mm: a new hole, reported by the lint; the acceptance has lapsed
 #pragma once
 
 #include <optional>
@@ -10,25 +12,24 @@
 
 namespace tactus::editing {
 
-// An edit that moves the boundary of an accepted hole does not take the acceptance along: the hole is another one, and
-// the lint reports it until somebody accepts it too. The old name stays in the model, so a drag there and back leaves
-// everything as it was; it goes when the new hole is accepted, when a fix closes the hole, or by forgetLapsed.
+// A lapsed acceptance stays in the model, so that a drag there and back changes nothing. It is removed when the new
+// hole is accepted, when a fix closes the hole, or by forgetLapsed.
 
-/// The names of all holes of `model`: of each expert and of the mean, as analysis::describe gives them, each once.
-/// Nothing where the search was cut off, because then some are not known.
+/// The names of all holes of `model`, of each expert and of the mean, as analysis::describe gives them; each once.
+/// Nothing if the search was cut off, because then some holes are unknown.
 std::optional<std::vector<std::string>> holeNames(const fuzzy::ForceModel& model);
 
-/// The acceptances that no hole has, in the order of the model. None where the search for holes was cut off.
+/// The acceptances without a hole, in the order of the model. Empty if the search for holes was cut off.
 std::vector<std::string> lapsedAcceptances(const fuzzy::ForceModel& model);
 
-/// Adds the name of a hole to the accepted ones, in the place of those that lapsed; the force stays as it is. `name` as
-/// analysis::describe gives it. Refused where it is accepted already.
+/// Adds a hole's name to the accepted ones and removes all lapsed acceptances. The force does not change. `name`: as
+/// analysis::describe gives it. Refused if it is accepted already.
 base::Result<Edit> acceptHole(const fuzzy::ForceModel& model, const std::string& name);
 
-/// The hole is a finding again. Refused where it is not accepted.
+/// Makes the hole a finding again. Refused if it is not accepted.
 base::Result<Edit> withdrawAcceptance(const fuzzy::ForceModel& model, const std::string& name);
 
-/// Removes the acceptances that lapsed. Refused where there are none.
+/// Removes the lapsed acceptances. Refused if there are none.
 base::Result<Edit> forgetLapsed(const fuzzy::ForceModel& model);
 
 }  // namespace tactus::editing

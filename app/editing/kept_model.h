@@ -1,4 +1,4 @@
-// A model kept in the history: experts that an edit left alone are shared with the state before it.
+// A model in the history. Experts that an edit did not change share their memory with the previous state.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@ namespace tactus::editing {
 
 class KeptModel {
  public:
-  /// Keeps `model`. Experts that are the same bit for bit in `like`, at the same place, are shared; `like` may be null.
+  /// Keeps `model`. An expert that is bit for bit the same in `like`, at the same index, is shared. `like` may be null.
   KeptModel(const fuzzy::ForceModel& model, const KeptModel* like);
 
-  /// The model as it was, bit for bit.
+  /// The model, bit for bit.
   fuzzy::ForceModel restored() const;
 
-  /// About the bytes it holds beyond the experts in `counted`, which its own join.
+  /// The approximate bytes of the model without the experts in `counted`; adds its experts to `counted`.
   std::size_t bytes(std::unordered_set<const fuzzy::Expert*>& counted) const;
 
  private:
-  fuzzy::ForceModel rest_;  ///< without experts
+  fuzzy::ForceModel rest_;  ///< the model without experts
   std::vector<std::shared_ptr<const fuzzy::Expert>> experts_;
 };
 

@@ -1,4 +1,4 @@
-// One click for a finding of the lint: the edits that would settle it, each with the newtons that it changes.
+// The fixes of a lint finding: edits that settle it with one click, each with its effect in newtons.
 #pragma once
 
 #include <stop_token>
@@ -13,25 +13,25 @@
 namespace tactus::editing {
 
 struct Fix {
-  std::string text;   ///< of the button: `Stretch Laryngopharynx over the gap`
-  Edit edit;          ///< to hand to EditHistory::apply
-  EditImpact impact;  ///< of the edit on the averaged force
+  std::string text;   ///< text of the button: `Stretch Laryngopharynx over the gap`
+  Edit edit;          ///< for EditHistory::apply
+  EditImpact impact;  ///< effect of the edit on the averaged force
 };
 
-/// What can be done about `finding`, found in this very `model` (valid, `compiled` from it); empty where only a person
-/// can tell. Nothing is decided here: the researcher picks one, best together with the expert.
-///   hole                stretch the term of either side over the gap, or accept the hole (hole_fixes.h); one that is
-///                       accepted: stretch, or take the acceptance back
-///   abstention jump     those of the expert's hole behind it
+/// The fixes of `finding`, found in this same `model` (valid; `compiled` is made from it). Empty if only a person can
+/// decide. The function decides nothing: the researcher chooses a fix, ideally together with the expert.
+///   hole                stretch the term of either side over the gap, or accept the hole (hole_fixes.h); for an
+///                       accepted hole: stretch, or withdraw the acceptance
+///   abstention jump     the fixes of the expert's hole behind it
 ///   force step          widen the flanks at the step (step_fixes.h)
-///   conflict            keep the one rule, disable the other; either way round
+///   conflict            disable one of the two rules, or the other
 ///   redundant rule, unreachable rule    disable it
-///   unused or unreachable term          remove it; where the terms sum to one also so that its neighbours close up
-/// It ends soon after `stop` says so; what it has until then is of no use.
+///   unused or unreachable term          remove it; if the terms sum to one, also with the neighbors closing the gap
+/// Returns soon after `stop` is requested; the result is then incomplete and must not be used.
 std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                           const analysis::Finding& finding, const std::stop_token& stop = {});
-/// The same for a finding of the rule lint. A region without a rule is an unused term and the hole that it leaves;
-/// the others that the model's own lint does not know have no fix.
+/// The same for a finding of the rule lint. A region without a rule is treated as an unused term with the hole that it
+/// leaves. Other kinds that the model's own lint does not know have no fix.
 std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                           const elicitation::RuleFinding& finding, const std::stop_token& stop = {});
 

@@ -1,4 +1,4 @@
-// The model before an edit, kept beside the one after it: where the force changed and by how much, and curves of both.
+// The ghost of an edit: the model before it, kept beside the model after it, to compare forces and draw both curves.
 #pragma once
 
 #include <optional>
@@ -14,50 +14,50 @@ namespace tactus::editing {
 /// The forces of the two models along one input, at the same points.
 struct GhostCurve {
   struct Point {
-    double at = 0;  ///< of the input that varies
+    double at = 0;  ///< value of the varied input
     double before_n = 0;
     double after_n = 0;
     bool before_fired = false;
     bool after_fired = false;
   };
   std::vector<Point> points;
-  double largest_n = 0;  ///< largest |difference| on the curve where both fire
+  double largest_n = 0;  ///< largest |difference| on the curve, where both fire
   std::optional<double> largest_at;
   double before_n = 0;  ///< the forces there
   double after_n = 0;
-  double noticeable = 0;  ///< largest one in just-noticeable differences around the force before
+  double noticeable = 0;  ///< largest difference in just-noticeable differences around the force before
   std::optional<double> noticeable_at;
   std::size_t opened = 0;  ///< places that had a force before and have none now
-  std::size_t closed = 0;  ///< the other way round
+  std::size_t closed = 0;  ///< the reverse
 };
 
-/// Both forces along input number `input` at `places`, ascending, the other inputs at the values of `point` (one per
-/// input of both models, which have the same ones). Refused: a value that is not finite, no place.
+/// Both forces along input `input` at the ascending `places`. `point` gives the values of the other inputs: one value
+/// per input; both models have the same inputs. Refused: a value that is not finite, no place.
 base::Result<GhostCurve> ghostCurve(const fuzzy::CompiledModel& before, const fuzzy::CompiledModel& after,
                                     std::size_t input, std::span<const double> point, std::span<const double> places);
 
-/// Takes into `impact` what was seen along a curve of the same two models, input number `input` varying and the others
-/// as in `point`: what an edit does is at least what the curve on the screen shows.
+/// Raises `impact` to the differences of a curve of the same two models. The curve varies input `input`; the other
+/// inputs are as in `point`. So the reported effect of an edit is never less than the curve on the screen shows.
 /// Returns whether `impact` grew.
 bool include(EditImpact& impact, const GhostCurve& curve, std::size_t input, std::span<const double> point);
 
-/// Two states of one model, over the same inputs. Copies share what they hold.
+/// Two states of one model, over the same inputs. Copies share their data.
 class ModelGhost {
  public:
-  /// Both valid, compiled from the models given.
+  /// Both models must be valid; the compiled ones are made from them.
   ModelGhost(const fuzzy::ForceModel& before, const fuzzy::CompiledModel& compiled_before,
              const fuzzy::ForceModel& after, const fuzzy::CompiledModel& compiled_after);
 
-  /// Where the force can have changed at all; empty where it cannot. One range per input.
+  /// The region in which the force can have changed, one range per input; empty if it cannot have changed.
   const std::vector<analysis::InputRange>& region() const { return region_; }
   const fuzzy::CompiledModel& before() const { return compiled_before_; }
   const fuzzy::CompiledModel& after() const { return compiled_after_; }
 
-  /// Both forces along input number `input` from end to end of its universe, at `count` >= 2 points, the other inputs
-  /// at the values of `point` (one per input). Refused: a value that is not finite, too few points.
+  /// Both forces along input `input` over its whole universe, at `count` >= 2 points. `point` gives the values of the
+  /// other inputs (one value per input). Refused: a value that is not finite, too few points.
   base::Result<GhostCurve> curve(std::size_t input, std::span<const double> point, std::size_t count) const;
 
-  /// Over the whole universe, with the root mean square; some hundredths of a second.
+  /// The difference over the whole universe, with the root mean square. Takes some hundredths of a second.
   analysis::ForceDifference difference() const;
 
  private:

@@ -1,4 +1,4 @@
-// Rules of one expert edited one at a time or a few at once, with any number of conditions.
+// Edits of the rules of one expert. A rule may have any number of conditions.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace tactus::editing {
 
-/// Adds `rule` behind the others; its conditions are put into the order of the model's inputs. Refused: no condition,
-/// an unknown input or term, an input twice, a rule that is there already.
+/// Appends `rule`, with its conditions in the order of the model's inputs. Refused: no condition, an unknown input or
+/// term, an input twice, an existing rule.
 base::Result<Edit> addRule(const fuzzy::ForceModel& model, const std::string& expert, fuzzy::Rule rule);
 
-/// Puts `rule` in the place of rule number `index`. Refused as above.
+/// Replaces rule `index` by `rule`. Refused as above.
 base::Result<Edit> replaceRule(const fuzzy::ForceModel& model, const std::string& expert, std::size_t index,
                                fuzzy::Rule rule);
 
@@ -33,17 +33,17 @@ base::Result<Edit> enableRules(const fuzzy::ForceModel& model, const std::string
 base::Result<Edit> removeRules(const fuzzy::ForceModel& model, const std::string& expert,
                                std::span<const std::size_t> indices);
 
-/// Sets the share of an expert in the mean, >= 0. Refused: 0 for the only expert with a share.
+/// Sets the weight of an expert in the mean, >= 0. Refused: 0 for the only expert with a weight above 0.
 base::Result<Edit> setExpertWeight(const fuzzy::ForceModel& model, const std::string& expert, double weight);
 
-/// The rules of `expert` that contradict another one: both count (enabled, of a weight > 0) and have the same
-/// conditions with another consequent. Ascending.
+/// The rules of `expert` that contradict another one: both count (enabled, weight > 0) and have the same conditions but
+/// different consequents. Ascending.
 std::vector<std::size_t> conflictingRules(const fuzzy::Expert& expert);
 
 /// The conditions of `rule` in the order of the model's inputs; those on unknown inputs come last.
 fuzzy::Rule inOrderOfInputs(const fuzzy::ForceModel& model, fuzzy::Rule rule);
 
-/// Whether the two rules have the same conditions, in whatever order.
+/// Whether the two rules have the same conditions in any order.
 bool sameConditions(const fuzzy::Rule& one, const fuzzy::Rule& other);
 
 }  // namespace tactus::editing

@@ -1,4 +1,4 @@
-// The rules of an expert that name a term: counted, renamed, let go.
+// The rules of an expert that name a term: find, rename, remove.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace tactus::editing {
 
-/// Whether `rule` names the term: in a condition on an input, or as consequent where `variable` is the output.
+/// Whether `rule` names the term: in a condition on an input, or as consequent if `variable` is the output.
 bool names(const fuzzy::Rule& rule, const fuzzy::ForceModel& model, const fuzzy::Variable& variable,
            const std::string& term);
 
-/// The rule with `to` in the place of the term `from`.
+/// The rule with `to` in place of the term `from`.
 fuzzy::Rule withTerm(fuzzy::Rule rule, const fuzzy::ForceModel& model, const fuzzy::Variable& variable,
                      const std::string& from, const std::string& to);
 
-/// Removes the rules of `expert` that name the term, or refuses where there are any, as `rules` says. `expert` and
+/// Removes the rules of `expert` that name the term, or refuses if there are any; `rules` chooses. `expert` and
 /// `variable` are parts of `model`.
 base::Result<void> letGo(fuzzy::Expert& expert, const fuzzy::ForceModel& model, const fuzzy::Variable& variable,
                          const std::string& term, RulesOfTerm rules);

@@ -1,4 +1,4 @@
-// Whether two parts of a model are the same bit for bit: unlike ==, which takes 0 and -0 for equal.
+// Compares parts of a model bit for bit. The operator == treats 0 and -0 as equal; these functions do not.
 #pragma once
 
 #include "core/fuzzy/force_model.h"
@@ -7,7 +7,7 @@ namespace tactus::editing {
 
 bool sameBits(const fuzzy::Expert& one, const fuzzy::Expert& other);
 
-/// The same of whole models: undo promises this.
+/// The same for whole models. Undo guarantees it.
 bool sameBits(const fuzzy::ForceModel& one, const fuzzy::ForceModel& other);
 
 }  // namespace tactus::editing

@@ -1,4 +1,7 @@
-// Which list of terms is edited: the one that experts share, or an expert's own.
+// The identity of an edited term list: the shared list of a variable, or an expert's own list. The rules of an expert
+// use ("read") the own list if there is one, otherwise the shared list:
+//   S4 has an own list for depth: its rules read that list.
+//   S1, S2 and S3 have none: their rules read the shared list of depth.
 #pragma once
 
 #include <string>
@@ -12,7 +15,7 @@ namespace tactus::editing {
 /// A list of terms of one variable, an input or the output.
 struct TermListId {
   std::string variable;
-  std::string expert;  ///< id of the expert whose own list it is; empty: the list of the variable
+  std::string expert;  ///< id of the owner; empty: the shared list of the variable
 
   bool operator==(const TermListId&) const = default;
 };
@@ -24,22 +27,22 @@ struct TermPlace {
   bool operator==(const TermPlace&) const = default;
 };
 
-/// What becomes of rules that name a term which goes away.
+/// The treatment of rules that name a removed term.
 enum class RulesOfTerm {
-  kRefuse,  ///< the edit is refused while there are any
-  kRemove,  ///< they go with it
+  kRefuse,  ///< the edit is refused if there are any
+  kRemove,  ///< they are removed, too
 };
 
-/// A list inside a model that is being edited. Valid while the model stays where it is and keeps its experts.
+/// A list inside a model that is being edited. Valid while the model does not move and keeps its experts.
 struct OpenList {
   const fuzzy::Variable* variable = nullptr;
-  fuzzy::Expert* expert = nullptr;  ///< null where the list is shared
+  fuzzy::Expert* expert = nullptr;  ///< null for the shared list
   std::vector<fuzzy::Term>* terms = nullptr;
 
-  std::string scope;  ///< of a list that several experts read: ` (S1, S2, S3)`, ` (5 of 12 experts)`
+  std::string scope;  ///< for a list that several experts read: ` (S1, S2, S3)`, ` (5 of 12 experts)`
 
-  /// What an edit of the list is about, and for whom: `S4, Insertion depth` for an own list, `Insertion depth (S1, S2)`
-  /// for one that several experts read, `Insertion depth` where there is nobody else.
+  /// The subject of an edit of the list: `S4, Insertion depth` for an own list, `Insertion depth (S1, S2)` for one that
+  /// several experts read, `Insertion depth` in a model of one expert or if no expert reads it.
   std::string title() const;
 };
 
@@ -54,21 +57,21 @@ base::Result<OpenList> openList(fuzzy::ForceModel& model, const TermListId& list
 /// Position of the term in the list, or an error that lists the terms.
 base::Result<std::size_t> findTermIn(const OpenList& list, std::string_view term);
 
-/// The list that the rules of `expert` resolve against for `variable`: its own or the shared one.
+/// The list that the rules of `expert` read for `variable`: its own or the shared one.
 TermListId listOf(const fuzzy::Expert& expert, std::string_view variable);
 
-/// The experts whose rules resolve against the list, as indices.
+/// The experts that read the list, as indices.
 std::vector<std::size_t> readersOf(const fuzzy::ForceModel& model, const TermListId& list);
-/// Their ids for a person: `S1, S2, S3`, `all 12 experts`, `5 of 12 experts`; empty for nobody.
+/// Their ids as text: `S1, S2, S3`, `all 12 experts`, `5 of 12 experts`; empty for none.
 std::string readersText(const fuzzy::ForceModel& model, const TermListId& list);
 
-/// Whether the rules of `expert` resolve against the list.
+/// Whether the rules of `expert` read the list.
 bool reads(const fuzzy::Expert& expert, const TermListId& list);
 
-/// Gives the expert a copy of the shared list as its own; the force stays as it is. Refused where it has one.
+/// Gives the expert a copy of the shared list as its own. The force does not change. Refused if the expert has one.
 base::Result<Edit> makeOwn(const fuzzy::ForceModel& model, const TermListId& list);
-/// Drops the own list of the expert: its rules resolve against the shared one again. `rules` says what becomes of rules
-/// with a term that the shared list does not have.
+/// Removes the own list of the expert, whose rules read the shared one again. `rules` decides about rules with a term
+/// that the shared list lacks.
 base::Result<Edit> backToShared(const fuzzy::ForceModel& model, const TermListId& list, RulesOfTerm rules);
 
 }  // namespace tactus::editing

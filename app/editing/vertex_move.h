@@ -1,4 +1,4 @@
-// How far vertices of one list of terms can move together, and the list after it. Internal to membership_edits.
+// Moves vertices of one term list together, as far as they can go. Internal to membership_edits.
 #pragma once
 
 #include <string>
@@ -17,23 +17,23 @@ struct Vertex {
   bool operator==(const Vertex&) const = default;
 };
 
-/// Vertices of one list that move by the same way. Where the terms sum to one, vertices of neighbouring terms that lie
-/// on each other move together.
+/// Vertices of one list that move by the same distance. In a partition, vertices of neighboring terms at the same place
+/// move together.
 class VertexMove {
  public:
-  /// `list` must stay where it is. `order`: of terms that sum to one, or null where they need not.
+  /// `list` must not move. `order`: of a partition; null if the terms need not sum to one.
   VertexMove(const OpenList& list, bool is_output, const TermOrder* order);
 
-  /// Takes the vertex and all that lie on it along.
+  /// Adds the vertex and all vertices at the same place.
   void add(const Vertex& vertex);
   const std::vector<Vertex>& vertices() const { return moving_; }
 
-  /// Moves all by `by`, or as far as it goes; the one that stops ends exactly where it is stopped.
+  /// Moves all vertices by `by`, or until one of them is stopped; that one ends exactly at its stop.
   void run(double by);
-  /// Moves vertices that all lie at one place to `to`, exactly, or as far as it goes.
+  /// Moves vertices that are all at one place exactly to `to`, or until they are stopped.
   void runTo(double to);
 
-  /// Why the vertices stopped before; empty where they did not.
+  /// Why the vertices stopped short; empty if they did not.
   const std::string& stopped() const { return stopped_; }
 
  private:
@@ -51,7 +51,7 @@ class VertexMove {
   const fuzzy::Term& termOf(const Vertex& vertex) const { return (*list_.terms)[vertex.term]; }
   double& at(const Vertex& vertex) { return (*list_.terms)[vertex.term].points[vertex.point]; }
   std::vector<Vertex> liesOn(const Vertex& vertex) const;
-  /// Between which values the vertex may lie; its own place is always one of them.
+  /// The range of the vertex. It always contains the current place.
   Bounds boundsOf(const Vertex& vertex) const;
   void bound(const Vertex& vertex, Bounds& bounds) const;
   void boundByNeighbours(const Vertex& vertex, Bounds& bounds) const;
