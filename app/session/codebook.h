@@ -1,4 +1,4 @@
-// The description that goes with exported tables: what each column holds, for programs (JSON) and people (Markdown).
+// The codebook of exported tables: the contents of each column, for programs (JSON) and people (Markdown).
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace tactus::session {
 
 inline constexpr std::string_view kCodebookFormat = "tactus-study-export";
 
-/// A codebook in the making: the tables in their order, with the names of their files below the folder.
+/// A codebook under construction: the tables in order, with their file names below the folder.
 struct Codebook {
   struct Table {
     std::string file;
@@ -22,8 +22,8 @@ struct Codebook {
   std::vector<Table> tables;
 };
 
-/// The five tables at the top of an export; `input_ids` are the inputs of rules.csv, which must outlive the result.
-/// `shareable`: with the column of the bands of experience.
+/// The five tables at the top of an export. `input_ids`: the inputs in rules.csv; they must outlive the result.
+/// `shareable`: with the column of experience bands.
 std::vector<store::RecordTable> viewTables(const std::vector<std::string>& input_ids, bool shareable);
 
 std::string asJson(const Codebook& codebook);

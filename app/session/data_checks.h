@@ -1,4 +1,4 @@
-// "Look at the data first": everything about the data of a study that a researcher should see before its numbers.
+// "Look at the data first": everything about the data of a study that a researcher should see before its results.
 #pragma once
 
 #include <vector>

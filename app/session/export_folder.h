@@ -1,4 +1,4 @@
-// The folder of an export: made beside its place, then given its name.
+// The folder of an export: created beside its final place, then renamed.
 #pragma once
 
 #include <filesystem>
@@ -9,27 +9,27 @@
 
 namespace tactus::session {
 
-/// How a new export takes the place of an earlier one.
+/// How a new export replaces an earlier one.
 enum class Swap {
-  kAtOnce,      ///< the names are exchanged, so that there is always one; in two steps where the system cannot
-  kInTwoSteps,  ///< as on a file system that cannot exchange names
+  kAtOnce,      ///< exchanges the names, so that the folder always exists; in two steps if the system cannot do that
+  kInTwoSteps,  ///< the way of a file system that cannot exchange names
 };
 
-/// Removed again unless `place` succeeds. Only the user can look into it (0700); one that takes the place of another
-/// has the mode of that one.
+/// The folder is removed again unless `place` succeeds. Its mode is 0700 (only the user can read it); if it replaces an
+/// earlier export, it gets that folder's mode.
 class ExportFolder {
  public:
-  /// A new folder beside `folder`. Refused: a `folder` that holds anything but an earlier export.
+  /// Creates a folder beside `folder`. Refused: a `folder` that holds anything but an earlier export.
   static base::Result<ExportFolder> beside(const std::string& folder);
 
   ExportFolder(ExportFolder&& other) noexcept;
   ExportFolder& operator=(ExportFolder&&) = delete;
   ~ExportFolder();
 
-  /// Where the files are made.
+  /// The folder for the files until `place`.
   std::string path() const { return temporary_.string(); }
 
-  /// Gives the folder its name, in place of an earlier export, which is removed.
+  /// Renames the folder to its final name. An earlier export there is removed.
   base::Result<void> place(Swap swap = Swap::kAtOnce);
 
  private:
@@ -40,7 +40,7 @@ class ExportFolder {
   base::Descriptor in_use_;  ///< a crash releases it
 };
 
-/// Whether `folder` holds files, and none but those of an export.
+/// Whether `folder` holds files, and only files of an export.
 bool isExport(const std::filesystem::path& folder);
 
 }  // namespace tactus::session

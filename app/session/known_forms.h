@@ -1,4 +1,4 @@
-// The forms that answers and given rules of a study can refer to.
+// The forms to which answers and given rules of a study can refer.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace tactus::session {
 
-/// The forms with items (Table A1), and the readings of published rule tables as forms without items, which say only
-/// which set of depth terms their rules use.
+/// The forms with items (Table A1), and the readings of published rule tables as forms without items. A form without
+/// items only gives the set of depth terms that its rules use.
 std::vector<study::Form> knownForms();
 
 }  // namespace tactus::session

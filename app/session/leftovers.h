@@ -1,4 +1,4 @@
-// What crashes left beside a study file or an export: it may hold data of the study.
+// Leftovers of crashes beside a study file or an export. They may hold data of the study.
 #pragma once
 
 #include <string>
@@ -9,23 +9,23 @@ namespace tactus::session {
 /// A file or folder that no running program uses.
 struct Leftover {
   std::string path;
-  /// Its name says that Tactus made it (base/unfinished.h), so that it can be deleted without a question. Otherwise it
-  /// looks like what an older Tactus left, but a person may have made it too.
+  /// Its name shows that Tactus made it (base/unfinished.h), so it can be deleted without a question. False: it looks
+  /// like a leftover of an older Tactus, but a person may have made it.
   bool is_ours = false;
 
   bool operator==(const Leftover&) const = default;
 };
 
-/// In the folder of the study file `study`, by name: whatever was left beside it, and unfinished exports.
+/// Everything left beside the study file `study`, and unfinished exports in its folder; sorted by name.
 std::vector<Leftover> leftoversOfStudy(const std::string& study);
 
-/// Beside the export folder `folder`, by name: unfinished exports of this name.
+/// Unfinished exports of this name beside the export folder `folder`; sorted by name.
 std::vector<Leftover> leftoversOfExport(const std::string& folder);
 
-/// Deletes what is ours and still unused; the paths of what was deleted.
+/// Deletes the leftovers with `is_ours` that are still unused. Returns the deleted paths.
 std::vector<std::string> removeOurs(const std::vector<Leftover>& leftovers);
 
-/// One sentence about a leftover, for the person.
+/// One sentence about a leftover, for the user.
 std::string sentence(const Leftover& leftover);
 
 }  // namespace tactus::session

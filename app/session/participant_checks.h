@@ -1,4 +1,4 @@
-// Whether the participants of a study are told apart, described and asked as one would expect.
+// Checks the participants of a study: distinct codes, plausible profiles, complete data.
 #pragma once
 
 #include <vector>

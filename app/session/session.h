@@ -1,4 +1,4 @@
-// The course of one visit of a participant: profile, then each block of the session with a rating after it.
+// The session of a participant: the profile, then each block of the session followed by a rating.
 #pragma once
 
 #include <cstddef>
@@ -27,47 +27,47 @@ enum class SessionPart {
   kForm,      ///< `form()` does
   kRating,    ///< effort and comfort of the block that was done
   kFinished,  ///< nothing is left to do
-  kAborted,   ///< ended before its end, for good
+  kAborted,   ///< ended early, permanently
 };
 
 /// `profile`, `speed`, `force`, `form`, `rating`, `finished`, `aborted`.
 std::string_view name(SessionPart part) noexcept;
 
-/// What a session needs besides its study file.
+/// The parts of a session besides its study file.
 struct SessionTools {
   std::function<study::Moment()> now;
   study::RecordIds ids;
 };
 
-/// The clocks of this machine, and ids that were never used before.
+/// The clocks of this machine, and a source of new unique ids.
 SessionTools systemTools();
 
-/// What is known before the session begins. A session begins when the participant has consented, never before.
+/// The data needed before a session begins. A session begins only after the participant has consented.
 struct SessionStart {
   study::RecordId person;  ///< of a person in the file
   study::SessionKind kind = study::SessionKind::kElicitation;
-  std::string consent_version;  ///< of the text that was agreed to; not empty
+  std::string consent_version;  ///< version of the consent text; not empty
   std::uint64_t seed = 0;
   std::string language = "en";
   std::string station;
   std::string program;
   std::string device;
-  std::optional<double> device_friction_n;  ///< as in ForceSettings; that of the settings is not used
+  std::optional<double> device_friction_n;  ///< as in ForceSettings, whose own value is not used
   SessionSettings settings;
 };
 
 struct SessionState;
 
-/// Every step is stored before it counts: a call that succeeds was committed to the file, and only then does the next
-/// question open. A call that fails changes nothing, in the file or here. The state follows from the records alone, so
-/// `resume` goes on after a crash at the last committed answer, in the same order.
-/// Thread: the one that opened the file, which must outlive the session.
+/// Every step is stored before it counts: a call succeeds only after its commit to the file, and only then does the
+/// next question open. A failed call changes nothing, neither in the file nor here. The state follows from the records
+/// alone, so `resume` continues after a crash at the last committed answer, in the same order. Thread: the one that
+/// opened the file, which must outlive the session.
 class Session {
  public:
-  /// Refused: settings that make no sense, an unknown person, form or language, no consent.
+  /// Refused: invalid settings, an unknown person, form or language, missing consent.
   static base::Result<Session> begin(store::StudyFile& file, const SessionStart& start, SessionTools tools);
 
-  /// Goes on with a session of the file. Refused: an unknown session, records that do not fit its settings.
+  /// Continues a session of the file. Refused: an unknown session, records that contradict its settings.
   static base::Result<Session> resume(store::StudyFile& file, const study::RecordId& session, SessionTools tools);
 
   Session(Session&&) noexcept;
@@ -86,34 +86,34 @@ class Session {
   const experiments::SpeedProtocol* speed() const;
   const experiments::ForceProtocol* force() const;
   const questionnaires::QuestionnaireRun* form() const;
-  /// The profile as told last, or nothing.
+  /// The latest profile, or nothing.
   const study::ProfileRecord* profile() const;
 
-  /// From now on records are marked as entered by this person. Simulated persons are always entered by a program.
+  /// From now on records are marked as entered by `who`. For simulated persons the mark is always "program".
   void setEnteredBy(study::EnteredBy who);
 
-  /// Stores the profile; its entry is filled in here. Again at any time: a correction.
+  /// Stores the profile and fills in its entry. A later call is a correction.
   base::Result<void> tell(study::ProfileRecord profile);
-  /// Stores what came of the stroke that `speed()->next()` asked for; arguments as in SpeedProtocol::record.
+  /// Stores the result of the stroke that `speed()->next()` asked for. Arguments as in SpeedProtocol::record.
   base::Result<void> addStroke(const experiments::Stroke& stroke, study::Recording recording,
                                std::size_t recording_first);
-  /// Takes an accepted stroke of this session back, which is then asked for again.
+  /// Rejects an accepted stroke of this session. The protocol then asks for it again.
   base::Result<void> rejectStroke(const study::RecordId& stroke, const std::string& reason);
   base::Result<void> judge(const experiments::ForceAnswer& answer);
   base::Result<void> reply(const questionnaires::Reply& reply, double response_s);
-  /// Moves between the questions of the form without an answer; from the rating after it too, as long as it is not
-  /// given.
+  /// Moves to the previous or the next question, or to the first one without an answer. Also possible from the rating
+  /// after the form, until the rating is given.
   void back();
   bool forward();
   bool goToFirstOpen();
-  /// 1 to 7 each; ends the block.
+  /// Stores the rating, 1 to 7 each, and ends the block.
   base::Result<void> rate(int effort, int comfort);
 
   base::Result<void> pause(const std::string& reason);
   base::Result<void> unpause();
-  /// Leaves the rest of the block out.
+  /// Skips the rest of the block.
   base::Result<void> skipBlock(const std::string& reason);
-  /// Ends the session. What was recorded stays.
+  /// Ends the session. Its records stay.
   base::Result<void> abort(const std::string& reason);
 
  private:

@@ -1,4 +1,4 @@
-// In which order the sessions of a participant were, whatever the clocks of the stations said.
+// The order of a participant's sessions, independent of the clocks of the stations.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@
 
 namespace tactus::session {
 
-/// The detail of the first event of a session: the session of the same participant that the file had as the latest
-/// when this one began. It goes along with exports and merges.
+/// The detail of a session's first event: the participant's latest session in the file when this one began. Exports and
+/// merges keep it.
 std::string afterDetail(const std::optional<study::RecordId>& latest);
 
-/// The sessions of `person`, earliest first. A session comes after the one that its log names; sessions that no log
-/// relates, such as those of two stations, stand by the time of their beginning, then by id. So a clock that was set
-/// back changes nothing within a file, and the order of merges never does.
+/// The sessions of `person`, earliest first. A session comes after the one that its log names. Sessions without such a
+/// relation, for example of two stations, are ordered by their start time, then by id. So a clock that was set back
+/// does not change the order within a file, and the order of merges never does.
 base::Result<std::vector<study::SessionRecord>> sessionsInOrder(const store::StudyFile& file,
                                                                 const study::RecordId& person);
 
-/// The last of them, or nothing.
+/// The last of them; nothing if there is none.
 base::Result<std::optional<study::RecordId>> latestSession(const store::StudyFile& file, const study::RecordId& person);
 
 }  // namespace tactus::session

@@ -1,4 +1,4 @@
-// What a session consists of and how each block is run, and its text in the study file.
+// The settings of a session: its blocks and how each is run, and their text in the study file.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace tactus::session {
 
-/// One part of a session. After each of them the participant rates effort and comfort.
+/// A part of a session. After each block the participant rates effort and comfort.
 enum class Block { kSpeed, kForce, kForm };
 
 /// `speed`, `force`, `form`.
@@ -27,20 +27,20 @@ struct SessionSettings {
   questionnaires::ItemOrder item_order = questionnaires::ItemOrder::kFixed;
 };
 
-/// The session of a clinical teacher who tried the simulator: the usability form alone (paper, Section 5.4).
+/// The session of a clinical teacher who tried the simulator: only the usability form (paper, Section 5.4).
 SessionSettings usabilitySession();
 
-/// Refuses settings that make no sense, with one sentence. Settings of blocks that are not used are not looked at.
+/// Refuses invalid settings with one sentence. Ignores the settings of blocks that are not used.
 base::Result<void> validate(const SessionSettings& settings);
 
-/// All settings as JSON on one line, so that a session goes on as it began even where defaults have changed since.
+/// All settings as JSON on one line. So a session continues with its own settings after a change of the defaults.
 std::string toJson(const SessionSettings& settings);
 
-/// The settings that `toJson` wrote. A missing member keeps its default; refused: text that is no such JSON, a member
-/// of another type, an unknown word.
+/// Reads the settings that `toJson` wrote. A missing member keeps its default. Refused: other text, a member of the
+/// wrong type, an unknown word.
 base::Result<SessionSettings> parseSessionSettings(std::string_view text);
 
-/// The seed of one block of a session: another for each block, the same for the same session.
+/// The seed of one block of a session: different for each block, the same for the same session.
 std::uint64_t blockSeed(std::uint64_t session_seed, Block block) noexcept;
 
 }  // namespace tactus::session

@@ -1,4 +1,4 @@
-// What a session knows of itself, and how it is read back from its file. For session.cpp only.
+// The state of a session, and how it is read back from the file. For session.cpp only.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace tactus::session {
 
-// Kinds of event in the log of a session.
+// Kinds of events in the log of a session.
 inline constexpr const char* kBegan = "began";
 inline constexpr const char* kResumed = "resumed";
 inline constexpr const char* kStageEntered = "stage_entered";
@@ -46,20 +46,20 @@ struct SessionState {
   SessionPart announced = SessionPart::kProfile;  ///< of the last event `stage_entered`
 
   bool isDone(Block block) const;
-  /// The block that is being done or rated.
+  /// The current block (in progress or being rated).
   std::optional<Block> block() const;
   SessionPart part() const;
 
-  /// What a new record begins with.
+  /// The entry for a new record.
   study::Entry entry();
   base::Result<void> log(const char* kind, std::string text = {});
 
-  /// Makes the protocols for the settings and gives them what is recorded.
+  /// Makes the protocols for the settings and feeds them the stored records.
   base::Result<void> makeProtocols();
-  /// Everything that is recorded of the session.
+  /// Reads all stored records of the session.
   base::Result<void> readBack();
 
-  /// Stores `made` and lets `take` change the state.
+  /// Stores `made`; then `take` changes the state.
   template <class Record, class Take>
   base::Result<void> store(const Record& made, Take take) {
     if (auto ok = store::append(file, made); !ok) return ok;

@@ -1,4 +1,4 @@
-// A study as it can be given to others: nothing that points at a person or a place.
+// A study in a form for publication, without anything that identifies a person or a place.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,18 @@
 
 namespace tactus::session {
 
-/// The band of `years` of experience, from 0: `<5`, `5-10` (below 10), `10-15` (15 too), `>15`; empty where not given.
+/// The band of `years` of experience (>= 0): `<5`, `5-10` (10 excluded), `10-15` (15 included), `>15`; empty if
+/// unknown.
 std::string experienceBand(std::optional<double> years);
 
 struct ShareableStudy {
-  study::Study study;              ///< with codes P1, P2, … in an order drawn with the seed, and without a name
-  std::vector<std::string> bands;  ///< of each participant's experience
+  study::Study study;              ///< codes P1, P2, … in an order drawn with the seed; no name
+  std::vector<std::string> bands;  ///< experience band of each participant
 };
 
-/// Leaves out exact years of experience, the weights of participants (which may follow from the years), categories and
-/// hands other than the usual words, and times before the first sample of a stroke. Rows of nobody are left out.
+/// Leaves out exact years of experience, the weights of participants (they may follow from the years), unusual words
+/// for category and hand, and times before the first sample of a stroke. Rows that belong to no participant are left
+/// out.
 ShareableStudy shareable(const study::Study& study, std::uint64_t seed);
 
 }  // namespace tactus::session

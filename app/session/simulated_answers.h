@@ -1,4 +1,4 @@
-// Simulated answers to the force questionnaire that follow what the paper says of its nurses. Nobody gave them.
+// Simulated answers to the force questionnaire, made to follow the paper's text about its nurses. They are not real.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace tactus::session {
 
-/// The answers of S1, S2 and S3 to all items of `form` (the form `ngt-force-v1`: each item asks about one condition in
-/// one region). Their answers are not published. The model: a level is the sum of
+/// The answers of S1, S2 and S3 to all items of `form` (`ngt-force-v1`: each item asks about one condition in one
+/// region). The paper does not print their answers. The model: a level is the sum of
 ///   the region's level + the condition's effect × the nurse's sensitivity + the nurse's own extra in the oropharynx
-/// plus a seeded deviation of each nurse for each region and each condition, rounded to one of the form's terms.
-/// By construction, for every seed (paper, Section 3.4 and Fig. 11): more lubrication never more force; more neck
-/// flexion never more force; more speed never less force; the nasal cavity never below the nasopharynx; no region above
-/// the oropharynx; nobody above S2 there; in the esophagus at most one term between the three.
+/// plus a seeded deviation of each nurse for each region and each condition, rounded to one of the form's terms. For
+/// every seed, by construction (paper, Section 3.4 and Fig. 11): more lubrication never increases the force; more neck
+/// flexion never increases it; more speed never decreases it; the nasal cavity is never below the nasopharynx; no
+/// region is above the oropharynx; no nurse is above S2 there; in the esophagus the three differ by at most one term.
 std::vector<study::Answer> simulatedAnswers(const study::Form& form, std::uint64_t seed);
 
 }  // namespace tactus::session

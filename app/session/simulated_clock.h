@@ -1,4 +1,4 @@
-// A clock that a simulation sets, so that the same seed gives the same study file.
+// A clock under the control of a simulation, so that the same seed gives the same study file.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace tactus::session {
 
-/// Time goes on when it is told to, and by a millisecond with each look. Copies are the same clock.
+/// Time advances on request, and by one millisecond with each reading. Copies share the same time.
 class SimulatedClock {
  public:
   explicit SimulatedClock(std::int64_t utc_ms) : now_(std::make_shared<study::Moment>(study::Moment{utc_ms, 0})) {}
@@ -19,7 +19,7 @@ class SimulatedClock {
     passMs(1);
     return *now_;
   }
-  /// Tools for a session, with ids that follow from `seed`. Two sessions of a file need different seeds.
+  /// Tools for a session, with ids derived from `seed`. Two sessions of one file need different seeds.
   SessionTools tools(std::uint64_t seed) const {
     return {[clock = *this] { return clock.look(); }, study::RecordIds(seed)};
   }

@@ -1,4 +1,4 @@
-// A simulated nurse who goes through a whole session. Not a model of anybody: for tests and demonstrations only.
+// A simulated nurse who does a whole session. For tests and demonstrations only; it is not a model of a real person.
 #pragma once
 
 #include <cstdint>
@@ -15,33 +15,33 @@
 
 namespace tactus::session {
 
-/// Who goes through a session, and how often things go wrong; shares are probabilities, 0 to 1.
+/// The traits of a simulated nurse. Shares are probabilities, 0 to 1.
 struct NurseTraits {
   study::ProfileRecord profile;                  ///< without its entry
-  std::map<std::string, SimulatedLevel> levels;  ///< by the term id of each speed that the session asks for
+  std::map<std::string, SimulatedLevel> levels;  ///< by the term id of each speed in the session
   ResponderTraits responder;
-  std::vector<study::Answer> answers;  ///< to the items of the form; an item without one is skipped
-  double stops_early = 0.08;           ///< of strokes: the first attempt is too short
-  double holds_still = 0.08;           ///< of forces: the first attempt is judged without moving forward
-  double second_thoughts = 0.06;       ///< of answers: another choice at first, corrected from a later page
+  std::vector<study::Answer> answers;  ///< to the items of the form; an item without an answer is skipped
+  double stops_early = 0.08;           ///< share of strokes whose first attempt is too short
+  double holds_still = 0.08;           ///< share of forces whose first attempt is judged without moving forward
+  double second_thoughts = 0.06;       ///< share of answers that are corrected from a later page
 };
 
-/// Does what a session asks for, through the same calls as a person's screens. What is done at a step follows from the
-/// traits, the seed and the step alone, so that a session that was interrupted goes on as it would have.
+/// Does the steps of a session through the same calls as the screens. Each action follows from the traits, the seed and
+/// the step alone, so a resumed session continues as if it had not been interrupted.
 class SimulatedNurse {
  public:
-  /// Called with the seconds that something takes, before it is recorded.
+  /// Called before a record is made, with the duration of the action in seconds.
   using PassTime = std::function<void(double seconds)>;
 
-  /// `judged`: what the nurse judged before the session was resumed, in order; only with an assimilation does it count.
+  /// `judged`: the judgements before the session was resumed, in order. They matter only with an assimilation above 0.
   SimulatedNurse(NurseTraits traits, std::uint64_t seed, PassTime pass_time = {},
                  std::span<const study::JudgementRecord> judged = {});
 
-  /// Does what the session asks for next: exactly one record. The session must not be at its end. Refused: what the
-  /// session refuses, a speed without strokes.
+  /// Does the next step of the session: exactly one record. The session must not be at its end. Refused: a step that
+  /// the session refuses, a speed without strokes.
   base::Result<void> doNext(Session& session);
 
-  /// Goes on to the end of the session.
+  /// Does all steps to the end of the session.
   base::Result<void> finish(Session& session);
 
  private:

@@ -12,9 +12,10 @@
 namespace tactus::session {
 
 struct ExportOptions {
-  /// Only the tables of the study as it holds now, without identifying details (shareable.h) and without records.
+  /// True: only the tables of the study as it counts now, without identifying details (shareable.h) and without
+  /// records.
   bool shareable = false;
-  /// Draws the order of the participants of a shareable export; it must not be known to those who get it.
+  /// Seed for the order of the participants in a shareable export. The receivers of the export must not know it.
   std::uint64_t seed = 0;
   store::ByteOrderMark mark = store::ByteOrderMark::kNone;
 };
@@ -24,12 +25,12 @@ struct StudyExport {
   std::vector<std::string> notes;  ///< one sentence each, for the person who exports; they may name participants
 };
 
-/// Writes into `folder`: participants.csv, speeds.csv, judgements.csv, answers.csv and rules.csv as readStudyFolder
-/// reads them (core/study/csv_tables.h), codebook.json and codebook.md, and below `records` everything that the study
-/// file holds (core/store/record_export.h). The same study gives the same bytes. The folder appears whole or not at
-/// all; it must be new, empty, or an earlier export, which is replaced. A full export leaves out the five tables, with
-/// a note, where the study has no view for elicitation (study_view.h). What crashes left beside the study and the
-/// folder is deleted, with a note, where it is certainly ours (leftovers.h).
+/// Writes into `folder`: participants.csv, speeds.csv, judgements.csv, answers.csv and rules.csv in the format of
+/// readStudyFolder (core/study/csv_tables.h), codebook.json and codebook.md, and below `records` everything in the
+/// study file (core/store/record_export.h). The same study gives the same bytes. The folder appears completely or not
+/// at all. It must be new, empty, or an earlier export, which is replaced. If the study has no view for elicitation
+/// (study_view.h), a full export omits the five tables, with a note. Leftovers of crashes beside the study and the
+/// folder are deleted, with a note, if they are certainly ours (leftovers.h).
 base::Result<StudyExport> exportStudy(const store::StudyFile& file, const std::string& folder,
                                       const ExportOptions& options = {});
 

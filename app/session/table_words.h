@@ -1,4 +1,4 @@
-// Words of the study as people write them in tables: `Very small` for `very_small`.
+// Accepts the words of the study in everyday spelling: `Very small` for `very_small`.
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@ namespace tactus::session {
 /// that was changed: `speeds.csv: 'Slow' is read as slow in 240 rows.` Other words stay as they are.
 std::vector<std::string> readWords(study::Study& study);
 
-/// The judgements, or the answers, of one table, in the words of the study; adds what readWords says to `notes`.
+/// The judgements, or the answers, of one table, with the same replacements; appends the sentences of readWords to
+/// `notes`.
 base::Result<std::vector<study::ForceJudgement>> readJudgementTable(const base::CsvTable& table,
                                                                     std::vector<std::string>& notes);
 base::Result<std::vector<study::Answer>> readAnswerTable(const base::CsvTable& table, std::vector<std::string>& notes);
