@@ -1,4 +1,4 @@
-// Runs the guided calibration of a device, or waits for that of its driver.
+// Runs the guided calibration of a device, or waits for the calibration by its driver.
 #pragma once
 
 #include <optional>
@@ -15,34 +15,34 @@ class CalibrationGuide {
  public:
   virtual ~CalibrationGuide() = default;
   virtual void instruct(const std::string& sentence) = 0;
-  /// A sentence about an answer that was refused.
+  /// Shows a sentence about a refused answer.
   virtual void refuse(const std::string& sentence) = 0;
-  /// The answer to the last instruction, once; nothing: none yet. Must not wait long: the device is pushing.
-  /// An answer `stop` ends the procedure.
+  /// The answer to the last instruction, returned once; nothing: no answer yet. Must return quickly, because the device
+  /// is pushing. The answer `stop` ends the procedure.
   virtual std::optional<std::string> answer() = 0;
-  /// The program is to end (Ctrl-C). Looked at in every millisecond; then the device is stopped and the run refused.
+  /// Whether the program must end (Ctrl-C). Checked in every millisecond. If true, the device is stopped and the run
+  /// refused.
   virtual bool interrupted() const noexcept { return false; }
 };
 
-/// A clock and a way to wait for the next millisecond; both for tests.
+/// A clock, and a wait for the next millisecond. Tests replace both.
 struct CalibrationClock {
   std::int64_t (*now_ns)() noexcept;
   void (*sleep_until)(std::int64_t time_ns) noexcept;
 };
-/// That of the servo.
+/// The clock of the servo.
 CalibrationClock systemClock() noexcept;
 
-/// Starts the device, leads through the procedure and stops the device. Refused: the device does not start or gets
-/// lost, the procedure fails, the person stops or interrupts it. `measured_at`: UTC.
+/// Starts the device, guides the person through the procedure and stops the device. Refused: the device does not start
+/// or disconnects, the procedure fails, the person stops or interrupts it. `measured_at`: UTC.
 base::Result<haptics::DeviceCalibration> runCalibration(haptics::HapticDevice& device,
                                                         const haptics::CalibrationPlan& plan,
                                                         const std::string& measured_at, CalibrationGuide& guide,
                                                         const CalibrationClock& clock = systemClock());
 
-/// For a device that its own driver calibrates (OpenHaptics): tells the person what to do and waits until the driver
-/// says that it is calibrated; an answer tells the driver that the device is in its reference posture. Refused: a
-/// device of another kind, one that does not start, a person who stops or
-/// interrupts.
+/// For a device that its own driver calibrates (OpenHaptics): instructs the person and waits until the driver reports
+/// the calibration. An answer tells the driver that the device is in its reference posture. Refused: a device of
+/// another kind, a device that does not start, a person who stops or interrupts.
 base::Result<void> calibrateByDriver(haptics::HapticDevice& device, CalibrationGuide& guide,
                                      const CalibrationClock& clock = systemClock());
 

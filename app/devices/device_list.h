@@ -1,4 +1,4 @@
-// Which haptic devices there are, over all backends: what can be used, what cannot and what to do about it.
+// The list of haptic devices of all backends: usable ones, and unusable ones with a reason and advice.
 #pragma once
 
 #include <optional>
@@ -12,51 +12,51 @@
 
 namespace tactus::devices {
 
-/// Where devices are looked for.
+/// The settings of the device search.
 struct DeviceSettings {
-  std::string hd_library;    ///< path of libHD; empty: where the system's loader finds it
+  std::string hd_library;    ///< path of libHD; empty: the system's loader finds it
   std::string calibrations;  ///< JSON file of the calibrations of this computer
 };
 
-/// The settings of this process. TACTUS_LIBHD names the library of OpenHaptics where the loader does not find it;
-/// TACTUS_CALIBRATIONS the file of calibrations, by default tactus/calibrations.json in the user's configuration folder
+/// The settings of this process. TACTUS_LIBHD is the path of the OpenHaptics library if the loader does not find it.
+/// TACTUS_CALIBRATIONS is the calibration file; default: tactus/calibrations.json in the user's configuration folder
 /// (XDG_CONFIG_HOME, else ~/.config).
 DeviceSettings settingsOfProcess();
 
 struct ListedDevice {
-  std::string id;  ///< for `open`; also of a device that cannot be used
+  std::string id;  ///< for `open`; unusable devices have one, too
   std::string name;
   std::string serial;   ///< may be empty
-  std::string backend;  ///< `virtual`, `hid-pid`, `openhaptics`, or `none` where Tactus has no way to the device
+  std::string backend;  ///< `virtual`, `hid-pid`, `openhaptics`, or `none` if Tactus does not support the device
   bool simulated = false;
   bool usable = false;
-  std::string reason;              ///< why it cannot be used
-  std::string advice;              ///< what to do: so that it can be used, or to calibrate it
-  std::optional<bool> calibrated;  ///< nothing: not known
-  std::string used_by;             ///< another program that has it open; empty: none that is known
+  std::string reason;              ///< why the device cannot be used
+  std::string advice;              ///< what to do to use it, or to calibrate it
+  std::optional<bool> calibrated;  ///< nothing: unknown
+  std::string used_by;             ///< another program that has it open; empty: none is known
 };
 
 struct DeviceList {
   std::vector<ListedDevice> devices;  ///< the virtual device is always the last one
-  std::vector<std::string> notes;     ///< about what could not be looked at
+  std::vector<std::string> notes;     ///< parts of the search that failed
 };
 
-/// What a look at OpenHaptics showed.
+/// The result of the OpenHaptics search.
 struct OpenHapticsLook {
-  std::optional<haptics::DeviceInfo> info;  ///< of the default device, where it opens
+  std::optional<haptics::DeviceInfo> info;  ///< the default device, if it opens
   bool calibrated = false;
   std::string calibration_advice;
   std::string reason;  ///< why there is none
   std::string advice;
 };
-/// Loads the library, opens the default device and closes it again. Nothing moves.
+/// Loads the library, opens the default device and closes it again. The device does not move.
 OpenHapticsLook lookAtOpenHaptics(const std::string& hd_library);
 
-/// The list that follows from what was found. A Touch on USB is one device with the one behind OpenHaptics.
+/// Makes the list from the search results. A Touch on USB and the device of OpenHaptics are one device.
 DeviceList listOf(const std::vector<haptics::HidDevice>& hid, const OpenHapticsLook& openhaptics,
                   const std::vector<haptics::DeviceCalibration>& calibrations);
 
-/// Looks for devices on this computer.
+/// Searches for devices on this computer.
 DeviceList listDevices(const DeviceSettings& settings);
 
 }  // namespace tactus::devices

@@ -1,4 +1,4 @@
-// Opens a haptic device by the id that the list of devices gives it.
+// Opens a haptic device by its id in the list of devices.
 #pragma once
 
 #include <memory>
@@ -13,22 +13,23 @@ namespace tactus::devices {
 
 struct OpenedDevice {
   std::unique_ptr<haptics::HapticDevice> device;  ///< not started
-  haptics::AxisMapping axis;                      ///< where the insertion axis lies, from its calibration if it has one
-  std::string calibration_advice;                 ///< what to do when it says that it is not calibrated
-  std::string axis_advice;  ///< what to do when inwards is outwards; empty: the axis is the device's own
+  haptics::AxisMapping axis;                      ///< direction of the insertion axis; from the calibration if there is
+                                                  ///< one
+  std::string calibration_advice;                 ///< what to do if the device reports that it is not calibrated
+  std::string axis_advice;  ///< what to do if inward and outward are swapped; empty: the axis is the device's own
 };
 
-/// `virtual`, `hid:VVVV:PPPP[:SERIAL]`, `openhaptics[:NAME]`. Refused, with what to do: an id that is none, a device
-/// that is not there or cannot be opened, a file of calibrations that cannot be read.
+/// Opens `virtual`, `hid:VVVV:PPPP[:SERIAL]` or `openhaptics[:NAME]`. Refused, with advice: an invalid id, a device
+/// that is missing or cannot be opened, a calibration file that cannot be read.
 base::Result<OpenedDevice> open(const std::string& id, const DeviceSettings& settings);
 
-/// What to do to turn the insertion axis of a device around that its driver calibrates.
+/// How to reverse the insertion axis of a device that its driver calibrates.
 std::string turnAxisAdvice(const std::string& id, const haptics::Vector3& inwards);
 
-/// `x,y,z` with at most four digits, as `--inwards` takes it.
+/// `x,y,z` with at most four digits, the format of `--inwards`.
 std::string directionText(const haptics::Vector3& direction);
 
-/// A HID device as it is without a calibration: positions are counts and 1 N is its full scale. For calibrating it.
+/// A HID device without its calibration: positions are counts, and 1 N is full scale. For calibrating it.
 base::Result<OpenedDevice> openRaw(const std::string& id);
 
 }  // namespace tactus::devices

@@ -1,5 +1,5 @@
-// The guided self-test of a haptic device: what is asked of the person, what is checked, what it found. A pure state
-// machine: samples of the servo and answers of the person in, orders for the servo and sentences out.
+// The guided self-test of a haptic device: its instructions, checks and results. A pure state machine: servo samples
+// and the person's answers go in; servo orders and sentences come out.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +16,27 @@ namespace tactus::devices {
 
 struct SelfTestSettings {
   haptics::AxisMapping axis;
-  haptics::LimitSettings limits;  ///< all of them hold; the test needs `pulse_n` of their cap
-  double pulse_n = 0.1;           ///< felt in the fingers, too small to move the hand by much
+  haptics::LimitSettings limits;  ///< all limits hold; the test needs `pulse_n` of their cap
+  double pulse_n = 0.1;           ///< enough to feel with the fingers, too little to move the hand far
   int pulses = 3;
-  double move_mm = 20;              ///< how far the person has to move the device
-  double most_drift_mm = 5;         ///< while it is held without force
-  double farthest_mm = 1000;        ///< a position further out is none
-  double smallest_shift_mm = 0.15;  ///< a shift of the hand by less is no answer; use two counts where they are more
-  double patience_s = 60;           ///< for each thing that the person is asked to do
+  double move_mm = 20;              ///< how far the person must move the device
+  double most_drift_mm = 5;         ///< largest drift while the hand holds the device without force
+  double farthest_mm = 1000;        ///< a position beyond this is invalid
+  double smallest_shift_mm = 0.15;  ///< a smaller shift of the hand is no answer; for coarse devices use two counts
+  double patience_s = 60;           ///< time limit for each instruction
   std::string calibration_advice;   ///< what to do about a device without calibration
-  std::string axis_advice;          ///< how to turn the insertion axis around; may be empty
+  std::string axis_advice;          ///< how to reverse the insertion axis; may be empty
 };
 
-/// In this order.
+/// The checks, in this order.
 enum class Check : std::uint8_t {
-  kSamples,      ///< samples arrive, are fresh, and the position is one
-  kCalibration,  ///< the device says that its positions mean something
-  kMotion,       ///< the position follows the hand, inwards positive
-  kButton,       ///< a button arrives, down and up
-  kForceOff,     ///< held with force 0 the hand stays where it is
+  kSamples,      ///< fresh samples arrive, with a valid position
+  kCalibration,  ///< the device reports that it is calibrated
+  kMotion,       ///< the position follows the hand, inward positive
+  kButton,       ///< a button changes: down and up
+  kForceOff,     ///< with force 0 the hand stays in place
   kPulse,        ///< a small force passes all limits
-  kDirection,    ///< it pulls against insertion, toward the person
+  kDirection,    ///< the force pulls against insertion, toward the person
 };
 inline constexpr int kChecks = 7;
 /// e.g. `samples arrive`.
@@ -45,42 +45,42 @@ std::string_view describe(Check check) noexcept;
 struct CheckResult {
   Check check = Check::kSamples;
   bool passed = false;
-  std::string found;   ///< what was seen, with numbers
-  std::string advice;  ///< what to do; empty where it passed
+  std::string found;   ///< the observation, with numbers
+  std::string advice;  ///< what to do; empty if the check passed
 };
 
-/// What the person felt.
+/// The direction that the person felt.
 enum class Felt : std::uint8_t { kToward, kAway, kNothing };
 
-/// Ends after the first check that fails: the next ones would mean nothing.
+/// Ends after the first failed check, because later checks would be meaningless.
 class SelfTest {
  public:
   enum class Phase : std::uint8_t { kSamples, kMotion, kButton, kForceOff, kPulse, kAsk, kDone };
 
   explicit SelfTest(SelfTestSettings settings);
 
-  /// New orders for the servo, once each; nothing: those in force stay. Tell `posted` their number.
+  /// New orders for the servo, each returned once; nothing: the current orders stay. Report their number with `posted`.
   std::optional<haptics::ServoOrders> takeOrders();
   void posted(std::uint64_t orders) noexcept { orders_ = orders; }
 
-  /// One sample of the servo, all of them in order. Those from before the newest orders are left out.
+  /// Processes one servo sample; call for all samples in order. Samples from before the newest orders are ignored.
   void feed(const haptics::Sample& sample);
-  /// The servo tripped; the test ends.
+  /// The servo tripped: the test ends.
   void tripped(const haptics::Trip& trip);
   /// The person's answer, in the phase kAsk.
   void answer(Felt felt);
-  /// Ends the test without a result of the present check; the last orders are those for no force.
+  /// Ends the test without a result of the current check. The last orders are for zero force.
   void cancel();
 
   Phase phase() const noexcept { return phase_; }
   bool finished() const noexcept { return phase_ == Phase::kDone; }
   /// Every check passed.
   bool passed() const noexcept;
-  /// What the person is to do now: one sentence, empty where there is nothing to do.
+  /// The current instruction for the person: one sentence; empty if there is none.
   std::string instruction() const;
   const std::vector<CheckResult>& results() const noexcept { return results_; }
-  /// The largest shift of the hand that a pulse made, mm, inwards positive; 0 before the first. Dry friction holds the
-  /// hand where the first pulse has left it, so the others can be smaller.
+  /// The largest shift of the hand by a pulse, mm, inward positive; 0 before the first pulse. Dry friction holds the
+  /// hand where the first pulse has left it, so later shifts can be smaller.
   double shiftMm() const;
 
  private:
@@ -113,7 +113,7 @@ class SelfTest {
     Mean before;
     Mean after;
     bool pulsing = false;  ///< the stimulus has been ordered
-    int rest = 0;          ///< ticks to wait
+    int rest = 0;          ///< ticks until the next action
   };
 
   void enter(Phase phase);
@@ -135,10 +135,10 @@ class SelfTest {
   Phase phase_ = Phase::kSamples;
   std::vector<CheckResult> results_;
   std::optional<haptics::ServoOrders> next_;
-  std::uint64_t orders_ = 0;  ///< samples from before these say nothing
+  std::uint64_t orders_ = 0;  ///< samples from before these orders are ignored
   Seen seen_;
   Held held_;
-  int tries_ = 0;            ///< of the force-off check, or of pulses that were cut short
+  int tries_ = 0;            ///< of the force-off check, or of interrupted pulses
   double drift_mm_ = 0;      ///< of the last try
   std::uint64_t pulse_ = 0;  ///< number of the stimulus
   double largest_force_n_ = 0;
