@@ -9,7 +9,7 @@
 
 namespace tactus::simulation {
 
-/// Collects ticks as rows. The conditions become columns named after the inputs' ids; each tick must have those.
+/// Collects ticks as rows. The conditions become columns named after the inputs' ids; each tick must have these inputs.
 class TraceTable {
  public:
   explicit TraceTable(const haptics::Conditions& conditions);
