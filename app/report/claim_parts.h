@@ -1,4 +1,4 @@
-// What the statements about Fig. 10 and about Fig. 11 share. Internal to the checklist.
+// Shared parts of the statements about Fig. 10 and Fig. 11. Internal to the checklist.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace tactus::report {
 
-/// A model with everything the statements are computed from.
+/// A model with the data from which the statements are computed.
 struct ClaimContext {
   const fuzzy::ForceModel& model;
   const ForceCurves& curves;
@@ -45,12 +45,12 @@ struct Profile {
 };
 Profile profileOf(const ClaimContext& context, std::optional<std::size_t> expert);
 
-/// Points at which `curve` (not empty, every point with a force) is at its largest force.
+/// The points of `curve` with its largest force. `curve` must not be empty, and every point must have a force.
 std::vector<CurvePoint> peaksOf(const ForceCurve& curve);
 /// Force, depth and region of the peaks.
 std::string peakText(const ClaimContext& context, const std::vector<CurvePoint>& peaks);
 
-/// Whether some rule of the expert is about the region.
+/// Whether a rule of the expert names the region.
 bool wasAsked(const fuzzy::Expert& expert, const std::string& region);
 
 /// `0.468 N`.

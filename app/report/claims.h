@@ -1,4 +1,4 @@
-// The claims checklist: what the paper says of its Fig. 10 and 11 (section 3.4), computed from a model, yes or no.
+// The claims checklist: the paper's statements about its Fig. 10 and 11 (section 3.4), checked on a model, yes or no.
 #pragma once
 
 #include <optional>
@@ -12,48 +12,48 @@
 
 namespace tactus::report {
 
-/// A difference in order counts only above this; equal forces come from equal rules.
+/// Smallest difference that counts in an order, N. Equal forces come from equal rules.
 inline constexpr double kTieN = 1e-6;
-/// A statement about a whole curve holds when it holds at this share of the depths and on average.
+/// A statement about a whole curve holds if it holds at this share of the depths and on average.
 inline constexpr double kEnoughDepths = 0.9;
-/// A rise or drop smaller than this (1 % of the force universe) would not be seen in a figure.
+/// A smaller rise or drop (1 % of the force universe) would not be visible in a figure, N.
 inline constexpr double kVisibleN = 0.01;
-/// Profiles with at least this correlation over the regions count as similar.
+/// Profiles are similar if their correlation over the regions is at least this.
 inline constexpr double kSimilarCorrelation = 0.7;
 
 using elicitation::justNoticeableDifference;
 
-/// Why a verdict can be what it is.
+/// The origin of the data behind a verdict.
 enum class ClaimBasis {
   kPublishedRules,  ///< rules printed in the paper
   kSimulated,       ///< answers simulated to follow the paper's text
-  kByConstruction,  ///< joins published rules with answers simulated to follow the text
+  kByConstruction,  ///< mixes published rules with answers simulated to follow the text
 };
 
-/// A statement, tried on one subject.
+/// A statement checked on one subject.
 struct Verdict {
   std::string subject;        ///< expert's id, `mean`, `all experts`
-  std::optional<bool> holds;  ///< nothing: it cannot be asked of this subject
+  std::optional<bool> holds;  ///< nothing: the statement does not apply to this subject
   ClaimBasis basis = ClaimBasis::kByConstruction;
-  std::string numbers;  ///< what was computed
-  std::string reason;   ///< why it does not hold, where that can be told; else empty
+  std::string numbers;  ///< the computed numbers
+  std::string reason;   ///< why it does not hold, if known; else empty
 };
 
 struct Claim {
   std::string id;         ///< `10a` to `10c`, `11a` to `11f`
-  std::string statement;  ///< what the paper says, in our words
-  std::string rule;       ///< how it is decided
+  std::string statement;  ///< the paper's statement in our words
+  std::string rule;       ///< the decision rule
   std::vector<Verdict> verdicts;
 };
 
-/// Who is who in the model.
+/// The roles of the experts in the model.
 struct ClaimSubjects {
-  std::string published_expert = "S4";     ///< whose rules the paper prints
-  std::string highest_peak_expert = "S2";  ///< whose peak the paper calls the highest
+  std::string published_expert = "S4";     ///< the expert whose rules the paper prints
+  std::string highest_peak_expert = "S2";  ///< the expert whose peak is the highest according to the paper
 };
 
-/// All statements, in the order of the paper, for the published expert, the mean, and where the paper speaks of all
-/// experts for each of them. Refused: a model without the four inputs of the study, or without the published expert.
+/// All statements in the order of the paper: for the published expert, for the mean, and for each expert if the paper
+/// speaks of all of them. Refused: a model without the four inputs of the study, or without the published expert.
 base::Result<std::vector<Claim>> checkClaims(const fuzzy::ForceModel& model, const ClaimSubjects& subjects);
 
 }  // namespace tactus::report

@@ -14,29 +14,30 @@
 
 namespace tactus::report {
 
-/// The published rules in one of their readings, as a model of their expert alone.
+/// The published rules in one of their readings, as a model with only their expert.
 struct S4Reading {
   std::string title;    ///< e.g. `As printed`
   std::string assumes;  ///< one sentence
   fuzzy::ForceModel model;
 };
 
-/// Everything the report shows. It computes curves, claims and summaries itself and reads no file.
+/// The input of the report. The report computes curves, claims and summaries itself and reads no file.
 struct DemoReportInputs {
-  const study::Study& study;                       ///< with the simulated data
-  const elicitation::BuiltModel& built;            ///< from that study
-  elicitation::BuildSettings build_settings = {};  ///< with these
+  const study::Study& study;                       ///< including the simulated data
+  const elicitation::BuiltModel& built;            ///< built from that study
+  elicitation::BuildSettings build_settings = {};  ///< the settings of that build
   std::vector<experiments::PublishedSpeed> published_speeds = experiments::publishedSpeeds();  ///< Table 1
   std::vector<experiments::PublishedVotes> published_votes = experiments::publishedVotes();    ///< Table 2
   std::vector<S4Reading> readings;
-  std::vector<study::Form> forms = {};                        ///< those that the answers are about
+  std::vector<study::Form> forms = {};                        ///< forms of the answers
   std::vector<std::pair<std::string, std::string>> settings;  ///< name and value: versions, seed, parameters
-  std::string published_expert = "S4";                        ///< whose rules are published
-  std::string highest_peak_expert = "S2";                     ///< whose peak the paper calls the highest
+  std::string published_expert = "S4";                        ///< the expert whose rules are published
+  std::string highest_peak_expert = "S2";                     ///< the expert whose peak is the highest according to the
+                                                              ///< paper
 };
 
-/// The page, as HTML. Everything simulated is marked so in its caption. Refused: an averaged model without the four
-/// inputs of the study or without the published expert.
+/// The page as HTML. Captions mark everything simulated. Refused: an averaged model without the four inputs of the
+/// study or without the published expert.
 base::Result<std::string> demoReport(const DemoReportInputs& inputs);
 
 }  // namespace tactus::report

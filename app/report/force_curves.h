@@ -1,4 +1,4 @@
-// Force over depth from a force model: what the curves, the surface and the checklist are drawn and computed from.
+// Force over depth from a force model: the numbers behind the curves, the surface and the checklist.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace tactus::report {
 
-/// All inputs but the depth.
+/// The values of all inputs but the depth.
 struct CurveSetting {
   double lubrication = 1;       ///< 0 to 1
   double neck_flexion_deg = 0;  ///< 0 to 90
@@ -21,20 +21,20 @@ struct CurveSetting {
 
 struct CurvePoint {
   double depth_mm = 0;
-  std::optional<double> force_n;  ///< nothing where no rule fires
+  std::optional<double> force_n;  ///< nothing if no rule fires
 };
 using ForceCurve = std::vector<CurvePoint>;
 
-/// Evaluates a model of the four inputs `lubrication`, `neck_flexion`, `depth`, `speed`, in whatever order it has them.
+/// Evaluates a model with the inputs `lubrication`, `neck_flexion`, `depth` and `speed` in any order.
 class ForceCurves {
  public:
-  /// Compiles `model`. Refused: a model that does not validate, or with other inputs.
+  /// Compiles `model`. Refused: an invalid model, or a model with other inputs.
   static base::Result<ForceCurves> of(const fuzzy::ForceModel& model);
 
-  /// The force of one expert (index into the model's experts), or without one the averaged force.
+  /// The force of one expert (index into the model's experts); without an expert the averaged force.
   std::optional<double> force(const CurveSetting& setting, double depth_mm, std::optional<std::size_t> expert) const;
 
-  /// The force from one end of the depth's universe to the other, a value every `step_mm` > 0.
+  /// The force over the depth's universe, one point every `step_mm` > 0.
   ForceCurve curve(const CurveSetting& setting, std::optional<std::size_t> expert, double step_mm = 1) const;
 
   double depthMin() const { return depth_min_mm_; }
@@ -44,12 +44,12 @@ class ForceCurves {
   explicit ForceCurves(fuzzy::CompiledModel compiled) : compiled_(std::move(compiled)) {}
 
   fuzzy::CompiledModel compiled_;
-  std::size_t lubrication_ = 0, neck_flexion_ = 0, depth_ = 0, speed_ = 0;  ///< places among the inputs
+  std::size_t lubrication_ = 0, neck_flexion_ = 0, depth_ = 0, speed_ = 0;  ///< indices of the inputs
   double depth_min_mm_ = 0;
   double depth_max_mm_ = 0;
 };
 
-/// The curve as a series to plot.
+/// The curve as a series for a plot.
 Series toSeries(const ForceCurve& curve);
 
 /// Smallest and largest force among the points that have one; nothing if none has.
@@ -59,8 +59,8 @@ struct ForceRange {
 };
 std::optional<ForceRange> forceRange(const ForceCurve& curve);
 
-/// The forces that the averaged model takes anywhere on a grid over all four inputs: what can come out at all. The
-/// centroid of a set is inside the set, so the ends of the output's universe never do.
+/// The range of forces of the averaged model on a grid over all four inputs. It is smaller than the output's universe,
+/// because the centroid of a set lies inside the set.
 std::optional<ForceRange> reachableRange(const fuzzy::ForceModel& model, const ForceCurves& curves);
 
 }  // namespace tactus::report

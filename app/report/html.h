@@ -1,6 +1,6 @@
-// A self-contained HTML page: sections with anchors and a table of contents, tables and figures with captions. No
-// scripts, nothing loaded from elsewhere; made for screens from 1280 to 1920 pixels wide and for paper. Written as XML,
-// so that every tool can check it.
+// A self-contained HTML page: sections with anchors and a table of contents, tables and figures with captions. It has
+// no scripts and loads nothing. Designed for screens 1280 to 1920 pixels wide and for paper. Written as XML, so that
+// every tool can check it.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ namespace tactus::report {
 /// A cell of a table.
 struct Cell {
   Markup text;
-  int columns = 1;           ///< how many columns it spans
-  bool number = false;       ///< set flush right, figures of equal width
-  bool heading = false;      ///< of its row
-  bool group_start = false;  ///< a rule on its left sets a group of columns off
+  int columns = 1;           ///< number of columns that the cell spans
+  bool number = false;       ///< aligned right, with digits of equal width
+  bool heading = false;      ///< heading of its row
+  bool group_start = false;  ///< a line on its left separates a group of columns
 };
 
 /// A cell that holds a number or a short value.
@@ -51,16 +51,16 @@ class HtmlPage {
  public:
   HtmlPage(std::string title, Markup subtitle);
 
-  /// A section (level 2) or a part of one (level 3). Both get an anchor made from the title; sections are listed in the
-  /// table of contents.
+  /// Starts a section (level 2) or a subsection (level 3). Both get an anchor from the title; the table of contents
+  /// lists sections.
   void section(std::string_view title);
   void subsection(std::string_view title);
 
   void paragraph(const Markup& text);
   void list(const std::vector<Markup>& items);
-  /// A box that must not be overlooked.
+  /// A box for important notes.
   void notice(const Markup& text);
-  /// A row of boxes, each a large value over a short explanation.
+  /// A row of boxes, each with a large value above a short explanation.
   void keyNumbers(const std::vector<std::pair<Markup, Markup>>& numbers);
   void table(const Table& table);
   void figure(const Figure& figure);

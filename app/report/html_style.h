@@ -1,11 +1,11 @@
-// The style sheet of the report, for the screen and for paper. Colours are those of palette.h.
+// The style sheet of the report, for screen and paper. Colors as in palette.h.
 #pragma once
 
 #include <string_view>
 
 namespace tactus::report {
 
-// Characters that mean something in XML (<, &) do not occur in it, so the page stays well-formed without escaping.
+// It has no XML special characters (<, &), so the page stays well-formed without escaping.
 inline constexpr std::string_view kStyleSheet = R"css(
 :root { --ink: #1b1f24; --muted: #57606a; --line: #d5dbe1; --soft: #f6f8fa; --accent: #0b5394; }
 * { box-sizing: border-box; }

@@ -13,13 +13,13 @@
 
 namespace tactus::report {
 
-/// Everything the sections draw from.
+/// The data of all sections.
 struct ReportContext {
   const DemoReportInputs& in;
   const ForceCurves& curves;  ///< of the averaged model
   std::vector<Region> regions;
   std::vector<Claim> claims;
-  std::optional<elicitation::StudySpeedIntervals> speed_intervals = {};  ///< absent where there are too few strokes
+  std::optional<elicitation::StudySpeedIntervals> speed_intervals = {};  ///< absent if there are too few strokes
 };
 
 // sections_overview.cpp
@@ -43,7 +43,8 @@ void addInfluences(HtmlPage& page, const ReportContext& context);
 void addExperts(HtmlPage& page, const ReportContext& context);
 void addReadings(HtmlPage& page, const ReportContext& context);
 // sections_feel.cpp
-/// Fig. 13 and 18: what a simulated hand feels of the averaged model. Nothing where the model cannot be rendered.
+/// Fig. 13 and 18: the force that a simulated hand feels from the averaged model. Adds nothing if the model cannot be
+/// rendered.
 void addFeel(HtmlPage& page, const ReportContext& context);
 // sections_agreement.cpp
 void addAgreement(HtmlPage& page, const ReportContext& context);
@@ -53,21 +54,21 @@ void addInfluence(HtmlPage& page, const ReportContext& context);
 void addFindings(HtmlPage& page, const ReportContext& context);
 void addWeights(HtmlPage& page, const ReportContext& context);
 // sections_claims.cpp
-/// Statement by statement: holds for the published expert, and for the mean or all experts.
+/// Each statement with its verdicts for the published expert, and for the mean or all experts.
 void addVerdicts(HtmlPage& page, const ReportContext& context);
 void addClaims(HtmlPage& page, const ReportContext& context);
 // sections_notes.cpp
 void addContradictions(HtmlPage& page, const ReportContext& context);
 void addBuildNotes(HtmlPage& page, const ReportContext& context);
 
-/// Axes of every force-depth plot of the report, so that figures can be compared by eye.
+/// The common axes of all force-depth plots, so that readers can compare figures.
 PlotAxis depthAxis(const ReportContext& context);
 PlotAxis forceAxis(const ReportContext& context);
-/// Shades every other region and names them along the top.
+/// Shades every second region and writes the names along the top.
 void markRegions(SvgPlot& plot, const std::vector<Region>& regions);
 /// `tube lubrication 0.90, neck flexion angle 35 deg, …`: a point of the input space.
 std::string settingText(const fuzzy::ForceModel& model, const std::vector<double>& point);
-/// Line of expert `index`, told apart by colour and dash.
+/// The line of expert `index`, with its own color and dash.
 LineLook expertLook(std::size_t index);
 
 }  // namespace tactus::report

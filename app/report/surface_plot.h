@@ -1,4 +1,4 @@
-// A surface z(x, y) as an SVG drawing: shaded quads seen from above at an angle, axes, colour scale.
+// A surface z(x, y) as an SVG drawing: shaded quads seen obliquely from above, axes, color scale.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace tactus::report {
 
-/// A surface on a grid. `z[i * y.size() + j]` belongs to (x[i], y[j]); where it has no value the surface has a hole.
+/// A surface on a grid. `z[i * y.size() + j]` belongs to (x[i], y[j]). A missing value is a hole in the surface.
 struct SurfaceGrid {
   std::vector<double> x;  ///< ascending, inside the x axis, at least 2
   std::vector<double> y;  ///< ascending, inside the y axis, at least 2
@@ -23,7 +23,7 @@ struct SurfaceFrame {
   double height = 540;
   PlotAxis x;  ///< runs to the lower right
   PlotAxis y;  ///< runs to the upper right, into the picture
-  PlotAxis z;  ///< upwards; also the range of the colours
+  PlotAxis z;  ///< upward; also the range of the colors
 };
 
 /// The drawing, one `<svg>` element.

@@ -8,7 +8,7 @@
 
 namespace tactus::report {
 
-/// A point on the drawing, in its user units (pixels at natural size), y downwards.
+/// A point on the drawing, in user units (pixels at natural size), y downward.
 struct SvgPoint {
   double x = 0;
   double y = 0;
@@ -26,23 +26,23 @@ std::string pathData(const std::vector<SvgPoint>& points, bool closed = false);
 
 enum class TextAnchor { kStart, kMiddle, kEnd };
 
-/// How a text is set.
+/// The style of a text.
 struct TextStyle {
   TextAnchor anchor = TextAnchor::kStart;
-  std::string_view color = {};  ///< empty = ink
+  std::string_view color = {};  ///< empty: ink
   double size = 13;
   bool bold = false;
-  bool halo = false;        ///< a white outline behind it, for text over lines
+  bool halo = false;        ///< a white outline, for text over lines
   double rotation_deg = 0;  ///< about its anchor, clockwise
 };
 
 std::string svgText(SvgPoint at, std::string_view text, const TextStyle& style);
 std::string svgLine(SvgPoint from, SvgPoint to, std::string_view color, double width);
 
-/// About how wide `text` is at a font size, in the same unit. A little generous, for a wide sans-serif font.
+/// Approximate width of `text` at a font size, in the same unit. Slightly too large, for a wide sans-serif font.
 double textWidth(std::string_view text, double size);
 
-/// Start tag of a drawing with title and description for those who cannot see it; end it with `</svg>`.
+/// Start tag of a drawing with title and description for screen readers. The caller adds `</svg>`.
 std::string svgStart(double width, double height, std::string_view title, std::string_view description);
 
 }  // namespace tactus::report

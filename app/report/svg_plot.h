@@ -10,7 +10,7 @@
 
 namespace tactus::report {
 
-/// A point of a series; without a value the line has a gap there.
+/// A point of a series; a point without a value is a gap in the line.
 struct SeriesPoint {
   double x = 0;
   std::optional<double> y;
@@ -22,35 +22,35 @@ struct PlotAxis {
   std::string label;  ///< with the unit, e.g. `Depth (mm)`
   double min = 0;
   double max = 1;
-  std::vector<double> ticks = {};  ///< empty = round numbers chosen for the length
+  std::vector<double> ticks = {};  ///< empty: round numbers, as many as the length allows
 };
 
-/// What every plot has. Sizes in pixels at natural size; the drawing scales.
+/// The common parts of every plot. Sizes in pixels at natural size; the drawing scales.
 struct PlotFrame {
-  std::string title;             ///< for those who cannot see the drawing; not drawn
-  std::string description = {};  ///< the same
+  std::string title;             ///< for screen readers; not drawn
+  std::string description = {};  ///< for screen readers
   double width = 440;
-  double height = 280;  ///< without the legend, which adds its rows on top
+  double height = 280;  ///< without the legend, whose rows are added above
   PlotAxis x;
   PlotAxis y;
 };
 
 enum class Dash { kSolid, kDashed, kDotted, kDashDot };
 
-/// The look of a line.
+/// The style of a line.
 struct LineLook {
   std::string_view color;
   double width = 2;
   Dash dash = Dash::kSolid;
 };
 
-/// Collects what is drawn and returns the drawing. Things are drawn in the order they were added, bands first, all cut
-/// off at the axes. A thing with a name appears in the legend above the plot, in the same order.
+/// Collects elements and returns the drawing. Elements are drawn in the order of the calls, bands first, and clipped at
+/// the axes. Elements with a name appear in the legend above the plot, in the same order.
 class SvgPlot {
  public:
   explicit SvgPlot(PlotFrame frame);
 
-  /// A line through `points`; each stretch between gaps is a subpath of its own, a single point a dot.
+  /// A line through `points`. Each part between gaps is a subpath; a single point is a dot.
   SvgPlot& line(const Series& points, const LineLook& look, std::string_view name = {});
   /// The area between `points` and y = 0.
   SvgPlot& area(const Series& points, std::string_view color, double opacity, std::string_view name = {});
@@ -60,7 +60,7 @@ class SvgPlot {
                 std::string_view name = {});
   /// A vertical line across the plot, with a text at its upper end.
   SvgPlot& verticalRule(double x, const LineLook& look, std::string_view text = {});
-  /// A shaded stretch of the x axis, `text` at its upper end if it fits, else `short_text`.
+  /// A shaded range of the x axis, with `text` at its upper end if it fits, otherwise `short_text`.
   SvgPlot& band(double x0, double x1, std::string_view color, double opacity, std::string_view text,
                 std::string_view short_text = {});
   /// A text at a point of the plot.
@@ -73,23 +73,23 @@ class SvgPlot {
  private:
   struct LegendEntry {
     std::string name;
-    std::string swatch;  ///< its left end at (0, 0)
+    std::string swatch;  ///< with its left end at (0, 0)
   };
 
   SvgPoint place(double x, double y) const;
-  /// The points on the page, split where a value is absent.
+  /// The points in drawing coordinates, split at missing values.
   std::vector<std::vector<SvgPoint>> stretches(const Series& points) const;
   void addLegend(std::string_view name, std::string swatch);
   std::string axes() const;
   std::string legend() const;
-  /// Where each entry of the legend starts, in rows as wide as the plot; y counts rows.
+  /// The start of each legend entry, in rows as wide as the plot; y counts rows.
   std::vector<SvgPoint> legendPlaces() const;
   double legendHeight() const;
 
   PlotFrame frame_;
   std::vector<double> x_ticks_, y_ticks_;
-  double left_ = 0;         ///< margin for the texts of the y axis
-  double inner_width_ = 0;  ///< of the plot area; content is drawn with its upper left corner at (0, 0)
+  double left_ = 0;         ///< left margin for the texts of the y axis
+  double inner_width_ = 0;  ///< width of the plot area; contents are drawn with its upper left corner at (0, 0)
   double inner_height_ = 0;
   std::string bands_;
   std::string content_;
