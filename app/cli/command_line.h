@@ -1,4 +1,4 @@
-// How a command is declared on the command line; for program.cpp and its parts.
+// Declares commands on the command line. For program.cpp and its parts.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,10 +13,10 @@
 
 namespace tactus::cli {
 
-/// The command that the command line chose, with its options bound.
+/// The chosen command with its bound options.
 using Chosen = std::function<base::Result<Output>()>;
 
-/// Adds the subcommand `name`; `define` declares its options, `function` is called with them.
+/// Adds the subcommand `name`. `define` declares its options; `function` is called with them.
 template <class Options, class Define>
 void addCommand(CLI::App& app, Chosen& chosen, const std::string& name, const std::string& description,
                 base::Result<Output> (*function)(const Options&), Define define) {
@@ -26,23 +26,23 @@ void addCommand(CLI::App& app, Chosen& chosen, const std::string& name, const st
   command->callback([&chosen, options, function] { chosen = [options, function] { return function(*options); }; });
 }
 
-/// An empty text is most often a shell variable that is not set.
+/// Refuses an empty text, which most often comes from an unset shell variable.
 inline CLI::Validator notEmpty() {
   return CLI::Validator(
       [](const std::string& text) { return text.empty() ? std::string("found an empty text") : std::string(); }, "");
 }
 
-/// One of `words`; another one is refused with the closest of them.
+/// One of `words`. Another word is refused with the closest of them as a suggestion.
 CLI::Validator oneOf(std::vector<std::string> words);
 
-/// A number that `holds`, as the sentence `wanted` says.
+/// A number for which `holds` is true; the sentence `wanted` describes the condition.
 CLI::Validator numberThat(std::string wanted, std::function<bool(double)> holds);
 
-/// A whole number from 0 to `largest`, in digits only.
+/// A whole number from 0 to `largest`, digits only.
 CLI::Validator wholeNumberUpTo(std::uint64_t largest);
 
-/// The first word of `arguments` that is neither a command nor an option of `app`, as one line for standard error;
-/// nothing where there is none. CLI11 would pass over an unknown command, or name the option without its command.
+/// The error line for the first word of `arguments` that is neither a command nor an option of `app`; nothing if there
+/// is none. Needed because CLI11 ignores an unknown command, or names the option without its command.
 std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<std::string>& arguments);
 
 inline void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
@@ -54,8 +54,8 @@ void addAccept(CLI::App& command, std::vector<std::string>& kinds, const std::st
 void addStudyCommands(CLI::App& app, Chosen& chosen);
 
 struct Terminal;
-/// `devices` with its subcommands (device_commands.h). `terminal`: where they talk; `aside`: where they talk when
-/// standard output is for JSON.
+/// Adds `devices` with its subcommands (device_commands.h). `terminal`: for the dialog with the person; `aside`: the
+/// same while standard output is used for JSON.
 void addDeviceCommands(CLI::App& app, Chosen& chosen, const Terminal& terminal, const Terminal& aside);
 
 }  // namespace tactus::cli

@@ -1,4 +1,4 @@
-// The commands of `tactus`: plain functions from options to what is printed. The command line itself: program.cpp.
+// The commands of `tactus`: plain functions from options to output. The command line itself: program.cpp.
 #pragma once
 
 #include <cstdint>
@@ -13,29 +13,29 @@
 
 namespace tactus::cli {
 
-/// What a command prints once it has succeeded.
+/// The output of a command that succeeded.
 struct Output {
-  std::string text;                   ///< to standard output
-  std::vector<std::string> warnings;  ///< one line each, to standard error
-  /// The text is a table for another program, not a message: no character of it is escaped.
+  std::string text;                   ///< for standard output
+  std::vector<std::string> warnings;  ///< one line each, for standard error
+  /// The text is a table for another program, not a message: it is printed without escaping.
   bool is_table = false;
 };
 
 struct EvalOptions {
   std::string model;
-  std::string points;                          ///< CSV with a column per input id
+  std::string points;                          ///< CSV with one column per input id
   std::string out;                             ///< empty: standard output
   std::string expert;                          ///< empty: the mean
-  std::optional<analysis::Sampling> sampling;  ///< absent: exact
+  std::optional<analysis::Sampling> sampling;  ///< nothing: exact
 };
-/// The rows of the points with the columns `force` and `fired` added.
+/// Evaluates the points. The output has their rows and the columns `force` and `fired`.
 base::Result<Output> eval(const EvalOptions& options);
 
 struct CheckOptions {
   std::string model;
   bool json = false;
 };
-/// Validation and lint of a model file. Findings are results, not failures.
+/// Validates and lints a model file. Findings are results, not failures.
 base::Result<Output> check(const CheckOptions& options);
 
 struct ClusterOptions {
@@ -45,30 +45,30 @@ struct ClusterOptions {
   double m = 2;
   bool json = false;
 };
-/// Fuzzy C-Means of one column.
+/// Runs Fuzzy C-Means on one column.
 base::Result<Output> cluster(const ClusterOptions& options);
 
 struct VoteOptions {
-  std::string judgements;  ///< judgements.csv or a table of counts as in Table 2
+  std::string judgements;  ///< judgements.csv, or a table of counts like Table 2
   std::string series = "ascending";
   elicitation::ForceTermsFrom force_terms = elicitation::ForceTermsFrom::kVote;
   std::optional<double> force_end_n;
   bool json = false;
 };
-/// The vote on each force and the terms that follow from it.
+/// Votes on each force, and gives the resulting terms.
 base::Result<Output> vote(const VoteOptions& options);
 
 struct AgreementOptions {
-  std::string file;                  ///< answers.csv, judgements.csv or a table of counts as in Table 2
-  std::string series = "ascending";  ///< of judgements
-  std::string form;                  ///< of answers; empty: the one with the most ratings
+  std::string file;                  ///< answers.csv, judgements.csv, or a table of counts like Table 2
+  std::string series = "ascending";  ///< for judgements
+  std::string form;                  ///< for answers; empty: the form with the most ratings
   bool json = false;
 };
-/// How far the raters agree.
+/// Computes the agreement of the raters.
 base::Result<Output> agreement(const AgreementOptions& options);
 
 struct BuildOptions {
-  std::string study;  ///< a study file, or a folder with the CSV tables
+  std::string study;  ///< a study file or a folder of CSV tables
   std::string out;
   std::string weights = "equal";  ///< equal, years, category, column, or a file
   double alpha = elicitation::kDefaultAlpha;
@@ -82,25 +82,25 @@ struct BuildOptions {
   bool own_terms = false;
   bool json = false;
 };
-/// Elicitation: from a study to the averaged model file.
+/// Elicits the averaged model file from a study.
 base::Result<Output> build(const BuildOptions& options);
 
 struct SimulateOptions {
   std::string model;
   std::string scenario;  ///< docs/scenario.md
-  std::string out;       ///< CSV file of the trace
+  std::string out;       ///< CSV file for the trace
   bool json = false;
 };
-/// The servo on a simulated device with a simulated hand, in simulated time.
+/// Runs the servo on a simulated device with a simulated hand, in simulated time.
 base::Result<Output> simulate(const SimulateOptions& options);
 
 struct DemoOptions {
   std::string folder;
   std::optional<std::uint64_t> seed;
-  std::string reading;  ///< of Table A2; empty: the default
+  std::string reading;  ///< reading of Table A2; empty: the default
   bool json = false;
 };
-/// The whole main job on the published data.
+/// Runs the whole elicitation on the published data.
 base::Result<Output> demo(const DemoOptions& options);
 
 }  // namespace tactus::cli

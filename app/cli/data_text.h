@@ -1,4 +1,4 @@
-// What to look at in the data of a study, as text and as JSON.
+// The findings about the data of a study, as text and as JSON.
 #pragma once
 
 #include <span>
@@ -15,8 +15,8 @@ namespace tactus::cli {
 std::string dataAsText(const std::vector<study::DataFinding>& findings,
                        std::span<const study::DataFinding::Kind> accepted = {});
 
-/// The findings as the member `data` of the object that `json` is in: `kind`, `severity`, `participant`, `table`,
-/// `line`, `column` (null where there is none) and `sentence`.
+/// Writes the findings as the member `data` of the open object of `json`: `kind`, `severity`, `participant`, `table`,
+/// `line`, `column` (null if there is none) and `sentence`.
 void writeData(const std::vector<study::DataFinding>& findings, base::JsonWriter& json);
 
 }  // namespace tactus::cli

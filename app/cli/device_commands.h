@@ -1,4 +1,4 @@
-// The commands below `tactus devices`. Two of them talk with the person at the device.
+// The commands of `tactus devices`. Two of them hold a dialog with the person at the device.
 #pragma once
 
 #include <iosfwd>
@@ -8,7 +8,7 @@
 
 namespace tactus::cli {
 
-/// Where a command talks with a person while it runs. Both outlive the command.
+/// The streams of the dialog. Both outlive the command.
 struct Terminal {
   std::istream* in = nullptr;
   std::ostream* out = nullptr;
@@ -17,26 +17,26 @@ struct Terminal {
 struct DevicesOptions {
   bool json = false;
 };
-/// What is attached, and why something cannot be used.
+/// Lists the connected devices, with the reason if one cannot be used.
 base::Result<Output> devices(const DevicesOptions& options);
 
 struct DeviceTestOptions {
-  std::string id;  ///< empty: the first usable device, hardware before the virtual one
+  std::string id;  ///< empty: the first usable device; hardware before the virtual device
   Terminal terminal;
   bool json = false;
-  std::ostream* results = nullptr;  ///< where the JSON of a test goes that did not pass
+  std::ostream* results = nullptr;  ///< stream for the JSON of a failed test
 };
-/// The guided self-test. A check that fails is an error.
+/// Runs the guided self-test. A failed check is an error.
 base::Result<Output> testDevice(const DeviceTestOptions& options);
 
 struct DeviceCalibrateOptions {
   std::string id;
-  std::string method = "spring";  ///< spring or weight
-  std::string inwards;            ///< `x,y,z`: only store this insertion axis; empty: calibrate
+  std::string method = "spring";  ///< `spring` or `weight`
+  std::string inwards;            ///< `x,y,z`: only stores this insertion axis; empty: calibrates
   Terminal terminal;
 };
-/// The guided calibration of a HID device; what it measured is stored for this computer. Or the insertion axis of a
-/// device behind OpenHaptics.
+/// Runs the guided calibration of a HID device and stores the result for this computer. Or stores the insertion axis of
+/// an OpenHaptics device.
 base::Result<Output> calibrateDevice(const DeviceCalibrateOptions& options);
 
 }  // namespace tactus::cli

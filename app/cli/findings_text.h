@@ -1,4 +1,4 @@
-// Findings about rules as `tactus build` and `tactus check` print them.
+// The findings about rules in the output of `tactus build` and `tactus check`.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace tactus::cli {
 
-/// By kind, each kind with its number on a line of its own and then a few of its findings, the largest forces first,
-/// and how many more there are. `unit` is that of the forces.
+/// Groups the findings by kind. Each kind has a line with its number of findings, then a few of them, largest force
+/// first, and the number of the rest. `unit`: unit of the forces.
 std::string findingsAsText(std::span<const elicitation::RuleFinding> findings, const std::string& unit);
 
-/// All of them, as the member `findings` of the object that `json` is in.
+/// Writes all findings as the member `findings` of the open object of `json`.
 void writeFindings(std::span<const elicitation::RuleFinding> findings, base::JsonWriter& json);
 
 }  // namespace tactus::cli

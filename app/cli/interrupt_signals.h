@@ -1,4 +1,4 @@
-// Ctrl-C while a device is in use: the program ends it in order.
+// Handles Ctrl-C while a device is in use, so that the program ends in order.
 #pragma once
 
 #include <array>
@@ -6,8 +6,8 @@
 
 namespace tactus::cli {
 
-/// While it lives, the first SIGINT or SIGTERM only sets a flag, which loops look at; the second ends the program at
-/// once. The destructor puts back what was there before. One at a time in a process.
+/// During its lifetime the first SIGINT or SIGTERM only sets a flag, which loops check; the second ends the program at
+/// once. The destructor restores the previous handlers. One object at a time in a process.
 class InterruptSignals {
  public:
   InterruptSignals();

@@ -1,4 +1,4 @@
-// What the commands print of the speeds of a study: levels, centres with intervals, and how far they agree.
+// The speeds of a study in the output of the commands: levels, centers with intervals, and their agreement.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace tactus::cli {
 
-/// The intervals of `built`'s speeds from `replicates` replicates. Nothing for no replicates or no speeds; where a
-/// level has too few strokes nothing either, and a sentence in `note`.
+/// The intervals of the speeds in `built` from `replicates` bootstrap replicates. Nothing if there are no replicates or
+/// no speeds. Nothing, with a sentence in `note`, if a level has too few strokes.
 std::optional<elicitation::StudySpeedIntervals> speedIntervals(const study::Study& study,
                                                                const elicitation::BuiltModel& built,
                                                                const elicitation::BuildSettings& settings,
                                                                std::size_t replicates, std::string& note);
 
-/// A few lines for each participant with speeds, and one for the averaged ramps; empty without speeds.
+/// A few lines for each participant with speeds, and one line for the averaged ramps; empty without speeds.
 std::string speedsAsText(const elicitation::BuiltModel& built,
                          const std::optional<elicitation::StudySpeedIntervals>& intervals);
 
-/// The same as the member `speeds` of the object that `json` is in; `null` stands for what is absent.
+/// The same as the member `speeds` of the open object of `json`; absent values are `null`.
 void writeSpeeds(const elicitation::BuiltModel& built, const std::optional<elicitation::StudySpeedIntervals>& intervals,
                  base::JsonWriter& json);
 

@@ -1,4 +1,4 @@
-// What the subcommands of `tactus study` share: new files, the time, merges as text.
+// Shared parts of the subcommands of `tactus study`: new files, the time, merges as text.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace tactus::cli {
 /// Wall clock, milliseconds since 1970-01-01 UTC.
 std::int64_t utcNowMs();
 
-/// Makes the study file `path` and opens it.
+/// Creates the study file `path` and opens it.
 base::Result<store::StudyFile> newStudy(const std::string& path, const std::string& name);
 
 /// `file: ` and each of what a person should know of the opening of a study (StudyFile::notices), as warnings.
@@ -29,9 +29,9 @@ std::vector<std::string> closeSaved(store::StudyFile& file);
 /// `{"person": 3, …}` on one line.
 void writeCounts(const std::vector<store::TableCount>& counts, base::JsonWriter& json);
 
-/// What a merge added, one line, and its conflicts, a line each.
+/// The records that a merge added, one line, and its conflicts, one line each.
 std::string mergeAsText(const store::Merge& merge);
-/// The keys `added`, `withdrawn` and `conflicts` of the open object.
+/// Writes the keys `added`, `withdrawn` and `conflicts` into the open object.
 void writeMerge(const store::Merge& merge, base::JsonWriter& json);
 
 }  // namespace tactus::cli

@@ -1,4 +1,4 @@
-// Lines that a person types while something else goes on.
+// Reads lines that a person types, without blocking the caller's loop.
 #pragma once
 
 #include <iosfwd>
@@ -7,16 +7,16 @@
 
 namespace tactus::cli {
 
-/// Reads `in` line by line. Of standard input only what is there already, so that a loop goes on meanwhile; it is read
-/// past the stream, so nothing else may read from it. Any other stream is waited for.
+/// Reads `in` line by line. For standard input it returns only what is already there and never waits; it bypasses
+/// std::cin, so no other code may read from it. For any other stream it waits.
 class TypedLines {
  public:
   /// `in` must outlive the object.
   explicit TypedLines(std::istream& in) : in_(in) {}
 
-  /// The next line; nothing: no line yet, or `ended`.
+  /// The next line; nothing if there is none yet, or if `ended`.
   std::optional<std::string> next();
-  /// There will be no line any more.
+  /// Whether the input has ended.
   bool ended() const noexcept { return ended_; }
 
  private:
@@ -24,7 +24,7 @@ class TypedLines {
   std::optional<std::string> takeLine();
 
   std::istream& in_;
-  std::string waiting_;  ///< read from standard input, not yet handed out
+  std::string waiting_;  ///< read from standard input, not returned yet
   bool ended_ = false;
 };
 

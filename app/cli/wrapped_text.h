@@ -1,4 +1,4 @@
-// Sentences broken into lines that fit a terminal.
+// Wraps sentences to the width of a terminal.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,9 @@ namespace tactus::cli {
 
 inline constexpr std::size_t kTextColumns = 100;
 
-/// `sentence` (UTF-8), escaped by base::oneLine, on lines of at most kTextColumns characters, each with a line feed,
-/// broken at spaces; a longer word stays whole. The first line starts with `first`, all others with `indent` spaces.
+/// `sentence` (UTF-8), escaped by base::oneLine, in lines of at most kTextColumns characters, each with a line feed.
+/// Lines break at spaces; a longer word stays whole. The first line starts with `first`, all others with `indent`
+/// spaces.
 std::string wrapped(std::string_view sentence, std::string_view first, std::size_t indent);
 
 }  // namespace tactus::cli
