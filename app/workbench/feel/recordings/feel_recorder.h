@@ -49,7 +49,7 @@ class FeelRecorder {
   double length_s_ = 0;
 };
 
-/// The values of the channel `name`; null where there is none.
+/// The values of the channel `name`; null if there is none.
 const std::vector<double>* channelOf(const study::Recording& recording, const std::string& name);
 
 }  // namespace tactus::workbench
