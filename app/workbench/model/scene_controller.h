@@ -3,7 +3,6 @@
 // The reading place is the x position under the mouse, or else the operating point (the values of all inputs):
 //   operating point: depth 150 mm, speed 50 mm/s. Mouse at 92 mm on the depth axis.
 //   reading place: depth 92 mm, speed 50 mm/s
-// position under the mouse, or else the operating point.
 #pragma once
 
 #include <QObject>
