@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/leftovers.h"
-#include "core/base/tables/csv.h"
 #include "core/base/files/unfinished.h"
+#include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
 #include "core/store/study_file.h"
 #include "core/store/work_folder.h"
