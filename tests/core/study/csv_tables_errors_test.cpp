@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenTable{"NoCode", "participants.csv",
                     "participant,years_experience,category,handedness,weight,simulated\n,,,,1,\n",
                     "participants.csv: line 2, column 'participant': found an empty cell, wanted the code of a "
-                    "participant"},
+                    "participant (merged cells? fill them down)"},
         BrokenTable{"CodeAsFormula", "participants.csv",
                     "participant,years_experience,category,handedness,weight,simulated\n=1+1,,,,1,\n",
                     "participants.csv: line 2, column 'participant': found '=1+1', wanted a name that does not begin "
@@ -74,9 +74,11 @@ INSTANTIATE_TEST_SUITE_P(
                     "speeds.csv: line 3, column 'participant': found 'P9', wanted a participant of participants.csv"},
         BrokenTable{"NanSpeed", "speeds.csv",
                     "participant,level,stroke,time_s,depth_mm,speed_mm_s\nP1,slow,1,0,0,nan\n",
-                    "speeds.csv: line 2, column 'speed_mm_s': found 'nan', wanted a finite number"},
+                    "speeds.csv: line 2, column 'speed_mm_s': found 'nan', wanted a finite number; leave a row without "
+                    "one out"},
         BrokenTable{"NoLevel", "speeds.csv", "participant,level,stroke,time_s,depth_mm,speed_mm_s\nP1,,1,0,0,1\n",
-                    "speeds.csv: line 2, column 'level': found an empty cell, wanted the level that was asked for"},
+                    "speeds.csv: line 2, column 'level': found an empty cell, wanted the level that was asked for "
+                    "(merged cells? fill them down)"},
         BrokenTable{"DecimalComma", "speeds.csv",
                     "participant,level,stroke,time_s,depth_mm,speed_mm_s\nP1,slow,1,0,0,1,5\n",
                     "speeds.csv: line 2: found 7 cells, wanted 6 as in the first line (decimal commas? then semicolons "
@@ -120,10 +122,11 @@ INSTANTIATE_TEST_SUITE_P(
                     "rules.csv: line 2, column 'depth': found a rule without a condition, wanted a term for one input "
                     "or more"},
         BrokenTable{"RuleWithoutThen", "rules.csv", "participant,depth,then,weight\nP1,stomach,,1\n",
-                    "rules.csv: line 2, column 'then': found an empty cell, wanted the term that follows"},
+                    "rules.csv: line 2, column 'then': found an empty cell, wanted the term that follows (merged "
+                    "cells? fill them down)"},
         BrokenTable{"RuleWeight", "rules.csv", "participant,depth,then,weight\nP1,stomach,large,1.01\n",
                     "rules.csv: line 2, column 'weight': found '1.01', wanted a weight from 0 to 1, or an empty cell "
-                    "for 1"},
+                    "for 1 (percent? divide by 100)"},
         BrokenTable{"RuleTwice", "rules.csv",
                     "participant,depth,then,weight\nP1,stomach,large,1\nP1,stomach,large,0.5\n",
                     "rules.csv: line 3, column 'then': found the same rule twice, wanted each rule once for a "
