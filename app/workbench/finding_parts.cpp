@@ -1,6 +1,5 @@
 #include "app/workbench/finding_parts.h"
 
-#include <QCoreApplication>
 #include <QDockWidget>
 
 #include "app/workbench/main_window.h"
@@ -14,13 +13,11 @@ namespace tactus::workbench {
 
 FindingParts::FindingParts(MainWindow& window, FindingsController& findings, TermController& terms,
                            RuleController& rules) {
-  QDockWidget* const dock = window.panels().addPanel(
-      QStringLiteral("findings"), QCoreApplication::translate("FindingParts", "Findings"), new FindingsPanel(findings));
+  QDockWidget* const dock =
+      window.panels().addPanel(QStringLiteral("findings"), tr("Findings"), new FindingsPanel(findings));
   // The tab says what the last edit added, also while another panel lies on top.
   QObject::connect(&findings, &FindingsController::changed, dock, [dock, &findings] {
-    const QString title = findings.added() == 0
-                              ? QCoreApplication::translate("FindingParts", "Findings")
-                              : QCoreApplication::translate("FindingParts", "Findings (+%1)").arg(findings.added());
+    const QString title = findings.added() == 0 ? tr("Findings") : tr("Findings (+%1)").arg(findings.added());
     if (findings.isCurrent() && title != dock->windowTitle()) dock->setWindowTitle(title);
   });
   // The editors behind the findings then stand at what the finding is about.

@@ -2,11 +2,13 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
+#include <QLocale>
 #include <QSettings>
 #include <csignal>
 
 #include "app/version.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/translation.h"
 #include "app/workbench/workbench.h"
 
 int main(int argc, char** argv) {
@@ -19,6 +21,8 @@ int main(int argc, char** argv) {
   QApplication::setApplicationVersion(
       QString::fromUtf8(tactus::kVersion.data(), static_cast<qsizetype>(tactus::kVersion.size())));
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/tactus/icon.svg")));
+
+  tactus::workbench::installTranslations(application, QLocale());
 
   QCommandLineParser arguments;
   arguments.setApplicationDescription(QCoreApplication::translate("main", "Explore force models of expert nurses."));

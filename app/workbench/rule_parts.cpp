@@ -1,7 +1,5 @@
 #include "app/workbench/rule_parts.h"
 
-#include <QCoreApplication>
-
 #include "app/workbench/main_window.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/rules/rule_controller.h"
@@ -10,8 +8,7 @@
 namespace tactus::workbench {
 
 RuleParts::RuleParts(MainWindow& window, RuleController& rules) {
-  window.panels().addPanel(QStringLiteral("rule_editor"), QCoreApplication::translate("RuleParts", "Rules"),
-                           new RuleEditor(rules));
+  window.panels().addPanel(QStringLiteral("rule_editor"), tr("Rules"), new RuleEditor(rules));
 }
 
 }  // namespace tactus::workbench

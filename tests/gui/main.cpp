@@ -1,11 +1,13 @@
 // Runs the tests of the workbench without a display. Any warning that Qt logs ends the run.
 #include <QApplication>
+#include <QLocale>
 #include <QTemporaryDir>
 #include <cstdio>
 #include <cstdlib>
 #include <gtest/gtest.h>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/translation.h"
 
 namespace {
 
@@ -33,5 +35,6 @@ int main(int argc, char** argv) {
   qInstallMessageHandler(stopOnWarning);
   QApplication application(argc, argv);
   tactus::workbench::theme::apply(application);
+  tactus::workbench::installTranslations(application, QLocale(QLocale::English));
   return RUN_ALL_TESTS();
 }

@@ -13,6 +13,10 @@
 namespace tactus::workbench {
 namespace {
 
+struct DisplayText {
+  Q_DECLARE_TR_FUNCTIONS(DisplayText)
+};
+
 QString labelOrId(const std::string& label, const std::string& id) { return text(label.empty() ? id : label); }
 
 int placeDigits(const fuzzy::Variable& variable) {
@@ -62,8 +66,7 @@ QString placeText(const fuzzy::Variable& variable, double value) {
 }
 
 QString rangeText(const fuzzy::Variable& variable, double from, double to) {
-  return QCoreApplication::translate("DisplayText", "%1 to %2")
-      .arg(numberText(from, placeDigits(variable)), placeText(variable, to));
+  return DisplayText::tr("%1 to %2").arg(numberText(from, placeDigits(variable)), placeText(variable, to));
 }
 
 QString forceText(double force, const std::string& unit) {

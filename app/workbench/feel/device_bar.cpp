@@ -32,9 +32,7 @@ constexpr double kFarthestZoneMm = -100;
 constexpr double kNearestZoneMm = -5;  // nearer, the end of a stroke would let go
 constexpr int kOneLine = 560;          // px: below it the state has a line of its own
 
-QString ticksText(std::uint64_t ticks) {
-  return ticks == 1 ? DeviceBar::tr("1 tick") : DeviceBar::tr("%1 ticks").arg(ticks);
-}
+QString ticksText(std::uint64_t ticks) { return DeviceBar::tr("%n tick(s)", nullptr, static_cast<int>(ticks)); }
 
 }  // namespace
 
@@ -46,7 +44,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
       look_(new QToolButton(this)),
       start_(new QPushButton(tr("Start"), this)),
       grip_(new QComboBox(this)),
-      zone_(new NumberBox({"release zone", {}, "mm", kFarthestZoneMm, kNearestZoneMm, {}}, 1, this)),
+      zone_(new NumberBox({"release_zone", {}, "mm", kFarthestZoneMm, kNearestZoneMm, {}}, 1, this)),
       simulated_(new QLabel(tr("SIMULATED"), this)),
       state_(new ElidedLabel(this)),
       message_card_(new Card(this)),
@@ -259,8 +257,9 @@ QString DeviceBar::stateText() const {
     parts << tr("edit felt after %1 (longest %2)")
                  .arg(ticksText(latency->last_ticks), numberText(static_cast<double>(latency->longest_ticks)));
   const haptics::LoopStatistics statistics = feel_.session().statistics();
-  if (statistics.missed > 0) parts << tr("%1 ticks late").arg(statistics.missed);
-  if (statistics.restarts > 0) parts << tr("force begun anew after %1 stalls").arg(statistics.restarts);
+  if (statistics.missed > 0) parts << tr("%n tick(s) late", nullptr, static_cast<int>(statistics.missed));
+  if (statistics.restarts > 0)
+    parts << tr("force begun anew after %n stall(s)", nullptr, static_cast<int>(statistics.restarts));
   return parts.join(QStringLiteral(" · "));
 }
 

@@ -34,7 +34,7 @@ void FeelStatus::showState() {
 void FeelStatus::showLatency() {
   QString latency;
   if (const auto felt = feel_.isRunning() ? feel_.editLatency() : std::nullopt) {
-    latency = felt->last_ticks == 1 ? tr("felt after 1 tick") : tr("felt after %1 ticks").arg(felt->last_ticks);
+    latency = tr("felt after %n tick(s)", nullptr, static_cast<int>(felt->last_ticks));
   }
   if (latency == latency_) return;
   latency_ = latency;

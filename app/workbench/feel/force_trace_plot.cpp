@@ -11,6 +11,8 @@
 namespace tactus::workbench {
 namespace {
 
+using fuzzy::Variable;
+
 constexpr double kHeadroom = 1.08;
 constexpr int kLow = 130;  // px: below this height the lines need the room of the axes' names
 
@@ -20,9 +22,7 @@ QCPGraph* addLine(QCustomPlot& plot, const QPen& pen) {
   return graph;
 }
 
-fuzzy::Variable timeAxis() {
-  return {"time", ForceTracePlot::tr("Time").toStdString(), "s", -FeelHistory::kTraceS, 0, {}};
-}
+Variable timeAxis() { return {"time", ForceTracePlot::tr("Time").toStdString(), "s", -FeelHistory::kTraceS, 0, {}}; }
 
 }  // namespace
 

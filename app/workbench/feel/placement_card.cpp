@@ -13,9 +13,7 @@ namespace {
 
 constexpr int kOneLine = 500;  // px: below it the summary has a line of its own
 
-QString strokesText(unsigned strokes) {
-  return strokes == 1 ? PlacementCard::tr("1 stroke") : PlacementCard::tr("%1 strokes").arg(strokes);
-}
+QString strokesText(unsigned strokes) { return PlacementCard::tr("%n stroke(s)", nullptr, static_cast<int>(strokes)); }
 
 void setInk(QLabel* label) {
   QPalette muted = label->palette();

@@ -1,5 +1,6 @@
 #include "app/workbench/feel/procedure.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -52,6 +53,11 @@ std::vector<ProcedureStep> ngtProcedure() {
   TACTUS_CHECK(file.open(QIODevice::ReadOnly));
   auto steps = readProcedure(file.readAll());
   TACTUS_CHECK(steps.has_value());
+  // lupdate finds the texts through tactus_data_words.
+  for (ProcedureStep& step : *steps) {
+    step.title = QCoreApplication::translate("Procedure", step.title.toUtf8());
+    step.text = QCoreApplication::translate("Procedure", step.text.toUtf8());
+  }
   return std::move(*steps);
 }
 

@@ -11,7 +11,9 @@
 namespace tactus::workbench {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("TraceTable", text); }
+struct TraceTable {
+  Q_DECLARE_TR_FUNCTIONS(TraceTable)
+};
 
 }  // namespace
 
@@ -24,11 +26,12 @@ PlotTable traceTable(const SceneController& scene, const FeelHistory& history,
   }
   QString felt_on;
   if (device) {
-    felt_on = device->simulated ? tr("Felt on: %1, a simulated device").arg(text(device->name))
-                                : tr("Felt on: %1").arg(text(device->name));
+    felt_on = device->simulated ? TraceTable::tr("Felt on: %1, a simulated device").arg(text(device->name))
+                                : TraceTable::tr("Felt on: %1").arg(text(device->name));
   }
-  PlotTable table = captionedTable(scene, tr("force felt in the last %1 s").arg(numberText(FeelHistory::kTraceS)),
-                                   moving, {felt_on}, QStringLiteral("-force-trace"));
+  PlotTable table =
+      captionedTable(scene, TraceTable::tr("force felt in the last %1 s").arg(numberText(FeelHistory::kTraceS)), moving,
+                     {felt_on}, QStringLiteral("-force-trace"));
   table.columns = {"time_s", "force_n", "model_force_n", "source_force_n"};
   if (history.hasRecorded()) table.columns.emplace_back("recorded_force_n");
   for (const TracePoint& point : history.trace()) {

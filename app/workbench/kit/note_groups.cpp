@@ -7,7 +7,9 @@
 namespace tactus::workbench {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("NoteGroups", text); }
+struct NoteGroups {
+  Q_DECLARE_TR_FUNCTIONS(NoteGroups)
+};
 
 QStringList sentencesOf(const std::vector<BuildNote>& notes) {
   QStringList out;
@@ -25,20 +27,25 @@ QStringList sentencesAbout(const std::vector<BuildNote>& notes, const std::strin
 
 }  // namespace
 
-NoteGroup dataGroup(const BuildNotes& notes) { return {tr("Look at the data first"), sentencesOf(notes.data)}; }
+NoteGroup dataGroup(const BuildNotes& notes) {
+  return {NoteGroups::tr("Look at the data first"), sentencesOf(notes.data)};
+}
 
-NoteGroup buildGroup(const BuildNotes& notes) { return {tr("Notes of the build"), sentencesOf(notes.build)}; }
+NoteGroup buildGroup(const BuildNotes& notes) {
+  return {NoteGroups::tr("Notes of the build"), sentencesOf(notes.build)};
+}
 
 QVector<NoteGroup> groupsAbout(const BuildNotes& notes, const fuzzy::Variable& variable) {
   const QString label = labelOf(variable);
-  return {{tr("Look at the data first: %1").arg(label), sentencesAbout(notes.data, variable.id)},
-          {tr("Notes of the build: %1").arg(label), sentencesAbout(notes.build, variable.id)}};
+  return {{NoteGroups::tr("Look at the data first: %1").arg(label), sentencesAbout(notes.data, variable.id)},
+          {NoteGroups::tr("Notes of the build: %1").arg(label), sentencesAbout(notes.build, variable.id)}};
 }
 
 QVector<NoteGroup> noticeGroups(const StudyNotices& notices) {
   QStringList now;
   for (const StudyNotice& notice : notices.now) now << notice.sentence;
-  return {{tr("What happened to the study"), now}, {tr("Found when it was opened earlier"), notices.before}};
+  return {{NoteGroups::tr("What happened to the study"), now},
+          {NoteGroups::tr("Found when it was opened earlier"), notices.before}};
 }
 
 qsizetype countOf(const QVector<NoteGroup>& groups) {

@@ -14,7 +14,7 @@ NotesButton::NotesButton(QWidget* parent) : QToolButton(parent) {
   connect(this, &QToolButton::clicked, this, &NotesButton::showNotes);
 }
 
-QString NotesButton::counted(qsizetype notes) { return notes == 1 ? tr("1 note") : tr("%1 notes").arg(notes); }
+QString NotesButton::counted(qsizetype notes) { return tr("%n note(s)", nullptr, static_cast<int>(notes)); }
 
 void NotesButton::setNotes(const QString& words, const QVector<NoteGroup>& groups, bool warns) {
   if (words == text() && groups == groups_ && warns == warns_) return;

@@ -7,7 +7,9 @@
 namespace tactus::workbench {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("FigurePresets", text); }
+struct FigurePresets {
+  Q_DECLARE_TR_FUNCTIONS(FigurePresets)
+};
 
 }  // namespace
 
@@ -17,7 +19,8 @@ std::vector<FigurePreset> figurePresets(const fuzzy::ForceModel& model) {
       return {};
     }
   }
-  FigurePreset surface{tr("Fig. 9"), tr("map and surface"), {{"lubrication", 1}, {"neck_flexion", 45}}};
+  FigurePreset surface{
+      FigurePresets::tr("Fig. 9"), FigurePresets::tr("map and surface"), {{"lubrication", 1}, {"neck_flexion", 45}}};
   surface.map_x = "depth";
   surface.map_y = "speed";
   const auto family = [](const QString& figure, const QString& shows, std::vector<FigurePreset::Setting> settings,
@@ -28,13 +31,15 @@ std::vector<FigurePreset> figurePresets(const fuzzy::ForceModel& model) {
     return preset;
   };
   return {surface,
-          family(tr("Fig. 10a"), tr("lubrication varies"), {{"neck_flexion", 90}, {"speed", 30}}, "lubrication",
-                 {0, 0.25, 0.5, 1}),
-          family(tr("Fig. 10b"), tr("neck flexion varies"), {{"lubrication", 1}, {"speed", 30}}, "neck_flexion",
-                 {0, 30, 60, 90}),
-          family(tr("Fig. 10c"), tr("speed varies"), {{"lubrication", 1}, {"neck_flexion", 90}}, "speed",
-                 {30, 80, 110, 200}),
-          {tr("Fig. 11"), tr("experts and mean"), {{"lubrication", 1}, {"neck_flexion", 60}, {"speed", 50}}}};
+          family(FigurePresets::tr("Fig. 10a"), FigurePresets::tr("lubrication varies"),
+                 {{"neck_flexion", 90}, {"speed", 30}}, "lubrication", {0, 0.25, 0.5, 1}),
+          family(FigurePresets::tr("Fig. 10b"), FigurePresets::tr("neck flexion varies"),
+                 {{"lubrication", 1}, {"speed", 30}}, "neck_flexion", {0, 30, 60, 90}),
+          family(FigurePresets::tr("Fig. 10c"), FigurePresets::tr("speed varies"),
+                 {{"lubrication", 1}, {"neck_flexion", 90}}, "speed", {30, 80, 110, 200}),
+          {FigurePresets::tr("Fig. 11"),
+           FigurePresets::tr("experts and mean"),
+           {{"lubrication", 1}, {"neck_flexion", 60}, {"speed", 50}}}};
 }
 
 }  // namespace tactus::workbench

@@ -12,7 +12,9 @@
 namespace tactus::workbench {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("PlotCaption", text); }
+struct PlotCaption {
+  Q_DECLARE_TR_FUNCTIONS(PlotCaption)
+};
 
 }  // namespace
 
@@ -33,10 +35,10 @@ PlotTable captionedTable(const SceneController& scene, const QString& what, std:
   PlotTable table;
   const QFileInfo file(open.path);
   table.file = file.absolutePath() + QLatin1Char('/') + file.baseName() + suffix;
-  table.caption << tr("%1: %2").arg(text(open.model.name), what);
+  table.caption << PlotCaption::tr("%1: %2").arg(text(open.model.name), what);
   table.caption << settingText(scene, axes);
   table.caption << notes;
-  if (open.simulated) table.caption << tr("Contains simulated data");
+  if (open.simulated) table.caption << PlotCaption::tr("Contains simulated data");
   table.caption.removeAll(QString());
   return table;
 }
@@ -44,13 +46,14 @@ PlotTable captionedTable(const SceneController& scene, const QString& what, std:
 PlotTable captionedTerms(const SceneController& scene, const fuzzy::Variable& variable, const QString& whose) {
   std::vector<std::size_t> all(scene.model()->model.inputs.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return captionedTable(scene, tr("membership functions of %1, %2").arg(labelOf(variable), whose), all, {},
+  return captionedTable(scene, PlotCaption::tr("membership functions of %1, %2").arg(labelOf(variable), whose), all, {},
                         QLatin1Char('-') + text(variable.id));
 }
 
 QString termsText(const SceneController& scene) {
   const auto expert = scene.termsOf();
-  return expert ? tr("terms of %1").arg(labelOf(scene.model()->model.experts[*expert])) : tr("shared terms");
+  return expert ? PlotCaption::tr("terms of %1").arg(labelOf(scene.model()->model.experts[*expert]))
+                : PlotCaption::tr("shared terms");
 }
 
 }  // namespace tactus::workbench

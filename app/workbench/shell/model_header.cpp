@@ -77,7 +77,7 @@ void ModelHeader::showNotes(const BuildNotes& notes) {
 void ModelHeader::showNotices(const StudyNotices& notices) {
   const QVector<NoteGroup> groups = noticeGroups(notices);
   const qsizetype count = countOf(groups);
-  notices_->setNotes(count == 1 ? tr("1 notice") : tr("%1 notices").arg(count), groups, true);
+  notices_->setNotes(tr("%n notice(s)", nullptr, static_cast<int>(count)), groups, true);
   fitButtons();
 }
 
@@ -153,8 +153,8 @@ void ModelHeader::countRules() {
   const std::size_t experts = model.experts.size();
   std::size_t rules = 0;
   for (const fuzzy::Expert& expert : model.experts) rules += expert.rules.size();
-  summary_->setText((experts == 1 ? tr("1 expert") : tr("%1 experts").arg(experts)) + QStringLiteral(" · ") +
-                    (rules == 1 ? tr("1 rule") : tr("%1 rules").arg(rules)));
+  summary_->setText(tr("%n expert(s)", nullptr, static_cast<int>(experts)) + QStringLiteral(" · ") +
+                    tr("%n rule(s)", nullptr, static_cast<int>(rules)));
 }
 
 void ModelHeader::onTermsChosen(int index) { scene_.setTermsOf(choices_[static_cast<std::size_t>(index)]); }

@@ -5,7 +5,9 @@
 namespace tactus::workbench {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Stage", text); }
+struct StageText {
+  Q_DECLARE_TR_FUNCTIONS(StageText)
+};
 
 }  // namespace
 
@@ -28,15 +30,15 @@ QString stageId(Stage stage) {
 QString stageName(Stage stage) {
   switch (stage) {
     case Stage::kCollect:
-      return tr("Collect");
+      return StageText::tr("Collect");
     case Stage::kUnderstand:
-      return tr("Understand");
+      return StageText::tr("Understand");
     case Stage::kTune:
-      return tr("Tune");
+      return StageText::tr("Tune");
     case Stage::kAgree:
-      return tr("Agree");
+      return StageText::tr("Agree");
     case Stage::kDeliver:
-      return tr("Deliver");
+      return StageText::tr("Deliver");
   }
   return {};
 }
@@ -44,15 +46,15 @@ QString stageName(Stage stage) {
 QString stageHint(Stage stage) {
   switch (stage) {
     case Stage::kCollect:
-      return tr("later: sessions with nurses");
+      return StageText::tr("later: sessions with nurses");
     case Stage::kUnderstand:
-      return tr("maps, curves and rules");
+      return StageText::tr("maps, curves and rules");
     case Stage::kTune:
-      return tr("terms and their force");
+      return StageText::tr("terms and their force");
     case Stage::kAgree:
-      return tr("later: experts side by side");
+      return StageText::tr("later: experts side by side");
     case Stage::kDeliver:
-      return tr("later: export and report");
+      return StageText::tr("later: export and report");
   }
   return {};
 }

@@ -14,7 +14,9 @@ namespace {
 
 using Kind = study::DataFinding::Kind;
 
-QString tr(const char* text) { return QCoreApplication::translate("ReviewNotes", text); }
+struct ReviewNotes {
+  Q_DECLARE_TR_FUNCTIONS(ReviewNotes)
+};
 
 // The variable whose terms come from what the finding is about; answers and participants are about all of the model.
 std::string subjectOf(Kind kind) {
@@ -38,9 +40,9 @@ std::vector<BuildNote> rebuiltNotes(const ReadStudy& read, const std::string& mo
   std::vector<BuildNote> notes = notesOf(read.notes, *built);
   if (!isOf(parsed->model, built->model)) {
     notes.insert(notes.begin(),
-                 {tr("These notes are of a build from the answers as they are now. The model of the study "
-                     "began as another one: built with other settings, from other answers, or put in "
-                     "from a file."),
+                 {ReviewNotes::tr("These notes are of a build from the answers as they are now. The model of the study "
+                                  "began as another one: built with other settings, from other answers, or put in "
+                                  "from a file."),
                   {}});
   }
   return notes;
@@ -53,7 +55,8 @@ std::vector<BuildNote> dataNotes(const std::vector<study::DataFinding>& findings
   for (const study::DataFinding& finding : findings) {
     const QString sentence = text(study::text(finding));
     const bool refused = finding.severity == study::DataFinding::Severity::kRefused;
-    notes.push_back({refused ? tr("No model is built of this: %1").arg(sentence) : sentence, subjectOf(finding.kind)});
+    notes.push_back(
+        {refused ? ReviewNotes::tr("No model is built of this: %1").arg(sentence) : sentence, subjectOf(finding.kind)});
   }
   return notes;
 }

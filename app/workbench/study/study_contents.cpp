@@ -27,7 +27,9 @@ namespace {
 
 using base::Result;
 
-QString tr(const char* text) { return QCoreApplication::translate("StudyContents", text); }
+struct StudyContentsText {
+  Q_DECLARE_TR_FUNCTIONS(StudyContentsText)
+};
 
 QString fileName(const QString& path) { return shownFileName(path); }
 
@@ -39,9 +41,10 @@ QString expertsText(const fuzzy::ForceModel& model, const std::vector<study::Par
     });
   });
   const auto experts = static_cast<qlonglong>(model.experts.size());
-  const QString all = experts == 1 ? tr("1 expert") : tr("%1 experts").arg(experts);
+  const QString all = StudyContentsText::tr("%n expert(s)", nullptr, static_cast<int>(experts));
   if (simulated == 0) return all;
-  return simulated == experts ? tr("%1, SIMULATED").arg(all) : tr("%1, %2 of them SIMULATED").arg(all).arg(simulated);
+  return simulated == experts ? StudyContentsText::tr("%1, SIMULATED").arg(all)
+                              : StudyContentsText::tr("%1, %2 of them SIMULATED").arg(all).arg(simulated);
 }
 
 Result<void> addVersions(const store::StudyFile& file, StudyContents& out) {
@@ -65,15 +68,17 @@ void addBuilt(const store::StudyFile& file, const editing::Stamp& stamp, StudyCo
     return (count.table == "answer" || count.table == "rule") && count.rows > 0;
   });
   if (!has_data) {
-    out.note = tr("%1 holds neither a model nor answers of experts. Open a model and put it into the study with Study, "
-                  "or read tables into it with tactus study import.")
-                   .arg(name);
+    out.note =
+        StudyContentsText::tr(
+            "%1 holds neither a model nor answers of experts. Open a model and put it into the study with Study, "
+            "or read tables into it with tactus study import.")
+            .arg(name);
     return;
   }
   auto built = buildFromStudy(file, stamp);
   if (!built) {
-    out.note =
-        tr("%1 holds no model, and none can be built from its answers: %2").arg(name, text(built.error().message()));
+    out.note = StudyContentsText::tr("%1 holds no model, and none can be built from its answers: %2")
+                   .arg(name, text(built.error().message()));
     return;
   }
   out.note = std::move(built->sentence);
@@ -122,16 +127,19 @@ Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editin
   const auto built = elicitation::buildModel(view->study, session::knownForms(), settings);
   if (!built) return base::inFile(built.error(), file.path());
   const QString experts = expertsText(built->model, view->study.participants);
-  auto history = editing::EditHistory::open(built->model, tr("Built from the study: %1").arg(experts).toStdString(),
-                                            stamp, study::RecordIds());
+  auto history = editing::EditHistory::open(
+      built->model, StudyContentsText::tr("Built from the study: %1").arg(experts).toStdString(), stamp,
+      study::RecordIds());
   if (!history) return tl::unexpected(history.error());
   BuiltFromStudy out{
-      std::move(*history), tr("Built from the answers in %1: %2.").arg(fileName(text(file.path())), experts), {}};
+      std::move(*history),
+      StudyContentsText::tr("Built from the answers in %1: %2.").arg(fileName(text(file.path())), experts),
+      {}};
   out.notes = {dataNotes(data), notesOf(view->notes, *built)};
   const std::size_t count = out.notes.data.size() + out.notes.build.size();
   if (count > 0) {
-    out.sentence += QLatin1Char(' ') + (count == 1 ? tr("There is a note about it beside the heading.")
-                                                   : tr("There are %1 notes about it beside the heading.").arg(count));
+    out.sentence += QLatin1Char(' ') + StudyContentsText::tr("There are %n note(s) about it beside the heading.",
+                                                             nullptr, static_cast<int>(count));
   }
   return out;
 }
@@ -141,18 +149,20 @@ Result<StudyNotices> readNotices(const store::StudyFile& file) {
   const QString name = fileName(text(file.path()));
   for (const store::Notice& notice : file.notices()) {
     if (notice.kind != store::Notice::Kind::kJournal) continue;
-    out.now.push_back({tr("%1: %2. If records are missing, look for them in a backup or an export of the study.")
-                           .arg(name, harmless(text(notice.sentence))),
-                       false});
+    out.now.push_back(
+        {StudyContentsText::tr("%1: %2. If records are missing, look for them in a backup or an export of the study.")
+             .arg(name, harmless(text(notice.sentence))),
+         false});
   }
   // As it is now, not as it was at the opening.
   const auto unfinished = store::unfinishedErasures(file);
   if (!unfinished) return tl::unexpected(unfinished.error());
   if (!unfinished->empty()) {
-    const QString who = unfinished->size() == 1 ? tr("a participant who withdrew")
-                                                : tr("%1 participants who withdrew").arg(unfinished->size());
+    const QString who =
+        StudyContentsText::tr("%n participant(s) who withdrew", nullptr, static_cast<int>(unfinished->size()));
     out.now.push_back(
-        {tr("%1: the erasure of %2 was interrupted. Traces of the data can still be in the file.").arg(name, who),
+        {StudyContentsText::tr("%1: the erasure of %2 was interrupted. Traces of the data can still be in the file.")
+             .arg(name, who),
          true});
   }
   const auto past = store::pastIncidents(file);
@@ -161,8 +171,8 @@ Result<StudyNotices> readNotices(const store::StudyFile& file) {
     const auto said_now = [&incident](const store::Notice& notice) { return notice.sentence == incident.sentence; };
     if (std::any_of(file.notices().begin(), file.notices().end(), said_now)) continue;
     const auto when = QDateTime::fromMSecsSinceEpoch(incident.utc_ms);
-    out.before << tr("%1: %2.").arg(when.toString(QStringLiteral("yyyy-MM-dd HH:mm")),
-                                    harmless(text(incident.sentence)));
+    out.before << StudyContentsText::tr("%1: %2.").arg(when.toString(QStringLiteral("yyyy-MM-dd HH:mm")),
+                                                       harmless(text(incident.sentence)));
   }
   return out;
 }

@@ -319,7 +319,7 @@ void FeelStore::store(Record record, const QString& what, const FeelSessions::Vi
       },
       std::move(done),
       [this, what, study = study_.fileName()](const QString& sentence) {
-        emit failed(tr("%1 was not stored in %2: %3").arg(what, study, sentence));
+        emit failed(FeelStore::tr("%1 was not stored in %2: %3").arg(what, study, sentence));
       });
 }
 

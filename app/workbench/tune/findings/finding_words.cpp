@@ -20,14 +20,14 @@ using fuzzy::Rule;
 using fuzzy::Variable;
 using Kind = RuleFinding::Kind;
 
-QString tr(const char* text) { return QCoreApplication::translate("FindingWords", text); }
-
 const Variable* inputOf(const ForceModel& model, const std::string& id) {
   const auto it = std::find_if(model.inputs.begin(), model.inputs.end(), [&](const auto& v) { return v.id == id; });
   return it == model.inputs.end() ? nullptr : &*it;
 }
 
 class Words {
+  Q_DECLARE_TR_FUNCTIONS(FindingWords)
+
  public:
   Words(const ForceModel& model, const fuzzy::CompiledModel& compiled, const RuleFinding& finding)
       : model_(model), compiled_(compiled), finding_(finding), expert_(expertOf(model, finding)) {}
@@ -80,7 +80,7 @@ class Words {
       if (source.rule) out << QString::number(*source.rule + 1);
     }
     if (out.isEmpty()) return {};
-    return (out.size() == 1 ? tr(" (rule %1)") : tr(" (rules %1)")).arg(out.join(QStringLiteral(", ")));
+    return tr(" (rule(s) %1)", nullptr, static_cast<int>(out.size())).arg(out.join(QStringLiteral(", ")));
   }
 
   QString termText(const Condition& condition) const {
@@ -276,7 +276,7 @@ QString findingWho(const ForceModel& model, const RuleFinding& finding) {
       if (expert.id == id) out << labelOf(expert);
     }
   }
-  return out.isEmpty() ? tr("Mean") : out.join(tr(" and "));
+  return out.isEmpty() ? Words::tr("Mean") : out.join(Words::tr(" and "));
 }
 
 QString holeText(const ForceModel& model, const analysis::Hole& hole) {

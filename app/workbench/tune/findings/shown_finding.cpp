@@ -19,7 +19,9 @@ using fuzzy::ForceModel;
 using Kind = RuleFinding::Kind;
 using Place = std::vector<std::optional<double>>;
 
-QString tr(const char* text) { return QCoreApplication::translate("ShownFinding", text); }
+struct ShownFindingText {
+  Q_DECLARE_TR_FUNCTIONS(ShownFindingText)
+};
 
 class Shower {
  public:
@@ -142,10 +144,10 @@ void addLapsed(std::vector<ShownFinding>& findings, const ForceModel& model, boo
     ShownFinding shown;
     shown.finding.kind = Kind::kHole;
     shown.finding.place = name;
-    shown.kind = tr("Acceptance");
-    shown.who = tr("Model");
+    shown.kind = ShownFindingText::tr("Acceptance");
+    shown.who = ShownFindingText::tr("Model");
     // All that is left of the hole is its name.
-    shown.sentence = tr("Accepted, but there is no such hole any more: %1").arg(text(name));
+    shown.sentence = ShownFindingText::tr("Accepted, but there is no such hole any more: %1").arg(text(name));
     shown.acceptance = Acceptance::kLapsed;
     findings.push_back(std::move(shown));
   }
@@ -181,35 +183,35 @@ FindingGroup groupOf(Kind kind) {
 QString kindText(Kind kind) {
   switch (kind) {
     case Kind::kHole:
-      return tr("Hole");
+      return ShownFindingText::tr("Hole");
     case Kind::kAbstentionJump:
-      return tr("Mean jumps");
+      return ShownFindingText::tr("Mean jumps");
     case Kind::kForceStep:
-      return tr("Force steps");
+      return ShownFindingText::tr("Force steps");
     case Kind::kRegionWithoutRule:
-      return tr("Region without a rule");
+      return ShownFindingText::tr("Region without a rule");
     case Kind::kMissingItem:
-      return tr("Missing answer");
+      return ShownFindingText::tr("Missing answer");
     case Kind::kConflict:
-      return tr("Conflict");
+      return ShownFindingText::tr("Conflict");
     case Kind::kExpertsApart:
-      return tr("Experts apart");
+      return ShownFindingText::tr("Experts apart");
     case Kind::kAgainstDeclaration:
-      return tr("Against the declaration");
+      return ShownFindingText::tr("Against the declaration");
     case Kind::kLevelJump:
-      return tr("Level jump");
+      return ShownFindingText::tr("Level jump");
     case Kind::kDirectionChange:
-      return tr("Change of direction");
+      return ShownFindingText::tr("Change of direction");
     case Kind::kDisagreement:
-      return tr("Disagreement");
+      return ShownFindingText::tr("Disagreement");
     case Kind::kRedundantRule:
-      return tr("Redundant rule");
+      return ShownFindingText::tr("Redundant rule");
     case Kind::kUnreachableRule:
-      return tr("Rule never fires");
+      return ShownFindingText::tr("Rule never fires");
     case Kind::kUnreachableTerm:
-      return tr("Unreachable term");
+      return ShownFindingText::tr("Unreachable term");
     case Kind::kUnusedTerm:
-      return tr("Unused term");
+      return ShownFindingText::tr("Unused term");
   }
   return {};
 }

@@ -103,8 +103,9 @@ std::vector<CompareController::Option> CompareController::options() const {
 QString CompareController::nameOf(const CompareChoice& choice) const {
   switch (choice.kind) {
     case Kind::kOpen:
-      return edits_.model().experts.size() > 1 ? tr("Open model, mean of %1 experts").arg(edits_.model().experts.size())
-                                               : tr("Open model");
+      return edits_.model().experts.size() > 1
+                 ? tr("Open model, mean of %n expert(s)", nullptr, static_cast<int>(edits_.model().experts.size()))
+                 : tr("Open model");
     case Kind::kPrevious:
       return tr("Before the last edit");
     case Kind::kExpert:

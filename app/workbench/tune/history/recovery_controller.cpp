@@ -145,7 +145,8 @@ void RecoveryController::goOn(const editing::Autosave& autosave) {
     if (kind == editing::name(editing::EventKind::kSnapshot)) edits_.snapshot(text(label));
     if (kind == editing::name(editing::EventKind::kSignOff)) edits_.signOff(text(version.author));
   }
-  if (autosave.unfinished) show(autosave.unfinished->model, autosave.unfinished->label + " (recovered)");
+  if (autosave.unfinished)
+    show(autosave.unfinished->model, tr("%1 (recovered)").arg(text(autosave.unfinished->label)).toStdString());
 }
 
 // An autosave that was begun before the work was restored does not hold it.

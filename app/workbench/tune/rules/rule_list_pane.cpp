@@ -195,7 +195,7 @@ void RuleListPane::sync() {
 void RuleListPane::showCount() {
   const int all = list_->rowCount();
   const int shown = sieve_->rowCount();
-  const QString whole = all == 1 ? tr("1 rule") : tr("%1 rules").arg(all);
+  const QString whole = tr("%n rule(s)", nullptr, all);
   count_->setText(shown == all ? whole : tr("%1 of %2").arg(shown).arg(all));
 }
 

@@ -7,6 +7,13 @@
 #include "app/workbench/base/display_text.h"
 
 namespace tactus::workbench {
+namespace {
+
+struct RuleRowText {
+  Q_DECLARE_TR_FUNCTIONS(RuleRowText)
+};
+
+}  // namespace
 
 std::vector<RuleRow> ruleRows(const RuleController& rules) {
   std::vector<RuleRow> out;
@@ -17,8 +24,8 @@ std::vector<RuleRow> ruleRows(const RuleController& rules) {
     for (const fuzzy::Condition& condition : rule.conditions) {
       const fuzzy::Variable& input = rules.input(condition.input);
       const fuzzy::Term* const term = fuzzy::findTerm(fuzzy::termsFor(expert, input), condition.term);
-      row.words.conditions << QCoreApplication::translate("RuleRow", "%1 is %2")
-                                  .arg(labelOf(input), term ? labelOf(*term) : text(condition.term));
+      row.words.conditions
+          << RuleRowText::tr("%1 is %2").arg(labelOf(input), term ? labelOf(*term) : text(condition.term));
     }
     row.words.consequent = text(editing::consequentText(rules.model(), expert, rule.then));
     row.strength = rules.strength(out.size());

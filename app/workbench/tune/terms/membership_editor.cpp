@@ -291,7 +291,7 @@ void MembershipEditor::showScope() {
   if (!expert) return;
   const qsizetype count = static_cast<qsizetype>(terms_.readers().size());
   for_one_->setText(tr("%1 only").arg(text((*expert)->id)));
-  for_all_->setText(count == 2 ? tr("Both") : tr("All %1").arg(count));
+  for_all_->setText(count == 2 ? tr("Both") : tr("All %n", nullptr, static_cast<int>(count)));
   for_one_->setAccessibleName(tr("Edit for %1 only").arg(labelOf(**expert)));
   for_all_->setAccessibleName(tr("Edit for all who share the terms"));
   for_one_->setChecked(false);

@@ -21,7 +21,9 @@ using fuzzy::Term;
 
 constexpr int kMostParts = 8;
 
-QString tr(const char* text) { return QCoreApplication::translate("TermForms", text); }
+struct TermForms {
+  Q_DECLARE_TR_FUNCTIONS(TermForms)
+};
 
 QString cutsText(const std::vector<double>& cuts, const fuzzy::Variable& variable) {
   QStringList parts;
@@ -46,26 +48,24 @@ void askSplit(TermController& terms, const std::string& term, const QWidget& anc
   if (found == nullptr) return;
   const Term whole = *found;
   const fuzzy::Variable variable = terms.variable();
-  auto* form = new PopupForm(tr("Split %1").arg(labelOf(whole)), tr("Split"), parent);
-  const std::size_t rules = terms.rulesOf(term);
+  auto* form = new PopupForm(TermForms::tr("Split %1").arg(labelOf(whole)), TermForms::tr("Split"), parent);
+  const int rules = static_cast<int>(terms.rulesOf(term));
   const bool output = variable.id == terms.model().output.id;
   if (rules > 0 && !output) {
-    form->setNote(rules == 1
-                      ? tr("Its rule is copied to each part, so the force stays as it is until you change a part.")
-                      : tr("Its %1 rules are copied to each part, so the force stays as it is until you change "
-                           "a part.")
-                            .arg(rules));
+    form->setNote(
+        TermForms::tr("Its %n rule(s) are copied to each part, so the force stays as it is until you change a part.",
+                      nullptr, rules));
   }
   auto* parts = new NumberBox({"parts", {}, "1", 2, kMostParts, {}}, 1, form);
   parts->setWhole();
   parts->setButtonSymbols(QAbstractSpinBox::UpDownArrows);
   parts->setFixedWidth(parts->sizeHint().width());
-  parts->setAccessibleName(tr("Number of parts"));
+  parts->setAccessibleName(TermForms::tr("Number of parts"));
   auto* cuts = new QLineEdit(cutsText(equalCuts(variable, whole, 2), variable), form);
-  cuts->setAccessibleName(tr("Cuts"));
-  form->addField(tr("Parts:"), parts);
+  cuts->setAccessibleName(TermForms::tr("Cuts"));
+  form->addField(TermForms::tr("Parts:"), parts);
   const QString unit = unitText(variable.unit);
-  form->addField(unit.isEmpty() ? tr("Cuts:") : tr("Cuts (%1):").arg(unit), cuts);
+  form->addField(unit.isEmpty() ? TermForms::tr("Cuts:") : TermForms::tr("Cuts (%1):").arg(unit), cuts);
   QObject::connect(parts, &NumberBox::valueChanged, form, [variable, whole, cuts](double count) {
     cuts->setText(cutsText(equalCuts(variable, whole, static_cast<int>(count)), variable));
   });
@@ -76,7 +76,8 @@ void askSplit(TermController& terms, const std::string& term, const QWidget& anc
     }
     const auto places = typedNumbers(cuts->text(), unit);
     if (!places) {
-      form->setNote(tr("%1 Type the cuts with semicolons between them, such as 290; 365.").arg(places.error()));
+      form->setNote(
+          TermForms::tr("%1 Type the cuts with semicolons between them, such as 290; 365.").arg(places.error()));
       return;
     }
     form->close();
@@ -86,18 +87,16 @@ void askSplit(TermController& terms, const std::string& term, const QWidget& anc
 }
 
 void askRemove(TermController& terms, const std::string& term, const QWidget& anchor, QWidget* parent) {
-  const std::size_t rules = terms.rulesOf(term);
+  const int rules = static_cast<int>(terms.rulesOf(term));
   if (rules == 0) {
     terms.remove(term, false);
     return;
   }
   const Term* const found = fuzzy::findTerm(terms.terms(), term);
   if (found == nullptr) return;
-  auto* form =
-      new PopupForm(tr("Remove %1").arg(labelOf(*found)),
-                    rules == 1 ? tr("Remove it and its rule") : tr("Remove it and %1 rules").arg(rules), parent);
-  form->setNote(rules == 1 ? tr("One rule names this term and goes with it. Undo brings both back.")
-                           : tr("%1 rules name this term and go with it. Undo brings all back.").arg(rules));
+  auto* form = new PopupForm(TermForms::tr("Remove %1").arg(labelOf(*found)),
+                             TermForms::tr("Remove it and its %n rule(s)", nullptr, rules), parent);
+  form->setNote(TermForms::tr("%n rule(s) name this term and go with it. Undo brings all back.", nullptr, rules));
   QObject::connect(form, &PopupForm::accepted, form, [&terms, term, form] {
     form->close();
     terms.remove(term, true);

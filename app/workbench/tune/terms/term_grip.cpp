@@ -14,14 +14,17 @@ using fuzzy::Shape;
 using fuzzy::Term;
 using Part = Grip::Part;
 
+struct GripText {
+  Q_DECLARE_TR_FUNCTIONS(GripText)
+};
+
 // Of a Gaussian one sigma beside its mean.
 const double kAtSigma = std::exp(-0.5);
 
 QString quantity(const fuzzy::Variable& variable, double value) { return text(editing::quantityText(variable, value)); }
 
 QString range(const fuzzy::Variable& variable, double from, double to) {
-  return QCoreApplication::translate("Grip", "%1 to %2")
-      .arg(text(editing::numberText(variable, from)), quantity(variable, to));
+  return GripText::tr("%1 to %2").arg(text(editing::numberText(variable, from)), quantity(variable, to));
 }
 
 }  // namespace
@@ -88,13 +91,13 @@ QString gripText(const fuzzy::Variable& variable, const std::vector<Term>& terms
     case Part::kVertex:
       return named(text(editing::pointName(term.shape, grip.point)), quantity(variable, p[grip.point]));
     case Part::kLeftEdge:
-      return named(QCoreApplication::translate("Grip", "left edge"), range(variable, p[0], p[1]));
+      return named(GripText::tr("left edge"), range(variable, p[0], p[1]));
     case Part::kRightEdge:
-      return named(QCoreApplication::translate("Grip", "right edge"), range(variable, p[p.size() - 2], p.back()));
+      return named(GripText::tr("right edge"), range(variable, p[p.size() - 2], p.back()));
     case Part::kTerm:
       break;
   }
-  const QString whole = QCoreApplication::translate("Grip", "whole term");
+  const QString whole = GripText::tr("whole term");
   return named(whole, term.shape == Shape::kGaussian ? quantity(variable, p[0]) : range(variable, p[0], p.back()));
 }
 

@@ -1,6 +1,5 @@
 #include "app/workbench/understand/curves/curve_overlays.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <limits>
 
@@ -12,8 +11,6 @@ namespace {
 constexpr auto kUnder = "under the curves";
 constexpr auto kOver = "over the curves";
 constexpr std::size_t kMostGhosts = 9;  // the mean and eight experts: more dashes than that say nothing
-
-QString tr(const char* text) { return QCoreApplication::translate("CurveOverlays", text); }
 
 QVector<double> column(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 

@@ -2,6 +2,7 @@
 // edit), and reference curves. Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
+#include <QCoreApplication>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace tactus::workbench {
 QVector<double> withGaps(std::span<const fuzzy::Evaluation> curve);
 
 class CurveOverlays {
+  Q_DECLARE_TR_FUNCTIONS(CurveOverlays)
+
  public:
   explicit CurveOverlays(QCustomPlot& plot);
 

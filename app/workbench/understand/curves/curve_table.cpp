@@ -14,7 +14,9 @@
 namespace tactus::workbench {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CurveTable", text); }
+struct CurveTable {
+  Q_DECLARE_TR_FUNCTIONS(CurveTable)
+};
 
 struct Column {
   std::string name;
@@ -68,13 +70,15 @@ PlotTable curveTable(const SceneController& scene, const ShownCurves& shown, QSt
     if (!lines.isEmpty()) {
       const fuzzy::Variable& varied = model.inputs[family.input];
       const QString values = (lines.join(QStringLiteral(", ")) + QLatin1Char(' ') + unitText(varied.unit)).trimmed();
-      notes.prepend(tr("As in %1: mean of the experts at %2 %3").arg(family.figure, shortLabelOf(varied), values));
+      notes.prepend(
+          CurveTable::tr("As in %1: mean of the experts at %2 %3").arg(family.figure, shortLabelOf(varied), values));
     }
   }
 
   const std::size_t axes[] = {scene.xInput()};
-  PlotTable table = captionedTable(scene, tr("%1 along %2").arg(labelOf(model.output), labelOf(scene.xVariable())),
-                                   axes, notes, QStringLiteral("-curves"));
+  PlotTable table =
+      captionedTable(scene, CurveTable::tr("%1 along %2").arg(labelOf(model.output), labelOf(scene.xVariable())), axes,
+                     notes, QStringLiteral("-curves"));
   table.columns = {columnName(scene.xVariable())};
   for (const Column& column : columns) table.columns.push_back(column.name);
   for (std::size_t row = 0; row < curves.x.size(); ++row) {

@@ -52,9 +52,9 @@ void ReferenceController::open(const QString& path) {
   }
   if (next.size() > kMostReferences) {
     emit refused(
-        tr("%1: found %2 reference curves together with those that are shown, wanted at most %3; remove some first.")
+        tr("%1: found %n reference curve(s) together with those that are shown, wanted at most %2; remove some first.",
+           nullptr, static_cast<int>(next.size()))
             .arg(path)
-            .arg(next.size())
             .arg(kMostReferences));
     return;
   }

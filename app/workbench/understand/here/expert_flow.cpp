@@ -115,7 +115,7 @@ QString ExpertFlow::strongestRule(std::size_t expert) const {
   }
   const QString words = terms.join(QStringLiteral(", ")) + QStringLiteral(" → ") +
                         labelOf(*fuzzy::findTerm(fuzzy::termsFor(said, open_->model.output), rule.then));
-  return acting == 1 ? words : tr("%1 rules · %2").arg(acting).arg(words);
+  return acting == 1 ? words : tr("%n rule(s) · %1", nullptr, static_cast<int>(acting)).arg(words);
 }
 
 }  // namespace tactus::workbench

@@ -110,18 +110,16 @@ QString RulePanel::summary() const {
     const auto speaking = std::count_if(explanation.experts.begin(), explanation.experts.end(),
                                         [](const auto& expert) { return !expert.abstains; });
     if (speaking == 0) return tr("no rule fires");
-    return tr("%1 of %2 experts speak · mean %3")
+    return tr("%1 of %n expert(s) speak · mean %2", nullptr, static_cast<int>(explanation.experts.size()))
         .arg(speaking)
-        .arg(explanation.experts.size())
         .arg(forceText(explanation.force_n, scene_.model()->model.output.unit));
   }
   const analysis::ExplainedExpert& expert = explanation.experts[static_cast<std::size_t>(who_->currentIndex()) - 1];
   if (expert.abstains) return tr("no rule fires");
   const auto acting =
       std::count_if(expert.rules.begin(), expert.rules.end(), [](const auto& rule) { return rule.strength > 0; });
-  return tr("%1 of %2 rules act · %3")
+  return tr("%1 of %n rule(s) act · %2", nullptr, static_cast<int>(expert.rules.size()))
       .arg(acting)
-      .arg(expert.rules.size())
       .arg(forceText(expert.force_n, scene_.model()->model.output.unit));
 }
 

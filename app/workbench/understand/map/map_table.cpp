@@ -11,7 +11,9 @@
 namespace tactus::workbench {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("MapTable", text); }
+struct MapTable {
+  Q_DECLARE_TR_FUNCTIONS(MapTable)
+};
 
 }  // namespace
 
@@ -24,8 +26,8 @@ PlotTable mapTable(const SceneController& scene, ForceMapController& controller,
   const ForceMap& map = *controller.map();
 
   const std::size_t axes[] = {controller.xInput(), controller.yInput()};
-  const QString what = tr("%1 over %2 and %3").arg(labelOf(model.output), labelOf(x), labelOf(y));
-  const QString whose = expert ? tr("expert %1").arg(labelOf(*expert)) : tr("mean of the experts");
+  const QString what = MapTable::tr("%1 over %2 and %3").arg(labelOf(model.output), labelOf(x), labelOf(y));
+  const QString whose = expert ? MapTable::tr("expert %1").arg(labelOf(*expert)) : MapTable::tr("mean of the experts");
   PlotTable table = captionedTable(scene, QStringLiteral("%1, %2").arg(what, whose), axes, {}, suffix);
   table.columns = {columnName(x), columnName(y), expert ? columnName(model.output, *expert) : columnName(model.output)};
   const auto place = [&map](const fuzzy::Variable& variable, std::size_t i) {

@@ -1,0 +1,3681 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>CurveItems</name>
+    <message numerus="yes">
+        <source>%n expert(s)</source>
+        <translation>
+            <numerusform>%n expert</numerusform>
+            <numerusform>%n experts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The lines of all experts; single ones under Forces here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the lowest to the highest force of the experts who have a rule there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± 1 SD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Mean ± 1 standard deviation (n − 1) of the %n expert(s), where three or more have a rule. So few people say little about others; the range says what these said.</source>
+        <translation>
+            <numerusform>Mean ± 1 standard deviation (n − 1) of the %n expert, where three or more have a rule. So few people say little about others; the range says what these said.</numerusform>
+            <numerusform>Mean ± 1 standard deviation (n − 1) of the %n experts, where three or more have a rule. So few people say little about others; the range says what these said.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the mean of the experts at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of the experts at the operating point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of the experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CurveOverlays</name>
+    <message>
+        <source>Range of the experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean ± 1 standard deviation of the experts (n − 1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step that a hand feels</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CurveTable</name>
+    <message>
+        <source>As in %1: mean of the experts at %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 along %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DisplayText</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FigurePresets</name>
+    <message>
+        <source>Fig. 9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>map and surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 10a</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lubrication varies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 10b</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neck flexion varies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 10c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed varies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 11</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>experts and mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FindingParts</name>
+    <message>
+        <source>Findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings (+%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FindingWords</name>
+    <message>
+        <source>No rule of any expert fires: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No rule fires: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No rule mentions %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: against the declared direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: three levels or more at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: against most other steps of this expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another rule with fewer conditions already says %2: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The conditions are never true together: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source> (rule(s) %1)</source>
+        <translation>
+            <numerusform> (rule %1)</numerusform>
+            <numerusform> (rules %1)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean jumps where this expert abstains: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean jumps from %1 to %2 where this expert abstains: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force steps from %1 to %2 within %3: %4 %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 where %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 against %2, the mean %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> where %1 is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; nobody&apos;s force is near their mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the mean is near the force of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; %1 was not asked about this region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, force from %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> where %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force goes the other way with %1 than for most experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force rises with %1, for most experts it falls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force falls with %1, for most experts it rises</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No rule concludes %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies outside the universe of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>GripText</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whole term</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ImpactText</name>
+    <message>
+        <source>below %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max ΔF at least %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (%1 JND)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fills a hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leaves a hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no change of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Landmarks</name>
+    <message>
+        <source>Turbinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inferior turbinate, from its head to its posterior end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Posterior wall of the nasopharynx, where the way turns down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Epiglottis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip of the epiglottis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arytenoids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arytenoid cartilages and piriform sinuses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper sphincter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper esophageal sphincter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower sphincter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower esophageal sphincter</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MapTable</name>
+    <message>
+        <source>%1 over %2 and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expert %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean of the experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>NoteGroups</name>
+    <message>
+        <source>Look at the data first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes of the build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the data first: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes of the build: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happened to the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found when it was opened earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotCaption</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contains simulated data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>membership functions of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terms of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shared terms</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Procedure</name>
+    <message>
+        <source>Prepare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Explain what will happen. The patient sits upright. Measure the length from nose to ear to xiphoid, and lubricate the tip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the nostril</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Straight back along the floor of the nose, not upwards. Small, steady strokes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass the bend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Behind the nose the tube turns down. Rotate it a little if it holds; never push against a firm stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flex the neck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the throat ask the patient to bring the chin to the chest and to swallow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass the larynx</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Advance with each swallow. Cough or breathlessness: draw back to the throat and wait.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down the esophagus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longer, even strokes. The head may come up again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reach the stomach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Past the lower sphincter go on to the measured length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fix and check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop. Fix the tube, and check where the tip lies before anything goes through it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ReviewNotes</name>
+    <message>
+        <source>These notes are of a build from the answers as they are now. The model of the study began as another one: built with other settings, from other answers, or put in from a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No model is built of this: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RuleParts</name>
+    <message>
+        <source>Rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RuleRowText</name>
+    <message>
+        <source>%1 is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RuleWeight</name>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ServoLoop</name>
+    <message>
+        <source>loop of the driver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>real-time thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ordinary thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ShownFindingText</name>
+    <message>
+        <source>Acceptance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted, but there is no such hole any more: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean jumps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Region without a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conflict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against the declaration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level jump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disagreement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redundant rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule never fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unreachable term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unused term</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StageText</name>
+    <message>
+        <source>Collect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Understand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tune</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Agree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>later: sessions with nurses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>maps, curves and rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terms and their force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>later: experts side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>later: export and report</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StudyContentsText</name>
+    <message numerus="yes">
+        <source>%n expert(s)</source>
+        <translation>
+            <numerusform>%n expert</numerusform>
+            <numerusform>%n experts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 of them SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds neither a model nor answers of experts. Open a model and put it into the study with Study, or read tables into it with tactus study import.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds no model, and none can be built from its answers: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built from the study: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built from the answers in %1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>There are %n note(s) about it beside the heading.</source>
+        <translation>
+            <numerusform>There is a note about it beside the heading.</numerusform>
+            <numerusform>There are %n notes about it beside the heading.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2. If records are missing, look for them in a backup or an export of the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) who withdrew</source>
+        <translation>
+            <numerusform>a participant who withdrew</numerusform>
+            <numerusform>%n participants who withdrew</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the erasure of %2 was interrupted. Traces of the data can still be in the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TermForms</name>
+    <message>
+        <source>Split %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Its %n rule(s) are copied to each part, so the force stays as it is until you change a part.</source>
+        <translation>
+            <numerusform>Its rule is copied to each part, so the force stays as it is until you change a part.</numerusform>
+            <numerusform>Its %n rules are copied to each part, so the force stays as it is until you change a part.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Number of parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts (%1):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Type the cuts with semicolons between them, such as 290; 365.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove it and its %n rule(s)</source>
+        <translation>
+            <numerusform>Remove it and its rule</numerusform>
+            <numerusform>Remove it and its %n rules</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rule(s) name this term and go with it. Undo brings all back.</source>
+        <translation>
+            <numerusform>One rule names this term and goes with it. Undo brings both back.</numerusform>
+            <numerusform>%n rules name this term and go with it. Undo brings all back.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>TraceTable</name>
+    <message>
+        <source>Felt on: %1, a simulated device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Felt on: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force felt in the last %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TypedNumber</name>
+    <message>
+        <source>A number is missing: type one such as 13.5 or 13,5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has more than one decimal mark: type a number such as 1234.5 or 1234,5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no number: type one such as 13.5 or 13,5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no whole number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” can be one number or two: type %2 or %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Explore force models of expert nurses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A model (*.tactus.json) or a study (*.tactus).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::AutosaveController</name>
+    <message>
+        <source>A crash would lose the changes of the model, because they cannot be kept: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::BenchView</name>
+    <message>
+        <source>Membership functions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CompareCard</name>
+    <message>
+        <source>A: what is compared with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B: what is compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the operating point to where the difference is the largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No difference of the force was found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max ΔF at least %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (%1 JND from A)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · RMS %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In places only one of the two has a force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A %1, B %2 at %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CompareController</name>
+    <message>
+        <source>Snapshot “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signed off by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Open model, mean of %n expert(s)</source>
+        <translation>
+            <numerusform>Open model, mean of %n expert</numerusform>
+            <numerusform>Open model, mean of %n experts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before the last edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to compare: A and B are the same model. Choose two in the panel History.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The comparison has ended, because the open model was edited: it is felt again, not “%1”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CompareStrip</name>
+    <message>
+        <source>End comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show and feel the open model again (Ctrl+Shift+B)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown and felt is %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown is %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CompareSwitch</name>
+    <message>
+        <source>Show and feel %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show and feel A: %1 (Ctrl+B)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show and feel B: %1 (Ctrl+B)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CurveParts</name>
+    <message>
+        <source>Lay a reference curve over the plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CurvePlot</name>
+    <message>
+        <source>Force curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no rule fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CurvesPanel</name>
+    <message>
+        <source>Before the last edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input on the x axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: step %2 to %3 (%4 JND) at %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the curves before an edit as dashed lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Since then: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is edited yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (since then: %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dashed: %1%2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference %1 and %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DeviceBar</name>
+    <message numerus="yes">
+        <source>%n tick(s)</source>
+        <translation>
+            <numerusform>%n tick</numerusform>
+            <numerusform>%n ticks</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for haptic devices on this computer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the hand takes the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tube is in the hand while the button of the device, the mouse button or Space is down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One press takes the tube and the next one lets go: nothing has to be squeezed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release zone of the latch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release zone: a hand that is drawn out further than this lets go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No hardware: hand, device and force are calculated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No force from the next tick on (F12, or Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel the open model (F9)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2). No force until you arm again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If pushing in pulls out: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tripped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped: nothing is computed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a model to feel it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting the device…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No force. The device is stopping…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tripped: no force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let go of the tube, then it arms again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edit felt after %1 (longest %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tick(s) late</source>
+        <translation>
+            <numerusform>%n tick late</numerusform>
+            <numerusform>%n ticks late</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>force begun anew after %n stall(s)</source>
+        <translation>
+            <numerusform>force begun anew after %n stall</numerusform>
+            <numerusform>force begun anew after %n stalls</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DeviceSession</name>
+    <message>
+        <source>The device before is still starting or stopping; try again when it has stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The loop of the device&apos;s driver has ended: %1. Look at cable and supply of the device, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::EditController</name>
+    <message>
+        <source>It went as far as it can: stopped by %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshot “%1” of: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::EditParts</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Membership function editor</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ExpertFlow</name>
+    <message>
+        <source>no rule fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>× %1 = %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rule(s) · %1</source>
+        <translation>
+            <numerusform>%n rule · %1</numerusform>
+            <numerusform>%n rules · %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FeelController</name>
+    <message>
+        <source>The edit is not felt: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No model is open; open one to feel it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FeelPanel</name>
+    <message>
+        <source>Split</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what makes up the force: fuzzy force, friction and limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth and speed of all plots are those of the tube in the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the device rests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the device is silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program was silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vibration damped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the force cap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fading in after a stall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fading in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spring softened to %1 N/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FeelStatus</name>
+    <message>
+        <source>Feel: starting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel: stopping…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel: stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulated device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel: tripped, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel: running, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>felt after %n tick(s)</source>
+        <translation>
+            <numerusform>felt after %n tick</numerusform>
+            <numerusform>felt after %n ticks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FeelStore</name>
+    <message>
+        <source>The recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The end of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded into %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples of the recording were lost, because this program came to a standstill. The recording says where.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording into %1 has ended, because the model has other inputs now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A piece of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The placement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The placement is stored in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording has no channels &apos;time&apos; and &apos;force&apos; to replay.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not stored in %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FigureButton</name>
+    <message>
+        <source>Figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the inputs as in a figure of the paper, and show the curves it shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts and mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FindingDelegate</name>
+    <message>
+        <source>Accepted: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lapsed acceptance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 JND</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FindingsController</name>
+    <message>
+        <source>Remove it from the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model changed since this fix was made; the new findings will be there in a moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FindingsModel</name>
+    <message>
+        <source>%1
+≥: the largest force of the settings that were looked at</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FindingsPanel</name>
+    <message>
+        <source>Which findings are listed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose findings are listed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All findings (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The search for holes was cut off: the model is too finely divided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not every force was looked for: the model is very large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most newtons first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for holes, conflicts and jumps…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing found: every place has a force, no two rules contradict each other, and no step of the force is against the declared directions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reachable force: %1 to %2 of the universe from %3 to %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FixCard</name>
+    <message>
+        <source>The operating point goes to where the force at stake was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The operating point goes to where the change of the force begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model changed: looking again…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for what would settle it…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No edit settles this by itself: look at the rules together with the expert.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ForceBar</name>
+    <message>
+        <source>Force on the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ForceMapController</name>
+    <message>
+        <source>no rule fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ForceMapPlot</name>
+    <message>
+        <source>Force over two inputs as a map</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ForceTracePlot</name>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force of the last ten seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>present model, calculated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>felt in the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fuzzy force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FrameStatus</name>
+    <message numerus="yes">
+        <source>last %1 ms, median %2 ms, largest %3 ms of %n edit(s)</source>
+        <translation>
+            <numerusform>last %1 ms, median %2 ms, largest %3 ms of %n edit</numerusform>
+            <numerusform>last %1 ms, median %2 ms, largest %3 ms of %n edits</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Plots after %1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From an edit until every visible plot is painted with it: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Until map and surface are at their finest: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A screen of 60 Hz shows a picture every 16.7 ms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::GhostController</name>
+    <message>
+        <source>Before the last edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max ΔF on this curve %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · on this curve %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 JND</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2) at %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3 at %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fills a hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>leaves a hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no change of this curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::HistoryModel</name>
+    <message>
+        <source>Snapshot “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signed off: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model as it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A click goes back to it; nothing is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undone: a click brings it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A branch that was left: a click goes there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: feels right</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::HistoryPanel</name>
+    <message>
+        <source>Name it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feels right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the state as it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of a snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the current state under this name (Ctrl+Shift+N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>‹ Versions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare, sign off ›</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert who signs off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert&apos;s code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert says of the current state: this feels right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name: stands at your edits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign-off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edits by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return to this state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare: this is A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare: this is B</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::HistoryParts</name>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name this state…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Sign off by an expert…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Compare: switch between A and B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;End the comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Your name…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::InputCard</name>
+    <message>
+        <source>in no term</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MainWindow</name>
+    <message>
+        <source>Tactus Workbench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reopen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;picture of the curves…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture of the &amp;map…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture of the plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plot with the keyboard or under the mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Tactus Workbench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;eel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start on the chosen device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;top: no force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Flex the neck, or raise the head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New placement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a model or a study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Models and studies (*.json *.tactus);;Force models (*.json);;Studies (*.tactus);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force models (*.tactus.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open re&amp;ference curve…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of the file were not used: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> – study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Tactus Workbench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Tactus Workbench %1&lt;/h3&gt;&lt;p&gt;Turns what expert nurses know by feel into a force model that a haptic simulator can run.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later, without any warranty. It uses Qt %2 and QCustomPlot.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MapChoice</name>
+    <message>
+        <source>Whose force is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input on the x axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input on the y axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MapPanel</name>
+    <message>
+        <source>A map needs a model with two inputs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MembershipEditor</name>
+    <message>
+        <source>Own terms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Terms sum to one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose terms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The terms that experts share, or those of one expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert has terms of its own for this variable; otherwise the shared ones hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The memberships sum to one everywhere: a vertex takes that of its neighbor along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert gets own terms for this variable; those of the others stay as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edits change the terms of all experts who share them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add term…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shared terms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shared terms (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Terms of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It goes no further: stopped by %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n</source>
+        <translation>
+            <numerusform>All %n</numerusform>
+            <numerusform>All %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Edit for %1 only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit for all who share the terms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 share these terms. Edit for %2 only, or for all of them? Choose above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shared terms: edit for %1 only, or for all? Choose above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a vertex, an edge or a term. Arrow keys move it, with Shift farther; Esc takes back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a term to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The term that holds this place makes room for the new one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the new term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the new term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Around:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new term needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shared terms (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>terms of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: shared terms</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MembershipEditorPlot</name>
+    <message>
+        <source>Membership functions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · stopped by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MembershipPlot</name>
+    <message>
+        <source>Terms of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MessageBanner</name>
+    <message>
+        <source>Close this message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ModelHeader</name>
+    <message>
+        <source>Te&amp;rms:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose terms are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contains simulated data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The study that is open: placements, recordings and versions of its model go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n expert(s)</source>
+        <translation>
+            <numerusform>%n expert</numerusform>
+            <numerusform>%n experts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rule(s)</source>
+        <translation>
+            <numerusform>%n rule</numerusform>
+            <numerusform>%n rules</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Look at the data first: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n notice(s)</source>
+        <translation>
+            <numerusform>%n notice</numerusform>
+            <numerusform>%n notices</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::NoteParts</name>
+    <message>
+        <source>What &amp;happened to the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Look at the data first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N&amp;otes of the build</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::NotesButton</name>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n note</numerusform>
+            <numerusform>%n notes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::OperatingStrip</name>
+    <message>
+        <source>Message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the last edit to the first force that uses it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the operating point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: type a value, or use the arrow keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Changes not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::OutputCard</name>
+    <message>
+        <source>no rule fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::OutputSetsPlot</name>
+    <message>
+        <source>Clipped sets of the output and their centroid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centroid %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::PanelArea</name>
+    <message>
+        <source>Panels that share a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put back into the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take out of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::PanelTitle</name>
+    <message>
+        <source>Close this panel; View ▸ Panels brings it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put back into the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take out of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put %1 back into the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take %1 out of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::PatientControls</name>
+    <message>
+        <source>Lubrication</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flex the neck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The head moves within a second, and the force with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Head up</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::PlacementCard</name>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>New placement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the tube out and begin again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A summary follows when the placement ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s, %2, %3, peak %4, mean %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last replay, SIMULATED: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last placement, SIMULATED: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last placement: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::PlotMenu</name>
+    <message>
+        <source>Copy or save this plot, as a picture or as a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy or save this plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy &amp;table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save table…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture copied: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table copied: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ProcedurePanel</name>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ReadingModel</name>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (weight %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no rule fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ReadingPanel</name>
+    <message>
+        <source>Move over the curves to read them, click to keep the place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces at the place that is read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RecordingsCard</name>
+    <message>
+        <source>Researcher (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open or make a study (menu Study) to keep placements and recordings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who feels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Placements and recordings are kept as theirs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End · %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Researcher</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+felt on the model %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Into the study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recorded hand moves the tube through the present model, by calculation; the recorded force stands beside the present one in the trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record hand and force into the study, from a new placement on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm a recording: it begins with Start, and goes into the study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed: the recording begins with Start; a click takes it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RecoveryController</name>
+    <message>
+        <source>The edits of %1 cannot be restored and stay where they are: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restored: %1, edits: %2, with their history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RecoveryStrip</name>
+    <message>
+        <source>Restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the model as it was, with its history: every edit can be undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deletes these edits for good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks again when this model is opened, and at the next start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The workbench ended unexpectedly at %1. %2 was saved; the history of its edits (%3) can be brought back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The workbench ended unexpectedly at %1 with changes of %2 that were not saved (edits: %3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restoring…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Further ones: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ReferenceBar</name>
+    <message>
+        <source>Which curve the references are compared with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ReferenceController</name>
+    <message numerus="yes">
+        <source>%1: found %n reference curve(s) together with those that are shown, wanted at most %2; remove some first.</source>
+        <translation>
+            <numerusform>%1: found %n reference curve together with those that are shown, wanted at most %2; remove some first.</numerusform>
+            <numerusform>%1: found %n reference curves together with those that are shown, wanted at most %2; remove some first.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no range in common</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS %1 · largest %2 at %3 · over %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RuleCellBar</name>
+    <message>
+        <source>Enabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of the selected rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selected rule is enabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a cell to answer it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conflict: another rule says %1. An answer settles it. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RuleEditor</name>
+    <message>
+        <source>Whose rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expert whose rules are edited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input of the columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The input that the grids cross with each other one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grids or list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Columns: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All rules (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RuleFlow</name>
+    <message>
+        <source>No rule of %1 fires here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule %1: %2 THEN %3 is %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, a stronger rule says so too</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RuleForm</name>
+    <message>
+        <source>any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Consequent of the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is the matter with the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then %1 is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rewrite rule %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added as rule %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RuleGridPane</name>
+    <message>
+        <source>1–%1 answer and go on · Space skips · Del empties · arrows move · bar: how strongly it acts here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RuleGrids</name>
+    <message>
+        <source>Rules as grids of force words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule %1: %2 THEN %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, weight %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, disabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; another rule says %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; acts here with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A grid needs two inputs. The rules of this model are in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RuleListDelegate</name>
+    <message>
+        <source>Consequent</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RuleListModel</name>
+    <message>
+        <source>and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule %1: IF %2 THEN %3 is %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> AND </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>. Another rule with these conditions says something else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enabled: a rule that is not says nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firing strength at the place that is read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RuleListPane</name>
+    <message>
+        <source>Add rule…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter: well stomach, or if … and … then …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter by words of the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acting here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conflicts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which rules are listed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0.000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rule(s)</source>
+        <translation>
+            <numerusform>%n rule</numerusform>
+            <numerusform>%n rules</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RulePanel</name>
+    <message>
+        <source>Whose rules are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no rule fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n expert(s) speak · mean %2</source>
+        <translation>
+            <numerusform>%1 of %n expert speaks · mean %2</numerusform>
+            <numerusform>%1 of %n experts speak · mean %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n rule(s) act · %2</source>
+        <translation>
+            <numerusform>%1 of %n rule acts · %2</numerusform>
+            <numerusform>%1 of %n rules act · %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>sets of %1 that the experts&apos; rules make, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sets of %1 that the rules of %2 make, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::SagittalView</name>
+    <message>
+        <source>Schematic of the way of the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Schematic, not to scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ShortcutSheet</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move the mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the operating point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click or drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers and sliders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ten steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page up, page down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept a typed number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule grids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer and go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to 9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skip a cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty a cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose from a menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Membership functions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move a vertex, an edge or a term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drag, or its slider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fine step, coarse step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left, right; with Shift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up, down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take a drag back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While a model is felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left, right; with Shift farther</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No force, at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F12, or Esc while nothing is dragged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move, or put behind another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drag the title or tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take out of the window, or back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>double click the title or tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Float, close, reset the layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right button on the title or tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::SilenceMarks</name>
+    <message>
+        <source>others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no rule fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no rule fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StartView</name>
+    <message>
+        <source>Open a model or a study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a model or a study, or drop it here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A force model ends in .tactus.json, a study in .tactus. You will see membership functions and the force of every expert along the way of the tube.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StudyController</name>
+    <message>
+        <source>A copy was written to %1; edits go on into %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Not stored in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving in %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a model of %2 now, with everything that was done to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything is stored in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has to be written first: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The erasure is not finished: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The erasure is finished: nothing of those who withdrew is left in %1. Backups and exports made before can still hold their data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StudyNoticeStrip</name>
+    <message>
+        <source>Erasing…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finish the erasure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the file of the study anew, without what was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close this message; the menu Study shows it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StudyOrders</name>
+    <message>
+        <source>Not stored, and tried again every few seconds: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StudyParts</name>
+    <message>
+        <source>&amp;Study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the study&apos;s &amp;model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Put the open model into the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Build the averaged model from the answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studies (*.tactus)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was done last is not stored in %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::SurfacePanel</name>
+    <message>
+        <source>Drag or arrow keys turn, with Shift farther; the wheel zooms; double click or Home: standard view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A surface needs a model with two inputs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force over two inputs as a surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::TermController</name>
+    <message>
+        <source>%1: no term holds %2 in full, so none can make room there. Choose a place inside a term, or switch off that the terms sum to one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::TermSliders</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2. Drag, or arrow keys, with Shift farther</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::TermTable</name>
+    <message>
+        <source>Trapezoid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Terms as numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Id in the model: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock the %1: it stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split or remove the term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Split…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the term into parts; its rules are copied to each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only a trapezoid can be split: convert the term first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock the %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::TubePad</name>
+    <message>
+        <source>Hand on the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed: the recording begins with Start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start, hold the button, push right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recorded hand moves the tube.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press once, push the device away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the device, push it away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push right; click or Space lets go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click or Space, then push right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let go, go back left, push again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold mouse or Space, push right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::WordBar</name>
+    <message>
+        <source>No answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer (Delete)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::WordButton</name>
+    <message>
+        <source>%1 (key %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>
