@@ -1,0 +1,153 @@
+// Text that people see goes through tr(), so that lupdate finds it. What grep can see of that: literals of the
+// workbench that read as words, and literals given to what shows text. What it cannot see:
+// tests/gui/visible_text_test.cpp.
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/architecture/cpp_literals.h"
+
+namespace tactus {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::Literal;
+using tests::literalsOf;
+
+// Calls, with spaces around their names. A text in one of these is translated, or is no text of the screen: patterns of
+// dates, the widest text of a field, names of classes, objects and styles. Errors are English sentences, made by
+// core/base/error.h.
+constexpr std::string_view kNotShown =
+    " tr translate toString horizontalAdvance inherits setObjectName create fail inFile refuse too_many ";
+
+// Give a text to the screen: a literal with letters in it is seen.
+constexpr std::string_view kShows =
+    " setText setFullText setToolTip setStatusTip setWhatsThis setWindowTitle setTitle setAccessibleName"
+    " setAccessibleDescription setPlaceholderText setPrefix setSuffix setSpecialValueText setTabText setTabToolTip "
+    "setNote"
+    " setLabel setDescription addAction addMenu addItem addRow addTab addField insertItem insertTab QLabel QPushButton"
+    " QCheckBox QRadioButton QGroupBox QCommandLinkButton QAction QMenu PopupForm drawText drawElided showError "
+    "showNote"
+    " showMessage say sayError sayDone said refused failed reported restored about question warning critical "
+    "information ";
+
+struct Exception {
+  std::string_view file;  ///< the end of its path
+  std::string_view text;
+  std::string_view reason;
+};
+
+constexpr Exception kExceptions[] = {
+    {"plot/landmark_marks.cpp", "%1, %2 mm: %3 (%4)", "a unit"},
+    {"feel/feel_panel.cpp", "<span style=\\\"color:%1\\\">■</span> %2", "marks without a word"},
+    {"feel/feel_panel.cpp", "<br>", "markup"},
+    {"workbench/main.cpp", "Tactus", "the folder of the settings"},
+    {"workbench/main.cpp", "Tactus Workbench", "the name of the program"},
+    {"plot/picture_export.cpp", "PNG", "the name of a format"},
+    {"understand/curves/curve_overlays.cpp", "under the curves", "the name of a layer"},
+    {"understand/curves/curve_overlays.cpp", "over the curves", "the name of a layer"},
+    {"feel/recordings/feel_store.cpp", " alone", "stored in the study, the same in every language"},
+};
+
+bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+bool hasWord(std::string_view text) {
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    if (isLetter(text[i]) && isLetter(text[i + 1])) return true;
+  }
+  return false;
+}
+
+// Ids are one lower-case word, with underscores; names of files and settings have dots, slashes and dashes.
+bool readsAsWords(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ' ') return true;
+    if (std::isupper(static_cast<unsigned char>(text[i])) != 0 && i + 1 < text.size() && isLetter(text[i + 1])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool isFileEnding(std::string_view text) { return text.starts_with('.') || text.starts_with(":/"); }
+
+bool isOneOf(const std::string& call, std::string_view names) {
+  const auto colons = call.rfind("::");
+  const std::string name = colons == std::string::npos ? call : call.substr(colons + 2);
+  return !name.empty() && names.find(' ' + name + ' ') != std::string_view::npos;
+}
+
+bool isBare(const Literal& literal) {
+  if (!hasWord(literal.text) || isFileEnding(literal.text)) return false;
+  const auto stands_in = [&](std::string_view names) {
+    return std::any_of(literal.calls.begin(), literal.calls.end(),
+                       [&](const std::string& call) { return isOneOf(call, names); });
+  };
+  if (stands_in(kNotShown)) return false;
+  return readsAsWords(literal.text) || stands_in(kShows);
+}
+
+const Exception* exceptionFor(const std::string& file, const Literal& literal) {
+  const auto* const it = std::find_if(std::begin(kExceptions), std::end(kExceptions), [&](const Exception& exception) {
+    return file.ends_with(exception.file) && literal.text == exception.text;
+  });
+  return it == std::end(kExceptions) ? nullptr : it;
+}
+
+std::vector<std::string> bareTexts(std::string_view source) {
+  std::vector<std::string> out;
+  for (const Literal& literal : literalsOf(source)) {
+    if (isBare(literal)) out.push_back(literal.text);
+  }
+  return out;
+}
+
+TEST(BareText, IsSeenWhereItIsGivenToTheScreen) {
+  EXPECT_EQ(bareTexts("label->setText(QStringLiteral(\"over\"));"), std::vector<std::string>{"over"});
+  EXPECT_EQ(bareTexts("new QLabel(on ? tr(\"On\") : QString(\"off\"), this)"), std::vector<std::string>{"off"});
+  EXPECT_EQ(bareTexts("constexpr auto kTitle = \"Force here\";"), std::vector<std::string>{"Force here"});
+  EXPECT_EQ(bareTexts("// \"A comment\"\nint n = 1'000; char c = '\"'; auto s = \"A \\\" quote\";"),
+            std::vector<std::string>{"A \\\" quote"});
+}
+
+TEST(BareText, IsNothingThatIsTranslatedOrNoWord) {
+  for (const char* source :
+       {"label->setText(tr(\"Over\"));", "setText(Words::tr(\"%1 of %2\").arg(tr(\"a b\")))", "setLabel(\"N\")",
+        "settings.value(QLatin1String(\"curves/ghost\"))", "parts.join(QStringLiteral(\" · \"))",
+        "#include \"A header.h\"\n", "path + QStringLiteral(\".tactus.json\")", "setText(when.toString(\"HH:mm\"))"}) {
+    EXPECT_EQ(bareTexts(source), std::vector<std::string>()) << source;
+  }
+}
+
+TEST(BareText, IsNowhereInTheWorkbench) {
+  int seen = 0;
+  std::set<const Exception*> used;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(TACTUS_SOURCE_DIR) / "app" / "workbench")) {
+    const std::string path = entry.path().generic_string();
+    if (!path.ends_with(".h") && !path.ends_with(".cpp")) continue;
+    std::ifstream file(entry.path());
+    const std::string source{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    for (const Literal& literal : literalsOf(source)) {
+      ++seen;
+      if (!isBare(literal)) continue;
+      const Exception* const exception = exceptionFor(path, literal);
+      used.insert(exception);
+      EXPECT_NE(exception, nullptr) << path << ":" << literal.line << ": \"" << literal.text
+                                    << "\" is seen, but not translated: tr() it, or enter it above";
+    }
+  }
+  EXPECT_GT(seen, 800);
+  for (const Exception& exception : kExceptions) {
+    EXPECT_TRUE(used.contains(&exception)) << "no longer needed: " << exception.text << ", " << exception.reason;
+  }
+}
+
+}  // namespace
+}  // namespace tactus

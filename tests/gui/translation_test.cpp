@@ -1,0 +1,99 @@
+// The *.ts files hold the texts of the sources as they are now, and nothing else.
+#include "app/workbench/translation.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QLocale>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "tests/gui/translation_file.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::readTranslations;
+using tests::SourceText;
+using tests::TranslationFile;
+
+constexpr auto kRepair =
+    "Repair: cmake --build build/dev --target update_translations, then add the missing plural forms";
+
+std::string name(const SourceText& text) { return (text.context + ": " + text.source).toStdString(); }
+
+QStringList languages() {
+  const QDir folder(tests::translationFolder());
+  QStringList paths;
+  for (const QString& file : folder.entryList({QStringLiteral("*.ts")})) paths << folder.filePath(file);
+  return paths;
+}
+
+class TranslationsTest : public testing::Test {
+ protected:
+  // What lupdate finds in the sources. It warns of texts whose class it cannot tell, which no translation reaches.
+  TranslationFile found() {
+    const QString path = folder_.filePath(QStringLiteral("found.ts"));
+    QProcess lupdate;
+    lupdate.start(QStringLiteral(TACTUS_LUPDATE),
+                  {QStringLiteral("@" TACTUS_LUPDATE_LIST), QStringLiteral("-ts"), path});
+    EXPECT_TRUE(lupdate.waitForFinished() && lupdate.exitCode() == 0);
+    EXPECT_EQ(lupdate.readAllStandardError().toStdString(), "");
+    return readTranslations(path);
+  }
+
+ private:
+  QTemporaryDir folder_;
+};
+
+TEST_F(TranslationsTest, HoldTheTextsOfTheSources) {
+  const TranslationFile in_sources = found();
+  EXPECT_GT(in_sources.size(), 700U);
+  for (const QString& path : languages()) {
+    const TranslationFile in_file = readTranslations(path);
+    for (const auto& [text, translation] : in_sources) {
+      const auto held = in_file.find(text);
+      EXPECT_TRUE(held != in_file.end() && held->second.numerus == translation.numerus)
+          << path.toStdString() << " lacks\n  " << name(text) << '\n'
+          << kRepair;
+    }
+    for (const auto& [text, translation] : in_file) {
+      EXPECT_TRUE(in_sources.contains(text))
+          << path.toStdString() << " holds, but the sources lack\n  " << name(text) << '\n'
+          << kRepair;
+    }
+  }
+}
+
+TEST(TranslationTest, EnglishHasAllPluralForms) {
+  const TranslationFile english = readTranslations(tests::translationFolder() + QStringLiteral("/tactus_en.ts"));
+  int counts = 0;
+  for (const auto& [text, translation] : english) {
+    if (!translation.numerus) continue;
+    ++counts;
+    EXPECT_TRUE(translation.finished && translation.forms.size() == 2 && !translation.forms.contains(QString()))
+        << name(text) << '\n'
+        << kRepair;
+    for (const QString& form : translation.forms) EXPECT_FALSE(form.contains(QStringLiteral("(s)"))) << name(text);
+  }
+  EXPECT_GT(counts, 20);
+}
+
+// main.cpp of the tests installs English, as the program does.
+TEST(TranslationTest, EnglishIsCarried) {
+  const auto rules = [](int count) {
+    return QCoreApplication::translate("tactus::workbench::ModelHeader", "%n rule(s)", nullptr, count);
+  };
+  EXPECT_EQ(rules(1), QStringLiteral("1 rule"));
+  EXPECT_EQ(rules(2), QStringLiteral("2 rules"));
+  EXPECT_EQ(rules(0), QStringLiteral("0 rules"));
+}
+
+TEST(TranslationTest, ALanguageThatIsNotCarriedChangesNothing) {
+  installTranslations(*QCoreApplication::instance(), QLocale(QStringLiteral("is_IS")));
+  EXPECT_EQ(QCoreApplication::translate("tactus::workbench::ModelHeader", "%n rule(s)", nullptr, 1),
+            QStringLiteral("1 rule"));
+}
+
+}  // namespace
+}  // namespace tactus::workbench

@@ -1,0 +1,194 @@
+// Whatever the window shows was translated, or is data: the names in the model here have no Latin letters, and a
+// language for tests marks what went through tr().
+#include <QComboBox>
+#include <QRegularExpression>
+#include <QSettings>
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "app/editing/membership_edits.h"
+#include "app/workbench/shell/shortcut_sheet.h"
+#include "app/workbench/workbench.h"
+
+#include "tests/gui/marking_translator.h"
+#include "tests/gui/sample_models.h"
+#include "tests/gui/sample_study.h"
+#include "tests/gui/shown_bench.h"
+#include "tests/gui/shown_texts.h"
+#include "tests/support/ngt_model.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+using tests::shownTexts;
+
+/// Text that is no text of the program.
+struct Untranslated {
+  const char* pattern;
+  const char* reason;
+};
+
+constexpr Untranslated kUntranslated[] = {
+    {"\\b(mm/s|mm|deg|ms|px)\\b", "units"},
+    {"\\b(Lubrication|Neck flexion|Depth|Speed)\\b", "the short name of an input is its id"},
+    {"\\b(nasal_cavity|nasopharynx|oropharynx|laryngopharynx|esophagus|stomach)\\b", "ids of terms"},
+    {"名\\d+ \\(S4, S2\\) / .*", "names of edits come from app/editing"},
+    {"\\b([Ll]eft|[Rr]ight) (foot|shoulder)\\b", "names of vertices come from app/editing"},
+    {"\\b1\\.ta[a-z.]*", "names of the files, also cut to the width of a label"},
+    {"Virtual device \\(simulated\\)", "names of devices come from core/haptics"},
+    {"\\([^()]+ (19|20)\\d\\d[^()]*\\)", "sources of landmarks"},
+    {"^Graph \\d+$", "what QCustomPlot calls a line without a name, never shown"},
+};
+
+void nameWithoutLetters(fuzzy::ForceModel& model) {
+  int number = 0;
+  const auto name = [&number](std::string& label) { label = "名" + std::to_string(++number); };
+  const auto nameTerms = [&](std::vector<fuzzy::Term>& terms) {
+    for (fuzzy::Term& term : terms) name(term.label);
+  };
+  name(model.name);
+  for (fuzzy::Variable& input : model.inputs) {
+    name(input.label);
+    nameTerms(input.terms);
+  }
+  name(model.output.label);
+  nameTerms(model.output.terms);
+  for (fuzzy::Expert& expert : model.experts) {
+    name(expert.label);
+    for (auto& own : expert.overrides) nameTerms(own.terms);
+  }
+}
+
+fuzzy::ForceModel namelessModel() {
+  fuzzy::ForceModel model = support::s4AsPrinted();
+  // A second opinion, with a rule less, so that there are findings.
+  fuzzy::Expert other = model.experts.front();
+  other.id = "S2";
+  other.rules.pop_back();
+  other.rules.front().then = "large";
+  model.experts.push_back(other);
+  nameWithoutLetters(model);
+  return model;
+}
+
+// English under it, as in every language.
+class MarkedLanguage {
+ public:
+  MarkedLanguage() { QCoreApplication::installTranslator(&marks_); }
+  ~MarkedLanguage() { QCoreApplication::removeTranslator(&marks_); }
+
+ private:
+  tests::MarkingTranslator marks_;
+};
+
+class VisibleText : public testing::Test {
+ protected:
+  void SetUp() override {
+    window.resize(1600, 1000);
+    window.show();
+  }
+
+  void openModel() {
+    window.openFile(folder.write(namelessModel(), QStringLiteral("1.tactus.json")));
+    settle();
+  }
+
+  void settle() { tests::settle(window); }
+
+  // Says each text once.
+  void expectTranslated(QWidget& shown, const char* when) {
+    static const QRegularExpression word(QStringLiteral("[A-Za-z]{2,}"));
+    for (const auto& [where, text] : shownTexts(shown)) {
+      QString rest = tests::unmarked(text);
+      rest.remove(folder.path(QString()));  // in the tool tips of recent files
+      for (const Untranslated& allowed : kUntranslated) {
+        rest.remove(QRegularExpression(QString::fromUtf8(allowed.pattern)));
+      }
+      if (!word.match(rest).hasMatch() || !said_.insert(text).second) continue;
+      ADD_FAILURE() << when << ": not translated: \"" << text.toStdString() << "\"\n  in " << where.toStdString();
+    }
+  }
+
+  MarkedLanguage language_;
+  tests::ModelFolder folder;
+  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
+  Workbench bench{settings, folder.path(QStringLiteral("autosave"))};
+  MainWindow& window = bench.window;
+
+ private:
+  std::set<QString> said_;
+};
+
+TEST(MarkedText, IsLeftOut) {
+  const MarkedLanguage language;
+  EXPECT_EQ(tests::unmarked(QCoreApplication::translate("tactus::workbench::ModelHeader", "%n rule(s)", nullptr, 3)),
+            QStringLiteral("3"));
+  EXPECT_EQ(tests::unmarked(QCoreApplication::translate("NoClass", "A text")), QStringLiteral("A text"));
+  EXPECT_EQ(tests::unmarked(tests::kOpen + QStringLiteral("a") + tests::kOpen + QStringLiteral("b") + tests::kClose +
+                            tests::kClose + QStringLiteral(" c")),
+            QStringLiteral("c"));
+}
+
+TEST_F(VisibleText, OfTheStartIsTranslated) { expectTranslated(window, "start"); }
+
+TEST_F(VisibleText, OfAllStagesIsTranslated) {
+  openModel();
+  for (const Stage stage : {Stage::kUnderstand, Stage::kTune}) {
+    window.enter(stage);
+    settle();
+    expectTranslated(window, stage == Stage::kTune ? "tune" : "understand");
+  }
+}
+
+TEST_F(VisibleText, AfterEditsIsTranslated) {
+  openModel();
+  const auto& input = bench.edits.model().inputs.front();
+  ASSERT_TRUE(
+      bench.edits.apply(editing::moveVertex(bench.edits.model(), {{input.id, ""}, input.terms[0].id, 2}, 0.21)));
+  bench.edits.snapshot(QStringLiteral("名"));
+  settle();
+  bench.edits.undo();
+  settle();
+  expectTranslated(window, "edits");
+}
+
+TEST_F(VisibleText, OfFindingsIsTranslated) {
+  openModel();
+  bench.findings.setWatched(true);
+  ASSERT_TRUE(comesTrue([this] { return bench.findings.isCurrent(); }));
+  settle();
+  expectTranslated(window, "findings");
+}
+
+TEST_F(VisibleText, OfAStudyIsTranslated) {
+  const QString path = folder.path(QStringLiteral("1.tactus"));
+  tests::makeStudyFile(path);
+  window.openFile(path);
+  ASSERT_TRUE(comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening(); }));
+  expectTranslated(window, "empty study");
+  openModel();
+  bench.study.putModel();
+  settle();
+  expectTranslated(window, "study");
+}
+
+TEST_F(VisibleText, OfFeelingIsTranslated) {
+  openModel();
+  window.enter(Stage::kTune);
+  bench.feel.start(QStringLiteral("virtual"));
+  ASSERT_TRUE(comesTrue([this] { return bench.feel.isRunning(); }));
+  expectTranslated(window, "feel");
+  bench.feel.stop();
+  expectTranslated(window, "stopped");
+}
+
+TEST_F(VisibleText, OfTheShortcutsIsTranslated) {
+  openModel();
+  ShortcutSheet sheet(*window.menuBar(), &window);
+  expectTranslated(sheet, "shortcuts");
+}
+
+}  // namespace
+}  // namespace tactus::workbench
