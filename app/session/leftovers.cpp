@@ -67,7 +67,7 @@ bool looksLeft(const fs::directory_entry& entry, const std::string& name, const 
          isDatabaseOrEmpty(entry.path());
 }
 
-/// Nobody works on it, or on the file whose journal it is.
+/// No program has the file open, nor the file whose journal it is.
 bool isUnused(const fs::path& path) {
   const std::string text = path.string();
   const std::string main(withoutTail(text));

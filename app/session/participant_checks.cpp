@@ -97,7 +97,7 @@ Codes codesWithRules(const study::Study& study) {
   return codes;
 }
 
-/// Who gave a term in a series that votes, or in one that is unknown, which is said of itself.
+/// The participants who gave a term in a series that votes, or in an unknown series, which has a finding of its own.
 Codes codesWithTerms(const study::Study& study) {
   Codes codes;
   for (const auto& judgement : study.judgements) {

@@ -9,7 +9,7 @@
 namespace tactus::session {
 
 /// Findings about the participants: codes that differ only in capitals, spaces, dashes or leading zeros; codes that
-/// look like names; years of experience that nobody has (above 80 refused, above 60 named); participants without
+/// look like names; impossible years of experience (above 80 refused, above 60 named); participants without
 /// strokes, judgements or answers where others have them; simulated participants beside real ones; codes that look like
 /// dates or like a line of means below the table; weights in percent beside shares.
 std::vector<study::DataFinding> participantFindings(const study::Study& study);

@@ -77,7 +77,7 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   if (auto ok = state->makeProtocols(); !ok) return tl::unexpected(ok.error());
   const auto latest = latestSession(file, start.person);
   if (!latest) return tl::unexpected(latest.error());
-  // A session without the first line of its log would be one that nobody holds.
+  // The session and the first line of its log are stored together or not at all.
   auto begun = store::inOneBatch(file, [&] {
     return store::append(file, record).and_then([&] { return state->log(kBegan, afterDetail(*latest)); });
   });

@@ -236,7 +236,7 @@ class Importer {
     return idOf("session " + toText(person) + ' ' + digest + " at " + std::to_string(utc_ms));
   }
 
-  /// Whether the rows are those of the latest import of somebody, perhaps under another code by now.
+  /// Whether the rows are those of a participant's latest import. The code may have changed since.
   bool isThere(const Rows& rows) const {
     const std::string digest = rows.digest();
     const RecordId without_time = idOf("session " + rows.text);  // before version 2 of the study file

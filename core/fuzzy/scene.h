@@ -15,8 +15,8 @@ namespace tactus::fuzzy {
 
 struct BatchProgram;
 
-/// What a scene is made for. One point of a scene costs what a point of the model costs: its cost is the centroids, not
-/// the rules that a scene could leave out (docs/numerics.md). Only a batch gains from tables of its own.
+/// What a scene is made for. One point of a scene costs no less than a point of the model: its cost is the centroids,
+/// not the rules that a scene could leave out (docs/numerics.md). Only a batch gains from tables of its own.
 enum class SceneUse {
   kPoints,   ///< `evaluate` alone: nothing is specialised
   kBatches,  ///< `evaluateBatch` too: rules and memberships of the fixed inputs are folded

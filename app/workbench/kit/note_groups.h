@@ -14,7 +14,7 @@ NoteGroup dataGroup(const BuildNotes& notes);
 NoteGroup buildGroup(const BuildNotes& notes);
 /// Of both, what is about the terms of `variable`.
 QVector<NoteGroup> groupsAbout(const BuildNotes& notes, const fuzzy::Variable& variable);
-/// What happened to a study: what is said of this opening, and what was found at earlier ones.
+/// What happened to a study: the notices of this opening and the incidents of earlier openings.
 QVector<NoteGroup> noticeGroups(const StudyNotices& notices);
 
 /// All sentences in `groups`.

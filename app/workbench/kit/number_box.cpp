@@ -66,7 +66,7 @@ NumberBox::NumberBox(const fuzzy::Variable& variable, double step, QWidget* pare
   }
   setFixedWidth(width + fontMetrics().horizontalAdvance(suffix()) + 10);
   setAccessibleName(labelOf(variable));
-  // Whoever mends what was refused sees no red while typing.
+  // The red frame is off while the person corrects the text.
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] { setRefusal({}); });
 }
 
