@@ -9,11 +9,6 @@
 namespace tactus::haptics {
 namespace {
 
-/// Reserve: the force could go on unchanged for this long and the budget would just be used up. Longer fades earlier
-/// and more slowly; it must exceed the longest time that a force is held without a tick.
-constexpr double kReserveS = 2;
-/// How fast the ceiling comes back, N/s.
-constexpr double kRecoveryNS = 0.5;
 /// A part of the window is at least and at most so long.
 constexpr double kShortestNs = 1e6;
 constexpr double kLongestNs = 1e14;
@@ -55,6 +50,15 @@ void ThermalBudget::spend(std::int64_t now_ns, double held_n) noexcept {
   const double more_n2s = held_n * held_n * elapsed_s;
   spent_n2s_[static_cast<std::size_t>(part_ % (kParts + 1))] += more_n2s;
   sum_n2s_ += more_n2s;
+}
+
+ThermalBudget::Cooling ThermalBudget::cooling(int i) const noexcept {
+  double spent_n2s = sum_n2s_;
+  for (int forgotten = 1; forgotten <= i; ++forgotten) {
+    spent_n2s -= spent_n2s_[static_cast<std::size_t>((part_ + forgotten) % (kParts + 1))];
+  }
+  const std::int64_t until_ns = start_ns_ + (part_ + i + 1) * part_ns_;
+  return {secondsBetween(now_ns_, until_ns), std::max(0.0, spent_n2s)};
 }
 
 double ThermalBudget::share() const noexcept {

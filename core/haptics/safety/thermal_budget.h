@@ -20,13 +20,32 @@ class ThermalBudget {
   /// As `advance`, with the last rating and window, and without a new ceiling.
   void spend(std::int64_t now_ns, double held_n) noexcept;
 
+  /// As `advance`, at the time of the last call: a new rating or window takes effect. `rating_n` and `window_s` as
+  /// there.
+  void refresh(double rating_n, double window_s) noexcept { advance(now_ns_, 0, rating_n, window_s); }
+
+  /// Reserve: the force could go on unchanged for this long and the budget would just be used up. Longer fades earlier
+  /// and more slowly; it must exceed the longest time that a force is held without a tick.
+  static constexpr double kReserveS = 2;
+  /// How fast the ceiling comes back, N/s.
+  static constexpr double kRecoveryNS = 0.5;
+
+  /// What counts of the load so far while no force is given: `spent_n2s` until `until_s` after the last call.
+  struct Cooling {
+    double until_s = 0;
+    double spent_n2s = 0;
+  };
+  static constexpr int kCoolingSteps = 121;
+  /// Step `i` from 0; after the last one nothing counts. After the first `advance`.
+  Cooling cooling(int i) const noexcept;
+
   /// The largest force allowed now; infinite before the first `advance`.
   double ceilingN() const noexcept { return ceiling_n_; }
   /// Used share of the budget, [0, 1].
   double share() const noexcept;
 
  private:
-  static constexpr int kParts = 120;
+  static constexpr int kParts = kCoolingSteps - 1;
 
   void forgetUntil(std::int64_t part) noexcept;
 

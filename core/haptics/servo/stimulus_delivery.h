@@ -18,6 +18,9 @@ class StimulusDelivery {
   void add(const Sample& sample) noexcept;
 
   bool delivered() const noexcept { return full_ && limits_ == 0 && !lost_samples_; }
+  /// The least share of the full force that was in the hand from the full force to the end of the stimulus, [0, 1].
+  /// Nothing before the full force, or with lost samples.
+  std::optional<double> leastShare() const noexcept;
   /// LimitBit: what kept the force from the hand.
   std::uint32_t limits() const noexcept { return limits_; }
   /// Ticks are missing between the samples: what was felt is not known.
@@ -26,8 +29,9 @@ class StimulusDelivery {
  private:
   std::optional<std::uint64_t> last_tick_;
   std::uint32_t limits_ = 0;
-  bool full_ = false;  ///< the full force was reached
-  bool over_ = false;  ///< what follows belongs to the stimulus no more
+  double least_share_ = 1;  ///< from the full force on
+  bool full_ = false;       ///< the full force was reached
+  bool over_ = false;       ///< what follows belongs to the stimulus no more
   bool lost_samples_ = false;
 };
 

@@ -96,6 +96,47 @@ TEST(StimulusDelivery, LostSamplesVoidItUnlessItWaits) {
   EXPECT_TRUE(told.delivery.lostSamples());
 }
 
+/// Samples of 1.7 N at the full force, of which `force_n` was given.
+Sample fullSample(std::uint64_t tick, double force_n, std::uint32_t limited = 0) {
+  Sample sample;
+  sample.tick = tick;
+  sample.stimulus = StimulusStage::kFull;
+  sample.source_force_n = 1.7;
+  sample.force_n = force_n;
+  sample.limited = limited;
+  return sample;
+}
+
+TEST(StimulusDelivery, KeepsTheLeastShareOfTheFullForce) {
+  StimulusDelivery delivery;
+  EXPECT_EQ(delivery.leastShare(), std::nullopt);
+  delivery.add(fullSample(1, 0.5, kLimitedByFadeIn));
+  EXPECT_EQ(delivery.leastShare(), std::nullopt) << "the fade-in is no part of it";
+  delivery.add(fullSample(2, 1.7));
+  EXPECT_EQ(delivery.leastShare(), 1);
+  delivery.add(fullSample(3, 0.9, kLimitedByThermal));
+  delivery.add(fullSample(4, 1.7));
+  ASSERT_TRUE(delivery.leastShare());
+  EXPECT_NEAR(*delivery.leastShare(), 0.9 / 1.7, 1e-12);
+  EXPECT_FALSE(delivery.delivered());
+  delivery.add(fullSample(6, 1.7));
+  EXPECT_EQ(delivery.leastShare(), std::nullopt) << "a tick is missing";
+}
+
+TEST(StimulusDelivery, ATripLeavesNothingOfTheForceAndABlankIsGivenInFull) {
+  StimulusDelivery delivery;
+  delivery.add(fullSample(1, 1.7));
+  Sample tripped = fullSample(2, 0, kLimitedByTrip);
+  tripped.stimulus = StimulusStage::kEnded;
+  delivery.add(tripped);
+  EXPECT_EQ(delivery.leastShare(), 0);
+  StimulusDelivery blank;
+  Sample none = fullSample(1, 0);
+  none.source_force_n = 0;
+  blank.add(none);
+  EXPECT_EQ(blank.leastShare(), 1);
+}
+
 /// A held device that asks for 1.7 N, in simulated time; `stall_ms` without a tick in the middle of the full force.
 bool deliveredWithAStallOf(int stall_ms) {
   VirtualDeviceSettings settings;
