@@ -53,6 +53,8 @@ constexpr Exception kExceptions[] = {
     {"plot/picture_export.cpp", "PNG", "the name of a format"},
     {"understand/curves/curve_overlays.cpp", "under the curves", "the name of a layer"},
     {"understand/curves/curve_overlays.cpp", "over the curves", "the name of a layer"},
+    {"anatomy/anatomy_drawing.cpp", "<g id=\\\"tube\\\">", "markup"},
+    {"anatomy/anatomy_drawing.cpp", "([MCLZ])([^MCLZ]*)", "commands of a path"},
     {"feel/recordings/feel_store.cpp", " alone", "stored in the study, the same in every language"},
 };
 

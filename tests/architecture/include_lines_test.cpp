@@ -98,6 +98,7 @@ const std::map<std::string, Permission>& permissions() {
         {"CLI/"}}},
       {"app/workbench/base", room({})},
       {"app/workbench/kit", room({"base"})},
+      {"app/workbench/anatomy", room({"base"})},
       {"app/workbench/model", room({"base"})},
       {"app/workbench/plot", room({"base", "kit", "model"}, true)},
       {"app/workbench/tune/terms", room(shared, true)},

@@ -1,0 +1,228 @@
+#include "app/workbench/anatomy/anatomy_view.h"
+
+#include <QPainter>
+#include <QPainterPathStroker>
+#include <algorithm>
+#include <cmath>
+
+#include "app/workbench/base/theme.h"
+
+namespace tactus::workbench::anatomy {
+namespace {
+
+constexpr int kTurnMs = 1000;
+constexpr double kDrawnMm = 0.1;  // less than a pixel
+constexpr double kTubeMm = 4.7;   // 14 Fr
+constexpr double kLeastTubePx = 4;
+constexpr double kLeastTipPx = 7;  // radius
+constexpr double kHaloPx = 3;
+constexpr double kPassageMm = 60;    // wider than any part of the passage
+constexpr double kChinShare = 0.88;  // of the height of the picture
+constexpr double kEndMm = 514;       // of the path
+constexpr QColor kLight(0xFF, 0xC2, 0x47);
+constexpr QColor kLightEdge(0x6B, 0x45, 0x00);
+constexpr QColor kTube(0x0B, 0x65, 0x9E);
+constexpr QColor kTubeShine(0x7D, 0xB9, 0xDC);
+
+QPainterPath lineThrough(const std::vector<QPointF>& points) {
+  QPainterPath path(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) path.lineTo(points[i]);
+  return path;
+}
+
+// The passage between two depths, mm. A whole region keeps its outline as drawn.
+QPainterPath passage(double from_mm, double to_mm, Posture posture, const TubeWay& way) {
+  QPainterPath all;
+  QPainterPath regions;
+  for (std::size_t i = 0; i < kRegions.size(); ++i) {
+    const double begin = beginMm(kRegions[i]);
+    const double end = i + 1 < kRegions.size() ? beginMm(kRegions[i + 1]) : kEndMm;
+    if (begin >= to_mm || end <= from_mm) continue;
+    const QPainterPath outline = outlineOf(kRegions[i], posture);
+    if (begin >= from_mm && end <= to_mm) {
+      regions.addPath(outline);
+      continue;
+    }
+    QPainterPathStroker stroker;
+    stroker.setWidth(kPassageMm);
+    stroker.setCapStyle(Qt::FlatCap);
+    const QPainterPath strip =
+        stroker.createStroke(lineThrough(way.between(std::max(begin, from_mm), std::min(end, to_mm))));
+    regions.addPath(outline.intersected(strip));
+  }
+  regions.setFillRule(Qt::WindingFill);
+  return regions;
+}
+
+}  // namespace
+
+AnatomyView::AnatomyView(QWidget* parent) : QWidget(parent) {
+  turn_.setDuration(kTurnMs);
+  turn_.setStartValue(0.0);
+  turn_.setEndValue(1.0);
+  turn_.setEasingCurve(QEasingCurve::InOutSine);
+  connect(&turn_, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
+    turned_ = value.toDouble();
+    way_ = TubeWay(flexionDeg());
+    update();
+  });
+}
+
+double AnatomyView::flexionDeg() const {
+  return std::lerp(drawnFlexionDeg(posture_before_), drawnFlexionDeg(posture_), turned_);
+}
+
+void AnatomyView::setPosture(Posture posture, bool gently) {
+  if (posture == posture_) return;
+  turn_.stop();
+  posture_before_ = gently && isVisible() ? posture_ : posture;
+  posture_ = posture;
+  turned_ = posture_before_ == posture ? 1 : 0;
+  way_ = TubeWay(flexionDeg());
+  lit_path_ = litPath();
+  if (turned_ < 1) turn_.start();
+  update();
+}
+
+void AnatomyView::setFraming(Framing framing) {
+  if (framing_ == framing) return;
+  framing_ = framing;
+  update();
+}
+
+void AnatomyView::setMirrored(bool mirrored) {
+  if (mirrored_ == mirrored) return;
+  mirrored_ = mirrored;
+  update();
+}
+
+void AnatomyView::setDepth(std::optional<double> depth_mm) {
+  if (depth_mm.has_value() == depth_mm_.has_value() &&
+      std::abs(depth_mm.value_or(0) - depth_mm_.value_or(0)) < kDrawnMm)
+    return;
+  depth_mm_ = depth_mm;
+  update();
+}
+
+void AnatomyView::light(Region region, const QString& name) {
+  const bool last = region == kRegions.back();
+  const double end = last ? kEndMm : beginMm(kRegions[static_cast<std::size_t>(region) + 1]);
+  light(LitRange{beginMm(region), end, name});
+}
+
+void AnatomyView::light(const std::optional<LitRange>& range) {
+  if (lit_ == range) return;
+  lit_ = range;
+  lit_path_ = litPath();
+  update();
+}
+
+void AnatomyView::setNames(std::vector<NamedStructure> names) {
+  names_ = std::move(names);
+  update();
+}
+
+QPainterPath AnatomyView::litPath() const {
+  if (!lit_) return {};
+  return passage(lit_->from_mm, lit_->to_mm, posture_, TubeWay(drawnFlexionDeg(posture_)));
+}
+
+QTransform AnatomyView::toWidget() const {
+  const QSizeF size = QSizeF(this->size());
+  const QRectF before = frameOf(framing_, posture_before_, size);
+  const QRectF now = frameOf(framing_, posture_, size);
+  const QPointF corner = before.topLeft() + (now.topLeft() - before.topLeft()) * turned_;
+  const double scale = size.width() / now.width();
+  QTransform transform;
+  if (mirrored_) {
+    transform.translate(size.width(), 0);
+    transform.scale(-1, 1);
+  }
+  transform.scale(scale, scale);
+  transform.translate(-corner.x(), -corner.y());
+  return transform;
+}
+
+double AnatomyView::radius() const { return theme::kCornerRadius; }
+
+void AnatomyView::paintEvent(QPaintEvent* /*event*/) {
+  if (width() < 2 || height() < 2) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath corners;
+  corners.addRoundedRect(rect(), radius(), radius());
+  painter.save();
+  painter.setClipPath(corners);
+  painter.fillRect(rect(), theme::card());
+  drawPicture(painter);
+  const QTransform to_widget = toWidget();
+  if (lit_ && turned_ == 1) {
+    painter.save();
+    painter.setTransform(to_widget, true);
+    painter.setBrush(kLight);
+    painter.setPen(QPen(kLightEdge, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(lit_path_);
+    painter.restore();
+  }
+  drawTube(painter, to_widget);
+  painter.restore();
+  drawPlates(painter, rect(), plateNames(to_widget));
+}
+
+void AnatomyView::drawPicture(QPainter& painter) {
+  painter.save();
+  if (mirrored_) {
+    painter.translate(width(), 0);
+    painter.scale(-1, 1);
+  }
+  const double ratio = devicePixelRatioF();
+  if (turned_ < 1) {
+    // While the neck turns, one picture fades into the other.
+    painter.drawPixmap(0, 0, drawing_.pixmap(posture_before_, framing_, size(), ratio));
+    painter.setOpacity(turned_);
+  }
+  painter.drawPixmap(0, 0, drawing_.pixmap(posture_, framing_, size(), ratio));
+  painter.restore();
+}
+
+void AnatomyView::drawTube(QPainter& painter, const QTransform& to_widget) const {
+  if (!depth_mm_) return;
+  std::vector<QPointF> points = way_.between(way_.beginMm(), std::max(*depth_mm_, way_.beginMm() + 1));
+  for (QPointF& point : points) point = to_widget.map(point);
+  const QPainterPath tube = lineThrough(points);
+  const double width = std::max(kLeastTubePx, kTubeMm * 0.77 * std::abs(to_widget.m11()));
+  const auto stroke = [&](const QColor& color, double pen_width) {
+    painter.setPen(QPen(color, pen_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(tube);
+  };
+  painter.setBrush(Qt::NoBrush);
+  stroke(Qt::white, width + 4);
+  stroke(kTube, width);
+  stroke(kTubeShine, std::max(1.0, width / 4));
+  const double tip = std::max(kLeastTipPx, width * 0.85);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(Qt::white);
+  painter.drawEllipse(points.back(), tip + kHaloPx, tip + kHaloPx);
+  painter.setBrush(kTube);
+  painter.drawEllipse(points.back(), tip, tip);
+}
+
+std::vector<PlateName> AnatomyView::plateNames(const QTransform& to_widget) const {
+  std::vector<PlateName> plates;
+  const auto placeOf = [&](const Structure& structure) {
+    return to_widget.map(posed(structure.at, structure.part, flexionDeg()));
+  };
+  if (lit_ && !lit_->name.isEmpty() && turned_ == 1) {
+    const auto region = regionAtDepth((lit_->from_mm + std::min(lit_->to_mm, kEndMm)) / 2);
+    // Below the chin, where nothing is drawn.
+    const double least_y = framing_ == Framing::kHeadAndNeck ? height() * kChinShare : 0;
+    if (region) plates.push_back({lit_->name, placeOf(structureOf(*region)), !mirrored_, true, least_y});
+  }
+  for (const NamedStructure& named : names_) {
+    const bool left = (named.structure.side == Side::kFront) != mirrored_;
+    plates.push_back({named.name, placeOf(named.structure), left, false, 0});
+  }
+  return plates;
+}
+
+}  // namespace tactus::workbench::anatomy

@@ -1,0 +1,106 @@
+#include "app/workbench/anatomy/anatomy_view.h"
+
+#include <QImage>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "app/workbench/anatomy/anatomy_drawing.h"
+
+namespace tactus::workbench::anatomy {
+namespace {
+
+QImage pictureOf(AnatomyView& view) { return view.grab().toImage().convertToFormat(QImage::Format_RGB32); }
+
+QPoint pixelOf(const QPointF& at, const QRectF& frame, const QSize& size) {
+  return {static_cast<int>((at.x() - frame.x()) / frame.width() * size.width()),
+          static_cast<int>((at.y() - frame.y()) / frame.height() * size.height())};
+}
+
+// In the oropharynx, beside the way of the tube.
+constexpr QPointF kBesideTheTube(84, 50);
+constexpr QColor kAmber(0xFF, 0xC2, 0x47);
+
+TEST(AnatomyView, LightsTheRegionAndOnlyIt) {
+  AnatomyView view;
+  view.resize(400, 500);
+  const QPoint place =
+      pixelOf(kBesideTheTube, frameOf(Framing::kHeadAndNeck, Posture::kUpright, view.size()), view.size());
+  EXPECT_NE(pictureOf(view).pixelColor(place), kAmber);
+  view.light(Region::kOropharynx, {});
+  EXPECT_EQ(pictureOf(view).pixelColor(place), kAmber);
+  view.light(Region::kNasopharynx, {});
+  EXPECT_NE(pictureOf(view).pixelColor(place), kAmber);
+}
+
+TEST(AnatomyView, LightsAPartOfARegion) {
+  AnatomyView view;
+  view.resize(400, 500);
+  const QPoint place =
+      pixelOf(kBesideTheTube, frameOf(Framing::kHeadAndNeck, Posture::kUpright, view.size()), view.size());
+  view.light(LitRange{125, 145, {}});  // depth 135 is at y 50
+  EXPECT_EQ(pictureOf(view).pixelColor(place), kAmber);
+  view.light(LitRange{140, 160, {}});
+  EXPECT_NE(pictureOf(view).pixelColor(place), kAmber);
+}
+
+TEST(AnatomyView, TheTipIsWhereTheDepthSaysInEveryPosture) {
+  constexpr QColor kTube(0x0B, 0x65, 0x9E);
+  for (const Posture posture : {Posture::kUpright, Posture::kHalfFlexed, Posture::kChinOnChest}) {
+    AnatomyView view;
+    view.resize(400, 500);
+    view.setPosture(posture);
+    view.setDepth(118);
+    const TubeWay way(drawnFlexionDeg(posture));
+    const QPoint tip = pixelOf(way.placeAt(118), frameOf(Framing::kHeadAndNeck, posture, view.size()), view.size());
+    const QImage picture = pictureOf(view);
+    EXPECT_EQ(picture.pixelColor(tip), kTube);
+    EXPECT_EQ(picture.pixelColor(tip + QPoint(5, 0)), kTube) << "10 px wide";
+    EXPECT_EQ(picture.pixelColor(tip - QPoint(5, 0)), kTube) << "10 px wide";
+  }
+}
+
+TEST(AnatomyView, MirrorsThePicture) {
+  AnatomyView view;
+  view.resize(400, 500);
+  view.setDepth(60);
+  const QImage right_handed = pictureOf(view);
+  view.setMirrored(true);
+  const QImage mirrored = pictureOf(view).mirrored(true, false);
+  int different = 0;
+  for (int y = 10; y < 490; ++y) {
+    for (int x = 10; x < 390; ++x) {
+      const QColor a = right_handed.pixelColor(x, y);
+      const QColor b = mirrored.pixelColor(x, y);
+      // Smoothed edges fall on other sides of a pixel.
+      if (std::abs(a.red() - b.red()) > 60 || std::abs(a.blue() - b.blue()) > 60) ++different;
+    }
+  }
+  EXPECT_LT(different, 400);
+}
+
+TEST(AnatomyView, TheFrameHoldsTheWholePartInEveryShape) {
+  for (const QSizeF size : {QSizeF(400, 500), QSizeF(900, 300), QSizeF(200, 700)}) {
+    const QRectF frame = frameOf(Framing::kHeadAndNeck, Posture::kUpright, size);
+    EXPECT_TRUE(frame.contains(QRectF(-42, -66, 200, 250)));
+    EXPECT_NEAR(frame.width() / frame.height(), size.width() / size.height(), 1e-9);
+  }
+}
+
+TEST(AnatomyDrawing, KeepsItsPixmaps) {
+  AnatomyDrawing drawing;
+  const QPixmap first = drawing.pixmap(Posture::kUpright, Framing::kWhole, {200, 300}, 2);
+  EXPECT_EQ(first.size(), QSize(400, 600));
+  EXPECT_EQ(drawing.pixmap(Posture::kUpright, Framing::kWhole, {200, 300}, 2).cacheKey(), first.cacheKey());
+  EXPECT_NE(drawing.pixmap(Posture::kHalfFlexed, Framing::kWhole, {200, 300}, 2).cacheKey(), first.cacheKey());
+}
+
+TEST(AnatomyDrawing, TheTubeRunsThroughTheRegions) {
+  const TubeWay way(0);
+  for (const Region region : kRegions) {
+    const double inside_mm = beginMm(region) + 15;
+    EXPECT_TRUE(outlineOf(region, Posture::kUpright).contains(way.placeAt(inside_mm))) << idOf(region);
+  }
+}
+
+}  // namespace
+}  // namespace tactus::workbench::anatomy

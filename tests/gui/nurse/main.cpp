@@ -1,0 +1,21 @@
+// Runs the tests of the nurse's screens without a display, in one screen of the size of a small laptop. Any warning that
+// Qt logs ends the run.
+#include <QApplication>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "app/workbench/base/theme.h"
+
+#include "tests/gui/stop_on_warning.h"
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  const QTemporaryDir runtime_folder;
+  qputenv("XDG_RUNTIME_DIR", runtime_folder.path().toUtf8());
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  tactus::workbench::tests::stopOnWarnings();
+  QApplication application(argc, argv);
+  QApplication::setCursorFlashTime(0);
+  tactus::workbench::theme::apply(application);
+  return RUN_ALL_TESTS();
+}
