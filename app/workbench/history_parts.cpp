@@ -11,7 +11,7 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/shell/panel_area.h"
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/tune/history/autosave_controller.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/compare_strip.h"
@@ -38,13 +38,13 @@ HistoryParts::HistoryParts(MainWindow& window, QMenu& menu, EditController& edit
   showActions();
 }
 
-void HistoryParts::addRecovery(AutosaveController& autosave, RecoveryController& recovery, StudyController& study) {
+void HistoryParts::addRecovery(AutosaveController& autosave, RecoveryController& recovery, StudyConnection& study) {
   auto* strip = new RecoveryStrip(recovery);
   window_.addStrip(strip);
   connect(strip, &RecoveryStrip::restoreRequested, this, [this, &recovery] {
     if (window_.mayLoseChanges()) recovery.restore();
   });
-  connect(&recovery, &RecoveryController::studyNeeded, &study, &StudyController::open);
+  connect(&recovery, &RecoveryController::studyNeeded, &study, &StudyConnection::open);
   connect(&recovery, &RecoveryController::restored, &edits_, &EditController::reported);
   connect(&recovery, &RecoveryController::failed, &window_.banner(), &MessageBanner::showError);
   connect(&autosave, &AutosaveController::failed, &window_.banner(), &MessageBanner::showError);

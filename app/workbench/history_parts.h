@@ -21,7 +21,7 @@ class GhostController;
 class HistoryPanel;
 class MainWindow;
 class SceneController;
-class StudyController;
+class StudyConnection;
 
 class HistoryParts : public QObject {
   Q_OBJECT
@@ -33,7 +33,7 @@ class HistoryParts : public QObject {
 
   /// Offers work that a crash left behind, opens `study` if the work belongs to it, and warns if work cannot be
   /// autosaved.
-  void addRecovery(AutosaveController& autosave, RecoveryController& recovery, StudyController& study);
+  void addRecovery(AutosaveController& autosave, RecoveryController& recovery, StudyConnection& study);
   /// While versions are compared, the curves show the hidden side as their ghost.
   void addGhost(GhostController& ghost);
 

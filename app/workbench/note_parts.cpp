@@ -8,14 +8,20 @@
 #include "app/workbench/kit/note_groups.h"
 #include "app/workbench/main_window.h"
 #include "app/workbench/shell/model_header.h"
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/connection/study_connection.h"
+#include "app/workbench/study/study_models.h"
 #include "app/workbench/study/study_notice_strip.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 
 namespace tactus::workbench {
 
-NoteParts::NoteParts(MainWindow& window, QMenu& menu, StudyController& study, MembershipEditor& editor)
-    : window_(window), study_(study), editor_(editor), strip_(new StudyNoticeStrip(study, &window)) {
+NoteParts::NoteParts(MainWindow& window, QMenu& menu, StudyConnection& study, StudyModels& study_models,
+                     MembershipEditor& editor)
+    : window_(window),
+      study_(study),
+      study_models_(study_models),
+      editor_(editor),
+      strip_(new StudyNoticeStrip(study, &window)) {
   window_.addStrip(strip_);
   menu.addSeparator();
   notices_ = menu.addAction(tr("What &happened to the study"));
@@ -25,24 +31,24 @@ NoteParts::NoteParts(MainWindow& window, QMenu& menu, StudyController& study, Me
     strip_->showAll();
     if (!study_.notices().before.isEmpty()) popUp(noticeGroups(study_.notices()));
   });
-  connect(data_, &QAction::triggered, this, [this] { popUp({dataGroup(study_.notes())}); });
-  connect(build_, &QAction::triggered, this, [this] { popUp({buildGroup(study_.notes())}); });
-  connect(&study_, &StudyController::notesChanged, this, &NoteParts::showNotes);
-  connect(&study_, &StudyController::noticesChanged, this, &NoteParts::showNotices);
+  connect(data_, &QAction::triggered, this, [this] { popUp({dataGroup(study_models_.notes())}); });
+  connect(build_, &QAction::triggered, this, [this] { popUp({buildGroup(study_models_.notes())}); });
+  connect(&study_models_, &StudyModels::notesChanged, this, &NoteParts::showNotes);
+  connect(&study_, &StudyConnection::noticesChanged, this, &NoteParts::showNotices);
   // The notes of the build are of the study's model alone.
-  connect(&study_, &StudyController::savedChanged, this, &NoteParts::showNotes);
+  connect(&study_models_, &StudyModels::savedChanged, this, &NoteParts::showNotes);
   showNotes();
   showNotices();
 }
 
 void NoteParts::showNotes() {
-  BuildNotes notes = study_.notes();
+  BuildNotes notes = study_models_.notes();
   data_->setEnabled(!notes.data.empty());
   build_->setEnabled(!notes.build.empty());
-  if (!study_.keepsModel()) notes.build.clear();
+  if (!study_models_.keepsModel()) notes.build.clear();
   window_.header().showNotes(notes);
   // What is odd in the data of the study says nothing of terms that are of another model.
-  editor_.setNotes(study_.keepsModel() ? std::move(notes) : BuildNotes());
+  editor_.setNotes(study_models_.keepsModel() ? std::move(notes) : BuildNotes());
 }
 
 void NoteParts::showNotices() {

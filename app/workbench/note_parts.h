@@ -14,7 +14,8 @@ namespace tactus::workbench {
 
 class MainWindow;
 class MembershipEditor;
-class StudyController;
+class StudyConnection;
+class StudyModels;
 class StudyNoticeStrip;
 
 class NoteParts : public QObject {
@@ -22,7 +23,8 @@ class NoteParts : public QObject {
 
  public:
   /// `menu`: that of the study.
-  NoteParts(MainWindow& window, QMenu& menu, StudyController& study, MembershipEditor& editor);
+  NoteParts(MainWindow& window, QMenu& menu, StudyConnection& study, StudyModels& study_models,
+            MembershipEditor& editor);
 
  private:
   void showNotes();
@@ -31,7 +33,8 @@ class NoteParts : public QObject {
   void popUp(const QVector<NoteGroup>& groups);
 
   MainWindow& window_;
-  StudyController& study_;
+  StudyConnection& study_;
+  StudyModels& study_models_;
   MembershipEditor& editor_;
   StudyNoticeStrip* strip_;
   QAction* notices_;

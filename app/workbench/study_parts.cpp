@@ -18,13 +18,20 @@
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/recent_files.h"
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/connection/study_connection.h"
+#include "app/workbench/study/study_models.h"
 
 namespace tactus::workbench {
 
-StudyParts::StudyParts(MainWindow& window, StudyController& study, FeelController& feel, FeelStore& store,
-                       const ModelController& models, RecentFiles& recent)
-    : window_(window), study_(study), feel_(feel), store_(store), models_(models), recent_(recent) {
+StudyParts::StudyParts(MainWindow& window, StudyConnection& study, StudyModels& study_models, FeelController& feel,
+                       FeelStore& store, const ModelController& models, RecentFiles& recent)
+    : window_(window),
+      study_(study),
+      study_models_(study_models),
+      feel_(feel),
+      store_(store),
+      models_(models),
+      recent_(recent) {
   buildMenu();
   FeelPanel& panel = window_.feelPanel();
   auto* recordings = new RecordingsCard(store, study, feel);
@@ -61,21 +68,23 @@ void StudyParts::buildMenu() {
 void StudyParts::connectAll() {
   connect(make_, &QAction::triggered, this, &StudyParts::chooseNew);
   connect(show_, &QAction::triggered, this, [this] {
-    if (window_.mayLoseChanges()) study_.openModel();
+    if (window_.mayLoseChanges()) study_models_.openModel();
   });
-  connect(put_, &QAction::triggered, &study_, &StudyController::putModel);
+  connect(put_, &QAction::triggered, &study_models_, &StudyModels::putModel);
   connect(build_, &QAction::triggered, this, [this] {
-    if (window_.mayLoseChanges()) study_.buildModel();
+    if (window_.mayLoseChanges()) study_models_.buildModel();
   });
-  connect(close_, &QAction::triggered, &study_, &StudyController::close);
-  connect(&window_, &MainWindow::studyChosen, &study_, &StudyController::open);
-  connect(&study_, &StudyController::savedChanged, this, &StudyParts::showState);
-  connect(&study_, &StudyController::contentsChanged, this, &StudyParts::showState);
-  connect(&study_, &StudyController::closed, this, &StudyParts::showState);
-  connect(&study_, &StudyController::opened, this, &StudyParts::onOpened);
-  connect(&study_, &StudyController::failed, this, &StudyParts::onFailed);
-  connect(&study_, &StudyController::said, this,
-          [this](const QString& sentence) { window_.banner().showNote(sentence); });
+  connect(close_, &QAction::triggered, &study_, &StudyConnection::close);
+  connect(&window_, &MainWindow::studyChosen, &study_, &StudyConnection::open);
+  connect(&study_models_, &StudyModels::savedChanged, this, &StudyParts::showState);
+  connect(&study_, &StudyConnection::contentsChanged, this, &StudyParts::showState);
+  connect(&study_, &StudyConnection::closed, this, &StudyParts::showState);
+  connect(&study_, &StudyConnection::opened, this, &StudyParts::onOpened);
+  connect(&study_, &StudyConnection::failed, this, &StudyParts::onFailed);
+  const auto note = [this](const QString& sentence) { window_.banner().showNote(sentence); };
+  connect(&study_, &StudyConnection::said, this, note);
+  connect(&study_models_, &StudyModels::failed, this, &StudyParts::onFailed);
+  connect(&study_models_, &StudyModels::said, this, note);
   connect(&store_, &FeelStore::said, this, [this](const QString& sentence) { window_.say(sentence); });
   connect(&store_, &FeelStore::failed, this, [this](const QString& sentence) { window_.banner().showError(sentence); });
 }
@@ -92,13 +101,13 @@ void StudyParts::chooseNew() {
 
 void StudyParts::showState() {
   const bool open = study_.isOpen() && !study_.isOpening();
-  const bool kept = study_.keepsModel();
+  const bool kept = study_models_.keepsModel();
   put_->setEnabled(open && models_.current() && !kept);
-  show_->setEnabled(open && study_.hasModel() && !kept);
+  show_->setEnabled(open && study_models_.hasModel() && !kept);
   build_->setEnabled(open);
   close_->setEnabled(open);
   window_.showStudy(study_.isOpen() ? study_.fileName() : QString());
-  window_.strip().showStored(study_.savedText(), !study_.failure().isEmpty());
+  window_.strip().showStored(study_models_.savedText(), !study_.failure().isEmpty());
   // The end is asked for anew: what comes up then may take it back.
   if (ending_ && (!study_.isBusy() || !study_.failure().isEmpty())) {
     ending_ = false;

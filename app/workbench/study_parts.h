@@ -14,14 +14,15 @@ class FeelStore;
 class MainWindow;
 class ModelController;
 class RecentFiles;
-class StudyController;
+class StudyConnection;
+class StudyModels;
 
 class StudyParts : public QObject {
   Q_OBJECT
 
  public:
-  StudyParts(MainWindow& window, StudyController& study, FeelController& feel, FeelStore& store,
-             const ModelController& models, RecentFiles& recent);
+  StudyParts(MainWindow& window, StudyConnection& study, StudyModels& study_models, FeelController& feel,
+             FeelStore& store, const ModelController& models, RecentFiles& recent);
 
   /// For what else concerns the study.
   QMenu& menu() { return *menu_; }
@@ -40,7 +41,8 @@ class StudyParts : public QObject {
   bool mayEnd();
 
   MainWindow& window_;
-  StudyController& study_;
+  StudyConnection& study_;
+  StudyModels& study_models_;
   FeelController& feel_;
   FeelStore& store_;
   const ModelController& models_;

@@ -16,7 +16,8 @@
 #include "app/workbench/note_parts.h"
 #include "app/workbench/rule_parts.h"
 #include "app/workbench/shell/recent_files.h"
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/connection/study_connection.h"
+#include "app/workbench/study/study_models.h"
 #include "app/workbench/study_parts.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
@@ -45,16 +46,16 @@ struct Workbench {
         ghost(edits, scene),
         references(scene),
         findings(edits, scene),
-        study(models, edits),
-        feel_store(feel, scene, study),
+        study_models(study, models, edits),
+        feel_store(feel, scene, study, [this] { return study_models.modelVersion(); }),
         recent(settings),
         window(models, scene, feel, recent, settings),
         rule_parts(window, rules),
         edit_parts(window, edits, terms, scene),
         curve_parts(window, models, edits, ghost, references, settings),
         finding_parts(window, findings, terms, rules),
-        study_parts(window, study, feel, feel_store, models, recent),
-        note_parts(window, study_parts.menu(), study, edit_parts.editor()),
+        study_parts(window, study, study_models, feel, feel_store, models, recent),
+        note_parts(window, study_parts.menu(), study, study_models, edit_parts.editor()),
         history_parts(window, edit_parts.menu(), edits, compare, scene, feel, author) {
     history_parts.addRecovery(autosave, recovery, study);
     history_parts.addGhost(ghost);
@@ -76,7 +77,8 @@ struct Workbench {
   GhostController ghost;
   ReferenceController references;
   FindingsController findings;
-  StudyController study;
+  StudyConnection study;
+  StudyModels study_models;
   FeelStore feel_store;
   RecentFiles recent;
   MainWindow window;

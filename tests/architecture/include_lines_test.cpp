@@ -110,13 +110,15 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/understand/here", room(shared, true)},
       {"app/workbench/device", room({"base"})},
       {"app/workbench/feel", room({"base", "kit", "model", "plot", "device"}, true)},
-      {"app/workbench/feel/recordings", room({"base", "kit", "model", "plot", "device", "feel", "study"}, true)},
-      {"app/workbench/study", room({"base", "kit", "model"})},
+      {"app/workbench/feel/recordings",
+       room({"base", "kit", "model", "plot", "device", "feel", "study/connection"}, true)},
+      {"app/workbench/study/connection", room({"base"})},
+      {"app/workbench/study", room({"base", "kit", "model", "study/connection"})},
       {"app/workbench/shell", room({"base", "kit", "model"})},
       // The root composes them.
       {"app/workbench", room({"base", "kit", "model", "plot", "tune/terms", "tune/rules", "tune/findings",
                               "tune/history", "understand/curves", "understand/map", "understand/here", "device",
-                              "feel", "feel/recordings", "study", "shell"})},
+                              "feel", "feel/recordings", "study/connection", "study", "shell"})},
       {"app", {{}, {}}},
   };
   return table;

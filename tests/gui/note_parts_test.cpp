@@ -49,7 +49,7 @@ class NotePartsTest : public testing::Test {
     ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
   }
   bool reviewed() {
-    return comesTrue([this] { return !bench.study.isReviewing(); });
+    return comesTrue([this] { return !bench.study_models.isReviewing(); });
   }
   // A study of three simulated nurses, `spoil`ed before it is imported.
   void makeNurses(const std::function<void(study::Study&)>& spoil) {
@@ -108,8 +108,8 @@ class NotePartsTest : public testing::Test {
 TEST_F(NotePartsTest, WhatIsOddInTheDataAndWhatTheBuildSaysIsReadableAfterReopening) {
   makeNurses(oneWordOfN2);
   ASSERT_TRUE(open());
-  ASSERT_TRUE(bench.study.keepsModel());
-  const BuildNotes built = bench.study.notes();
+  ASSERT_TRUE(bench.study_models.keepsModel());
+  const BuildNotes built = bench.study_models.notes();
   ASSERT_EQ(built.data.size(), 1U);
   EXPECT_TRUE(built.data[0].sentence.contains(QStringLiteral("N2"))) << built.data[0].sentence.toStdString();
   EXPECT_EQ(built.data[0].subject, "force");
@@ -118,23 +118,23 @@ TEST_F(NotePartsTest, WhatIsOddInTheDataAndWhatTheBuildSaysIsReadableAfterReopen
 
   // The model is a version of the study now; what is said is computed anew, and the window does not wait for it.
   close();
-  EXPECT_TRUE(bench.study.notes().isEmpty());
+  EXPECT_TRUE(bench.study_models.notes().isEmpty());
   EXPECT_EQ(headButton(QStringLiteral("Look")), nullptr);
   ASSERT_TRUE(open());
   ASSERT_TRUE(reviewed());
-  EXPECT_EQ(bench.study.notes(), built);
+  EXPECT_EQ(bench.study_models.notes(), built);
 }
 
 TEST_F(NotePartsTest, NotesOfAnotherBuildThanThatOfTheModelSaySo) {
   makeNurses([](study::Study&) {});
   ASSERT_TRUE(open());
   ASSERT_TRUE(comesTrue([this] { return !bench.study.isBusy(); }));
-  const BuildNotes built = bench.study.notes();
+  const BuildNotes built = bench.study_models.notes();
   EXPECT_TRUE(built.data.empty());
   bench.models.open(folder.write(tests::twoExperts()));
-  bench.study.putModel();
+  bench.study_models.putModel();
   ASSERT_TRUE(reviewed());
-  const BuildNotes& notes = bench.study.notes();
+  const BuildNotes& notes = bench.study_models.notes();
   ASSERT_EQ(notes.build.size(), built.build.size() + 1);
   EXPECT_TRUE(notes.build[0].sentence.startsWith(QStringLiteral("These notes are of a build from the answers")));
 }
@@ -148,11 +148,12 @@ TEST_F(NotePartsTest, TheyStandBesideTheHeadingAndAtTheNumberTheyBelongTo) {
   const QStringList said = popupSays();
   ASSERT_EQ(said.size(), 2);
   EXPECT_EQ(said[0], QStringLiteral("Look at the data first"));
-  EXPECT_EQ(said[1], bench.study.notes().data[0].sentence);
-  NotesButton* notes = headButton(NotesButton::counted(static_cast<qsizetype>(bench.study.notes().build.size())));
+  EXPECT_EQ(said[1], bench.study_models.notes().data[0].sentence);
+  NotesButton* notes =
+      headButton(NotesButton::counted(static_cast<qsizetype>(bench.study_models.notes().build.size())));
   ASSERT_NE(notes, nullptr);
   notes->click();
-  EXPECT_EQ(popupSays().size(), static_cast<qsizetype>(bench.study.notes().build.size()) + 1);
+  EXPECT_EQ(popupSays().size(), static_cast<qsizetype>(bench.study_models.notes().build.size()) + 1);
   // The same from the menu, with the keyboard alone.
   action(QStringLiteral("Look at the data first"))->trigger();
   EXPECT_EQ(popupSays(), said);
@@ -170,14 +171,14 @@ TEST_F(NotePartsTest, TheyStandBesideTheHeadingAndAtTheNumberTheyBelongTo) {
   bench.models.open(folder.write(tests::twoExperts()));
   bench.terms.setVariable("force");
   EXPECT_TRUE(at_terms->isHidden());
-  EXPECT_EQ(headButton(NotesButton::counted(static_cast<qsizetype>(bench.study.notes().build.size()))), nullptr);
+  EXPECT_EQ(headButton(NotesButton::counted(static_cast<qsizetype>(bench.study_models.notes().build.size()))), nullptr);
   EXPECT_NE(headButton(QStringLiteral("Look at the data first: 1")), nullptr);
 }
 
 TEST_F(NotePartsTest, OneButtonStandsForAllWhereThereIsNoRoom) {
   makeNurses(oneWordOfN2);
   ASSERT_TRUE(open());
-  const auto build = static_cast<qsizetype>(bench.study.notes().build.size());
+  const auto build = static_cast<qsizetype>(bench.study_models.notes().build.size());
   ASSERT_NE(headButton(NotesButton::counted(build)), nullptr);
   window.header().setMaximumWidth(300);
   ASSERT_TRUE(comesTrue([this] { return headButton(QStringLiteral("Look at the data first: 1")) == nullptr; }));

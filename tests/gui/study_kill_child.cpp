@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "app/editing/membership_edits.h"
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/study_models.h"
 
 int main(int argc, char** argv) {
   using namespace tactus;
@@ -14,15 +14,16 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   workbench::ModelController models;
   workbench::EditController edits(models);
-  workbench::StudyController study(models, edits);
+  workbench::StudyConnection study;
+  const workbench::StudyModels kept(study, models, edits);
   std::size_t told = 0;
   double place = 0;
   QTimer next;
-  QObject::connect(&study, &workbench::StudyController::failed, [](const QString&, const QString& sentence) {
+  QObject::connect(&study, &workbench::StudyConnection::failed, [](const QString&, const QString& sentence) {
     std::cerr << sentence.toStdString() << '\n';
     ::_exit(1);
   });
-  QObject::connect(&study, &workbench::StudyController::opened, &next, [&next] { next.start(0); });
+  QObject::connect(&study, &workbench::StudyConnection::opened, &next, [&next] { next.start(0); });
   QObject::connect(&edits, &workbench::EditController::stored, [&] {
     const auto& events = edits.history().events();
     for (; told < events.size() && events[told].stored; ++told) {

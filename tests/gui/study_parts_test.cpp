@@ -121,7 +121,7 @@ TEST_F(StudyPartsTest, AFailureIsOneSentenceInTheBanner) {
 TEST_F(StudyPartsTest, TheWindowStaysUntilEverythingIsWritten) {
   ASSERT_TRUE(open());
   window.openFile(folder.write(tests::twoExperts()));
-  bench.study.putModel();
+  bench.study_models.putModel();
   ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
   window.close();
   ASSERT_TRUE(comesTrue([this] { return !window.isVisible(); }));
@@ -161,7 +161,7 @@ TEST_F(StudyPartsTest, AWindowThatIsKeptOpenIsNotClosedByTheNextWrite) {
 TEST_F(StudyPartsTest, ChangesThatAreNotSavedAreAskedFor) {
   ASSERT_TRUE(open());
   window.openFile(folder.write(tests::twoExperts()));
-  bench.study.putModel();
+  bench.study_models.putModel();
   window.openFile(folder.write(tests::twoExperts(), QStringLiteral("beside.tactus.json")));
   ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
   ASSERT_TRUE(bench.models.isModified());

@@ -169,7 +169,7 @@ TEST_F(VisibleText, OfAStudyIsTranslated) {
   ASSERT_TRUE(comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening(); }));
   expectTranslated(window, "empty study");
   openModel();
-  bench.study.putModel();
+  bench.study_models.putModel();
   settle();
   expectTranslated(window, "study");
 }

@@ -10,7 +10,7 @@ namespace tactus::workbench {
 /// One thing to know of the opening of a study: what happened, what it means, and what to do.
 struct StudyNotice {
   QString sentence;
-  /// An erasure that was interrupted: StudyController::finishErasure ends it.
+  /// An erasure that was interrupted: StudyConnection::finishErasure ends it.
   bool can_be_finished = false;
 
   bool operator==(const StudyNotice&) const = default;

@@ -8,19 +8,19 @@
 
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {
 
-StudyNoticeStrip::StudyNoticeStrip(StudyController& study, QWidget* parent)
+StudyNoticeStrip::StudyNoticeStrip(StudyConnection& study, QWidget* parent)
     : Card(parent), study_(study), lines_(new QVBoxLayout(this)) {
   lines_->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
   lines_->setSpacing(theme::kGrid);
   setColors(theme::warningFill(), theme::warningFill());
   hide();
-  connect(&study_, &StudyController::noticesChanged, this, &StudyNoticeStrip::fill);
+  connect(&study_, &StudyConnection::noticesChanged, this, &StudyNoticeStrip::fill);
   // Another opening is another matter.
-  connect(&study_, &StudyController::opened, this, &StudyNoticeStrip::showAll);
+  connect(&study_, &StudyConnection::opened, this, &StudyNoticeStrip::showAll);
 }
 
 void StudyNoticeStrip::showAll() {
@@ -58,7 +58,7 @@ void StudyNoticeStrip::addLine(const StudyNotice& notice) {
     auto* finish = new QPushButton(study_.isErasing() ? tr("Erasing…") : tr("Finish the erasure"), line);
     finish->setEnabled(!study_.isErasing());
     finish->setToolTip(tr("Writes the file of the study anew, without what was removed"));
-    connect(finish, &QPushButton::clicked, &study_, &StudyController::finishErasure);
+    connect(finish, &QPushButton::clicked, &study_, &StudyConnection::finishErasure);
     layout->addWidget(finish, 0, Qt::AlignVCenter);
   }
   auto* close = new QToolButton(line);

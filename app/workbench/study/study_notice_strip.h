@@ -11,13 +11,13 @@ class QVBoxLayout;
 
 namespace tactus::workbench {
 
-class StudyController;
+class StudyConnection;
 
 class StudyNoticeStrip : public Card {
   Q_OBJECT
 
  public:
-  explicit StudyNoticeStrip(StudyController& study, QWidget* parent = nullptr);
+  explicit StudyNoticeStrip(StudyConnection& study, QWidget* parent = nullptr);
 
   /// All of them again, those that were closed too.
   void showAll();
@@ -28,7 +28,7 @@ class StudyNoticeStrip : public Card {
   void fill();
   void addLine(const StudyNotice& notice);
 
-  StudyController& study_;
+  StudyConnection& study_;
   QVBoxLayout* lines_;
   QStringList shown_;
   QStringList closed_;

@@ -21,31 +21,26 @@ std::optional<std::string> firstText(const store::StudyFile& file, const study::
 
 }  // namespace
 
-StudyReview::StudyReview(StudyWorker& worker, CallQueue& answers, QObject* parent)
-    : QObject(parent), worker_(worker), answers_(answers) {}
+StudyReview::StudyReview(StudyConnection& study, QObject* parent) : QObject(parent), study_(study) {}
 
 void StudyReview::begin(const std::optional<study::RecordId>& model) {
   clear();
   busy_ = true;
-  worker_.post([this, number = newest_, model](StudyWorker::Desk& desk) {
-    if (!desk.file) return;
-    auto view = session::studyForElicitation(*desk.file);
+  study_.read(*this, [this, number = newest_, model](const store::StudyFile& file) -> StudyConnection::Deliver {
+    auto view = session::studyForElicitation(file);
     if (!view) {
       // Two persons with one code, or a record that is damaged: no build is possible.
-      const QString sentence = text(view.error().message());
-      answers_.post([this, number, sentence] {
+      return [this, number, sentence = text(view.error().message())] {
         if (number == newest_) take({{{sentence, {}}}, {}});
-      });
-      return;
+      };
     }
     const auto read = std::make_shared<const ReadStudy>(ReadStudy{std::move(view->study), std::move(view->notes)});
-    const auto first = model ? firstText(*desk.file, *model) : std::nullopt;
-    answers_.post([this, number, read, first] {
+    return [this, number, read, first = model ? firstText(file, *model) : std::nullopt] {
       if (number != newest_) return;
       background_.run([this, read, first](const std::stop_token&) -> Background::Deliver {
         return [this, notes = reviewed(*read, first)] { take(notes); };
       });
-    });
+    };
   });
 }
 

@@ -8,8 +8,7 @@
 
 #include "app/workbench/base/background.h"
 #include "app/workbench/base/build_note.h"
-#include "app/workbench/base/call_queue.h"
-#include "app/workbench/study/study_worker.h"
+#include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {
 
@@ -18,8 +17,7 @@ class StudyReview : public QObject {
   Q_OBJECT
 
  public:
-  /// `worker` ends before this; `answers` is where it answers.
-  StudyReview(StudyWorker& worker, CallQueue& answers, QObject* parent = nullptr);
+  explicit StudyReview(StudyConnection& study, QObject* parent = nullptr);
 
   /// Forgets everything and looks at the study that is open. `model`: a version of the model whose notes are wanted.
   /// They come from building it once more; where that gives another model than the first version of this one, a note
@@ -39,8 +37,7 @@ class StudyReview : public QObject {
  private:
   void take(BuildNotes notes);
 
-  StudyWorker& worker_;
-  CallQueue& answers_;
+  StudyConnection& study_;
   BuildNotes notes_;
   bool busy_ = false;
   std::uint64_t newest_ = 0;  ///< what was begun before does not count any more

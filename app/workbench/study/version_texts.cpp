@@ -13,8 +13,8 @@ constexpr std::size_t kAtOnce = 20;  // few, so that edits are stored in between
 
 }  // namespace
 
-VersionTexts::VersionTexts(StudyWorker& worker, CallQueue& answers, QObject* parent)
-    : QObject(parent), worker_(worker), answers_(answers), shelf_(std::make_shared<Shelf>()) {}
+VersionTexts::VersionTexts(StudyConnection& study, QObject* parent)
+    : QObject(parent), study_(study), shelf_(std::make_shared<Shelf>()) {}
 
 void VersionTexts::begin(const std::vector<study::ModelVersion>& versions, std::size_t most_ahead_bytes) {
   shelf_ = std::make_shared<Shelf>();
@@ -46,22 +46,23 @@ void VersionTexts::readAhead(std::size_t next) {
 }
 
 void VersionTexts::read(std::vector<study::RecordId> wanted, std::function<void()> then) {
-  worker_.post([this, wanted = std::move(wanted), then = std::move(then), shelf = shelf_](StudyWorker::Desk& desk) {
-    if (!desk.file) return;
-    std::vector<std::pair<study::RecordId, Read>> found;
-    for (const study::RecordId& id : wanted) found.emplace_back(id, store::modelVersion(*desk.file, id));
-    answers_.post([this, then, shelf, found = std::move(found)] {
-      if (shelf != shelf_) return;
-      bool wanted_now = false;
-      for (const auto& [id, version] : found) {
-        if (version && shelf->read.emplace(id, version).second) shelf->bytes += version->text.size();
-        if (!version) shelf->read.emplace(id, version);
-        wanted_now |= shelf->asked.erase(id) > 0;
-      }
-      if (wanted_now) emit arrived();
-      then();
-    });
-  });
+  study_.read(*this,
+              [this, wanted = std::move(wanted), then = std::move(then),
+               shelf = shelf_](const store::StudyFile& file) -> StudyConnection::Deliver {
+                std::vector<std::pair<study::RecordId, Read>> found;
+                for (const study::RecordId& id : wanted) found.emplace_back(id, store::modelVersion(file, id));
+                return [this, then, shelf, found = std::move(found)] {
+                  if (shelf != shelf_) return;
+                  bool wanted_now = false;
+                  for (const auto& [id, version] : found) {
+                    if (version && shelf->read.emplace(id, version).second) shelf->bytes += version->text.size();
+                    if (!version) shelf->read.emplace(id, version);
+                    wanted_now |= shelf->asked.erase(id) > 0;
+                  }
+                  if (wanted_now) emit arrived();
+                  then();
+                };
+              });
 }
 
 }  // namespace tactus::workbench

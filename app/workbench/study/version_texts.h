@@ -9,9 +9,8 @@
 #include <set>
 #include <vector>
 
-#include "app/workbench/base/call_queue.h"
 #include "app/workbench/model/edit_controller.h"
-#include "app/workbench/study/study_worker.h"
+#include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {
 
@@ -23,8 +22,7 @@ class VersionTexts : public QObject {
   /// 64 MiB: enough text for a long run of undo.
   static constexpr std::size_t kMostAheadBytes = std::size_t{64} << 20U;
 
-  /// `worker` ends before this; `answers` is where it answers.
-  VersionTexts(StudyWorker& worker, CallQueue& answers, QObject* parent = nullptr);
+  explicit VersionTexts(StudyConnection& study, QObject* parent = nullptr);
 
   /// Drops all texts. Then reads in advance the newest of `versions` (of the open study, oldest first), about
   /// `most_ahead_bytes` of text, so that undo does not have to wait.
@@ -51,8 +49,7 @@ class VersionTexts : public QObject {
   /// Reads `wanted` and puts the texts on the shelf; then calls `then`, unless `begin` has made another shelf.
   void read(std::vector<study::RecordId> wanted, std::function<void()> then);
 
-  StudyWorker& worker_;
-  CallQueue& answers_;
+  StudyConnection& study_;
   std::shared_ptr<Shelf> shelf_;
 };
 

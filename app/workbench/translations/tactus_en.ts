@@ -380,6 +380,47 @@
     </message>
 </context>
 <context>
+    <name>ModelInStudyText</name>
+    <message numerus="yes">
+        <source>%n expert(s)</source>
+        <translation>
+            <numerusform>%n expert</numerusform>
+            <numerusform>%n experts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 of them SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds neither a model nor answers of experts. Open a model and put it into the study with Study, or read tables into it with tactus study import.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds no model, and none can be built from its answers: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built from the study: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built from the answers in %1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>There are %n note(s) about it beside the heading.</source>
+        <translation>
+            <numerusform>There is a note about it beside the heading.</numerusform>
+            <numerusform>There are %n notes about it beside the heading.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>NoteGroups</name>
     <message>
         <source>Look at the data first</source>
@@ -663,44 +704,6 @@
 </context>
 <context>
     <name>StudyContentsText</name>
-    <message numerus="yes">
-        <source>%n expert(s)</source>
-        <translation>
-            <numerusform>%n expert</numerusform>
-            <numerusform>%n experts</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1, SIMULATED</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, %2 of them SIMULATED</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 holds neither a model nor answers of experts. Open a model and put it into the study with Study, or read tables into it with tactus study import.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 holds no model, and none can be built from its answers: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Built from the study: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Built from the answers in %1: %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>There are %n note(s) about it beside the heading.</source>
-        <translation>
-            <numerusform>There is a note about it beside the heading.</numerusform>
-            <numerusform>There are %n notes about it beside the heading.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1: %2. If records are missing, look for them in a backup or an export of the study.</source>
         <translation type="unfinished"></translation>
@@ -3374,7 +3377,22 @@ felt on the model %2</source>
     </message>
 </context>
 <context>
-    <name>tactus::workbench::StudyController</name>
+    <name>tactus::workbench::StudyConnection</name>
+    <message>
+        <source>The erasure is not finished: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The erasure is finished: nothing of those who withdrew is left in %1. Backups and exports made before can still hold their data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has to be written first: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StudyModels</name>
     <message>
         <source>A copy was written to %1; edits go on into %2.</source>
         <translation type="unfinished"></translation>
@@ -3400,19 +3418,7 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 has to be written first: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Left in %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The erasure is not finished: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The erasure is finished: nothing of those who withdrew is left in %1. Backups and exports made before can still hold their data.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

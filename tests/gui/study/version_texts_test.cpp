@@ -28,14 +28,14 @@ class VersionTextsTest : public testing::Test {
       }
       versions = *store::modelVersions(file);
     });
-    worker.post([path](StudyWorker::Desk& desk) { desk.file = *store::StudyFile::open(path.toStdString()); });
+    study.open(path);
+    ASSERT_TRUE(tests::comesTrue([this] { return study.isOpen(); }));
   }
 
   tests::ModelFolder folder;
   std::vector<study::ModelVersion> versions;
-  CallQueue answers;
-  VersionTexts texts{worker, answers};
-  StudyWorker worker;  // last, as in the controller
+  StudyConnection study;
+  VersionTexts texts{study};
 };
 
 TEST_F(VersionTextsTest, ReadsTheNewestAheadAndTheOthersWhenAskedFor) {

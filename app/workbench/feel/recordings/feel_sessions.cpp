@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "app/version.h"
-#include "app/workbench/study/study_contents.h"
+#include "app/workbench/study/connection/study_contents.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"

@@ -8,7 +8,7 @@
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/connection/study_connection.h"
 #include "core/haptics/simulated/replay_device.h"
 #include "core/store/feel_records.h"
 
@@ -25,16 +25,22 @@ std::string deviceText(const haptics::DeviceInfo& info) {
 
 }  // namespace
 
-FeelStore::FeelStore(FeelController& feel, SceneController& scene, StudyController& study, QObject* parent)
-    : QObject(parent), feel_(feel), scene_(scene), study_(study), sessions_(std::make_shared<FeelSessions>()) {
+FeelStore::FeelStore(FeelController& feel, SceneController& scene, StudyConnection& study, ModelVersion model_version,
+                     QObject* parent)
+    : QObject(parent),
+      feel_(feel),
+      scene_(scene),
+      study_(study),
+      model_version_(std::move(model_version)),
+      sessions_(std::make_shared<FeelSessions>()) {
   connect(&feel_, &FeelController::stateChanged, this, &FeelStore::onState);
   connect(&feel_, &FeelController::sampled, this, &FeelStore::onSampled);
   connect(&feel_, &FeelController::advanced, this, &FeelStore::onAdvanced);
   connect(&feel_, &FeelController::placementEnded, this, &FeelStore::onPlacementEnded);
   connect(&scene_, &SceneController::modelChanged, this, &FeelStore::onModel);
-  connect(&study_, &StudyController::opened, this, &FeelStore::onStudy);
-  connect(&study_, &StudyController::closed, this, &FeelStore::onStudy);
-  connect(&study_, &StudyController::leaving, this, [this] {
+  connect(&study_, &StudyConnection::opened, this, &FeelStore::onStudy);
+  connect(&study_, &StudyConnection::closed, this, &FeelStore::onStudy);
+  connect(&study_, &StudyConnection::leaving, this, [this] {
     setRecording(false);
     endPlacement();
   });
@@ -277,7 +283,7 @@ study::FeltSetting FeelStore::setting() const {
   out.simulated = info.simulated;
   out.model = scene_.model()->model.name;
   if (const std::string& expert = scene_.model()->only_expert; !expert.empty()) out.model += ": " + expert + " alone";
-  out.model_version = study_.modelVersion();
+  out.model_version = model_version_();
   for (const auto& condition : conditions()) out.conditions[condition.id] = condition.value;
   return out;
 }

@@ -22,7 +22,7 @@ namespace tactus::workbench {
 
 class FeelController;
 class SceneController;
-class StudyController;
+class StudyConnection;
 
 /// Thread: gui.
 class FeelStore : public QObject {
@@ -31,7 +31,10 @@ class FeelStore : public QObject {
  public:
   static constexpr double kPieceS = 2;  ///< of a recording; a crash loses at most this
 
-  FeelStore(FeelController& feel, SceneController& scene, StudyController& study, QObject* parent = nullptr);
+  /// The version of the shown model in the study; nothing if the study does not keep the model.
+  using ModelVersion = std::function<std::optional<study::RecordId>()>;
+  FeelStore(FeelController& feel, SceneController& scene, StudyConnection& study, ModelVersion model_version,
+            QObject* parent = nullptr);
   /// Orders the rest of the current recording to be written.
   ~FeelStore() override;
 
@@ -84,7 +87,8 @@ class FeelStore : public QObject {
 
   FeelController& feel_;
   SceneController& scene_;
-  StudyController& study_;
+  StudyConnection& study_;
+  ModelVersion model_version_;
   std::shared_ptr<FeelSessions> sessions_;  ///< used only by the thread of the study
   study::RecordIds ids_;
   std::optional<study::RecordId> who_;

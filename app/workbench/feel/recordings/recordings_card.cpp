@@ -17,7 +17,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/recordings/feel_store.h"
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {
 namespace {
@@ -63,7 +63,7 @@ QIcon recordIcon(bool in_progress) {
 
 }  // namespace
 
-RecordingsCard::RecordingsCard(FeelStore& store, StudyController& study, FeelController& feel, QWidget* parent)
+RecordingsCard::RecordingsCard(FeelStore& store, StudyConnection& study, FeelController& feel, QWidget* parent)
     : Card(parent),
       store_(store),
       study_(study),
@@ -80,9 +80,9 @@ RecordingsCard::RecordingsCard(FeelStore& store, StudyController& study, FeelCon
   connect(record_, &QPushButton::clicked, this, [this] { store_.setRecording(!store_.isRecording()); });
   connect(replay_, &QPushButton::clicked, this, &RecordingsCard::replay);
   connect(&store_, &FeelStore::changed, this, &RecordingsCard::showState);
-  connect(&study_, &StudyController::contentsChanged, this, &RecordingsCard::listPeople);
-  connect(&study_, &StudyController::contentsChanged, this, &RecordingsCard::listRecordings);
-  connect(&study_, &StudyController::closed, this, &RecordingsCard::showState);
+  connect(&study_, &StudyConnection::contentsChanged, this, &RecordingsCard::listPeople);
+  connect(&study_, &StudyConnection::contentsChanged, this, &RecordingsCard::listRecordings);
+  connect(&study_, &StudyConnection::closed, this, &RecordingsCard::showState);
   connect(&feel_, &FeelController::stateChanged, this, &RecordingsCard::showState);
   listPeople();
   listRecordings();

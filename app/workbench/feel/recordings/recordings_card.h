@@ -13,13 +13,13 @@ namespace tactus::workbench {
 
 class FeelController;
 class FeelStore;
-class StudyController;
+class StudyConnection;
 
 class RecordingsCard : public Card {
   Q_OBJECT
 
  public:
-  RecordingsCard(FeelStore& store, StudyController& study, FeelController& feel, QWidget* parent = nullptr);
+  RecordingsCard(FeelStore& store, StudyConnection& study, FeelController& feel, QWidget* parent = nullptr);
 
   /// False: leaves out the hint for users without an open study, to save space.
   void setRoomy(bool roomy);
@@ -34,7 +34,7 @@ class RecordingsCard : public Card {
   void replay();
 
   FeelStore& store_;
-  StudyController& study_;
+  StudyConnection& study_;
   FeelController& feel_;
   QLabel* hint_;
   QLabel* where_;  ///< the study that gets the recordings

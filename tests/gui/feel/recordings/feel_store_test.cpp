@@ -10,7 +10,7 @@
 #include "app/editing/membership_edits.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/model/scene_controller.h"
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/study_models.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "core/haptics/servo/sample_ring.h"
 #include "core/store/feel_records.h"
@@ -37,7 +37,7 @@ class FeelStoreTest : public testing::Test {
     });
     study.open(path);
     ASSERT_TRUE(comesTrue([this] { return study.isOpen(); }));
-    study.putModel();
+    study_models.putModel();
   }
 
   // Takes the tube, pushes it in two strokes, and lets go.
@@ -84,8 +84,9 @@ class FeelStoreTest : public testing::Test {
   tests::SteppedFeel time;
   FeelController feel{scene, time.settings()};
   EditController edits{models};
-  StudyController study{models, edits};
-  FeelStore store{feel, scene, study};
+  StudyConnection study;
+  StudyModels study_models{study, models, edits};
+  FeelStore store{feel, scene, study, [this] { return study_models.modelVersion(); }};
 };
 
 TEST_F(FeelStoreTest, APlacementIsKeptAsItsPersons) {
@@ -93,7 +94,7 @@ TEST_F(FeelStoreTest, APlacementIsKeptAsItsPersons) {
   feel.start(QStringLiteral("virtual"));
   place();
   feel.stop();
-  const auto version = study.modelVersion();
+  const auto version = study_models.modelVersion();
   const auto summary = feel.lastPlacement();
   ASSERT_TRUE(summary);
   ASSERT_TRUE(allWritten());
@@ -168,9 +169,9 @@ TEST_F(FeelStoreTest, ThePlacementThatGoesOnStaysInItsStudy) {
 }
 
 TEST_F(FeelStoreTest, APlacementOnAnotherVersionSaysWhich) {
-  const study::RecordId before = *study.modelVersion();
+  const study::RecordId before = *study_models.modelVersion();
   ASSERT_TRUE(edits.apply(editing::moveVertex(edits.model(), {{"depth", ""}, "near", 2}, 3)));
-  const study::RecordId now = *study.modelVersion();
+  const study::RecordId now = *study_models.modelVersion();
   CompareController compare(models, edits);
   compare.show(CompareSide::kB);  // the state before
   feel.start(QStringLiteral("virtual"));
@@ -368,7 +369,7 @@ TEST_F(FeelStoreTest, AReplayWaitsForADeviceThatTakesItsTimeToStop) {
   ASSERT_TRUE(comesTrue([this] { return study.recordings().size() == 1 && study.recordings()[0].finished; }));
   std::atomic<bool> lets_go = true;
   FeelController slow(scene, time.slowSettings(lets_go));
-  FeelStore other(slow, scene, study);
+  FeelStore other(slow, scene, study, [this] { return study_models.modelVersion(); });
   slow.start(QStringLiteral("virtual"));
   ASSERT_TRUE(comesTrue([&] { return slow.state() == FeelController::State::kRunning; }));
   lets_go = false;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/workbench/base/worker.h"
 #include "core/base/error.h"
@@ -28,9 +29,18 @@ class StudyWorker {
     std::optional<store::StudyFile> next;  ///< an opened study that replaces `file` on request
     std::deque<Work> works;                ///< not done yet, because the disk refused the first of them
     study::RecordIds ids;
+    /// Run before `file` is closed or exchanged.
+    std::vector<std::function<void()>> before_closing;
 
     /// Runs the orders in sequence until the disk refuses one. Returns whether all are done.
     bool catchUp();
+    /// Closes `file`.
+    base::Result<void> close();
+    /// Puts `next` in the place of `file`.
+    void exchange();
+
+   private:
+    void drop();
   };
   using Task = std::function<void(Desk&)>;
 

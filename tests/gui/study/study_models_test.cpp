@@ -1,4 +1,4 @@
-#include "app/workbench/study/study_controller.h"
+#include "app/workbench/study/study_models.h"
 
 #include <QFileInfo>
 #include <QSignalSpy>
@@ -25,12 +25,15 @@ using tests::comesTrue;
 
 const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
 
-class StudyControllerTest : public testing::Test {
+class StudyModelsTest : public testing::Test {
  protected:
-  StudyControllerTest() {
-    QObject::connect(study.get(), &StudyController::said, [this](const QString& sentence) { said = sentence; });
-    QObject::connect(study.get(), &StudyController::failed,
-                     [this](const QString&, const QString& sentence) { failed = sentence; });
+  StudyModelsTest() {
+    const auto on_said = [this](const QString& sentence) { said = sentence; };
+    const auto on_failed = [this](const QString&, const QString& sentence) { failed = sentence; };
+    QObject::connect(study.get(), &StudyConnection::said, on_said);
+    QObject::connect(kept.get(), &StudyModels::said, on_said);
+    QObject::connect(study.get(), &StudyConnection::failed, on_failed);
+    QObject::connect(kept.get(), &StudyModels::failed, on_failed);
   }
 
   // A study with the sample model, opened and moved to 3 and 2, then back to 3.
@@ -44,6 +47,10 @@ class StudyControllerTest : public testing::Test {
       for (const auto& version : editing::unstoredVersions(history)) ASSERT_TRUE(store::append(file, version));
     });
   }
+  void end() {
+    kept.reset();
+    study.reset();
+  }
   bool open(const QString& file) {
     failed.clear();
     study->open(file);
@@ -51,7 +58,7 @@ class StudyControllerTest : public testing::Test {
   }
   // Until `disk` is released, nothing more is written; from the moment on at which the study is left.
   void hangOnLeaving(const std::shared_ptr<std::binary_semaphore>& disk) {
-    QObject::connect(study.get(), &StudyController::leaving, [this, disk] {
+    QObject::connect(study.get(), &StudyConnection::leaving, [this, disk] {
       left = true;
       study->order([disk](store::StudyFile&, study::RecordIds&) -> base::Result<void> {
         disk->acquire();
@@ -86,18 +93,19 @@ class StudyControllerTest : public testing::Test {
   QString path = folder.path(QStringLiteral("sample.tactus"));
   ModelController models;
   EditController edits{models};
-  std::unique_ptr<StudyController> study = std::make_unique<StudyController>(models, edits);
+  std::unique_ptr<StudyConnection> study = std::make_unique<StudyConnection>();
+  std::unique_ptr<StudyModels> kept = std::make_unique<StudyModels>(*study, models, edits);
   QString said;
   QString failed;
   bool left = false;
 };
 
-TEST_F(StudyControllerTest, OpensTheLatestModelWithItsHistory) {
+TEST_F(StudyModelsTest, OpensTheLatestModelWithItsHistory) {
   makeTuned();
   ASSERT_TRUE(open(path)) << failed.toStdString();
   EXPECT_EQ(shoulder(), 3);
-  EXPECT_TRUE(study->keepsModel());
-  EXPECT_EQ(study->savedText(), QStringLiteral("Stored in sample.tactus"));
+  EXPECT_TRUE(kept->keepsModel());
+  EXPECT_EQ(kept->savedText(), QStringLiteral("Stored in sample.tactus"));
   EXPECT_FALSE(models.isModified());
   EXPECT_EQ(edits.history().line().size(), 3U);
   ASSERT_TRUE(edits.canUndo());
@@ -112,15 +120,15 @@ TEST_F(StudyControllerTest, OpensTheLatestModelWithItsHistory) {
   EXPECT_EQ(shoulder(), 2);
 }
 
-TEST_F(StudyControllerTest, EveryEditBecomesAVersion) {
+TEST_F(StudyModelsTest, EveryEditBecomesAVersion) {
   makeTuned();
   ASSERT_TRUE(open(path));
   move(2.5);
   move(1.5);
-  const auto version = study->modelVersion();
+  const auto version = kept->modelVersion();
   ASSERT_TRUE(allWritten());
   EXPECT_FALSE(models.isModified());
-  study.reset();
+  end();
   const auto stored = versions();
   ASSERT_EQ(stored.size(), 6U);
   EXPECT_EQ(stored.back().id, version);
@@ -130,15 +138,15 @@ TEST_F(StudyControllerTest, EveryEditBecomesAVersion) {
   EXPECT_TRUE(store::checkStudy(tests::lookInto(path))->empty());
 }
 
-TEST_F(StudyControllerTest, WhatWasOrderedIsWrittenBeforeTheEnd) {
+TEST_F(StudyModelsTest, WhatWasOrderedIsWrittenBeforeTheEnd) {
   makeTuned();
   ASSERT_TRUE(open(path));
   for (int i = 0; i < 50; ++i) move(2 + 0.01 * i);
-  study.reset();
+  end();
   EXPECT_EQ(versions().size(), 54U);
 }
 
-TEST_F(StudyControllerTest, ADiskThatHangsHoldsNobodyUp) {
+TEST_F(StudyModelsTest, ADiskThatHangsHoldsNobodyUp) {
   makeTuned();
   ASSERT_TRUE(open(path));
   std::binary_semaphore disk(0);
@@ -148,14 +156,14 @@ TEST_F(StudyControllerTest, ADiskThatHangsHoldsNobodyUp) {
   });
   move(2.5);
   EXPECT_EQ(shoulder(), 2.5);
-  ASSERT_TRUE(comesTrue([this] { return study->savedText() == QStringLiteral("Saving in sample.tactus…"); }));
+  ASSERT_TRUE(comesTrue([this] { return kept->savedText() == QStringLiteral("Saving in sample.tactus…"); }));
   EXPECT_TRUE(study->isBusy());
   disk.release();
   ASSERT_TRUE(allWritten());
-  EXPECT_EQ(study->savedText(), QStringLiteral("Stored in sample.tactus"));
+  EXPECT_EQ(kept->savedText(), QStringLiteral("Stored in sample.tactus"));
 }
 
-TEST_F(StudyControllerTest, WhatTheDiskRefusesIsSaidAndDoneAgain) {
+TEST_F(StudyModelsTest, WhatTheDiskRefusesIsSaidAndDoneAgain) {
   makeTuned();
   ASSERT_TRUE(open(path));
   auto full = std::make_shared<std::atomic<bool>>(true);
@@ -169,7 +177,7 @@ TEST_F(StudyControllerTest, WhatTheDiskRefusesIsSaidAndDoneAgain) {
   move(2.5);
   ASSERT_TRUE(comesTrue([this] { return !study->failure().isEmpty(); }));
   EXPECT_TRUE(failed.contains(QStringLiteral("no space left"))) << failed.toStdString();
-  EXPECT_TRUE(study->savedText().contains(QStringLiteral("Not stored"))) << study->savedText().toStdString();
+  EXPECT_TRUE(kept->savedText().contains(QStringLiteral("Not stored"))) << kept->savedText().toStdString();
   // Nobody gets away from it by accident.
   study->open(folder.path(QStringLiteral("other.tactus")));
   EXPECT_FALSE(study->isOpening());
@@ -179,11 +187,11 @@ TEST_F(StudyControllerTest, WhatTheDiskRefusesIsSaidAndDoneAgain) {
   ASSERT_TRUE(allWritten());
   EXPECT_TRUE(done);
   EXPECT_TRUE(study->failure().isEmpty());
-  study.reset();
+  end();
   EXPECT_EQ(storedShoulder(), 2.5);
 }
 
-TEST_F(StudyControllerTest, WhatIsWrongIsOneSentenceAndTheStudyBeforeStays) {
+TEST_F(StudyModelsTest, WhatIsWrongIsOneSentenceAndTheStudyBeforeStays) {
   makeTuned();
   ASSERT_TRUE(open(path));
   EXPECT_FALSE(open(folder.path(QStringLiteral("nowhere.tactus"))));
@@ -192,58 +200,58 @@ TEST_F(StudyControllerTest, WhatIsWrongIsOneSentenceAndTheStudyBeforeStays) {
   EXPECT_EQ(study->path(), path);
   move(2.5);
   ASSERT_TRUE(allWritten());
-  study.reset();
+  end();
   EXPECT_EQ(storedShoulder(), 2.5);
 }
 
-TEST_F(StudyControllerTest, AnEmptyStudySaysWhatToDoAndTakesAModelIn) {
+TEST_F(StudyModelsTest, AnEmptyStudySaysWhatToDoAndTakesAModelIn) {
   study->create(path);
   ASSERT_TRUE(comesTrue([this] { return study->isOpen(); })) << failed.toStdString();
   EXPECT_TRUE(said.contains(QStringLiteral("holds neither a model nor answers"))) << said.toStdString();
-  EXPECT_FALSE(study->hasModel());
+  EXPECT_FALSE(kept->hasModel());
   EXPECT_EQ(models.current(), nullptr);
 
   models.open(folder.write(tests::twoExperts()));
   move(3);
   EXPECT_TRUE(models.isModified());
-  EXPECT_FALSE(study->keepsModel());
-  study->putModel();
-  EXPECT_TRUE(study->keepsModel());
+  EXPECT_FALSE(kept->keepsModel());
+  kept->putModel();
+  EXPECT_TRUE(kept->keepsModel());
   EXPECT_FALSE(models.isModified());
   move(2);
   ASSERT_TRUE(allWritten());
-  study.reset();
+  end();
   EXPECT_EQ(versions().size(), 3U);
   EXPECT_EQ(storedShoulder(), 2);
 }
 
-TEST_F(StudyControllerTest, AFileThatIsOpenedBesideTheStudyStaysAFile) {
+TEST_F(StudyModelsTest, AFileThatIsOpenedBesideTheStudyStaysAFile) {
   makeTuned();
   ASSERT_TRUE(open(path));
   models.open(folder.write(tests::twoExperts()));
-  EXPECT_FALSE(study->keepsModel());
-  EXPECT_TRUE(study->savedText().isEmpty());
+  EXPECT_FALSE(kept->keepsModel());
+  EXPECT_TRUE(kept->savedText().isEmpty());
   move(2.5);
   EXPECT_TRUE(models.isModified());
-  study->openModel();
-  ASSERT_TRUE(comesTrue([this] { return study->keepsModel(); }));
+  kept->openModel();
+  ASSERT_TRUE(comesTrue([this] { return kept->keepsModel(); }));
   EXPECT_EQ(shoulder(), 3);
-  study.reset();
+  end();
   EXPECT_EQ(versions().size(), 4U);
 }
 
-TEST_F(StudyControllerTest, SaveAsWritesACopy) {
+TEST_F(StudyModelsTest, SaveAsWritesACopy) {
   makeTuned();
   ASSERT_TRUE(open(path));
   models.saveAs(folder.path(QStringLiteral("copy.tactus.json")));
   EXPECT_TRUE(QFileInfo::exists(folder.path(QStringLiteral("copy.tactus.json"))));
-  EXPECT_TRUE(study->keepsModel());
+  EXPECT_TRUE(kept->keepsModel());
   EXPECT_TRUE(said.contains(QStringLiteral("copy.tactus.json"))) << said.toStdString();
   models.save();
   EXPECT_TRUE(said.contains(QStringLiteral("Everything is stored"))) << said.toStdString();
 }
 
-TEST_F(StudyControllerTest, AClosedStudyLeavesItsModelOnTheScreen) {
+TEST_F(StudyModelsTest, AClosedStudyLeavesItsModelOnTheScreen) {
   makeTuned();
   ASSERT_TRUE(open(path));
   move(2.5);
@@ -256,7 +264,7 @@ TEST_F(StudyControllerTest, AClosedStudyLeavesItsModelOnTheScreen) {
   EXPECT_TRUE(models.isModified());
 }
 
-TEST_F(StudyControllerTest, AnEditWhileTheStudyClosesIsStored) {
+TEST_F(StudyModelsTest, AnEditWhileTheStudyClosesIsStored) {
   makeTuned();
   ASSERT_TRUE(open(path));
   const auto disk = std::make_shared<std::binary_semaphore>(0);
@@ -270,7 +278,7 @@ TEST_F(StudyControllerTest, AnEditWhileTheStudyClosesIsStored) {
   EXPECT_TRUE(store::checkStudy(tests::lookInto(path))->empty());
 }
 
-TEST_F(StudyControllerTest, AnEditWhileAnotherStudyOpensStaysInItsOwn) {
+TEST_F(StudyModelsTest, AnEditWhileAnotherStudyOpensStaysInItsOwn) {
   const QString other = folder.path(QStringLiteral("other.tactus"));
   tests::makeStudyFile(other);
   makeTuned();
@@ -284,12 +292,12 @@ TEST_F(StudyControllerTest, AnEditWhileAnotherStudyOpensStaysInItsOwn) {
   ASSERT_TRUE(comesTrue([&] { return study->path() == other; })) << failed.toStdString();
   ASSERT_TRUE(allWritten());
   EXPECT_TRUE(failed.isEmpty()) << failed.toStdString();
-  study.reset();
+  end();
   EXPECT_EQ(storedShoulder(), 2.5);
   EXPECT_TRUE(versions(other).empty());
 }
 
-TEST_F(StudyControllerTest, AModelOfOneStudyIsPutIntoAnother) {
+TEST_F(StudyModelsTest, AModelOfOneStudyIsPutIntoAnother) {
   const QString other = folder.path(QStringLiteral("other.tactus"));
   makeTuned();
   ASSERT_TRUE(open(path));
@@ -297,11 +305,11 @@ TEST_F(StudyControllerTest, AModelOfOneStudyIsPutIntoAnother) {
   ASSERT_TRUE(comesTrue([this] { return !study->isOpen(); }));
   study->create(other);
   ASSERT_TRUE(comesTrue([this] { return study->isOpen(); }));
-  study->putModel();
+  kept->putModel();
   move(2.5);
   ASSERT_TRUE(allWritten());
   EXPECT_TRUE(failed.isEmpty()) << failed.toStdString();
-  study.reset();
+  end();
   const auto stored = versions(other);
   ASSERT_EQ(stored.size(), 2U);
   EXPECT_TRUE(stored[0].label.starts_with("opened: ")) << stored[0].label;
@@ -310,26 +318,26 @@ TEST_F(StudyControllerTest, AModelOfOneStudyIsPutIntoAnother) {
   EXPECT_EQ(model_io::parseModel(last->text, "stored")->model, models.current()->model);
 }
 
-TEST_F(StudyControllerTest, WhatTheDiskRefusesIsNotReplacedByWhatItHas) {
+TEST_F(StudyModelsTest, WhatTheDiskRefusesIsNotReplacedByWhatItHas) {
   makeTuned();
   ASSERT_TRUE(open(path));
   const auto full = fillDisk();
   move(2.5);
   ASSERT_TRUE(comesTrue([this] { return !study->failure().isEmpty(); }));
-  study->openModel();
+  kept->openModel();
   ASSERT_TRUE(comesTrue([this] { return !study->isOpening(); }));
   EXPECT_EQ(shoulder(), 2.5);
-  study->buildModel();
+  kept->buildModel();
   ASSERT_TRUE(comesTrue([this] { return !study->isOpening(); }));
   EXPECT_EQ(shoulder(), 2.5);
   *full = false;
   study->storeNow();
   ASSERT_TRUE(allWritten());
-  study.reset();
+  end();
   EXPECT_EQ(storedShoulder(), 2.5);
 }
 
-TEST_F(StudyControllerTest, LookingAtTheHistoryComplainsOfNothing) {
+TEST_F(StudyModelsTest, LookingAtTheHistoryComplainsOfNothing) {
   makeTuned();
   ASSERT_TRUE(open(path));
   QSignalSpy refused(&edits, &EditController::refused);
@@ -340,7 +348,7 @@ TEST_F(StudyControllerTest, LookingAtTheHistoryComplainsOfNothing) {
   EXPECT_EQ(refused.count(), 0);
 }
 
-TEST_F(StudyControllerTest, AnswersWithoutAModelGiveTheAveragedOne) {
+TEST_F(StudyModelsTest, AnswersWithoutAModelGiveTheAveragedOne) {
   tests::makeStudyFile(path, [](store::StudyFile& file, study::RecordIds& ids) {
     // Whoever only felt models is no expert of the averaged model.
     tests::addVisit(file, ids, "calm-fox", false, study::SessionKind::kUsability);
@@ -358,7 +366,7 @@ TEST_F(StudyControllerTest, AnswersWithoutAModelGiveTheAveragedOne) {
   EXPECT_EQ(models.current()->model.experts[0].id, "velvet-otter");
   EXPECT_EQ(study->people().size(), 2U);
   ASSERT_TRUE(allWritten());
-  study.reset();
+  end();
   ASSERT_EQ(versions().size(), 1U);
   EXPECT_TRUE(versions()[0].label.starts_with("opened: Built from the study")) << versions()[0].label;
 }

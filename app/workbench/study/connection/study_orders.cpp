@@ -1,4 +1,4 @@
-#include "app/workbench/study/study_orders.h"
+#include "app/workbench/study/connection/study_orders.h"
 
 #include <utility>
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "app/workbench/base/call_queue.h"
-#include "app/workbench/study/study_worker.h"
+#include "app/workbench/study/connection/study_worker.h"
 
 namespace tactus::workbench {
 

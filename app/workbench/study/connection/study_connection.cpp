@@ -1,0 +1,259 @@
+#include "app/workbench/study/connection/study_connection.h"
+
+#include <QFileInfo>
+#include <QPointer>
+#include <utility>
+
+#include "app/version.h"
+#include "app/workbench/base/display_text.h"
+#include "core/base/check.h"
+#include "core/store/withdrawal.h"
+
+namespace tactus::workbench {
+namespace {
+
+using base::Result;
+
+Result<store::StudyFile> makeStudy(const std::string& path, study::RecordIds& ids) {
+  const QString name = QFileInfo(text(path)).completeBaseName();
+  return store::StudyFile::create(path, {ids.next(), name.toStdString(), utcNowMs(), std::string(kGenerator)});
+}
+
+}  // namespace
+
+StudyConnection::StudyConnection(QObject* parent) : QObject(parent) {
+  connect(&orders_, &StudyOrders::changed, this, &StudyConnection::changed);
+  connect(&orders_, &StudyOrders::failed, this, [this](const QString& sentence) { emit failed(path_, sentence); });
+}
+
+StudyConnection::~StudyConnection() {
+  orderRest();
+  post([](StudyWorker::Desk& desk) { desk.catchUp(); });
+}
+
+QString StudyConnection::fileName() const { return shownFileName(path_); }
+
+QString StudyConnection::failure() const {
+  if (!orders_.failure().isEmpty() || keeper_ == nullptr) return orders_.failure();
+  return keeper_->refusal();
+}
+
+void StudyConnection::order(StudyOrders::Work work, StudyOrders::Done done, StudyOrders::Refused refused) {
+  TACTUS_CHECK(takesOrders());
+  if (!refused) refused = [this](const QString& sentence) { emit failed(path_, sentence); };
+  orders_.add(std::move(work), std::move(done), std::move(refused));
+}
+
+void StudyConnection::read(QObject& asker, Read read) {
+  post([this, asker = QPointer(&asker), read = std::move(read)](StudyWorker::Desk& desk) {
+    if (!desk.file) return;
+    answer([asker, deliver = read(*desk.file)] {
+      if (asker && deliver) deliver();
+    });
+  });
+}
+
+void StudyConnection::readAlone(QObject& asker, std::function<Read()> prepare) {
+  if (!isOpen() || !mayLeave(path_)) return;
+  whenWritten([this, asker = QPointer(&asker), prepare = std::move(prepare)](bool written) {
+    if (!written || !asker) return;
+    opening_ = true;
+    post([this, asker, read = prepare()](StudyWorker::Desk& desk) {
+      answer([this, asker, deliver = read(*desk.file)] {
+        opening_ = false;
+        if (asker && deliver) deliver();
+        emit changed();
+      });
+    });
+  });
+}
+
+void StudyConnection::beforeClosing(std::function<void()> drop) {
+  post([drop = std::move(drop)](StudyWorker::Desk& desk) { desk.before_closing.push_back(drop); });
+}
+
+void StudyConnection::attach(StudyKeeper& keeper) {
+  TACTUS_CHECK(keeper_ == nullptr);
+  keeper_ = &keeper;
+}
+
+void StudyConnection::detach() { keeper_ = nullptr; }
+
+void StudyConnection::open(const QString& path) {
+  const QString absolute_path = QFileInfo(path).absoluteFilePath();
+  if (isOpen() && QFileInfo(absolute_path) == QFileInfo(path_)) {
+    emit openedAgain();
+  } else if (mayLeave(absolute_path)) {
+    begin(absolute_path, false);
+  }
+}
+
+void StudyConnection::create(const QString& path) {
+  const QString absolute_path = QFileInfo(path).absoluteFilePath();
+  if (mayLeave(absolute_path)) begin(absolute_path, true);
+}
+
+void StudyConnection::close() {
+  if (!isOpen() || !mayLeave(path_)) return;
+  emit leaving();
+  whenWritten([this](bool written) {
+    if (!written) return;
+    if (keeper_ != nullptr) keeper_->leave();
+    opening_ = closing_ = true;
+    post([this](StudyWorker::Desk& desk) {
+      const Result<void> closed = desk.close();
+      const QString sentence = closed ? QString() : text(closed.error().message());
+      answer([this, sentence] {
+        if (!sentence.isEmpty()) emit failed(path_, sentence);
+        letGo();
+      });
+    });
+  });
+}
+
+void StudyConnection::finishErasure() {
+  if (!takesOrders() || erasing_) return;
+  const auto end = std::make_shared<ErasureEnd>();
+  erasing_ = true;
+  emit noticesChanged();
+  // A failure is no error of the order: it would be done again and again, and nobody could leave the study meanwhile.
+  order(
+      [end](store::StudyFile& file, study::RecordIds&) -> Result<void> {
+        const auto erasure = store::erase(file);
+        end->failure = erasure ? QString() : text(erasure.error().message());
+        end->models_changed = erasure && erasure->models > 0;
+        if (auto notices = readNotices(file)) end->notices = std::move(*notices);
+        return {};
+      },
+      [this, end] { onErased(std::move(*end)); });
+}
+
+void StudyConnection::onErased(ErasureEnd end) {
+  erasing_ = false;
+  if (end.notices) setNotices(std::move(*end.notices));
+  emit noticesChanged();
+  if (!end.failure.isEmpty()) {
+    emit failed(path_, tr("The erasure is not finished: %1").arg(end.failure));
+    return;
+  }
+  emit said(tr("The erasure is finished: nothing of those who withdrew is left in %1. Backups and exports made before "
+               "can still hold their data.")
+                .arg(fileName()));
+  if (end.models_changed) emit modelsErased();
+}
+
+void StudyConnection::storeNow() {
+  if (!isOpen()) return;
+  if (keeper_ != nullptr) keeper_->orderAgain();
+  orders_.tryAgain();
+}
+
+void StudyConnection::refresh() {
+  if (!isOpen()) return;
+  read(*this, [this, path = path_](const store::StudyFile& file) -> Deliver {
+    auto people = readPeople(file);
+    auto recordings = store::feelRecordings(file);
+    if (!people || !recordings) return {};
+    return [this, path, people = std::move(*people), recordings = std::move(*recordings)] {
+      if (path != path_) return;
+      people_ = people;
+      recordings_ = recordings;
+      emit contentsChanged();
+    };
+  });
+}
+
+// A study whose disk refuses keeps what was ordered; nobody gets away from it by accident.
+bool StudyConnection::mayLeave(const QString& path) {
+  if (opening_) return false;
+  if (failure().isEmpty()) return true;
+  emit failed(path, tr("%1 has to be written first: %2").arg(fileName(), failure()));
+  return false;
+}
+
+void StudyConnection::orderRest() {
+  if (keeper_ != nullptr) keeper_->orderRest();
+}
+
+// Calls `then` at a moment when nothing is left to be written, what the keeper orders in between included; tells it
+// false, and everybody why, where the disk refuses.
+void StudyConnection::whenWritten(std::function<void(bool)> then) {
+  opening_ = true;
+  orderRest();
+  orders_.whenWritten([this, then = std::move(then)](bool written) {
+    orderRest();
+    if (written && isBusy()) {
+      whenWritten(then);
+      return;
+    }
+    opening_ = false;
+    if (!written) emit failed(path_, tr("%1 has to be written first: %2").arg(fileName(), failure()));
+    then(written);
+    emit changed();
+  });
+}
+
+void StudyConnection::begin(const QString& path, bool make) {
+  opening_ = true;
+  emit changed();
+  const auto share = keeper_ != nullptr ? keeper_->reader() : StudyKeeper::ReadShare();
+  post([this, path = path.toStdString(), make, share](StudyWorker::Desk& desk) {
+    auto file = make ? makeStudy(path, desk.ids) : store::StudyFile::open(path);
+    auto contents = file ? readContents(*file) : tl::unexpected(file.error());
+    auto take = !contents ? tl::unexpected(contents.error()) : share ? share(*file) : StudyKeeper::Take();
+    if (!take) {
+      answer([this, path = text(path), sentence = text(take.error().message())] {
+        opening_ = false;
+        emit failed(path, sentence);
+        emit changed();
+      });
+      return;
+    }
+    desk.next = std::move(*file);
+    answer([this, arrival = std::make_shared<Arrival>(Arrival{std::move(*contents), std::move(*take)})] {
+      changeOver(arrival);
+    });
+  });
+}
+
+// What was ordered for the study before is written before that study is let go of.
+void StudyConnection::changeOver(std::shared_ptr<Arrival> arrival) {
+  emit leaving();
+  whenWritten([this, arrival](bool written) {
+    post([written](StudyWorker::Desk& desk) {
+      if (written) desk.exchange();
+      desk.next.reset();
+    });
+    if (!written) return;
+    adopt(*arrival);
+    emit opened();
+  });
+}
+
+void StudyConnection::adopt(Arrival& arrival) {
+  path_ = arrival.contents.path;
+  people_ = std::move(arrival.contents.people);
+  recordings_ = std::move(arrival.contents.recordings);
+  if (arrival.take) arrival.take();
+  setNotices(std::move(arrival.contents.notices));
+  emit contentsChanged();
+}
+
+void StudyConnection::setNotices(StudyNotices notices) {
+  if (notices == notices_) return;
+  notices_ = std::move(notices);
+  emit noticesChanged();
+}
+
+void StudyConnection::letGo() {
+  path_.clear();
+  people_.clear();
+  recordings_.clear();
+  erasing_ = false;
+  setNotices({});
+  opening_ = closing_ = false;
+  emit closed();
+  emit changed();
+}
+
+}  // namespace tactus::workbench

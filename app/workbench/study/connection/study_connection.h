@@ -1,0 +1,143 @@
+// The open study file: opened, created, closed, written and read. A separate thread owns the file. This class sends
+// orders to it and receives answers; it never waits. It knows no model.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/base/call_queue.h"
+#include "app/workbench/study/connection/study_contents.h"
+#include "app/workbench/study/connection/study_keeper.h"
+#include "app/workbench/study/connection/study_orders.h"
+#include "app/workbench/study/connection/study_worker.h"
+
+namespace tactus::workbench {
+
+/// Thread: gui.
+class StudyConnection : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StudyConnection(QObject* parent = nullptr);
+  /// Waits until all orders are written, then closes the study.
+  ~StudyConnection() override;
+
+  bool isOpen() const { return !path_.isEmpty(); }
+  /// A study is being opened, read alone or closed. Further calls of this kind are ignored.
+  bool isOpening() const { return opening_; }
+  /// Whether `order` may be called: a study is open and is not being closed.
+  bool takesOrders() const { return isOpen() && !closing_; }
+  const QString& path() const { return path_; }
+  /// The file name for the screen.
+  QString fileName() const;
+  const std::vector<StudyPerson>& people() const { return people_; }
+  const std::vector<store::FeelSummary>& recordings() const { return recordings_; }
+  /// What happened to the study.
+  const StudyNotices& notices() const { return notices_; }
+  /// `finishErasure` runs.
+  bool isErasing() const { return erasing_; }
+
+  /// Some orders are not written yet.
+  bool isBusy() const { return orders_.isBusy(); }
+  /// An order has waited so long that the screen should say so.
+  bool isSlow() const { return orders_.isSlow(); }
+  /// Why an order is not written; empty if all is well. A disk error is retried every few seconds; after any other
+  /// error call `storeNow`.
+  QString failure() const;
+
+  /// Runs `work` after all earlier orders. If the disk fails, the order is retried later. For any other failure it
+  /// calls `refused`; without `refused` it emits `failed`. `takesOrders` must be true.
+  void order(StudyOrders::Work work, StudyOrders::Done done = {}, StudyOrders::Refused refused = {});
+
+  /// Runs in this thread with what was read; may be empty.
+  using Deliver = std::function<void()>;
+  /// Reads in the thread of the study, and must not touch the one who asked.
+  using Read = std::function<Deliver(const store::StudyFile&)>;
+  /// Reads after everything that was asked and ordered before, orders that the disk refuses excepted. Nothing is
+  /// delivered to an `asker` that has ended, or if no study is open.
+  void read(QObject& asker, Read read);
+  /// The same as soon as everything is written, and `isOpening` until it is delivered. `prepare` makes the reader at
+  /// that moment. If something cannot be written, emits `failed` and reads nothing.
+  void readAlone(QObject& asker, std::function<Read()> prepare);
+  /// `drop` runs in the thread of the study before the file that is open now is closed or exchanged: for what holds a
+  /// reference to the file there.
+  void beforeClosing(std::function<void()> drop);
+
+  /// From now on `keeper` takes part in opening, writing and closing; at most one does. It ends before this.
+  void attach(StudyKeeper& keeper);
+  void detach();
+
+ public slots:
+  /// Opens the study file `path`. Ends with `opened` or `failed`. The current study stays open until then. If it is the
+  /// one that is open: `openedAgain`.
+  void open(const QString& path);
+  /// Creates the study file `path` and opens it.
+  void create(const QString& path);
+  void close();
+  /// Erases what an interrupted erasure left, in the thread of the study; `said` or `failed` tells the end.
+  void finishErasure();
+  /// Tries again at once what could not be written.
+  void storeNow();
+  /// Reads the participants and recordings of the study again.
+  void refresh();
+
+ signals:
+  /// The study is about to be closed. This is the last chance to call `order`.
+  void leaving();
+  void opened();
+  void openedAgain();
+  void closed();
+  /// One sentence: what failed for which file, and why.
+  void failed(const QString& path, const QString& sentence);
+  /// One or two sentences about a completed action.
+  void said(const QString& sentence);
+  /// `isOpening`, `isBusy` or `failure` changed.
+  void changed();
+  void contentsChanged();
+  /// What `notices` or `isErasing` say changed.
+  void noticesChanged();
+  /// Versions of models were changed by an erasure.
+  void modelsErased();
+
+ private:
+  /// What was read of a study that is being opened.
+  struct Arrival {
+    StudyContents contents;
+    StudyKeeper::Take take;
+  };
+  struct ErasureEnd {
+    QString failure;
+    bool models_changed = false;
+    std::optional<StudyNotices> notices;
+  };
+  void post(StudyWorker::Task task) { worker_.post(std::move(task)); }
+  /// Hands `call` from the thread of the worker to this one.
+  void answer(CallQueue::Call call) { answers_.post(std::move(call)); }
+  bool mayLeave(const QString& path);
+  void orderRest();
+  void whenWritten(std::function<void(bool)> then);
+  void begin(const QString& path, bool make);
+  void changeOver(std::shared_ptr<Arrival> arrival);
+  void adopt(Arrival& arrival);
+  void setNotices(StudyNotices notices);
+  void onErased(ErasureEnd end);
+  void letGo();
+
+  StudyKeeper* keeper_ = nullptr;
+  QString path_;
+  bool opening_ = false;
+  bool closing_ = false;  ///< everything is written; the file is being closed
+  std::vector<StudyPerson> people_;
+  std::vector<store::FeelSummary> recordings_;
+  StudyNotices notices_;
+  bool erasing_ = false;
+  CallQueue answers_;
+  StudyOrders orders_{worker_, answers_};
+  StudyWorker worker_;  ///< last: its end waits for the thread, which answers to all above
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,102 @@
+#include "app/workbench/study/connection/study_contents.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "core/store/entries.h"
+#include "core/store/persons.h"
+#include "core/store/sessions.h"
+#include "core/store/study_info.h"
+#include "core/store/withdrawal.h"
+
+namespace tactus::workbench {
+namespace {
+
+using base::Result;
+
+struct StudyContentsText {
+  Q_DECLARE_TR_FUNCTIONS(StudyContentsText)
+};
+
+}  // namespace
+
+std::int64_t utcNowMs() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file) {
+  const auto persons = store::persons(file);
+  if (!persons) return tl::unexpected(persons.error());
+  const auto sessions = store::sessions(file);
+  if (!sessions) return tl::unexpected(sessions.error());
+  const auto profiles = store::profiles(file);
+  if (!profiles) return tl::unexpected(profiles.error());
+  std::set<study::RecordId> researchers;
+  for (const study::ProfileRecord& profile : *profiles) {
+    if (profile.category != kResearcherCategory) continue;
+    for (const study::SessionRecord& session : *sessions) {
+      if (session.id == profile.entry.session) researchers.insert(session.person);
+    }
+  }
+  std::vector<StudyPerson> out;
+  for (const study::Person& person : *persons) {
+    out.push_back({person.id, text(person.code), person.simulated, researchers.contains(person.id)});
+  }
+  return out;
+}
+
+Result<StudyNotices> readNotices(const store::StudyFile& file) {
+  StudyNotices out;
+  const QString name = shownFileName(text(file.path()));
+  for (const store::Notice& notice : file.notices()) {
+    if (notice.kind != store::Notice::Kind::kJournal) continue;
+    out.now.push_back(
+        {StudyContentsText::tr("%1: %2. If records are missing, look for them in a backup or an export of the study.")
+             .arg(name, harmless(text(notice.sentence))),
+         false});
+  }
+  // As it is now, not as it was at the opening.
+  const auto unfinished = store::unfinishedErasures(file);
+  if (!unfinished) return tl::unexpected(unfinished.error());
+  if (!unfinished->empty()) {
+    const QString who =
+        StudyContentsText::tr("%n participant(s) who withdrew", nullptr, static_cast<int>(unfinished->size()));
+    out.now.push_back(
+        {StudyContentsText::tr("%1: the erasure of %2 was interrupted. Traces of the data can still be in the file.")
+             .arg(name, who),
+         true});
+  }
+  const auto past = store::pastIncidents(file);
+  if (!past) return tl::unexpected(past.error());
+  for (const store::PastIncident& incident : *past) {
+    const auto said_now = [&incident](const store::Notice& notice) { return notice.sentence == incident.sentence; };
+    if (std::any_of(file.notices().begin(), file.notices().end(), said_now)) continue;
+    const auto when = QDateTime::fromMSecsSinceEpoch(incident.utc_ms);
+    out.before << StudyContentsText::tr("%1: %2.").arg(when.toString(QStringLiteral("yyyy-MM-dd HH:mm")),
+                                                       harmless(text(incident.sentence)));
+  }
+  return out;
+}
+
+Result<StudyContents> readContents(const store::StudyFile& file) {
+  StudyContents out;
+  out.path = text(file.path());
+  auto people = readPeople(file);
+  if (!people) return tl::unexpected(people.error());
+  out.people = std::move(*people);
+  // Recordings that only a newer program can read keep nobody from the rest of the study.
+  auto recordings = store::feelRecordings(file);
+  if (recordings) out.recordings = std::move(*recordings);
+  auto notices = readNotices(file);
+  if (!notices) return tl::unexpected(notices.error());
+  out.notices = std::move(*notices);
+  return out;
+}
+
+}  // namespace tactus::workbench

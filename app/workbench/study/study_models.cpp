@@ -1,0 +1,233 @@
+#include "app/workbench/study/study_models.h"
+
+#include <QFileInfo>
+#include <memory>
+#include <utility>
+
+#include "app/editing/history_versions.h"
+#include "app/workbench/base/display_text.h"
+#include "core/base/check.h"
+#include "core/store/model_versions.h"
+
+namespace tactus::workbench {
+namespace {
+
+using base::Result;
+
+// Appends one version. One that is there already was written by an attempt whose answer got lost.
+Result<void> storeVersion(store::StudyFile& file, const editing::Event& event, const fuzzy::ForceModel& model) {
+  const study::ModelVersion version = editing::versionOf(event, model);
+  auto stored = store::append(file, version);
+  if (stored) return stored;
+  const auto there = store::modelVersion(file, version.id);
+  if (there && there->sha256 == version.sha256) return {};
+  return stored;
+}
+
+// The model of a state for the other thread; the current one is shared.
+std::shared_ptr<const fuzzy::ForceModel> modelOf(const editing::EditHistory& history, editing::StateId state) {
+  if (state == history.current()) {
+    const editing::SharedModel ready = *history.readyOf(state);
+    return {ready, &ready->model};
+  }
+  auto model = history.modelOf(state);
+  TACTUS_CHECK(model.has_value());  // a state leaves the memory only once it is stored
+  return std::make_shared<const fuzzy::ForceModel>(std::move(*model));
+}
+
+// `study.tactus.json` beside the study, or the first of `study-2.tactus.json`, … that is not there.
+QString unusedModelPath(const QString& study) {
+  const QFileInfo info(study);
+  const QString stem = info.absolutePath() + QLatin1Char('/') + info.completeBaseName();
+  QString path = stem + QStringLiteral(".tactus.json");
+  for (int number = 2; QFileInfo::exists(path); ++number) {
+    path = stem + QStringLiteral("-%1.tactus.json").arg(number);
+  }
+  return path;
+}
+
+}  // namespace
+
+StudyModels::StudyModels(StudyConnection& study, ModelController& models, EditController& edits, QObject* parent)
+    : QObject(parent), study_(study), models_(models), edits_(edits) {
+  study_.attach(*this);
+  connect(&study_, &StudyConnection::changed, this, &StudyModels::savedChanged);
+  connect(&study_, &StudyConnection::openedAgain, this, &StudyModels::openModel);
+  // Rules of somebody who withdrew were taken out of versions that are on the screen.
+  connect(&study_, &StudyConnection::modelsErased, this, [this] {
+    if (keepsModel()) openModel();
+  });
+  connect(&review_, &StudyReview::changed, this, &StudyModels::notesChanged);
+  connect(&texts_, &VersionTexts::arrived, &edits_, &EditController::historyChanged);
+  connect(&edits_, &EditController::historyChanged, this, &StudyModels::storeEvents);
+  connect(&models_, &ModelController::opened, this, &StudyModels::savedChanged);
+  connect(&models_, &ModelController::storeNow, this, &StudyModels::storeNow);
+  connect(&models_, &ModelController::reopenFromStudy, this, &StudyModels::openModel);
+  connect(&models_, &ModelController::copied, this, [this](const QString& copy) {
+    emit said(tr("A copy was written to %1; edits go on into %2.").arg(shownFileName(copy), study_.fileName()));
+  });
+}
+
+StudyModels::~StudyModels() {
+  orderRest();
+  study_.detach();
+}
+
+bool StudyModels::keepsModel() const { return study_.isOpen() && models_.current() && models_.current()->in_study; }
+
+QString StudyModels::savedText() const {
+  if (!keepsModel()) return {};
+  if (!study_.failure().isEmpty()) return tr("● Not stored in %1").arg(study_.fileName());
+  return (study_.isSlow() ? tr("Saving in %1…") : tr("Stored in %1")).arg(study_.fileName());
+}
+
+std::optional<study::RecordId> StudyModels::modelVersion() const {
+  if (!keepsModel()) return std::nullopt;
+  // While versions are compared, another one than the open one may be looked at.
+  if (models_.shown() != models_.current() && models_.shown()->version) return models_.shown()->version;
+  return edits_.history().versionOf(edits_.history().current());
+}
+
+void StudyModels::openModel() {
+  study_.readAlone(*this, [this]() -> StudyConnection::Read {
+    const std::size_t known = edits_.isOpen() ? edits_.history().events().size() : 0;
+    return [this, known, stamp = edits_.stamp()](const store::StudyFile& file) -> StudyConnection::Deliver {
+      auto read = readModel(file, stamp);
+      const QString sentence = read ? QString() : text(read.error().message());
+      const auto model = read ? std::make_shared<ModelInStudy>(std::move(*read)) : nullptr;
+      return [this, known, model, sentence] {
+        if (!model) {
+          emit failed(study_.path(), sentence);
+        } else if (keepsModel() && edits_.history().events().size() != known) {
+          openModel();  // what was edited meanwhile has to be read too
+        } else {
+          adopt(*model);
+          study_.refresh();
+        }
+      };
+    };
+  });
+}
+
+void StudyModels::buildModel() {
+  study_.readAlone(*this, [this]() -> StudyConnection::Read {
+    return [this, stamp = edits_.stamp()](const store::StudyFile& file) -> StudyConnection::Deliver {
+      const auto made = std::make_shared<Result<BuiltFromStudy>>(buildFromStudy(file, stamp));
+      return [this, made] {
+        if (*made) {
+          show(std::move((*made)->history));
+          review_.set(std::move((*made)->notes));
+          emit said((*made)->sentence);
+        } else {
+          review_.begin(modelVersion());  // what is in the way stands there too
+          emit failed(study_.path(), text(made->error().message()));
+        }
+      };
+    };
+  });
+}
+
+void StudyModels::putModel() {
+  if (!study_.takesOrders() || study_.isOpening() || !models_.current() || keepsModel()) return;
+  edits_.commit();
+  const QString from = shownFileName(models_.current()->path);
+  events_ordered_ = 0;
+  models_.moveIntoStudy(study_.path());
+  has_model_ = true;
+  storeEvents();
+  review_.begin(modelVersion());
+  emit savedChanged();
+  emit said(tr("%1 is a model of %2 now, with everything that was done to it.").arg(from, study_.fileName()));
+}
+
+StudyKeeper::ReadShare StudyModels::reader() {
+  return [this, stamp = edits_.stamp()](const store::StudyFile& file) -> Result<Take> {
+    auto read = readModel(file, stamp);
+    if (!read) return tl::unexpected(read.error());
+    return [this, model = std::make_shared<ModelInStudy>(std::move(*read))] {
+      if (keepsModel() && !model->history) moveOut();
+      adopt(*model);
+    };
+  };
+}
+
+void StudyModels::orderRest() {
+  if (edits_.isOpen()) edits_.commit();
+  storeEvents();
+}
+
+void StudyModels::orderAgain() {
+  if (refused_.isEmpty()) return;
+  refused_.clear();
+  events_ordered_ = 0;
+  storeEvents();
+}
+
+void StudyModels::leave() {
+  if (keepsModel()) moveOut();
+  refused_.clear();
+  review_.clear();
+  has_model_ = false;
+}
+
+void StudyModels::storeNow() {
+  study_.storeNow();
+  if (!study_.isBusy() && keepsModel()) emit said(tr("Everything is stored in %1.").arg(study_.fileName()));
+}
+
+void StudyModels::adopt(ModelInStudy& model) {
+  refused_.clear();
+  has_model_ = model.history.has_value();
+  texts_.begin(model.versions);
+  if (model.history) show(std::move(*model.history));
+  if (model.built) {
+    review_.set(std::move(model.notes));
+  } else {
+    review_.begin(model.versions.empty() ? std::nullopt : std::optional(model.versions.back().id));
+  }
+  if (!model.note.isEmpty()) emit said(model.note);
+}
+
+void StudyModels::show(editing::EditHistory history) {
+  OpenModel open(history.ready());
+  open.path = study_.path();
+  open.in_study = true;
+  open.simulated = saysSimulated(open.model);
+  adopting_ = true;
+  models_.openRead(std::move(open));
+  edits_.adopt(std::move(history), texts_.reader());
+  adopting_ = false;
+  has_model_ = true;
+  events_ordered_ = 0;
+  storeEvents();
+  emit savedChanged();
+}
+
+void StudyModels::storeEvents() {
+  if (adopting_ || !keepsModel()) return;
+  const editing::EditHistory& history = edits_.history();
+  for (; events_ordered_ < history.events().size(); ++events_ordered_) {
+    const editing::Event& event = history.events()[events_ordered_];
+    if (event.stored) continue;
+    study_.order([event, model = modelOf(history, event.state)](
+                     store::StudyFile& file, study::RecordIds&) { return storeVersion(file, event, *model); },
+                 [this, id = event.id] { edits_.markStored(id); },
+                 [this](const QString& sentence) {
+                   refused_ = sentence;
+                   emit failed(study_.path(), sentence);
+                 });
+  }
+}
+
+// The study keeps what was done to its model until now. Beside it the model goes on with a history of its own, so that
+// all of it can be kept elsewhere: as a file, after a crash, in another study.
+void StudyModels::moveOut() {
+  // Its own path: the study that is open may be the next one already.
+  const QString study = models_.current()->path;
+  models_.moveOutOfStudy(unusedModelPath(study));
+  edits_.adopt(editing::EditHistory::open(edits_.history().ready(),
+                                          tr("Left in %1").arg(shownFileName(study)).toStdString(), edits_.stamp(),
+                                          study::RecordIds()));
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,91 @@
+#include "app/workbench/study/connection/study_connection.h"
+
+#include <gtest/gtest.h>
+#include <memory>
+
+#include "core/store/persons.h"
+
+#include "tests/gui/sample_models.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+
+// The study alone: no model, no history.
+class StudyConnectionTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    tests::makeStudyFile(
+        path, [](store::StudyFile& file, study::RecordIds& ids) { tests::addVisit(file, ids, "velvet-otter", false); });
+    QObject::connect(study.get(), &StudyConnection::failed,
+                     [this](const QString&, const QString& sentence) { failed = sentence; });
+    study->open(path);
+    ASSERT_TRUE(comesTrue([this] { return study->isOpen(); })) << failed.toStdString();
+  }
+  void closeStudy() {
+    study->close();
+    ASSERT_TRUE(comesTrue([this] { return !study->isOpen(); })) << failed.toStdString();
+  }
+  void addPerson(const char* code) {
+    study->order([code](store::StudyFile& file, study::RecordIds& ids) {
+      return store::append(file, study::Person{ids.next(), code, false});
+    });
+  }
+  std::size_t personsInFile() { return store::persons(tests::lookInto(path))->size(); }
+
+  tests::ModelFolder folder;
+  QString path = folder.path(QStringLiteral("people.tactus"));
+  std::unique_ptr<StudyConnection> study = std::make_unique<StudyConnection>();
+  QString failed;
+};
+
+TEST_F(StudyConnectionTest, OpensAndWritesAStudyWithoutAnyModel) {
+  ASSERT_EQ(study->people().size(), 1U);
+  EXPECT_EQ(study->people()[0].code, QStringLiteral("velvet-otter"));
+  addPerson("calm-fox");
+  study->refresh();
+  EXPECT_TRUE(comesTrue([this] { return study->people().size() == 2; }));
+  closeStudy();
+  EXPECT_TRUE(failed.isEmpty()) << failed.toStdString();
+  EXPECT_EQ(personsInFile(), 2U);
+}
+
+TEST_F(StudyConnectionTest, ItsEndWaitsForWhatWasOrdered) {
+  addPerson("calm-fox");
+  study.reset();
+  EXPECT_EQ(personsInFile(), 2U);
+}
+
+TEST_F(StudyConnectionTest, NothingIsDeliveredToAnAskerThatHasEnded) {
+  auto asker = std::make_unique<QObject>();
+  bool delivered = false;
+  bool later = false;
+  const auto tell = [](bool& told) {
+    return [&told](const store::StudyFile&) -> StudyConnection::Deliver { return [&told] { told = true; }; };
+  };
+  study->read(*asker, tell(delivered));
+  asker.reset();
+  study->read(*study, tell(later));
+  ASSERT_TRUE(comesTrue([&] { return later; }));
+  EXPECT_FALSE(delivered);
+}
+
+TEST_F(StudyConnectionTest, WhatHoldsTheFileIsDroppedBeforeItIsClosedOrExchanged) {
+  const QString other = folder.path(QStringLiteral("other.tactus"));
+  tests::makeStudyFile(other);
+  auto first = std::make_shared<bool>(false);
+  auto second = std::make_shared<bool>(false);
+  study->beforeClosing([first] { *first = true; });
+  EXPECT_FALSE(*first);
+  study->open(other);
+  ASSERT_TRUE(comesTrue([&] { return study->path() == other && !study->isOpening(); }));
+  study->beforeClosing([second] { *second = true; });
+  closeStudy();
+  EXPECT_TRUE(*first);
+  EXPECT_TRUE(*second);
+}
+
+}  // namespace
+}  // namespace tactus::workbench
