@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
+#include "core/fuzzy/batch.h"
 #include "core/fuzzy/model_tables.h"
 
 #include "tests/stress/agreement.h"
@@ -129,6 +130,41 @@ TEST(LargeModel, ManyExpertsWithTermsOfTheirOwn) {
     model.experts.push_back(std::move(expert));
   }
   expectFastAndExact(model, random, 10);
+}
+
+/// Ulps between batch and point at `points` random points of `count` experts with the rules of S4.
+double largestUlps(int count, base::Random& random, std::size_t points) {
+  ForceModel model = support::s4FiveRegions();
+  while (model.experts.size() < static_cast<std::size_t>(count)) {
+    model.experts.push_back(model.experts.front());
+    model.experts.back().id = "E" + std::to_string(model.experts.size());
+  }
+  const CompiledModel compiled = compile(model).value();
+  std::vector<std::vector<double>> columns;
+  for (const Variable& input : model.inputs) {
+    auto& column = columns.emplace_back(points);
+    for (double& x : column) x = random.uniform(input.min, input.max);
+  }
+  std::vector<double> force_n(points);
+  std::vector<std::uint8_t> fired(points);
+  const std::vector<std::span<const double>> inputs(columns.begin(), columns.end());
+  evaluateBatch(compiled, inputs, {force_n, fired});
+  double largest = 0;
+  for (std::size_t p = 0; p < points; ++p) {
+    std::vector<double> point;
+    for (const auto& column : columns) point.push_back(column[p]);
+    const Evaluation one = compiled.evaluate(point);
+    EXPECT_EQ(one.fired, fired[p] != 0);
+    largest = std::max(largest, stress::entryPointUlps(one.force_n, force_n[p], model.output.min));
+  }
+  return largest;
+}
+
+// Equal experts are the worst case: all additions round alike.
+TEST(LargeModel, TheOrderOfTheExpertsCountsFromSeventeenOn) {
+  base::Random random(57);
+  for (const int experts : {1, 2, 4, 5, 8, 15, 16}) EXPECT_LE(largestUlps(experts, random, 2000), 4) << experts;
+  for (const int experts : {100, 1024}) EXPECT_LE(largestUlps(experts, random, 300), 1.25 * experts) << experts;
 }
 
 TEST(LargeModel, ThousandsOfRules) {
