@@ -4,15 +4,16 @@
 #include <set>
 
 #include "core/base/check.h"
+#include "core/base/json/json_members.h"
 #include "core/base/text.h"
 #include "questionnaires/embedded_data.h"
-#include "questionnaires/json_reading.h"
 
 namespace tactus::questionnaires {
 namespace {
 
-using base::ErrorCode;
-using base::Result;
+using base::JsonMembers;
+using base::JsonValue;
+using base::required;
 
 /// Lower case, runs of spaces as one space.
 std::string normalised(std::string_view text) {
@@ -29,60 +30,46 @@ bool isCalled(const NamedId& named, const std::string& word) {
   return std::find(named.words.begin(), named.words.end(), word) != named.words.end();
 }
 
-/// The words for `id`, which must not mean anything else that is in `taken`.
-Result<NamedId> namedId(std::string id, const JsonPlace& words, std::set<std::string>& taken) {
-  auto texts = words.strings();
-  if (!texts) return tl::unexpected(texts.error());
-  texts->push_back(id);
+/// The words for `id` under `key`, which must not mean anything else that is in `taken`.
+NamedId readWords(JsonMembers& json, std::string_view key, std::string id, std::set<std::string>& taken) {
+  std::vector<std::string> texts;
+  json.texts(required(key), texts);
+  texts.push_back(id);
   NamedId named{std::move(id), {}};
-  for (const auto& text : *texts) {
+  for (const auto& text : texts) {
     const std::string word = normalised(text);
     if (isCalled(named, word)) continue;
-    if (!taken.insert(word).second) {
-      return base::fail(ErrorCode::kValue, words.pointer, base::quoted(text) + " for two ids", "one id for each word");
-    }
+    if (!taken.insert(word).second) json.refuse(key, base::quoted(text) + " for two ids", "one id for each word");
     named.words.push_back(word);
   }
   return named;
 }
 
-Result<VariableWords> variableWords(const JsonPlace& json, std::set<std::string>& names) {
-  auto id = json.string("id");
-  if (!id) return tl::unexpected(id.error());
-  const auto words = json.member("names");
-  if (!words) return tl::unexpected(words.error());
-  const auto terms = json.member("terms").and_then([](const JsonPlace& place) { return place.object(); });
-  if (!terms) return tl::unexpected(terms.error());
-
+VariableWords readVariable(JsonValue value, std::set<std::string>& names, std::optional<base::Error>& error) {
+  JsonMembers json(value, error);
   VariableWords variable;
-  auto name = namedId(std::move(*id), *words, names);
-  if (!name) return tl::unexpected(name.error());
-  variable.name = std::move(*name);
+  std::string id;
+  json.text(required("id"), id);
+  variable.name = readWords(json, "names", std::move(id), names);
   std::set<std::string> taken;
-  for (const auto& [term_id, term_words] : *terms) {
-    auto term = namedId(term_id, term_words, taken);
-    if (!term) return tl::unexpected(term.error());
-    variable.terms.push_back(std::move(*term));
+  if (const auto terms = json.object(required("terms"))) {
+    JsonMembers members(*terms, error);
+    for (const JsonValue term : *terms)
+      variable.terms.push_back(readWords(members, term.key(), std::string(term.key()), taken));
   }
+  json.refuseOthers();
   return variable;
 }
 
-Result<AliasTable> aliasTable(const JsonPlace& json) {
-  const auto inputs = json.member("inputs").and_then([](const JsonPlace& place) { return place.array(); });
-  if (!inputs) return tl::unexpected(inputs.error());
-  const auto output = json.member("output");
-  if (!output) return tl::unexpected(output.error());
-
+AliasTable readAliases(JsonMembers& json, std::optional<base::Error>& error) {
   AliasTable table;
   std::set<std::string> names;
-  for (const auto& input : *inputs) {
-    auto variable = variableWords(input, names);
-    if (!variable) return tl::unexpected(variable.error());
-    table.inputs.push_back(std::move(*variable));
-  }
-  auto variable = variableWords(*output, names);
-  if (!variable) return tl::unexpected(variable.error());
-  table.output = std::move(*variable);
+  json.format("tactus-aliases");
+  json.version("version");
+  for (const JsonValue input : json.elements(required("inputs")))
+    table.inputs.push_back(readVariable(input, names, error));
+  if (const auto output = json.object(required("output"))) table.output = readVariable(*output, names, error);
+  json.refuseOthers();
   return table;
 }
 
@@ -104,12 +91,8 @@ std::optional<std::size_t> AliasTable::input(std::string_view word) const {
   return std::nullopt;
 }
 
-Result<AliasTable> parseAliases(std::string_view text, const std::string& file) {
-  const auto json = parseJson(text, "tactus-aliases");
-  if (!json) return base::inFile(json.error(), file);
-  auto table = aliasTable({&*json, {}});
-  if (!table) return base::inFile(table.error(), file);
-  return table;
+base::Result<AliasTable> parseAliases(std::string_view text, const std::string& file) {
+  return base::readJson(text, file, readAliases);
 }
 
 AliasTable ngtAliases() {

@@ -1,102 +1,80 @@
 #include "questionnaires/form_file.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/json/json_members.h"
 #include "questionnaires/embedded_data.h"
-#include "questionnaires/json_reading.h"
 #include "questionnaires/rule_sentence.h"
 
 namespace tactus::questionnaires {
 namespace {
 
 using base::ErrorCode;
-using base::fail;
-using base::Result;
+using base::JsonMembers;
+using base::required;
 
-Result<study::FormItem> formItem(const JsonPlace& json, const AliasTable& aliases) {
-  const auto number = json.member("number").and_then([](const JsonPlace& place) { return place.integer(); });
-  if (!number) return tl::unexpected(number.error());
-  auto text = json.string("text");
-  if (!text) return tl::unexpected(text.error());
-  auto sentence = parseRuleSentence(*text, aliases);
+constexpr base::NumberRange kFromOne{1, 1'000'000};
+
+/// The conditions of the item `text`, the member of this name in `json`.
+std::vector<study::ItemCondition> conditionsIn(const std::string& text, JsonMembers& json, const AliasTable& aliases) {
+  auto sentence = parseRuleSentence(text, aliases);
   if (!sentence) {
-    base::Error error = sentence.error();
-    error.place = json.pointer + "/text: " + error.place;
-    return tl::unexpected(std::move(error));
+    json.refuse("text", std::move(sentence.error()));
+    return {};
   }
-  if (!sentence->then.empty()) {
-    return fail(ErrorCode::kValue, json.pointer + "/text", "a sentence with its answer",
-                "a sentence that ends with IS");
-  }
-  return study::FormItem{*number, std::move(*text), std::move(sentence->conditions)};
+  if (!sentence->then.empty()) json.refuse("text", "a sentence with its answer", "a sentence that ends with IS");
+  return std::move(sentence->conditions);
 }
 
-Result<std::vector<study::FormItem>> formItems(const JsonPlace& json, const AliasTable& aliases) {
-  const auto places = json.array();
-  if (!places) return tl::unexpected(places.error());
-  if (places->empty()) return fail(ErrorCode::kValue, json.pointer, "no items", "at least one item");
-  std::vector<study::FormItem> items;
-  for (const auto& place : *places) {
-    auto item = formItem(place, aliases);
-    if (!item) return tl::unexpected(item.error());
+void readItems(JsonMembers& json, const AliasTable& aliases, std::vector<study::FormItem>& items,
+               std::optional<base::Error>& error) {
+  for (const base::JsonValue value : json.elements(required("items"))) {
+    JsonMembers members(value, error);
+    study::FormItem item;
+    members.integer(required("number"), item.number, kFromOne);
+    members.text(required("text"), item.text);
+    members.refuseOthers();
+    if (error) return;
+    item.conditions = conditionsIn(item.text, members, aliases);
     for (const auto& earlier : items) {
-      const std::string number = std::to_string(item->number);
-      if (earlier.number == item->number) {
-        return fail(ErrorCode::kValue, place.pointer + "/number", number + " again", "each number once");
+      if (earlier.number == item.number) {
+        members.refuse("number", std::to_string(item.number) + " again", "each number once");
       }
-      if (earlier.conditions == item->conditions) {
-        return fail(ErrorCode::kValue, place.pointer + "/text",
-                    "the condition of item " + std::to_string(earlier.number), "another condition for each item");
+      if (earlier.conditions == item.conditions) {
+        members.refuse("text", "the condition of item " + std::to_string(earlier.number),
+                       "another condition for each item");
       }
     }
-    items.push_back(std::move(*item));
+    items.push_back(std::move(item));
   }
-  return items;
+  if (items.empty()) json.refuse("items", "no items", "at least one item");
 }
 
-Result<std::vector<study::AnswerWord>> answerWords(const JsonPlace& json, const AliasTable& aliases) {
-  const auto words = json.strings();
-  if (!words) return tl::unexpected(words.error());
-  std::vector<study::AnswerWord> answers;
-  for (const auto& word : *words) {
-    auto term = aliases.output.term(word);
-    if (!term) return fail(ErrorCode::kReference, json.pointer, base::quoted(word), "words for terms of the output");
-    answers.push_back({word, std::move(*term)});
-  }
-  return answers;
-}
-
-Result<study::Form> form(const JsonPlace& json, const AliasTable& aliases) {
+study::Form readForm(JsonMembers& json, const AliasTable& aliases, std::optional<base::Error>& error) {
   study::Form form;
-  const std::pair<std::string_view, std::string*> texts[] = {
-      {"id", &form.id}, {"title", &form.title}, {"source", &form.source}, {"depth_terms", &form.depth_terms}};
-  for (const auto& [key, target] : texts) {
-    auto text = json.string(key);
-    if (!text) return tl::unexpected(text.error());
-    *target = std::move(*text);
+  json.format("tactus-form");
+  json.text(required("id"), form.id);
+  json.text(required("title"), form.title);
+  json.text(required("source"), form.source);
+  json.text(required("depth_terms"), form.depth_terms);
+  json.integer(required("version"), form.version, kFromOne);
+  std::vector<std::string> words;
+  json.texts(required("answers"), words);
+  for (auto& word : words) {
+    const auto term = aliases.output.term(word);
+    if (!term) json.refuse("answers", base::quoted(word), "words for terms of the output", ErrorCode::kReference);
+    form.answers.push_back({std::move(word), term.value_or("")});
   }
-  const auto version = json.member("version").and_then([](const JsonPlace& place) { return place.integer(); });
-  if (!version) return tl::unexpected(version.error());
-  form.version = *version;
-  auto answers = json.member("answers").and_then([&](const JsonPlace& place) { return answerWords(place, aliases); });
-  if (!answers) return tl::unexpected(answers.error());
-  form.answers = std::move(*answers);
-  auto items = json.member("items").and_then([&](const JsonPlace& place) { return formItems(place, aliases); });
-  if (!items) return tl::unexpected(items.error());
-  form.items = std::move(*items);
+  readItems(json, aliases, form.items, error);
+  json.refuseOthers();
   return form;
 }
 
 }  // namespace
 
-Result<study::Form> parseForm(std::string_view text, const std::string& file, const AliasTable& aliases) {
-  const auto json = parseJson(text, "tactus-form");
-  if (!json) return base::inFile(json.error(), file);
-  auto read = form({&*json, {}}, aliases);
-  if (!read) return base::inFile(read.error(), file);
-  return read;
+base::Result<study::Form> parseForm(std::string_view text, const std::string& file, const AliasTable& aliases) {
+  return base::readJson(text, file, [&](JsonMembers& json, auto& error) { return readForm(json, aliases, error); });
 }
 
 study::Form ngtForceForm() {

@@ -3,50 +3,32 @@
 #include <algorithm>
 
 #include "core/base/check.h"
+#include "core/base/json/json_members.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "questionnaires/aliases.h"
 #include "questionnaires/embedded_data.h"
-#include "questionnaires/json_reading.h"
 #include "questionnaires/rule_sentence.h"
 
 namespace tactus::questionnaires {
 namespace {
 
+using base::JsonMembers;
+using base::required;
 using base::Result;
 
-Result<TableReading> tableReading(const JsonPlace& json) {
-  TableReading reading;
-  const std::pair<std::string_view, std::string*> texts[] = {{"id", &reading.id},
-                                                             {"title", &reading.title},
-                                                             {"assumes", &reading.assumes},
-                                                             {"depth_terms", &reading.depth_terms}};
-  for (const auto& [key, target] : texts) {
-    auto text = json.string(key);
-    if (!text) return tl::unexpected(text.error());
-    *target = std::move(*text);
-  }
-  const auto regions = json.member("regions").and_then([](const JsonPlace& place) { return place.object(); });
-  if (!regions) return tl::unexpected(regions.error());
-  for (const auto& [printed, place] : *regions) {
-    auto meant = place.string();
-    if (!meant) return tl::unexpected(meant.error());
-    reading.regions.emplace_back(printed, std::move(*meant));
-  }
-  return reading;
-}
-
-Result<std::vector<TableReading>> tableReadings() {
-  const auto json = parseJson(tableA2ReadingsJson(), "tactus-table-readings");
-  if (!json) return tl::unexpected(json.error());
-  const auto places =
-      JsonPlace{&*json, {}}.member("readings").and_then([](const JsonPlace& place) { return place.array(); });
-  if (!places) return tl::unexpected(places.error());
+std::vector<TableReading> readReadings(JsonMembers& json, std::optional<base::Error>& error) {
   std::vector<TableReading> readings;
-  for (const auto& place : *places) {
-    auto reading = tableReading(place);
-    if (!reading) return tl::unexpected(reading.error());
-    readings.push_back(std::move(*reading));
+  json.format("tactus-table-readings");
+  for (const base::JsonValue value : json.elements(required("readings"))) {
+    JsonMembers members(value, error);
+    TableReading& reading = readings.emplace_back();
+    members.text(required("id"), reading.id);
+    members.text(required("title"), reading.title);
+    members.text(required("assumes"), reading.assumes);
+    members.text(required("depth_terms"), reading.depth_terms);
+    members.texts(required("regions"), reading.regions);
+    members.refuseOthers();
   }
   return readings;
 }
@@ -62,7 +44,7 @@ const std::string& meantRegion(const TableReading& reading, const std::string& p
 }  // namespace
 
 std::vector<TableReading> s4Readings() {
-  auto readings = tableReadings();
+  auto readings = base::readJson(tableA2ReadingsJson(), "table_a2_readings.json", readReadings);
   TACTUS_CHECK(readings.has_value());
   return std::move(*readings);
 }

@@ -3,80 +3,56 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/json/json_members.h"
 #include "questionnaires/embedded_data.h"
-#include "questionnaires/json_reading.h"
 
 namespace tactus::questionnaires {
 namespace {
 
-using base::ErrorCode;
-using base::fail;
-using base::Result;
+using base::JsonMembers;
+using base::required;
 
-constexpr int kFewestPoints = 2;
-constexpr int kMostPoints = 101;
+constexpr base::NumberRange kFromOne{1, 1'000'000};
+constexpr base::NumberRange kPoints{2, 101};
 
-Result<int> number(const JsonPlace& json, std::string_view key) {
-  return json.member(key).and_then([](const JsonPlace& place) { return place.integer(); });
-}
-
-Result<std::vector<ScaleItem>> scaleItems(const JsonPlace& json) {
-  const auto places = json.array();
-  if (!places) return tl::unexpected(places.error());
-  if (places->empty()) return fail(ErrorCode::kValue, json.pointer, "no items", "at least one item");
-  std::vector<ScaleItem> items;
-  for (const auto& place : *places) {
-    const auto at = number(place, "number");
-    if (!at) return tl::unexpected(at.error());
-    auto text = place.string("text");
-    if (!text) return tl::unexpected(text.error());
+void readItems(JsonMembers& json, std::vector<ScaleItem>& items, std::optional<base::Error>& error) {
+  for (const base::JsonValue value : json.elements(required("items"))) {
+    JsonMembers members(value, error);
+    ScaleItem item;
+    members.integer(required("number"), item.number, kFromOne);
+    members.text(required("text"), item.text);
+    members.refuseOthers();
     for (const auto& earlier : items) {
-      if (earlier.number == *at) {
-        return fail(ErrorCode::kValue, place.pointer + "/number", std::to_string(*at) + " again", "each number once");
+      if (earlier.number == item.number) {
+        members.refuse("number", std::to_string(item.number) + " again", "each number once");
       }
-      if (earlier.text == *text) {
-        return fail(ErrorCode::kValue, place.pointer + "/text",
-                    "the statement of item " + std::to_string(earlier.number), "another statement for each item");
+      if (earlier.text == item.text) {
+        members.refuse("text", "the statement of item " + std::to_string(earlier.number),
+                       "another statement for each item");
       }
     }
-    items.push_back({*at, std::move(*text)});
+    items.push_back(std::move(item));
   }
-  return items;
-}
-
-Result<ScaleForm> scaleForm(const JsonPlace& json) {
-  ScaleForm form;
-  const std::pair<std::string_view, std::string*> texts[] = {
-      {"id", &form.id}, {"title", &form.title}, {"source", &form.source}, {"low", &form.low}, {"high", &form.high}};
-  for (const auto& [key, target] : texts) {
-    auto text = json.string(key);
-    if (!text) return tl::unexpected(text.error());
-    *target = std::move(*text);
-  }
-  const std::pair<std::string_view, int*> numbers[] = {{"version", &form.version}, {"points", &form.points}};
-  for (const auto& [key, target] : numbers) {
-    const auto value = number(json, key);
-    if (!value) return tl::unexpected(value.error());
-    *target = *value;
-  }
-  if (form.points < kFewestPoints || form.points > kMostPoints) {
-    return fail(ErrorCode::kValue, json.pointer + "/points", std::to_string(form.points),
-                std::to_string(kFewestPoints) + " to " + std::to_string(kMostPoints) + " points");
-  }
-  auto items = json.member("items").and_then(scaleItems);
-  if (!items) return tl::unexpected(items.error());
-  form.items = std::move(*items);
-  return form;
+  if (items.empty()) json.refuse("items", "no items", "at least one item");
 }
 
 }  // namespace
 
-Result<ScaleForm> parseScaleForm(std::string_view text, const std::string& file) {
-  const auto json = parseJson(text, "tactus-scale-form");
-  if (!json) return base::inFile(json.error(), file);
-  auto read = scaleForm({&*json, {}});
-  if (!read) return base::inFile(read.error(), file);
-  return read;
+base::Result<ScaleForm> parseScaleForm(std::string_view text, const std::string& file) {
+  return base::readJson(text, file, [](JsonMembers& json, std::optional<base::Error>& error) {
+    ScaleForm form;
+    json.format("tactus-scale-form");
+    json.text(required("id"), form.id);
+    json.text(required("title"), form.title);
+    json.text(required("source"), form.source);
+    json.text(required("low"), form.low);
+    json.text(required("high"), form.high);
+    json.integer(required("version"), form.version, kFromOne);
+    json.integer(required("points"), form.points, kPoints);
+    readItems(json, form.items, error);
+    json.refuseOthers();
+    return form;
+  });
 }
 
 ScaleForm usabilityForm() {

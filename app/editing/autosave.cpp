@@ -4,105 +4,71 @@
 #include <utility>
 
 #include "core/base/files/sha256.h"
-#include "core/base/json/json_document.h"
+#include "core/base/json/json_members.h"
 #include "core/base/json/json_writer.h"
-#include "core/base/text.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::editing {
 namespace {
 
-using base::ErrorCode;
-using base::fail;
-using base::JsonKind;
+using base::JsonMembers;
 using base::JsonValue;
+using base::required;
 using base::Result;
 using study::ModelVersion;
 
 constexpr std::string_view kFormat = "tactus-autosave";
 constexpr long long kVersion = 1;
 
-Result<std::string> text(const JsonValue& object, std::string_view key) {
-  const auto value = object.kind() == JsonKind::kObject ? object.find(key) : std::nullopt;
-  if (value && value->kind() == JsonKind::kString) return std::string(value->text());
-  return fail(ErrorCode::kSchema, object.pointer(), value ? value->description() : "nothing",
-              "a string under " + base::quoted(key));
+study::RecordId readId(JsonMembers& json, std::string_view key) {
+  std::string text;
+  json.text(required(key), text);
+  const auto id = study::parseRecordId(text);
+  if (!id) json.refuse(key, "an id of 32 hexadecimal digits");
+  return id.value_or(study::RecordId{});
 }
 
-Result<study::RecordId> id(const JsonValue& object, std::string_view key) {
-  const auto found = text(object, key);
-  if (!found) return tl::unexpected(found.error());
-  if (const auto parsed = study::parseRecordId(*found)) return *parsed;
-  return fail(ErrorCode::kValue, object.pointer(), base::quoted(*found), "an id of 32 hexadecimal digits");
+/// The model whose file's text is the member `text`.
+fuzzy::ForceModel readModel(JsonMembers& json, const std::string& text) {
+  auto model = model_io::parseModel(text, {});
+  if (model) return std::move(model->model);
+  json.refuse("text", std::move(model.error()));
+  return {};
 }
 
-Result<long long> integer(const JsonValue& object, std::string_view key) {
-  const auto value = object.kind() == JsonKind::kObject ? object.find(key) : std::nullopt;
-  if (value && value->kind() == JsonKind::kNumber) {
-    if (const auto parsed = base::parseInteger(value->text())) return *parsed;
-  }
-  return fail(ErrorCode::kSchema, object.pointer(), value ? value->description() : "nothing",
-              "a whole number under " + base::quoted(key));
-}
-
-Result<ModelVersion> readVersion(const JsonValue& object) {
+ModelVersion readVersion(JsonMembers json) {
   ModelVersion out;
-  const auto own = id(object, "id");
-  if (!own) return tl::unexpected(own.error());
-  out.id = *own;
-  if (object.find("parent")) {
-    const auto parent = id(object, "parent");
-    if (!parent) return tl::unexpected(parent.error());
-    out.parent = *parent;
-  }
-  const auto utc_ms = integer(object, "utc_ms");
-  if (!utc_ms) return tl::unexpected(utc_ms.error());
-  out.utc_ms = *utc_ms;
-  for (const auto& [key, target] : {std::pair{"author", &out.author}, std::pair{"label", &out.label},
-                                    std::pair{"sha256", &out.sha256}, std::pair{"text", &out.text}}) {
-    auto found = text(object, key);
-    if (!found) return tl::unexpected(found.error());
-    *target = std::move(*found);
-  }
+  out.id = readId(json, "id");
+  if (json.has("parent")) out.parent = readId(json, "parent");
+  json.integer(required("utc_ms"), out.utc_ms);
+  json.textOrEmpty(required("author"), out.author);
+  json.textOrEmpty(required("label"), out.label);
+  json.text(required("sha256"), out.sha256);
+  json.text(required("text"), out.text);
   if (const auto sha = base::sha256(out.text); sha != out.sha256) {
-    return fail(ErrorCode::kMismatch, object.pointer(), "a text with the SHA-256 " + sha, out.sha256);
+    json.refuse("text", "a text with the SHA-256 " + sha, out.sha256, base::ErrorCode::kMismatch);
   }
-  if (const auto model = model_io::parseModel(out.text, {}); !model) return tl::unexpected(model.error());
+  readModel(json, out.text);
+  json.refuseOthers();
   return out;
 }
 
-Result<Autosave> read(const JsonValue& root) {
-  const auto format = text(root, "format");
-  if (!format || *format != kFormat) {
-    return fail(ErrorCode::kSchema, "/format", format ? base::quoted(*format) : "nothing", std::string(kFormat));
-  }
-  const auto version = integer(root, "version");
-  if (!version) return tl::unexpected(version.error());
-  if (*version != kVersion) {
-    return fail(ErrorCode::kVersion, "/version", std::to_string(*version), "version " + std::to_string(kVersion));
-  }
+Autosave read(JsonMembers& json, std::optional<base::Error>& error) {
   Autosave out;
-  auto document = text(root, "document");
-  if (!document) return tl::unexpected(document.error());
-  out.document = std::move(*document);
-  const auto versions = root.find("versions");
-  if (!versions || versions->kind() != JsonKind::kArray) {
-    return fail(ErrorCode::kSchema, "/versions", versions ? versions->description() : "nothing", "an array");
+  json.format(kFormat);
+  json.version(required("version"));
+  json.textOrEmpty(required("document"), out.document);
+  for (const JsonValue version : json.elements(required("versions"))) {
+    if (!error) out.versions.push_back(readVersion({version, error}));
   }
-  for (const JsonValue one : *versions) {
-    auto found = readVersion(one);
-    if (!found) return tl::unexpected(found.error());
-    out.versions.push_back(std::move(*found));
+  if (const auto unfinished = json.object("unfinished")) {
+    JsonMembers members(*unfinished, error);
+    std::string label, text;
+    members.textOrEmpty(required("label"), label);
+    members.text(required("text"), text);
+    out.unfinished = Autosave::Unfinished{label, readModel(members, text)};
   }
-  if (const auto unfinished = root.find("unfinished")) {
-    auto label = text(*unfinished, "label");
-    if (!label) return tl::unexpected(label.error());
-    const auto model_text = text(*unfinished, "text");
-    if (!model_text) return tl::unexpected(model_text.error());
-    auto model = model_io::parseModel(*model_text, {});
-    if (!model) return tl::unexpected(model.error());
-    out.unfinished = Autosave::Unfinished{std::move(*label), std::move(model->model)};
-  }
+  json.refuseOthers();
   return out;
 }
 
@@ -148,11 +114,7 @@ bool needsAutosave(const EditHistory& history) {
 }
 
 Result<Autosave> parseAutosave(std::string_view text, const std::string& file) {
-  const auto document = base::JsonDocument::parse(text);
-  if (!document) return base::inFile(document.error(), file);
-  auto out = read(document->root());
-  if (!out) return base::inFile(std::move(out.error()), file);
-  return out;
+  return base::readJson(text, file, read);
 }
 
 std::vector<ModelVersion> lostVersions(const Autosave& autosave, std::span<const ModelVersion> stored) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/session/session_state.h"
+#include "core/base/json/json_members.h"
 #include "core/store/entries.h"
 #include "core/store/sessions.h"
 
@@ -18,9 +18,12 @@ using study::RecordId;
 constexpr const char* kAfter = "after";
 
 std::optional<RecordId> afterIn(const std::string& detail_text) {
-  const auto json = nlohmann::json::parse(detail_text, nullptr, false);
-  if (!json.is_object() || !json.contains(kAfter) || !json[kAfter].is_string()) return std::nullopt;
-  return study::parseRecordId(json[kAfter].get<std::string>());
+  const auto id = base::readJson(detail_text, {}, [](base::JsonMembers& json, auto&) {
+    std::string after;
+    json.text(kAfter, after);
+    return after;
+  });
+  return id ? study::parseRecordId(*id) : std::nullopt;
 }
 
 }  // namespace

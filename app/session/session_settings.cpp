@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/base/json/json_members.h"
 #include "questionnaires/questionnaire.h"
 
 namespace tactus::session {
@@ -14,6 +15,7 @@ namespace {
 
 using base::ErrorCode;
 using base::fail;
+using base::JsonMembers;
 using base::Result;
 using Json = nlohmann::ordered_json;
 using experiments::SpeedSettings;
@@ -129,84 +131,59 @@ class Writer {
 
 class Reader {
  public:
-  Reader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
-  std::optional<base::Error> error;
+  Reader(JsonMembers& members, std::optional<base::Error>& error) : members_(members), error_(error) {}
 
   template <class T>
   void operator()(const char* key, T& member) {
-    if (error || !json_.contains(key)) return;
-    const Json& value = json_.at(key);
-    const std::string place = place_ + '/' + key;
     if constexpr (std::is_same_v<T, bool>) {
-      takeIf(value.is_boolean(), value, member, place, "true or false");
-    } else if constexpr (std::is_integral_v<T>) {
-      takeIf(value.is_number_integer(), value, member, place, "a whole number");
-    } else if constexpr (std::is_arithmetic_v<T>) {
-      takeIf(value.is_number(), value, member, place, "a number");
+      members_.flag(key, member);
+    } else if constexpr (std::is_same_v<T, int>) {
+      members_.integer(key, member);
+    } else if constexpr (std::is_same_v<T, double>) {
+      members_.number(key, member);
     } else if constexpr (std::is_same_v<T, std::string>) {
-      takeIf(value.is_string(), value, member, place, "a text");
+      members_.textOrEmpty(key, member);
     } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
-      takeIf(allOf(value, &Json::is_string), value, member, place, "a list of texts");
+      members_.texts(key, member);
     } else if constexpr (std::is_same_v<T, std::vector<double>>) {
-      takeIf(allOf(value, &Json::is_number), value, member, place, "a list of numbers");
+      members_.numbers(key, member);
     } else if constexpr (std::is_same_v<T, std::optional<double>>) {
-      if (value.is_null()) {
-        member.reset();
-      } else {
-        double number = 0;
-        takeIf(value.is_number(), value, number, place, "a number or null");
-        member = number;
-      }
+      members_.numberOrNull(key, member);
     } else if constexpr (std::is_same_v<T, std::vector<Block>>) {
-      member.clear();
-      if (!value.is_array()) return refuse(place, value, "a list of blocks");
-      for (const auto& word : value) {
-        Block block{};
-        if (!word.is_string() || !takeWord(word.get<std::string>(), kBlocks, block)) {
-          return refuse(place, word, "speed, force or form");
-        }
-        member.push_back(block);
-      }
+      readBlocks(key, member);
     } else if constexpr (std::is_enum_v<T>) {
-      if (!value.is_string() || !takeWord(value.get<std::string>(), kTwo<T>, member)) {
-        refuse(place, value, "a word that this program knows");
-      }
-    } else {
-      if (!value.is_object()) return refuse(place, value, "an object");
-      Reader part(value, place);
-      visit(part, member);
-      error = std::move(part.error);
+      const auto words = namesOf(kTwo<T>);
+      if (const auto found = members_.word(key, words)) member = kTwo<T>[*found];
+    } else if (const auto value = members_.object(key)) {
+      JsonMembers part(*value, error_);
+      Reader reader(part, error_);
+      visit(reader, member);
     }
   }
 
  private:
-  static bool allOf(const Json& list, bool (Json::*is)() const noexcept) {
-    return list.is_array() && std::all_of(list.begin(), list.end(), [is](const Json& one) { return (one.*is)(); });
-  }
-
   template <class Enum, std::size_t count>
-  static bool takeWord(const std::string& word, const std::array<Enum, count>& all, Enum& member) {
-    const auto it = std::find_if(all.begin(), all.end(), [&word](Enum value) { return name(value) == word; });
-    if (it == all.end()) return false;
-    member = *it;
-    return true;
+  static std::array<std::string_view, count> namesOf(const std::array<Enum, count>& all) {
+    std::array<std::string_view, count> names;
+    std::transform(all.begin(), all.end(), names.begin(), [](Enum one) { return name(one); });
+    return names;
   }
 
-  template <class T>
-  void takeIf(bool fits, const Json& value, T& member, const std::string& place, const char* wanted) {
-    if (fits) {
-      member = value.get<T>();
-    } else {
-      refuse(place, value, wanted);
+  void readBlocks(const char* key, std::vector<Block>& blocks) {
+    const auto names = namesOf(kBlocks);
+    std::vector<std::string> words;
+    if (!members_.has(key)) return;
+    members_.texts(key, words);
+    blocks.clear();
+    for (const auto& word : words) {
+      const auto found = std::find(names.begin(), names.end(), word);
+      if (found == names.end()) return members_.refuse(key, base::quoted(word), "speed, force or form");
+      blocks.push_back(kBlocks[static_cast<std::size_t>(found - names.begin())]);
     }
   }
 
-  void refuse(const std::string& place, const Json& value, std::string wanted) {
-    error = base::Error{ErrorCode::kSchema, {}, place, base::quoted(value.dump()), std::move(wanted)};
-  }
-
-  const Json& json_;
-  std::string place_;
+  JsonMembers& members_;
+  std::optional<base::Error>& error_;
 };
 
 }  // namespace
@@ -263,13 +240,13 @@ std::string toJson(const SessionSettings& settings) {
 }
 
 Result<SessionSettings> parseSessionSettings(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object()) return fail(ErrorCode::kSyntax, "settings", base::quoted(text), "a JSON object");
-  SessionSettings settings;
-  Reader reader(json, {});
-  visit(reader, settings);
-  if (reader.error) return tl::unexpected(std::move(*reader.error));
-  return settings;
+  // A member of a newer program is ignored.
+  return base::readJson(text, {}, [](JsonMembers& members, std::optional<base::Error>& error) {
+    SessionSettings settings;
+    Reader reader(members, error);
+    visit(reader, settings);
+    return settings;
+  });
 }
 
 std::uint64_t blockSeed(std::uint64_t session_seed, Block block) noexcept {

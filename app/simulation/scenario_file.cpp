@@ -13,6 +13,7 @@ using base::ErrorCode;
 using base::JsonMembers;
 using base::JsonValue;
 using base::NumberRange;
+using base::required;
 using Kind = MotionStep::Kind;
 using Problem = std::optional<base::Error>;
 
@@ -47,27 +48,22 @@ void readStrokes(JsonMembers& members, std::vector<MotionStep>& steps) {
 
 void readStep(const JsonValue& value, std::vector<MotionStep>& steps, Problem& error) {
   JsonMembers members(value, error);
-  members.require("do");
-  const auto word = members.word("do", kStepWords);
+  const auto word = members.word(required("do"), kStepWords);
   if (word == std::size(kStepKinds)) {
     readStrokes(members, steps);
   } else if (word) {
     MotionStep step{.kind = kStepKinds[*word]};
-    const auto needed = [&](std::string_view key, double& target, NumberRange range) {
-      members.require(key);
-      members.number(key, target, range);
-    };
-    if (*word < 5) needed("duration_s", step.duration_s, kDuration);
-    if (step.kind == Kind::kStroke) needed("length_mm", step.length_mm, kLength);
-    if (step.kind == Kind::kGoTo) needed("position_mm", step.position_mm, kLength);
-    if (step.kind == Kind::kPush) needed("speed_mm_s", step.speed_mm_s, kSpeed);
+    if (*word < 5) members.number(required("duration_s"), step.duration_s, kDuration);
+    if (step.kind == Kind::kStroke) members.number(required("length_mm"), step.length_mm, kLength);
+    if (step.kind == Kind::kGoTo) members.number(required("position_mm"), step.position_mm, kLength);
+    if (step.kind == Kind::kPush) members.number(required("speed_mm_s"), step.speed_mm_s, kSpeed);
     if (step.kind == Kind::kSwing) {
-      needed("amplitude_mm", step.amplitude_mm, {0, 100});
-      needed("frequency_hz", step.frequency_hz, {0, 100});
+      members.number(required("amplitude_mm"), step.amplitude_mm, {0, 100});
+      members.number(required("frequency_hz"), step.frequency_hz, {0, 100});
     }
     steps.push_back(step);
   }
-  members.finish();
+  members.refuseOthers();
   if (steps.size() > kMostSteps) members.refuse("do", "at most " + std::to_string(kMostSteps) + " steps in all");
 }
 
@@ -82,7 +78,7 @@ void readHand(const JsonValue& value, Scenario& scenario, Problem& error) {
   members.number("stiffness_n_m", hand.stiffness_n_m, {0, 1e5});
   members.number("tremor_mm", scenario.tremor_mm, {0, 10});
   members.number("tremor_hz", scenario.tremor_hz, {0, 100});
-  members.finish();
+  members.refuseOthers();
 }
 
 void readDevice(const JsonValue& value, haptics::VirtualDeviceSettings& device, Problem& error) {
@@ -99,7 +95,7 @@ void readDevice(const JsonValue& value, haptics::VirtualDeviceSettings& device, 
   members.integer("shortest_stall_ms", device.shortest_stall_ms, {1, 1000});
   members.integer("longest_stall_ms", device.longest_stall_ms, {1, 1000});
   members.number("quiet_after_s", device.quiet_after_s, {0.001, 1000});
-  members.finish();
+  members.refuseOthers();
 }
 
 void readEnable(const JsonValue& value, haptics::EnableSettings& enable, Problem& error) {
@@ -108,14 +104,14 @@ void readEnable(const JsonValue& value, haptics::EnableSettings& enable, Problem
   members.number("press_debounce_s", enable.press_debounce_s, {0.01, 0.1});
   members.number("release_zone_mm", enable.release_zone_mm, kLength);
   members.number("start_zone_mm", enable.start_zone_mm, {0.1, 1000});
-  members.finish();
+  members.refuseOthers();
 }
 
 void readLimits(const JsonValue& value, Scenario& scenario, Problem& error) {
   JsonMembers members(value, error);
   members.flag("expert", scenario.expert_limits);
   members.flag("guard_velocity", scenario.guard_velocity);
-  members.finish();
+  members.refuseOthers();
 }
 
 template <class Enum>
@@ -140,8 +136,7 @@ void readEvent(const JsonValue& value, Scenario& scenario, Problem& error) {
   JsonMembers members(value, error);
   ScenarioEvent event;
   event.place = value.pointer();
-  members.require("at_s");
-  members.number("at_s", event.at_s, kTime);
+  members.number(required("at_s"), event.at_s, kTime);
   members.numbers("conditions", event.conditions, kAny);
   members.text("model", event.model);
   members.number("fade_s", event.fade_s, {0, 60});
@@ -153,7 +148,7 @@ void readEvent(const JsonValue& value, Scenario& scenario, Problem& error) {
   members.flag("stop", event.stop);
   members.flag("placement", event.placement);
   readFault(members, event, scenario);
-  members.finish();
+  members.refuseOthers();
 
   // What would have no effect is a typing error.
   if (members.has("fade_s") && !members.has("conditions") && !members.has("model"))
@@ -170,11 +165,8 @@ void readEvent(const JsonValue& value, Scenario& scenario, Problem& error) {
 Scenario readWhole(const JsonValue& root, Problem& error) {
   Scenario scenario;
   JsonMembers members(root, error);
-  for (const char* key : {"format", "version", "motion"}) members.require(key);
-  constexpr std::string_view kFormat[] = {"tactus-scenario"};
-  members.word("format", kFormat);
-  int version = 1;
-  members.integer("version", version, {1, 1});
+  members.format("tactus-scenario");
+  members.version(required("version"));
   members.text("name", scenario.name);
   members.integer("seed", scenario.device.seed);
   members.numbers("conditions", scenario.conditions, kAny);
@@ -183,13 +175,13 @@ Scenario readWhole(const JsonValue& root, Problem& error) {
   if (const auto part = members.child("device")) readDevice(*part, scenario.device, error);
   if (const auto part = members.child("enable")) readEnable(*part, scenario.enable, error);
   if (const auto part = members.child("limits")) readLimits(*part, scenario, error);
-  for (const JsonValue& step : members.elements("motion"))
+  for (const JsonValue& step : members.elements(required("motion")))
     if (!error) readStep(step, scenario.motion, error);
   for (const JsonValue& event : members.elements("events"))
     if (!error) readEvent(event, scenario, error);
   scenario.duration_s = durationS(scenario.motion);
   members.number("duration_s", scenario.duration_s, kDuration);
-  members.finish();
+  members.refuseOthers();
   return scenario;
 }
 

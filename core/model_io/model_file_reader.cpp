@@ -1,15 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <iterator>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <utility>
 
 #include "core/base/files/file.h"
-#include "core/base/json/json_document.h"
-#include "core/base/text.h"
+#include "core/base/json/json_members.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"
 #include "core/model_io/removed_model.h"
@@ -23,21 +20,14 @@ using namespace std::string_view_literals;
 using base::Error;
 using base::ErrorCode;
 using base::JsonDocument;
-using base::JsonKind;
+using base::JsonKey;
+using base::JsonMembers;
 using base::JsonValue;
+using base::required;
 using fuzzy::ForceModel;
 
-constexpr std::string_view kFormat = "tactus-force-model";
 // More would be one mistake repeated.
 constexpr std::size_t kMostWarnings = 100;
-constexpr std::array<std::string_view, 14> kTopLevelKeys = {
-    "format",    "version",         "name",           "created_utc", "generator", "provenance", "inputs", "output",
-    "inference", "default_force_n", "accepted_holes", "experts",     "renderer",  "checks"};
-
-template <class Keys>
-bool isAmong(std::string_view key, const Keys& keys) {
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
 
 /// Turns a document into a model. The first error is kept, what is read after it does not matter.
 class ModelReader {
@@ -45,8 +35,18 @@ class ModelReader {
   explicit ModelReader(const std::string& file) : file_(file) {}
 
   base::Result<ReadModel> read(JsonValue root) {
-    readHeader(root);
-    if (!error_) readModel(root);
+    JsonMembers members(root, error_);
+    members.format("tactus-force-model");
+    members.version(required("version"));
+    // Without an expert there is nothing to evaluate; what withdrew is not guessed at.
+    if (!error_ && members.has(kRemovedKey) && !members.has("experts")) {
+      error_ = Error{ErrorCode::kData,
+                     {},
+                     {},
+                     "a model whose experts withdrew, so that nothing of it is left",
+                     "a model with one expert or more"};
+    }
+    readModel(members);
     if (error_) return base::inFile(std::move(*error_), file_);
     if (warnings_ > kMostWarnings) {
       result_.warnings.push_back(file_ + ": " + std::to_string(warnings_ - kMostWarnings) +
@@ -56,279 +56,142 @@ class ModelReader {
   }
 
  private:
-  void readHeader(JsonValue root) {
-    only(root, "format", std::array{kFormat});
-    if (error_) return;
-    checkVersion(number(root, "version"), "/version");
-    // Without an expert there is nothing to evaluate; what withdrew is not guessed at.
-    if (root.find(kRemovedKey) && !root.find("experts")) {
-      refuse(ErrorCode::kData, {}, "a model whose experts withdrew, so that nothing of it is left",
-             "a model with one expert or more");
-    }
-  }
-
-  void checkVersion(double version, std::string place) {
-    if (version == 1) return;
-    const bool newer = version > 1;
-    refuse(newer ? ErrorCode::kVersion : ErrorCode::kValue, std::move(place),
-           "version " + base::formatNumber(version) + (newer ? ", newer than this program" : ""),
-           newer ? "at most version 1" : "version 1");
-  }
-
-  void readModel(JsonValue root) {
+  void readModel(JsonMembers& members) {
     ForceModel& model = result_.model;
-    model.name = text(root, "name");
-    model.created_utc = text(root, "created_utc");
-    model.generator = text(root, "generator");
-    if (const auto value = optional(root, "provenance", JsonKind::kObject)) model.provenance = provenance(*value);
-    if (const auto values = required(root, "inputs", JsonKind::kArray)) {
-      for (const JsonValue value : *values) model.inputs.push_back(variable(value));
-    }
-    if (const auto value = required(root, "output", JsonKind::kObject)) model.output = variable(*value);
-    if (const auto value = required(root, "inference", JsonKind::kObject)) model.implication = inference(*value);
-    model.default_force_n = number(root, "default_force_n", 0);
-    if (const auto values = optional(root, "accepted_holes", JsonKind::kArray)) {
-      for (const JsonValue value : *values) {
-        if (expect(value, JsonKind::kString)) model.accepted_holes.emplace_back(value.text());
-      }
-    }
-    if (const auto values = required(root, "experts", JsonKind::kArray)) {
-      for (const JsonValue value : *values) model.experts.push_back(expert(value));
-    }
-    if (const auto value = optional(root, "renderer", JsonKind::kObject)) model.renderer = renderer(*value);
-    if (const auto values = optional(root, "checks", JsonKind::kArray)) {
-      for (const JsonValue value : *values) model.checks.push_back(check(value));
-    }
-    for (const JsonValue value : root) {
-      if (!isAmong(value.key(), kTopLevelKeys)) model.extra.push_back(named(value));
-    }
+    members.textOrEmpty(required("name"), model.name);
+    members.textOrEmpty(required("created_utc"), model.created_utc);
+    members.textOrEmpty(required("generator"), model.generator);
+    if (const auto value = members.object("provenance")) model.provenance = provenance(*value);
+    for (const JsonValue value : members.elements(required("inputs"))) model.inputs.push_back(variable(value));
+    if (const auto value = members.object(required("output"))) model.output = variable(*value);
+    if (const auto value = members.object(required("inference"))) model.implication = inference(*value);
+    members.number("default_force_n", model.default_force_n);
+    members.texts("accepted_holes", model.accepted_holes);
+    for (const JsonValue value : members.elements(required("experts"))) model.experts.push_back(expert(value));
+    if (const auto value = members.object("renderer")) model.renderer = renderer(*value);
+    for (const JsonValue value : members.elements("checks")) model.checks.push_back(check(value));
+    model.extra = named(members.others());
   }
 
   fuzzy::Provenance provenance(JsonValue object) {
     fuzzy::Provenance out;
-    warnUnknown(object, {"study", "settings", "sources", "notes"});
-    out.study = text(object, "study");
-    out.settings = openObject(object, "settings");
-    out.sources = openObject(object, "sources");
-    out.notes = text(object, "notes");
+    JsonMembers members(object, error_);
+    members.textOrEmpty(required("study"), out.study);
+    if (const auto settings = members.object(required("settings"))) out.settings = named(*settings);
+    if (const auto sources = members.object(required("sources"))) out.sources = named(*sources);
+    members.textOrEmpty(required("notes"), out.notes);
+    warnOfOthers(members);
     return out;
   }
 
   fuzzy::Variable variable(JsonValue object) {
     fuzzy::Variable out;
-    if (!expect(object, JsonKind::kObject)) return out;
-    warnUnknown(object, {"id", "label", "unit", "min", "max", "terms"});
-    out.id = text(object, "id");
-    out.label = text(object, "label");
-    out.unit = text(object, "unit");
-    out.min = number(object, "min");
-    out.max = number(object, "max");
-    if (const auto values = required(object, "terms", JsonKind::kArray)) out.terms = terms(*values);
+    JsonMembers members(object, error_);
+    members.textOrEmpty(required("id"), out.id);
+    members.textOrEmpty(required("label"), out.label);
+    members.textOrEmpty(required("unit"), out.unit);
+    members.number(required("min"), out.min);
+    members.number(required("max"), out.max);
+    out.terms = terms(members, required("terms"));
+    warnOfOthers(members);
     return out;
   }
 
-  std::vector<fuzzy::Term> terms(JsonValue array) {
+  std::vector<fuzzy::Term> terms(JsonMembers& members, JsonKey key) {
     std::vector<fuzzy::Term> out;
-    if (!expect(array, JsonKind::kArray)) return out;
-    for (const JsonValue value : array) out.push_back(term(value));
+    for (const JsonValue value : members.elements(key)) out.push_back(term(value));
     return out;
   }
 
   fuzzy::Term term(JsonValue object) {
-    using fuzzy::Shape;
     fuzzy::Term out;
-    if (!expect(object, JsonKind::kObject)) return out;
-    warnUnknown(object, {"id", "label", "shape", "points"});
-    out.id = text(object, "id");
-    out.label = text(object, "label");
-    std::vector<std::string_view> shapes;
-    for (const Shape one : fuzzy::kShapes) shapes.push_back(name(one));
-    const std::string shape = only(object, "shape", shapes);
-    for (const Shape one : fuzzy::kShapes) {
-      if (shape == name(one)) out.shape = one;
-    }
-    out.points = numbers(object, "points");
+    JsonMembers members(object, error_);
+    members.textOrEmpty(required("id"), out.id);
+    members.textOrEmpty(required("label"), out.label);
+    out.shape = oneOf(members, "shape", fuzzy::kShapes);
+    members.numbers(required("points"), out.points);
+    warnOfOthers(members);
     return out;
   }
 
   fuzzy::Implication inference(JsonValue object) {
     using fuzzy::Implication;
-    warnUnknown(object, {"conjunction", "implication", "aggregation", "defuzzification"});
-    only(object, "conjunction", std::array{"min"sv});
-    const std::string implication =
-        only(object, "implication", std::array{name(Implication::kClip), name(Implication::kScale)});
-    only(object, "aggregation", std::array{"max"sv});
-    only(object, "defuzzification", std::array{"centroid"sv});
-    return implication == name(Implication::kScale) ? Implication::kScale : Implication::kClip;
+    JsonMembers members(object, error_);
+    members.word(required("conjunction"), std::array{"min"sv});
+    const auto implication = oneOf(members, "implication", {Implication::kClip, Implication::kScale});
+    members.word(required("aggregation"), std::array{"max"sv});
+    members.word(required("defuzzification"), std::array{"centroid"sv});
+    warnOfOthers(members);
+    return implication;
   }
 
   fuzzy::Expert expert(JsonValue object) {
     fuzzy::Expert out;
-    if (!expect(object, JsonKind::kObject)) return out;
-    warnUnknown(object, {"id", "label", "weight", "terms", "rules"});
-    out.id = text(object, "id");
-    out.label = text(object, "label");
-    out.weight = number(object, "weight");
-    if (const auto lists = optional(object, "terms", JsonKind::kObject)) {
-      for (const JsonValue list : *lists) out.overrides.push_back({std::string(list.key()), terms(list)});
+    JsonMembers members(object, error_);
+    members.textOrEmpty(required("id"), out.id);
+    members.textOrEmpty(required("label"), out.label);
+    members.number(required("weight"), out.weight);
+    if (const auto lists = members.object("terms")) {
+      JsonMembers own(*lists, error_);
+      for (const JsonValue list : *lists) out.overrides.push_back({std::string(list.key()), terms(own, list.key())});
     }
-    if (const auto values = required(object, "rules", JsonKind::kArray)) {
-      for (const JsonValue value : *values) out.rules.push_back(rule(value));
-    }
+    for (const JsonValue value : members.elements(required("rules"))) out.rules.push_back(rule(value));
+    warnOfOthers(members);
     return out;
   }
 
   fuzzy::Rule rule(JsonValue object) {
     fuzzy::Rule out;
-    if (!expect(object, JsonKind::kObject)) return out;
-    warnUnknown(object, {"if", "then", "weight", "enabled"});
-    if (const auto conditions = required(object, "if", JsonKind::kObject)) {
-      for (const JsonValue term : *conditions) {
-        if (expect(term, JsonKind::kString))
-          out.conditions.push_back({std::string(term.key()), std::string(term.text())});
-      }
-    }
-    out.then = text(object, "then");
-    out.weight = number(object, "weight", 1);
-    if (const auto value = object.find("enabled")) out.enabled = flag(*value);
+    JsonMembers members(object, error_);
+    std::vector<JsonMembers::NamedText> conditions;
+    members.texts(required("if"), conditions);
+    for (auto& [input, term] : conditions) out.conditions.push_back({std::move(input), std::move(term)});
+    members.textOrEmpty(required("then"), out.then);
+    members.number("weight", out.weight);
+    members.flag("enabled", out.enabled);
+    warnOfOthers(members);
     return out;
   }
 
   fuzzy::RendererParameters renderer(JsonValue object) {
     fuzzy::RendererParameters out;
-    checkVersion(number(object, "version", out.version), "/renderer/version");
-    for (const auto& field : fuzzy::kRendererFields) out.*field.member = number(object, field.key, out.*field.member);
-    for (const JsonValue value : object) {
-      const bool known =
-          value.key() == "version" || std::any_of(std::begin(fuzzy::kRendererFields), std::end(fuzzy::kRendererFields),
-                                                  [&value](const auto& field) { return value.key() == field.key; });
-      if (!known) warn(value);
-    }
+    JsonMembers members(object, error_);
+    members.version("version");
+    for (const auto& field : fuzzy::kRendererFields) members.number(field.key, out.*field.member);
+    warnOfOthers(members);
     return out;
   }
 
   fuzzy::Check check(JsonValue object) {
     fuzzy::Check out;
-    if (!expect(object, JsonKind::kObject)) return out;
-    warnUnknown(object, {"in", "force", "fired"});
-    out.in = numbers(object, "in");
-    out.force = number(object, "force");
-    if (const auto value = member(object, "fired", "true or false")) out.fired = flag(*value);
+    JsonMembers members(object, error_);
+    members.numbers(required("in"), out.in);
+    members.number(required("force"), out.force);
+    members.flag(required("fired"), out.fired);
+    warnOfOthers(members);
     return out;
   }
 
-  static fuzzy::NamedJson named(JsonValue value) { return {std::string(value.key()), value.json()}; }
-
-  std::vector<fuzzy::NamedJson> openObject(JsonValue object, std::string_view key) {
+  template <class Values>
+  static std::vector<fuzzy::NamedJson> named(const Values& values) {
     std::vector<fuzzy::NamedJson> out;
-    if (const auto values = required(object, key, JsonKind::kObject)) {
-      for (const JsonValue value : *values) out.push_back(named(value));
-    }
+    for (const JsonValue value : values) out.push_back({std::string(value.key()), value.json()});
     return out;
   }
 
-  std::string text(JsonValue object, std::string_view key) {
-    const auto value = required(object, key, JsonKind::kString);
-    return value ? std::string(value->text()) : std::string();
+  /// The one of `all` whose name stands under `key`.
+  template <class Enum, std::size_t count>
+  static Enum oneOf(JsonMembers& members, std::string_view key, const Enum (&all)[count]) {
+    std::array<std::string_view, count> names;
+    std::transform(std::begin(all), std::end(all), names.begin(), [](Enum one) { return name(one); });
+    return all[members.word(required(key), names).value_or(0)];
   }
 
-  double number(JsonValue object, std::string_view key) {
-    const auto value = required(object, key, JsonKind::kNumber);
-    return value ? value->number() : 0;
-  }
-
-  double number(JsonValue object, std::string_view key, double otherwise) {
-    const auto value = optional(object, key, JsonKind::kNumber);
-    return value ? value->number() : otherwise;
-  }
-
-  std::vector<double> numbers(JsonValue object, std::string_view key) {
-    std::vector<double> out;
-    if (const auto values = required(object, key, JsonKind::kArray)) {
-      for (const JsonValue value : *values) {
-        if (expect(value, JsonKind::kNumber)) out.push_back(value.number());
+  void warnOfOthers(const JsonMembers& members) {
+    for (const JsonValue value : members.others()) {
+      if (warnings_++ < kMostWarnings) {
+        result_.warnings.push_back(base::oneLine(file_ + ": " + value.pointer() + ": unknown key, dropped"));
       }
-    }
-    return out;
-  }
-
-  bool flag(JsonValue value) {
-    if (value.kind() == JsonKind::kTrue) return true;
-    if (value.kind() != JsonKind::kFalse) refuse(ErrorCode::kSchema, value, "true or false");
-    return false;
-  }
-
-  /// The string under `key`, which must be one of `known`.
-  std::string only(JsonValue object, std::string_view key, std::span<const std::string_view> known) {
-    std::string wanted;
-    for (const auto word : known) {
-      if (!wanted.empty()) wanted += word == known.back() ? " or " : ", ";
-      wanted += base::quoted(word);
-    }
-    const auto value = member(object, key, wanted);
-    if (!value) return {};
-    if (value->kind() != JsonKind::kString || !isAmong(value->text(), known)) {
-      refuse(value->kind() == JsonKind::kString ? ErrorCode::kValue : ErrorCode::kSchema, *value, wanted);
-    }
-    return std::string(value->text());
-  }
-
-  static std::string_view wanted(JsonKind kind) {
-    switch (kind) {
-      case JsonKind::kNumber:
-        return "a number";
-      case JsonKind::kString:
-        return "a string";
-      case JsonKind::kArray:
-        return "an array";
-      default:
-        return "an object";
-    }
-  }
-
-  bool expect(JsonValue value, JsonKind kind) {
-    if (value.kind() == kind) return true;
-    refuse(ErrorCode::kSchema, value, std::string(wanted(kind)));
-    return false;
-  }
-
-  /// The value under `key`, which must be there.
-  std::optional<JsonValue> member(JsonValue object, std::string_view key, std::string_view wanted_value) {
-    const auto value = object.find(key);
-    if (!value && !error_) {
-      refuse(ErrorCode::kSchema, object.pointer(), "no key " + base::quoted(key),
-             "a key " + base::quoted(key) + " with " + std::string(wanted_value));
-    }
-    return value;
-  }
-
-  std::optional<JsonValue> required(JsonValue object, std::string_view key, JsonKind kind) {
-    const auto value = member(object, key, wanted(kind));
-    return value && expect(*value, kind) ? value : std::nullopt;
-  }
-
-  std::optional<JsonValue> optional(JsonValue object, std::string_view key, JsonKind kind) {
-    const auto value = object.find(key);
-    return value && expect(*value, kind) ? value : std::nullopt;
-  }
-
-  void refuse(ErrorCode code, std::string place, std::string found, std::string wanted_value) {
-    if (!error_) error_ = Error{code, {}, std::move(place), std::move(found), std::move(wanted_value)};
-  }
-
-  void refuse(ErrorCode code, JsonValue value, std::string wanted_value) {
-    if (!error_) refuse(code, value.pointer(), value.description(), std::move(wanted_value));
-  }
-
-  void warnUnknown(JsonValue object, std::initializer_list<std::string_view> known) {
-    for (const JsonValue value : object) {
-      if (!isAmong(value.key(), known)) warn(value);
-    }
-  }
-
-  void warn(JsonValue value) {
-    if (warnings_++ < kMostWarnings) {
-      result_.warnings.push_back(base::oneLine(file_ + ": " + value.pointer() + ": unknown key, dropped"));
     }
   }
 

@@ -12,13 +12,13 @@ namespace {
 using base::JsonDocument;
 using base::JsonMembers;
 using base::JsonWriter;
+using base::kAnyNumber;
 using base::NumberRange;
+using base::required;
 using base::Result;
 using study::EventRecord;
 
-constexpr double kMost = std::numeric_limits<double>::max();
-constexpr NumberRange kAnyNumber{-kMost, kMost};
-constexpr NumberRange kPositive{0, kMost};
+constexpr NumberRange kPositive{0, std::numeric_limits<double>::max()};
 constexpr NumberRange kCount{0, std::numeric_limits<int>::max()};
 constexpr NumberRange kFromOne{1, std::numeric_limits<int>::max()};
 
@@ -39,11 +39,10 @@ void write(const study::FeltSetting& setting, JsonWriter& json) {
 }
 
 void read(JsonMembers& members, study::FeltSetting& setting) {
-  for (const char* key : {"simulated", "conditions"}) members.require(key);
   members.text("device", setting.device);
-  members.flag("simulated", setting.simulated);
+  members.flag(required("simulated"), setting.simulated);
   members.text("model", setting.model);
-  members.numbers("conditions", setting.conditions, kAnyNumber);
+  members.numbers(required("conditions"), setting.conditions, kAnyNumber);
   if (!members.has("model_version")) return;
   std::string version;
   members.text("model_version", version);
@@ -51,7 +50,7 @@ void read(JsonMembers& members, study::FeltSetting& setting) {
   if (!setting.model_version) members.refuse("model_version", "32 hexadecimal digits");
 }
 
-/// Reads the detail of `event` with `read`, which gets the members of its object.
+/// Reads the detail of `event` with `read`, which gets the members of its object. Ignores members of a newer program.
 template <class Read>
 Result<void> readDetail(const EventRecord& event, Read read) {
   const std::string place = event.kind + " " + study::toText(event.entry.id);
@@ -112,12 +111,11 @@ Result<study::PlacementRecord> placementOf(const EventRecord& event) {
   study::PlacementRecord out;
   out.entry = event.entry;
   const auto ok = readDetail(event, [&](JsonMembers& members) {
-    for (const char* key : {"duration_s", "strokes", "peak_force_n", "mean_force_n", "depth_mm"}) members.require(key);
-    members.number("duration_s", out.duration_s, kPositive);
-    members.integer("strokes", out.strokes, kCount);
-    members.number("peak_force_n", out.peak_force_n, kPositive);
-    members.number("mean_force_n", out.mean_force_n, kAnyNumber);
-    members.number("depth_mm", out.depth_mm, kAnyNumber);
+    members.number(required("duration_s"), out.duration_s, kPositive);
+    members.integer(required("strokes"), out.strokes, kCount);
+    members.number(required("peak_force_n"), out.peak_force_n, kPositive);
+    members.number(required("mean_force_n"), out.mean_force_n, kAnyNumber);
+    members.number(required("depth_mm"), out.depth_mm, kAnyNumber);
     read(members, out.setting);
   });
   if (!ok) return tl::unexpected(ok.error());
@@ -128,8 +126,7 @@ Result<study::FeelStart> feelStartOf(const EventRecord& event) {
   study::FeelStart out;
   out.entry = event.entry;
   const auto ok = readDetail(event, [&](JsonMembers& members) {
-    members.require("recording");
-    members.integer("recording", out.number, kFromOne);
+    members.integer(required("recording"), out.number, kFromOne);
     read(members, out.setting);
   });
   if (!ok) return tl::unexpected(ok.error());
@@ -140,9 +137,8 @@ Result<study::FeelEnd> feelEndOf(const EventRecord& event) {
   study::FeelEnd out;
   out.entry = event.entry;
   const auto ok = readDetail(event, [&](JsonMembers& members) {
-    for (const char* key : {"recording", "pieces"}) members.require(key);
-    members.integer("recording", out.recording, kFromOne);
-    members.integer("pieces", out.pieces, kCount);
+    members.integer(required("recording"), out.recording, kFromOne);
+    members.integer(required("pieces"), out.pieces, kCount);
   });
   if (!ok) return tl::unexpected(ok.error());
   return out;

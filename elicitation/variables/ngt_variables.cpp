@@ -1,34 +1,52 @@
 #include "elicitation/variables/ngt_variables.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <array>
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/json/json_members.h"
 #include "elicitation/variables/embedded_data.h"
 
 namespace tactus::elicitation {
 namespace {
 
-using nlohmann::json;
+using base::JsonMembers;
+using base::JsonValue;
+using base::required;
+using Problem = std::optional<base::Error>;
 
-// The file is part of the program: reading it cannot fail for a reason outside the program.
-json data() { return json::parse(ngtVariablesJson()); }
+struct NgtData {
+  std::vector<DepthTermSet> depth_term_sets;
+  std::vector<fuzzy::Variable> inputs;
+  fuzzy::Variable output;
+  std::vector<DeclaredDirection> directions;
+  std::string region_input;
+};
 
-std::vector<fuzzy::Term> readTerms(const json& list) {
+std::vector<fuzzy::Term> readTerms(JsonMembers& json, Problem& error) {
   std::vector<fuzzy::Term> terms;
-  for (const auto& term : list) {
-    terms.push_back({term.at("id"), term.at("label"), fuzzy::Shape::kTrapezoid, term.at("points")});
+  for (const JsonValue value : json.elements("terms")) {
+    JsonMembers members(value, error);
+    fuzzy::Term& term = terms.emplace_back();
+    term.shape = fuzzy::Shape::kTrapezoid;
+    members.text(required("id"), term.id);
+    members.text(required("label"), term.label);
+    members.numbers(required("points"), term.points);
+    members.refuseOthers();
   }
   return terms;
 }
 
-std::vector<DepthTermSet> readSets(const json& all) {
-  std::vector<DepthTermSet> sets;
-  for (const auto& set : all.at("depth_term_sets")) {
-    sets.push_back({set.at("id"), set.at("label"), readTerms(set.at("terms"))});
-  }
-  return sets;
+fuzzy::Variable readVariable(JsonMembers& json, Problem& error) {
+  fuzzy::Variable variable;
+  json.text(required("id"), variable.id);
+  json.text(required("label"), variable.label);
+  json.text(required("unit"), variable.unit);
+  json.number(required("min"), variable.min);
+  json.number(required("max"), variable.max);
+  variable.terms = readTerms(json, error);
+  return variable;
 }
 
 std::optional<DepthTermSet> find(std::vector<DepthTermSet> sets, std::string_view id) {
@@ -38,27 +56,53 @@ std::optional<DepthTermSet> find(std::vector<DepthTermSet> sets, std::string_vie
   return std::nullopt;
 }
 
-fuzzy::Variable readVariable(const json& all, const json& variable) {
-  fuzzy::Variable out{variable.at("id"),  variable.at("label"), variable.at("unit"),
-                      variable.at("min"), variable.at("max"),   {}};
-  if (variable.contains("terms")) {
-    out.terms = readTerms(variable.at("terms"));
-  } else {
-    auto set = find(readSets(all), variable.at("terms_of_set").get<std::string>());
-    TACTUS_CHECK(set.has_value());
-    out.terms = std::move(set->terms);
+void readInput(JsonMembers json, NgtData& data, Problem& error) {
+  fuzzy::Variable input = readVariable(json, error);
+  std::string set;
+  bool regions = false;
+  json.text("terms_of_set", set);
+  json.flag("regions", regions);
+  const auto direction = json.word("declared_direction", std::array<std::string_view, 2>{"falls", "rises"});
+  json.refuseOthers();
+  if (const auto named = find(data.depth_term_sets, set)) input.terms = named->terms;
+  if (input.terms.empty()) json.refuse("terms", "no terms", "terms, or the name of a set of terms");
+  if (regions) data.region_input = input.id;
+  if (direction) {
+    data.directions.push_back({input.id, *direction == 0 ? analysis::Direction::kFalls : analysis::Direction::kRises});
   }
-  return out;
+  data.inputs.push_back(std::move(input));
+}
+
+NgtData readData(JsonMembers& json, Problem& error) {
+  NgtData data;
+  for (const JsonValue value : json.elements(required("depth_term_sets"))) {
+    JsonMembers members(value, error);
+    DepthTermSet& set = data.depth_term_sets.emplace_back();
+    members.text(required("id"), set.id);
+    members.text(required("label"), set.label);
+    set.terms = readTerms(members, error);
+    members.refuseOthers();
+  }
+  for (const JsonValue value : json.elements(required("inputs"))) readInput({value, error}, data, error);
+  if (const auto value = json.object(required("output"))) {
+    JsonMembers members(*value, error);
+    data.output = readVariable(members, error);
+    members.refuseOthers();
+  }
+  json.refuseOthers();
+  return data;
+}
+
+// The file is part of the program: reading it cannot fail for a reason outside the program.
+NgtData data() {
+  auto read = base::readJson(ngtVariablesJson(), "ngt_variables.json", readData);
+  TACTUS_CHECK(read.has_value() && !read->region_input.empty());
+  return std::move(*read);
 }
 
 }  // namespace
 
-std::vector<fuzzy::Variable> ngtInputs() {
-  const json all = data();
-  std::vector<fuzzy::Variable> inputs;
-  for (const auto& variable : all.at("inputs")) inputs.push_back(readVariable(all, variable));
-  return inputs;
-}
+std::vector<fuzzy::Variable> ngtInputs() { return data().inputs; }
 
 std::vector<std::string> ngtInputIds() {
   std::vector<std::string> ids;
@@ -66,33 +110,13 @@ std::vector<std::string> ngtInputIds() {
   return ids;
 }
 
-fuzzy::Variable ngtOutput() {
-  const json all = data();
-  return readVariable(all, all.at("output"));
-}
+fuzzy::Variable ngtOutput() { return data().output; }
 
-std::vector<DeclaredDirection> ngtDirections() {
-  const json all = data();
-  std::vector<DeclaredDirection> out;
-  for (const auto& input : all.at("inputs")) {
-    if (!input.contains("declared_direction")) continue;
-    const std::string direction = input.at("declared_direction");
-    TACTUS_CHECK(direction == "falls" || direction == "rises");
-    out.push_back({input.at("id"), direction == "falls" ? analysis::Direction::kFalls : analysis::Direction::kRises});
-  }
-  return out;
-}
+std::vector<DeclaredDirection> ngtDirections() { return data().directions; }
 
-std::string ngtRegionInput() {
-  const json all = data();
-  const auto& inputs = all.at("inputs");
-  const auto it =
-      std::find_if(inputs.begin(), inputs.end(), [](const json& input) { return input.contains("regions"); });
-  TACTUS_CHECK(it != inputs.end());
-  return it->at("id");
-}
+std::string ngtRegionInput() { return data().region_input; }
 
-std::vector<DepthTermSet> depthTermSets() { return readSets(data()); }
+std::vector<DepthTermSet> depthTermSets() { return data().depth_term_sets; }
 
 std::optional<DepthTermSet> findDepthTerms(std::string_view id) { return find(depthTermSets(), id); }
 

@@ -65,13 +65,14 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(FormFiles, BrokenOnesAreRefusedInOneSentence) {
-  EXPECT_EQ(refusal("{"), "f.json: found text that is not JSON, wanted a JSON text");
-  EXPECT_EQ(refusal("[]"), "f.json: found array, wanted an object");
-  EXPECT_EQ(refusal(R"({"format": "other"})"), "f.json: /format: found 'other', wanted 'tactus-form'");
-  EXPECT_EQ(refusal(R"({"format": "tactus-form"})"), "f.json: /: found no key 'id', wanted the key 'id'");
+  EXPECT_EQ(refusal("{"), "f.json: line 1, column 2: found the end of the text, wanted the rest of the JSON");
+  EXPECT_EQ(refusal("[]"), "f.json: found JSON that is not an object, wanted an object");
+  EXPECT_EQ(refusal(R"({"format": "other"})"), "f.json: /format: found the string 'other', wanted 'tactus-form'");
+  EXPECT_EQ(refusal(R"({"format": "tactus-form"})"),
+            "f.json: found no key 'id', wanted a key 'id' with a text that is not empty");
   EXPECT_EQ(refusal(formWith("")), "f.json: /items: found no items, wanted at least one item");
   EXPECT_EQ(refusal(formWith(R"({"number": 0, "text": "x"})")),
-            "f.json: /items/0/number: found 0, wanted an integer from 1 to 1000000");
+            "f.json: /items/0/number: found the number 0, wanted a whole number from 1 to 1000000");
   const std::string slow = R"({"number": 1, "text": "IF Speed IS Slow THEN Force IS"})";
   EXPECT_EQ(refusal(formWith(slow + "," + slow)), "f.json: /items/1/number: found 1 again, wanted each number once");
   EXPECT_EQ(refusal(formWith(slow + R"(, {"number": 2, "text": "IF Speed IS Slow, THEN Force Change IS:"})")),

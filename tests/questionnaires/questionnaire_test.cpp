@@ -105,7 +105,8 @@ TEST(Wording, BrokenFilesAreRefusedWithTheirPlace) {
     EXPECT_NE(wording.error().message().find(what), std::string::npos) << wording.error().message();
     EXPECT_EQ(wording.error().file, "w.json");
   };
-  refused("{", "not JSON");
+  refused("{", "line 1, column 2");
+  refused(R"({"format": "tactus-form-wording", "form": "f", "from": 1})", "'language'");
   refused(R"({"format": "tactus-form"})", "tactus-form-wording");
   refused(R"({"format": "tactus-form-wording", "form": "f"})", "'language'");
   const std::string head =

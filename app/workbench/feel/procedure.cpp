@@ -2,49 +2,39 @@
 
 #include <QCoreApplication>
 #include <QFile>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 
 #include "core/base/check.h"
+#include "core/base/json/json_members.h"
+#include "core/base/text.h"
 
 // Outside of every namespace, as Qt wants it: a resource of a static library has to be asked for.
 static void initFeelResource() { Q_INIT_RESOURCE(feel); }
 
 namespace tactus::workbench {
-namespace {
-
-std::string placeOfStep(qsizetype index) { return "steps[" + std::to_string(index) + "]"; }
-
-}  // namespace
 
 base::Result<std::vector<ProcedureStep>> readProcedure(const QByteArray& json) {
-  using base::ErrorCode;
-  QJsonParseError problem;
-  const QJsonDocument document = QJsonDocument::fromJson(json, &problem);
-  if (problem.error != QJsonParseError::NoError)
-    return base::fail(ErrorCode::kSyntax, "character " + std::to_string(problem.offset),
-                      problem.errorString().toStdString(), "JSON");
-  const QJsonArray list = document.object().value(QLatin1String("steps")).toArray();
-  if (list.isEmpty()) return base::fail(ErrorCode::kSchema, "steps", "none", "a list of steps");
-
-  std::vector<ProcedureStep> steps;
-  std::optional<double> deepest_mm;
-  for (qsizetype i = 0; i < list.size(); ++i) {
-    const QJsonObject object = list[i].toObject();
-    ProcedureStep step;
-    step.title = object.value(QLatin1String("title")).toString();
-    step.text = object.value(QLatin1String("text")).toString();
-    if (step.title.isEmpty()) return base::fail(ErrorCode::kSchema, placeOfStep(i) + ".title", "nothing", "a text");
-    const QJsonValue from = object.value(QLatin1String("from_mm"));
-    if (from.isDouble()) step.from_mm = from.toDouble();
-    if (deepest_mm && (!step.from_mm || *step.from_mm <= *deepest_mm))
-      return base::fail(ErrorCode::kValue, placeOfStep(i) + ".from_mm", "no depth beyond that of the step before",
-                        "depths that rise");
-    if (step.from_mm) deepest_mm = step.from_mm;
-    steps.push_back(std::move(step));
-  }
-  return steps;
+  const auto read = [](base::JsonMembers& members, std::optional<base::Error>& error) {
+    std::vector<ProcedureStep> steps;
+    std::optional<double> deepest_mm;
+    for (const base::JsonValue value : members.elements(base::required("steps"))) {
+      base::JsonMembers step(value, error);
+      std::string title, text;
+      ProcedureStep& out = steps.emplace_back();
+      step.text(base::required("title"), title);
+      step.textOrEmpty("text", text);
+      step.number("from_mm", out.from_mm);
+      step.refuseOthers();
+      out.title = QString::fromStdString(title);
+      out.text = QString::fromStdString(text);
+      if (deepest_mm && (!out.from_mm || *out.from_mm <= *deepest_mm))
+        step.refuse("from_mm", "more than " + base::formatNumber(*deepest_mm) + ", the depth of the step before");
+      if (out.from_mm) deepest_mm = out.from_mm;
+    }
+    if (steps.empty()) members.refuse("steps", "no steps", "at least one step");
+    members.refuseOthers();
+    return steps;
+  };
+  return base::readJson({json.constData(), static_cast<std::size_t>(json.size())}, {}, read);
 }
 
 std::vector<ProcedureStep> ngtProcedure() {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <limits>
 
 #include "core/base/files/file.h"
 #include "core/base/json/json_members.h"
@@ -15,9 +14,9 @@ namespace tactus::haptics {
 namespace {
 
 using base::ErrorCode;
-using base::JsonKind;
 using base::JsonMembers;
 using base::JsonValue;
+using base::required;
 using base::Result;
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
@@ -25,57 +24,13 @@ constexpr int kVersion = 1;
 constexpr const char* kVersionKey = "tactus_devices";
 constexpr const char* kCalibrationsKey = "devices";
 constexpr const char* kAxesKey = "axes";
-// Which numbers make sense is asked of the whole entry.
-constexpr base::NumberRange kAnyNumber{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 
-/// Reads the members of one entry, all of which must be there.
-class EntryReader {
- public:
-  EntryReader(const JsonValue& json, std::optional<base::Error>& error) : members_(json, error) {}
-
-  void name(const char* key, std::string& target) {
-    members_.require(key);
-    members_.text(key, target);
-  }
-  void text(const char* key, std::string& target) {
-    members_.require(key);
-    const auto value = members_.child(key);
-    if (!value) return;
-    if (value->kind() != JsonKind::kString) return members_.refuse(key, "a text");
-    target = value->text();
-  }
-  void number(const char* key, double& target) {
-    members_.require(key);
-    members_.number(key, target, kAnyNumber);
-  }
-  void numberOrNull(const char* key, std::optional<double>& target) {
-    members_.require(key);
-    const auto value = members_.child(key);
-    if (value && value->kind() != JsonKind::kNull) members_.number(key, target, kAnyNumber);
-  }
-  void flag(const char* key, bool& target) {
-    members_.require(key);
-    members_.flag(key, target);
-  }
-  void vector(const char* key, Vector3& target) {
-    members_.require(key);
-    const auto value = members_.child(key);
-    if (!value) return;
-    std::vector<double> numbers;
-    if (value->kind() == JsonKind::kArray) {
-      for (const JsonValue element : *value) {
-        if (element.kind() == JsonKind::kNumber) numbers.push_back(element.number());
-        if (element.kind() != JsonKind::kNumber || numbers.size() > 3) return members_.refuse(key, "three numbers");
-      }
-    }
-    if (numbers.size() != 3) return members_.refuse(key, "three numbers");
-    target = {numbers[0], numbers[1], numbers[2]};
-  }
-  void finish() { members_.finish(); }
-
- private:
-  JsonMembers members_;
-};
+void vector(JsonMembers& members, const char* key, Vector3& target) {
+  std::vector<double> numbers;
+  members.numbers(required(key), numbers);
+  if (numbers.size() != 3) return members.refuse(key, std::to_string(numbers.size()) + " numbers", "three numbers");
+  target = {numbers[0], numbers[1], numbers[2]};
+}
 
 /// What is wrong with the values of an entry, said of the entry.
 void note(std::optional<base::Error>& error, const JsonValue& json, const Result<void>& checked) {
@@ -85,32 +40,32 @@ void note(std::optional<base::Error>& error, const JsonValue& json, const Result
 }
 
 DeviceCalibration readCalibration(const JsonValue& json, std::optional<base::Error>& error) {
-  EntryReader reader(json, error);
+  JsonMembers members(json, error);
   DeviceCalibration entry;
-  reader.name("device", entry.device);
-  reader.text("serial", entry.serial);
-  reader.number("full_scale_n", entry.full_scale_n);
-  reader.vector("force_sign", entry.force_sign);
-  reader.number("mm_per_count", entry.mm_per_count);
-  reader.vector("inwards", entry.inwards);
-  reader.vector("origin_mm", entry.origin_mm);
-  reader.numberOrNull("friction_in_n", entry.friction_in_n);
-  reader.numberOrNull("friction_out_n", entry.friction_out_n);
-  reader.flag("silent_when_still", entry.silent_when_still);
-  reader.text("measured_at", entry.measured_at);
-  reader.text("procedure", entry.procedure);
-  reader.finish();
+  members.text(required("device"), entry.device);
+  members.textOrEmpty(required("serial"), entry.serial);
+  members.number(required("full_scale_n"), entry.full_scale_n);
+  vector(members, "force_sign", entry.force_sign);
+  members.number(required("mm_per_count"), entry.mm_per_count);
+  vector(members, "inwards", entry.inwards);
+  vector(members, "origin_mm", entry.origin_mm);
+  members.numberOrNull(required("friction_in_n"), entry.friction_in_n);
+  members.numberOrNull(required("friction_out_n"), entry.friction_out_n);
+  members.flag(required("silent_when_still"), entry.silent_when_still);
+  members.textOrEmpty(required("measured_at"), entry.measured_at);
+  members.textOrEmpty(required("procedure"), entry.procedure);
+  members.refuseOthers();
   if (!error) note(error, json, checkCalibration(entry));
   return entry;
 }
 
 DeviceAxis readAxis(const JsonValue& json, std::optional<base::Error>& error) {
-  EntryReader reader(json, error);
+  JsonMembers members(json, error);
   DeviceAxis entry;
-  reader.name("device", entry.device);
-  reader.text("serial", entry.serial);
-  reader.vector("inwards", entry.inwards);
-  reader.finish();
+  members.text(required("device"), entry.device);
+  members.textOrEmpty(required("serial"), entry.serial);
+  vector(members, "inwards", entry.inwards);
+  members.refuseOthers();
   if (!error) note(error, json, checkDirection("inwards", entry.inwards));
   return entry;
 }
@@ -124,7 +79,7 @@ const Entry* find(const std::vector<Entry>& entries, std::string_view device, st
 
 /// Adds what `read` makes of each element of the array `key`.
 template <class Entry, class Read>
-void readEntries(JsonMembers& file, const char* key, std::vector<Entry>& entries, std::optional<base::Error>& error,
+void readEntries(JsonMembers& file, base::JsonKey key, std::vector<Entry>& entries, std::optional<base::Error>& error,
                  Read read) {
   for (const JsonValue& element : file.elements(key)) {
     Entry entry = read(element, error);
@@ -145,16 +100,10 @@ Result<CalibrationFile> parse(const std::string& text) {
   std::optional<base::Error> error;
   CalibrationFile file;
   JsonMembers members(document->root(), error);
-  int version = 0;
-  members.require(kVersionKey);
-  members.integer(kVersionKey, version, {0, std::numeric_limits<int>::max()});
-  if (!error && version != kVersion)
-    return base::fail(ErrorCode::kVersion, std::string("/") + kVersionKey, std::to_string(version),
-                      std::to_string(kVersion));
-  members.require(kCalibrationsKey);
-  readEntries(members, kCalibrationsKey, file.calibrations, error, readCalibration);
+  members.version(required(kVersionKey));
+  readEntries(members, required(kCalibrationsKey), file.calibrations, error, readCalibration);
   readEntries(members, kAxesKey, file.axes, error, readAxis);
-  members.finish();
+  members.refuseOthers();
   if (error) return tl::unexpected(*error);
   return file;
 }

@@ -109,7 +109,7 @@ TEST_F(Simulate, AWrongScenarioIsOneSentenceAndNoTrace) {
   const ProgramRun run({"simulate", model_, "--scenario", scenario_, "--out", trace_});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.err.find("tactus: " + scenario_ + ": /motion/0/do: found the string 'fly', wanted one of rest"), 0u)
+  EXPECT_EQ(run.err.find("tactus: " + scenario_ + ": /motion/0/do: found the string 'fly', wanted 'rest', '"), 0u)
       << run.err;
   EXPECT_FALSE(base::CsvTable::read(trace_));
 

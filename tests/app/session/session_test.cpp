@@ -394,10 +394,10 @@ TEST(SessionSettings, WhatDoesNotFitIsRefusedWithItsPlace) {
     ASSERT_FALSE(read) << text;
     EXPECT_EQ(read.error().place, place) << read.error().message();
   };
-  refused("[]", "settings");
+  refused("[]", "");
   refused(R"({"speed": 3})", "/speed");
   refused(R"({"speed": {"strokes": "four"}})", "/speed/strokes");
-  refused(R"({"speed": {"levels": ["slow", 2]}})", "/speed/levels");
+  refused(R"({"speed": {"levels": ["slow", 2]}})", "/speed/levels/1");
   refused(R"({"speed": {"order": "random"}})", "/speed/order");
   refused(R"({"force": {"random_steps": {"lowest_n": null}}})", "/force/random_steps/lowest_n");
   refused(R"({"blocks": ["speed", "dance"]})", "/blocks");

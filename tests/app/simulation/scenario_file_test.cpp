@@ -76,17 +76,17 @@ TEST(ScenarioFile, SaysWhatWhereFoundAndWanted) {
   EXPECT_EQ(refusal("{ \"format\":\n \"tactus").substr(0, 6), "line 2");
   EXPECT_EQ(refusal("[]"), "found JSON that is not an object, wanted an object");
   EXPECT_EQ(refusal(R"({ "format": "tactus-model", "version": 1, "motion": [] })"),
-            "/format: found the string 'tactus-model', wanted one of tactus-scenario");
+            "/format: found the string 'tactus-model', wanted 'tactus-scenario'");
   EXPECT_EQ(refusal(R"({ "format": "tactus-scenario", "version": 2, "motion": [] })"),
-            "/version: found the number 2, wanted a number in [1, 1]");
-  EXPECT_EQ(refusal(with(R"("name": "no motion")")), "found no member 'motion', wanted the member 'motion'");
+            "/version: found version 2, newer than this program, wanted at most version 1");
+  EXPECT_EQ(refusal(with(R"("name": "no motion")")), "found no key 'motion', wanted a key 'motion' with an array");
   EXPECT_EQ(refusal(with(R"("motion": [ { "do": "jump" } ])")),
-            "/motion/0/do: found the string 'jump', wanted one of rest, stroke, go_to, push, swing, press, release, "
-            "let_go, hold, strokes");
+            "/motion/0/do: found the string 'jump', wanted 'rest', 'stroke', 'go_to', 'push', 'swing', 'press', "
+            "'release', 'let_go', 'hold' or 'strokes'");
   EXPECT_EQ(refusal(with(R"("motion": [ { "do": "push", "speed_mm_s": 5 } ])")),
-            "/motion/0: found no member 'duration_s', wanted the member 'duration_s'");
+            "/motion/0: found no key 'duration_s', wanted a key 'duration_s' with a number in [0.001, 3600]");
   EXPECT_EQ(refusal(with(R"("motion": [ { "do": "rest", "duration_s": 1, "length_mm": 5 } ])")),
-            "/motion/0/length_mm: found the member 'length_mm', wanted one of do, duration_s");
+            "/motion/0/length_mm: found an unknown key, wanted 'do' or 'duration_s'");
   EXPECT_EQ(refusal(with(R"("motion": [ { "do": "rest", "duration_s": -1 } ])")),
             "/motion/0/duration_s: found the number -1, wanted a number in [0.001, 3600]");
   EXPECT_EQ(refusal(with(kMotion + R"(, "device": { "delay_s": 5 })")),

@@ -40,7 +40,7 @@ TEST(JsonMembers, ReadEachKind) {
                    members.text("x", text);
                    word = members.word("w", kWords);
                    members.numbers("m", numbers, {0, 10});
-                   members.finish();
+                   members.refuseOthers();
                  }),
             "fine");
   EXPECT_EQ(number, 0.5);
@@ -66,17 +66,81 @@ TEST(JsonMembers, SayWhatWhereFoundAndWanted) {
                  [&](JsonMembers& members) {
                    members.integer("i", whole, {0, 9});
                  }),
-            "/i: found the number 2.5, wanted a whole number");
+            "/i: found the number 2.5, wanted a whole number from 0 to 9");
   EXPECT_EQ(said(R"({ "s": -1 })", [&](JsonMembers& members) { members.integer("s", seed); }),
             "/s: found the number -1, wanted a whole number from 0 to 18446744073709551615");
-  EXPECT_EQ(said("{}", [](JsonMembers& members) { members.require("name"); }),
-            "found no member 'name', wanted the member 'name'");
-  EXPECT_EQ(said(R"({ "n": 0, "nn": 0 })",
+  std::string text = "kept";
+  EXPECT_EQ(said(R"({ "x": "" })", [&](JsonMembers& members) { members.text("x", text); }),
+            "/x: found the string '', wanted a text that is not empty");
+  EXPECT_EQ(said(R"({ "x": null })", [&](JsonMembers& members) { members.textOrEmpty("x", text); }),
+            "/x: found null, wanted a string");
+  EXPECT_EQ(text, "kept");
+  EXPECT_EQ(said("{}", [&](JsonMembers& members) { members.text(required("name"), text); }),
+            "found no key 'name', wanted a key 'name' with a text that is not empty");
+  constexpr std::string_view kWords[] = {"a", "b", "c"};
+  EXPECT_EQ(said("{}", [&](JsonMembers& members) { members.word(required("w"), kWords); }),
+            "found no key 'w', wanted a key 'w' with 'a', 'b' or 'c'");
+  EXPECT_EQ(said(R"({ "w": "d" })", [&](JsonMembers& members) { members.word("w", kWords); }),
+            "/w: found the string 'd', wanted 'a', 'b' or 'c'");
+  std::vector<std::string> list;
+  EXPECT_EQ(said(R"({ "l": ["a", 2] })", [&](JsonMembers& members) { members.texts("l", list); }),
+            "/l/1: found the number 2, wanted a string");
+  std::vector<JsonMembers::NamedText> named;
+  EXPECT_EQ(said(R"({ "o": { "a/b": "" } })", [&](JsonMembers& members) { members.texts("o", named); }),
+            "/o/a~1b: found the string '', wanted a text that is not empty");
+}
+
+TEST(JsonMembers, KnowTheFormatAndTheVersion) {
+  const auto read = [](JsonMembers& members) {
+    members.format("tactus-x");
+    members.version(required("version"));
+  };
+  EXPECT_EQ(said(R"({ "format": "tactus-x", "version": 1 })", read), "fine");
+  EXPECT_EQ(said(R"({ "format": "other", "version": 1 })", read),
+            "/format: found the string 'other', wanted 'tactus-x'");
+  EXPECT_EQ(said(R"({ "format": "tactus-x" })", read), "found no key 'version', wanted a key 'version' with a number");
+  EXPECT_EQ(said(R"({ "format": "tactus-x", "version": 2 })", read),
+            "/version: found version 2, newer than this program, wanted at most version 1");
+  EXPECT_EQ(said(R"({ "format": "tactus-x", "version": 0.5 })", read), "/version: found version 0.5, wanted version 1");
+}
+
+TEST(JsonMembers, AnErrorInsideATextFollowsItsPlace) {
+  EXPECT_EQ(said(R"({ "x": "IF" })",
+                 [](JsonMembers& members) {
+                   members.refuse("x", Error{ErrorCode::kSyntax, {}, "column 3", "the end", "a condition"});
+                 }),
+            "/x: column 3: found the end, wanted a condition");
+}
+
+TEST(JsonMembers, UnknownKeysAreRefusedOrReturned) {
+  double number = 7;
+  const std::string text = R"({ "n": 0, "nn": 0, "m": 1 })";
+  EXPECT_EQ(said(text,
                  [&](JsonMembers& members) {
                    members.number("n", number, {0, 1});
-                   members.finish();
+                   members.refuseOthers();
                  }),
-            "/nn: found the member 'nn', wanted one of n");
+            "/nn: found an unknown key, wanted 'n'");
+  EXPECT_EQ(said(text,
+                 [&](JsonMembers& members) {
+                   members.number("n", number, {0, 1});
+                   const auto others = members.others();
+                   ASSERT_EQ(others.size(), 2u);
+                   EXPECT_EQ(others[0].pointer(), "/nn");
+                   EXPECT_EQ(others[1].pointer(), "/m");
+                 }),
+            "fine");
+}
+
+TEST(ReadJson, GivesTheObjectOrTheFirstErrorWithItsFile) {
+  const auto read = [](JsonMembers& members, auto&) {
+    double number = 0;
+    members.number(required("n"), number);
+    return number;
+  };
+  EXPECT_EQ(readJson(R"({ "n": 3 })", "f.json", read), 3);
+  EXPECT_EQ(readJson(R"({ "n": true })", "f.json", read).error().message(), "f.json: /n: found true, wanted a number");
+  EXPECT_EQ(readJson("{ \n", "f.json", read).error().file, "f.json");
 }
 
 TEST(JsonMembers, TheFirstErrorStays) {
@@ -85,7 +149,7 @@ TEST(JsonMembers, TheFirstErrorStays) {
                  [&](JsonMembers& members) {
                    members.number("b", number, {0, 1});
                    members.number("a", number, {0, 1});
-                   members.finish();
+                   members.refuseOthers();
                  }),
             "/b: found the number 6, wanted a number in [0, 1]");
 }

@@ -86,13 +86,14 @@ TEST_F(CalibrationFile, NonsenseIsRefusedWithItsPlace) {
   EXPECT_EQ(refusalWith("0.31", "99"), "/devices/0/friction_in_n: found 99, wanted a number from 0 to 12.5");
   EXPECT_EQ(refusalWith("0.6", "0.9"),
             "/devices/0/inwards: found a vector of length 1.2041594578792296, wanted length 1");
-  EXPECT_EQ(refusalWith("0.6", "0.6, 0"), "/devices/0/inwards: found an array, wanted three numbers");
+  EXPECT_EQ(refusalWith("0.6", "0.6, 0"), "/devices/0/inwards: found 4 numbers, wanted three numbers");
   EXPECT_EQ(refusalWith("-1", "-2"), "/devices/0/force_sign: found another number, wanted 1 or -1 three times");
   EXPECT_EQ(refusalWith("\"serial\"", "\"seriel\""),
-            "/devices/0: found no member 'serial', wanted the member 'serial'");
+            "/devices/0: found no key 'serial', wanted a key 'serial' with a string");
   EXPECT_EQ(refusalWith("\"axes\": []", "\"axes\": [], \"more\": 1"),
-            "/more: found the member 'more', wanted one of axes, devices, tactus_devices");
-  EXPECT_EQ(refusalWith("\"tactus_devices\": 1", "\"tactus_devices\": 2"), "/tactus_devices: found 2, wanted 1");
+            "/more: found an unknown key, wanted 'tactus_devices', 'devices' or 'axes'");
+  EXPECT_EQ(refusalWith("\"tactus_devices\": 1", "\"tactus_devices\": 2"),
+            "/tactus_devices: found version 2, newer than this program, wanted at most version 1");
 }
 
 TEST_F(CalibrationFile, AKeyThatStandsTwiceIsRefused) {
@@ -113,7 +114,7 @@ TEST_F(CalibrationFile, HostileFilesAreRefusedInOneSentence) {
 }
 
 TEST_F(CalibrationFile, OtherFilesAreRefused) {
-  EXPECT_EQ(refusal("{}"), "found no member 'tactus_devices', wanted the member 'tactus_devices'");
+  EXPECT_EQ(refusal("{}"), "found no key 'tactus_devices', wanted a key 'tactus_devices' with a number");
   EXPECT_EQ(refusal("{\"tactus_devices\": 1, \"devices\": {}}"), "/devices: found an object, wanted an array");
   EXPECT_EQ(refusal("{\"tactus_devices\": 1, \"devices\": [3]}"), "/devices/0: found the number 3, wanted an object");
 }
