@@ -3160,6 +3160,17 @@ felt on the model %2</source>
     </message>
 </context>
 <context>
+    <name>tactus::workbench::SessionProxy</name>
+    <message>
+        <source>No study is open, so no session can begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no session for this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ShortcutSheet</name>
     <message>
         <source>Keyboard shortcuts</source>

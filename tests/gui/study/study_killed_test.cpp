@@ -1,4 +1,4 @@
-// kill -9 while a study is edited: no version that was acknowledged is lost.
+// kill -9 while a study is edited, and while a session is answered: nothing that was acknowledged is lost.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -10,7 +10,9 @@
 
 #include "app/editing/history_versions.h"
 #include "core/base/random.h"
+#include "core/store/entries.h"
 #include "core/store/model_versions.h"
+#include "core/store/sessions.h"
 #include "core/store/study_info.h"
 
 #include "tests/gui/sample_models.h"
@@ -21,26 +23,27 @@ namespace {
 
 constexpr int kRounds = 5;
 
-// Lets the child work until it has acknowledged something and `milliseconds` more, kills it, and returns the versions
-// that it acknowledged.
-std::vector<study::RecordId> acknowledged(const QString& path, int milliseconds) {
+// Lets the program work on the study until it has acknowledged something and `milliseconds` more, kills it, and returns
+// what it acknowledged, each as `Word`.
+template <class Word>
+std::vector<Word> acknowledged(const char* program, const QString& path, int milliseconds) {
   int ends[2] = {};
   EXPECT_EQ(::pipe2(ends, O_CLOEXEC), 0);
   const std::string study = path.toStdString();
   const pid_t process = ::fork();
   if (process == 0) {
     ::dup2(ends[1], STDOUT_FILENO);
-    ::execl(TACTUS_STUDY_KILL_CHILD, TACTUS_STUDY_KILL_CHILD, study.c_str(), static_cast<char*>(nullptr));
+    ::execl(program, program, study.c_str(), static_cast<char*>(nullptr));
     ::_exit(127);
   }
   ::close(ends[1]);
-  std::vector<study::RecordId> out;
-  study::RecordId id;
-  const auto read = [&] { return ::read(ends[0], id.bytes.data(), id.bytes.size()) == 16; };
-  if (read()) out.push_back(id);
+  std::vector<Word> out;
+  Word word;
+  const auto read = [&] { return ::read(ends[0], &word, sizeof word) == static_cast<ssize_t>(sizeof word); };
+  if (read()) out.push_back(word);
   std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
   ::kill(process, SIGKILL);
-  while (read()) out.push_back(id);
+  while (read()) out.push_back(word);
   ::close(ends[0]);
   int status = 0;
   ::waitpid(process, &status, 0);
@@ -58,7 +61,7 @@ TEST(StudyKilled, NoAcknowledgedVersionIsLost) {
   base::Random random(11);
   std::size_t told = 0;
   for (int round = 0; round < kRounds; ++round) {
-    const auto ids = acknowledged(path, 1 + random.below(150));
+    const auto ids = acknowledged<study::RecordId>(TACTUS_STUDY_KILL_CHILD, path, 1 + random.below(150));
     ASSERT_FALSE(ids.empty());
     told += ids.size();
     auto file = store::StudyFile::open(path.toStdString());
@@ -66,6 +69,29 @@ TEST(StudyKilled, NoAcknowledgedVersionIsLost) {
     const auto versions = *store::modelVersions(*file);
     for (const study::RecordId& id : ids) {
       EXPECT_TRUE(std::any_of(versions.begin(), versions.end(), [&](const auto& one) { return one.id == id; }));
+    }
+    EXPECT_TRUE(store::checkStudy(*file)->empty());
+  }
+  RecordProperty("acknowledged", static_cast<int>(told));
+}
+
+TEST(StudyKilled, NoAcknowledgedAnswerIsLostAndTheSessionContinues) {
+  tests::ModelFolder folder;
+  const QString path = folder.path(QStringLiteral("answered.tactus"));
+  tests::makeStudyFile(path);
+  base::Random random(12);
+  std::size_t told = 0;
+  for (int round = 1; round <= kRounds; ++round) {
+    told += acknowledged<char>(TACTUS_SESSION_KILL_CHILD, path, 1 + random.below(150)).size();
+    auto file = store::StudyFile::open(path.toStdString());
+    ASSERT_TRUE(file) << file.error().message();
+    const auto answers = *store::answers(*file, {{}, {}, true});
+    // One answer for each kill may be stored without its acknowledgement having been seen.
+    EXPECT_GE(answers.size(), told);
+    EXPECT_LE(answers.size(), told + static_cast<std::size_t>(round));
+    EXPECT_EQ(store::sessions(*file)->size(), 1U);
+    for (std::size_t i = 0; i < std::min<std::size_t>(answers.size(), 45); ++i) {
+      EXPECT_EQ(answers[i].item, static_cast<int>(i) + 1);
     }
     EXPECT_TRUE(store::checkStudy(*file)->empty());
   }
