@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/workbench/curve_parts.h"
+#include "app/workbench/device/device_session.h"
 #include "app/workbench/edit_parts.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/recordings/feel_store.h"
@@ -35,7 +36,7 @@ struct Workbench {
   /// Autosaved work is kept below `autosave_root`.
   explicit Workbench(QSettings& settings, const QString& autosave_root = autosaveRoot())
       : scene(models),
-        feel(scene),
+        feel(scene, device),
         edits(models),
         compare(models, edits),
         author(settings, edits),
@@ -66,6 +67,7 @@ struct Workbench {
 
   ModelController models;
   SceneController scene;
+  DeviceSession device;
   FeelController feel;  ///< before the window, so that the device gets an edit before the screen does
   EditController edits;
   CompareController compare;

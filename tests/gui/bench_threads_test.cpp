@@ -32,7 +32,8 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
   const QString path = folder.write(model);
   tests::BenchControllers bench;
   FindingsController& findings = bench.findings;
-  FeelController feel(bench.scene);
+  DeviceSession device_session;
+  FeelController feel{bench.scene, device_session};
   DeviceSearch search;
   bench.models.open(path);
   tests::BenchGestures hand(7, tests::BenchReach(bench));
@@ -85,7 +86,8 @@ TEST(BenchThreads, EverythingEndsInTheMiddleOfItsWork) {
   for (int i = 0; i < 5; ++i) {
     ModelController models;
     SceneController scene(models);
-    FeelController feel(scene);
+    DeviceSession device_session;
+    FeelController feel{scene, device_session};
     EditController edits(models);
     FindingsController findings(edits, scene);
     models.open(path);

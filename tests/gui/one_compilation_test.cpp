@@ -83,7 +83,8 @@ class OneCompilation : public testing::Test {
   tests::ModelFolder folder;
   tests::SteppedFeel time;
   tests::BenchControllers bench;
-  FeelController feel{bench.scene, time.settings()};
+  DeviceSession device_session{time.settings()};
+  FeelController feel{bench.scene, device_session};
   GhostController ghost{bench.edits, bench.scene};
 };
 

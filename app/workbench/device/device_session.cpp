@@ -58,27 +58,29 @@ haptics::LoopStatistics DeviceSession::statistics() const {
 
 std::uint64_t DeviceSession::ticks() const { return run_ ? run_->servo().ticks() : 0; }
 
-void DeviceSession::start(const QString& id, ForceOrders force) {
+void DeviceSession::start(const QString& id, ForceOrders force, const QObject* user) {
   const std::string device = id.toStdString();
   startOn({[open_device = access_.open_device, device] { return open_device(device); },
            access_.is_slow && access_.is_slow(device), false},
-          std::move(force));
+          std::move(force), user);
 }
 
-void DeviceSession::startReplay(std::unique_ptr<haptics::HapticDevice> device, ForceOrders force) {
+void DeviceSession::startReplay(std::unique_ptr<haptics::HapticDevice> device, ForceOrders force,
+                                const QObject* user) {
   // A function can be copied, a device cannot.
   const auto opened = std::make_shared<devices::OpenedDevice>();
   opened->device = std::move(device);
   startOn({[opened]() -> base::Result<devices::OpenedDevice> { return std::move(*opened); }, false, true},
-          std::move(force));
+          std::move(force), user);
 }
 
-void DeviceSession::startOn(Beginning beginning, ForceOrders force) {
+void DeviceSession::startOn(Beginning beginning, ForceOrders force, const QObject* user) {
   if (run_) stop();
   if (state_ != State::kStopped) {
     emit failed(tr("The device before is still starting or stopping; try again when it has stopped."));
     return;
   }
+  user_ = user;
   force_ = std::move(force);
   haptics::ServoOrders orders;
   addTo(orders, force_);

@@ -87,10 +87,12 @@ class DeviceSession : public QObject {
   std::uint64_t runs() const { return runs_; }
 
   /// Starts on the device `id` of the list of devices. Ends with `stateChanged` or `failed`. A current run is stopped
-  /// first. Refused: a start or a stop is in progress.
-  void start(const QString& id, ForceOrders force = {});
+  /// first. Refused: a start or a stop is in progress. `user`: who gives the force during this run.
+  void start(const QString& id, ForceOrders force = {}, const QObject* user = nullptr);
   /// The same on `device`, which moves by itself as a recording did; its button is the hand.
-  void startReplay(std::unique_ptr<haptics::HapticDevice> device, ForceOrders force);
+  void startReplay(std::unique_ptr<haptics::HapticDevice> device, ForceOrders force, const QObject* user = nullptr);
+  /// Who started the current or the last run. Several features share one device: each ignores the runs of the others.
+  const QObject* user() const { return user_; }
   /// Changes where the force comes from; in force from the next tick on. Returns the number of these orders, as samples
   /// carry it. Nothing while no run is in progress: a device that is starting then begins with them.
   std::optional<std::uint64_t> setForce(ForceOrders force);
@@ -131,7 +133,7 @@ class DeviceSession : public QObject {
     bool slow = false;  ///< starts in the background
     bool replay = false;
   };
-  void startOn(Beginning beginning, ForceOrders force);
+  void startOn(Beginning beginning, ForceOrders force, const QObject* user);
   void begin(base::Result<std::unique_ptr<DeviceRun>> run, bool replay);
   void endInBackground(std::unique_ptr<DeviceRun> run);
   void lookAtDevice();
@@ -151,6 +153,7 @@ class DeviceSession : public QObject {
   QTimer look_;
 
   State state_ = State::kStopped;
+  const QObject* user_ = nullptr;  ///< only compared
   ForceOrders force_;
   DeviceGrip grip_;
   haptics::Sample latest_;

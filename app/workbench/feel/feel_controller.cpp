@@ -22,8 +22,8 @@ double rounded(double value, double step) { return std::round(value / step) * st
 
 }  // namespace
 
-FeelController::FeelController(SceneController& scene, DeviceAccess access, QObject* parent)
-    : QObject(parent), scene_(scene), session_(std::move(access)) {
+FeelController::FeelController(SceneController& scene, DeviceSession& session, QObject* parent)
+    : QObject(parent), scene_(scene), session_(session) {
   force_.source = haptics::ForceSource::kInsertion;
   connect(&session_, &DeviceSession::began, this, &FeelController::onBegan);
   connect(&session_, &DeviceSession::beating, this, &FeelController::onBeating);
@@ -31,14 +31,19 @@ FeelController::FeelController(SceneController& scene, DeviceAccess access, QObj
   connect(&session_, &DeviceSession::advanced, this, &FeelController::onAdvanced);
   connect(&session_, &DeviceSession::ending, this, &FeelController::endPlacement);
   connect(&session_, &DeviceSession::stateChanged, this, &FeelController::stateChanged);
-  connect(&session_, &DeviceSession::failed, this, &FeelController::failed);
+  connect(&session_, &DeviceSession::failed, this, [this](const QString& sentence) {
+    if (isOwnRun()) emit failed(sentence);
+  });
   connect(&scene_, &SceneController::modelChanged, this, &FeelController::onAnotherModel);
   connect(&scene_, &SceneController::modelEdited, this, &FeelController::onModel);
   connect(&scene_, &SceneController::valueChanged, this, &FeelController::onValue);
   connect(this, &FeelController::handMoved, this, &FeelController::onHandMoved);
 }
 
-FeelController::~FeelController() = default;
+FeelController::~FeelController() {
+  disconnect(&session_, nullptr, this, nullptr);
+  if (isOwnRun()) session_.stop();
+}
 
 bool FeelController::isNeckFlexed() const {
   if (!scene_.model()) return false;
@@ -51,19 +56,23 @@ bool FeelController::isNeckFlexed() const {
 void FeelController::start(const QString& id) {
   if (!prepare()) return;
   recorded_ = {};
-  session_.start(id, force_);
+  session_.start(id, force_, this);
 }
 
 void FeelController::startReplay(std::unique_ptr<haptics::HapticDevice> device, RecordedForce recorded) {
   if (!prepare()) return;
   recorded_ = std::move(recorded);
-  session_.startReplay(std::move(device), force_);
+  session_.startReplay(std::move(device), force_, this);
 }
 
 /// The scene for a run that is about to begin.
 bool FeelController::prepare() {
   if (!scene_.model()) {
     emit failed(tr("No model is open; open one to feel it."));
+    return false;
+  }
+  if (session_.state() != State::kStopped && !isOwnRun()) {
+    emit failed(tr("Another part of the program uses the device; stop it there first."));
     return false;
   }
   if (isRunning()) stop();
@@ -81,6 +90,7 @@ bool FeelController::prepare() {
 }
 
 void FeelController::onBegan() {
+  if (!isOwnRun()) return;
   history_.clear();
   history_.setRecorded(std::exchange(recorded_, {}));
   latency_ = {};
@@ -120,11 +130,13 @@ FeelController::Shown FeelController::shown() const {
 }
 
 void FeelController::onBeating() {
+  if (!isOwnRun()) return;
   if (conditions_new_) postScene(kEditFadeS);
   shown_before_ = shown();
 }
 
 void FeelController::onSampled(std::span<const haptics::Sample> samples) {
+  if (!isOwnRun()) return;
   for (const haptics::Sample& sample : samples) {
     history_.add(sample);
     meter_.add(sample, sample.depth_mm + depth_offset_mm_);
@@ -134,6 +146,7 @@ void FeelController::onSampled(std::span<const haptics::Sample> samples) {
 }
 
 void FeelController::onAdvanced() {
+  if (!isOwnRun()) return;
   if (const Shown now = shown(); now != shown_before_) emit handMoved(now.depth_mm, now.speed_mm_s);
   emit advanced();
 }
@@ -184,6 +197,7 @@ bool FeelController::postScene(double fade_s) {
 }
 
 void FeelController::endPlacement() {
+  if (!isOwnRun()) return;
   auto summary = meter_.summary();
   meter_.begin(0);
   if (!summary) return;

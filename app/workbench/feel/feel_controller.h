@@ -1,5 +1,5 @@
 // Feeling the open model: puts it under the hand on a device, updates it after every edit, and reports what is felt.
-// The life of the device itself is a DeviceSession.
+// The life of the device itself is a DeviceSession, which other features may use too: their runs are none of this.
 // A run is the time from a start of a device to its stop. A placement is one insertion of the tube within a run:
 //   run 1: placement 1 (3 strokes), placement 2 (2 strokes)
 //   run 2: placement 1 ...
@@ -30,18 +30,20 @@ class FeelController : public QObject {
   using State = DeviceSession::State;
 
   /// Reads the model and its conditions from `scene`. Moves the scene's depth and speed with the hand.
-  explicit FeelController(SceneController& scene, DeviceAccess access = realDevices(), QObject* parent = nullptr);
+  FeelController(SceneController& scene, DeviceSession& session, QObject* parent = nullptr);
+  /// Ends a run in progress.
   ~FeelController() override;
 
   /// The device that the model is felt on: its grip, its trip and its advice.
   DeviceSession& session() { return session_; }
   const DeviceSession& session() const { return session_; }
-  State state() const { return session_.state(); }
-  bool isRunning() const { return session_.isRunning(); }
+  /// Stopped during the run of another feature.
+  State state() const { return isOwnRun() ? session_.state() : State::kStopped; }
+  bool isRunning() const { return isOwnRun() && session_.isRunning(); }
   /// Whether the current run replays a recording.
-  bool isReplay() const { return session_.isReplay(); }
+  bool isReplay() const { return isOwnRun() && session_.isReplay(); }
   /// The device of the current run; nothing while stopped.
-  std::optional<haptics::DeviceInfo> device() const { return session_.device(); }
+  std::optional<haptics::DeviceInfo> device() const { return isOwnRun() ? session_.device() : std::nullopt; }
   /// The newest sample; after a run, the last sample with force 0.
   const haptics::Sample& latest() const { return session_.latest(); }
   /// The number of runs so far, from 1.
@@ -71,7 +73,8 @@ class FeelController : public QObject {
 
  public slots:
   /// Starts on the device `id` of the list of devices. Ends with `stateChanged` or `failed`. A current run is stopped
-  /// first. Refused: no model is open, the servo refuses it, a start or a stop is in progress.
+  /// first. Refused: no model is open, the servo refuses it, a start or a stop is in progress, or another
+  /// feature uses the device.
   void start(const QString& id);
   /// In any state: zero force from the next tick on. Then the servo and the placement end.
   void stop();
@@ -104,6 +107,7 @@ class FeelController : public QObject {
     bool operator==(const Shown&) const = default;
   };
   bool prepare();
+  bool isOwnRun() const { return session_.user() == this; }
   void onBegan();
   void onBeating();
   void onSampled(std::span<const haptics::Sample> samples);
@@ -119,7 +123,7 @@ class FeelController : public QObject {
   void endPlacement();
 
   SceneController& scene_;
-  DeviceSession session_;
+  DeviceSession& session_;
   ForceOrders force_;           ///< the last posted ones
   double depth_offset_mm_ = 0;  ///< of the last posted scene
   FeelHistory history_;

@@ -47,8 +47,30 @@ class FeelControllerTest : public testing::Test {
   ModelController models;
   SceneController scene{models};
   tests::SteppedFeel time;
-  FeelController feel{scene, time.settings()};
+  DeviceSession device_session{time.settings()};
+  FeelController feel{scene, device_session};
 };
+
+TEST_F(FeelControllerTest, TheRunOfAnotherFeatureIsNotItsOwn) {
+  QSignalSpy advanced(&feel, &FeelController::advanced);
+  QSignalSpy failed(&feel, &FeelController::failed);
+  const QObject other;
+  device_session.start(QStringLiteral("virtual"), {}, &other);
+  ASSERT_EQ(device_session.state(), DeviceSession::State::kRunning);
+  time.moveTo(device_session, 40, 50);
+  EXPECT_EQ(feel.state(), FeelController::State::kStopped);
+  EXPECT_FALSE(feel.isRunning());
+  EXPECT_FALSE(feel.device());
+  EXPECT_EQ(advanced.size(), 0);
+  feel.start(QStringLiteral("virtual"));
+  EXPECT_EQ(failed.size(), 1);
+  EXPECT_EQ(device_session.user(), &other);
+  // No force is no force, whoever asks for it.
+  feel.stop();
+  EXPECT_EQ(device_session.state(), DeviceSession::State::kStopped);
+  feel.start(QStringLiteral("virtual"));
+  EXPECT_TRUE(feel.isRunning());
+}
 
 TEST_F(FeelControllerTest, StartsOnTheVirtualDeviceAndSaysThatItIsSimulated) {
   EXPECT_EQ(feel.state(), FeelController::State::kStopped);
@@ -183,7 +205,8 @@ TEST_F(FeelControllerTest, ASlowDeviceStartsAndStopsInTheBackground) {
     lets_go.store(true);
     lets_go.notify_all();
   };
-  FeelController slow{scene, time.slowSettings(lets_go)};
+  DeviceSession slow_device{time.slowSettings(lets_go)};
+  FeelController slow{scene, slow_device};
   slow.start(QStringLiteral("slow"));
   EXPECT_EQ(slow.state(), FeelController::State::kOpening);
   EXPECT_FALSE(slow.isRunning());
@@ -207,7 +230,8 @@ TEST_F(FeelControllerTest, ASlowDeviceStartsAndStopsInTheBackground) {
 
 TEST_F(FeelControllerTest, ADeviceThatStillStartsCanBeStopped) {
   std::atomic<bool> lets_go{false};
-  FeelController slow{scene, time.slowSettings(lets_go)};
+  DeviceSession slow_device{time.slowSettings(lets_go)};
+  FeelController slow{scene, slow_device};
   slow.start(QStringLiteral("slow"));
   slow.stop();
   EXPECT_EQ(slow.state(), FeelController::State::kStopping);
@@ -219,7 +243,8 @@ TEST_F(FeelControllerTest, ADeviceThatStillStartsCanBeStopped) {
 
 TEST_F(FeelControllerTest, AGripThatIsChosenWhileADeviceStartsCounts) {
   std::atomic<bool> lets_go{false};
-  FeelController slow{scene, time.slowSettings(lets_go)};
+  DeviceSession slow_device{time.slowSettings(lets_go)};
+  FeelController slow{scene, slow_device};
   slow.start(QStringLiteral("slow"));
   slow.session().setGrip({true, -20});
   lets_go.store(true);
@@ -238,7 +263,8 @@ TEST_F(FeelControllerTest, AProgramThatEndsWaitsForADeviceThatStops) {
   std::atomic<bool> lets_go{true};
   std::thread late;
   {
-    FeelController slow{scene, time.slowSettings(lets_go)};
+    DeviceSession slow_device{time.slowSettings(lets_go)};
+    FeelController slow{scene, slow_device};
     slow.start(QStringLiteral("slow"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatienceMs));
     lets_go.store(false);
@@ -279,7 +305,8 @@ TEST(FeelWithoutAModel, IsRefusedInWords) {
   ModelController models;
   SceneController scene(models);
   tests::SteppedFeel time;
-  FeelController feel(scene, time.settings());
+  DeviceSession device_session{time.settings()};
+  FeelController feel{scene, device_session};
   const QSignalSpy failed(&feel, &FeelController::failed);
   feel.start(QStringLiteral("virtual"));
   EXPECT_EQ(feel.state(), FeelController::State::kStopped);
@@ -289,7 +316,8 @@ TEST(FeelWithoutAModel, IsRefusedInWords) {
 
 TEST_F(FeelControllerTest, AModelThatIsOpenedWhileADeviceStartsIsTheOneThatIsFelt) {
   std::atomic<bool> lets_go{false};
-  FeelController slow{scene, time.slowSettings(lets_go)};
+  DeviceSession slow_device{time.slowSettings(lets_go)};
+  FeelController slow{scene, slow_device};
   slow.start(QStringLiteral("slow"));
   ASSERT_TRUE(models.edit(harder()));
   lets_go.store(true);
@@ -322,7 +350,8 @@ class FeelTripTest : public testing::Test {
   ModelController models;
   SceneController scene{models};
   tests::SteppedFeel time{stalling()};
-  FeelController feel{scene, time.settings()};
+  DeviceSession device_session{time.settings()};
+  FeelController feel{scene, device_session};
 };
 
 TEST_F(FeelTripTest, IsShownWithCauseValueAndTime) {
@@ -376,7 +405,8 @@ class FeelConditionTest : public testing::TestWithParam<const char*> {
   ModelController models;
   SceneController scene{models};
   tests::SteppedFeel time;
-  FeelController feel{scene, time.settings()};
+  DeviceSession device_session{time.settings()};
+  FeelController feel{scene, device_session};
 };
 
 using NeckFlexion = FeelConditionTest;
@@ -413,7 +443,8 @@ TEST(FeelThread, RunsBesideTheProgram) {
   const tests::ModelFolder folder;
   ModelController models;
   SceneController scene(models);
-  FeelController feel(scene);
+  DeviceSession device_session;
+  FeelController feel{scene, device_session};
   models.open(folder.write(tests::twoExperts()));
   feel.start(QStringLiteral("virtual"));
   ASSERT_TRUE(feel.isRunning());
@@ -452,7 +483,8 @@ TEST_F(FeelControllerTest, AStallThatTheDeviceDoesNotBridgeBeginsANewFadeIn) {
   haptics::VirtualDeviceSettings device;
   device.quiet_after_s = 0.05;
   tests::SteppedFeel stalling(device);
-  FeelController felt{scene, stalling.settings()};
+  DeviceSession felt_device{stalling.settings()};
+  FeelController felt{scene, felt_device};
   felt.start(QStringLiteral("virtual"));
   stalling.advance(felt, 20);
   felt.session().setHeld(true);
@@ -473,7 +505,8 @@ TEST_F(FeelControllerTest, TheMotorsAreAsWarmAfterStopAndStartAsBefore) {
   haptics::VirtualDeviceSettings device;
   device.continuous_force_n = 0.05;
   tests::SteppedFeel warm(device);
-  FeelController felt{scene, warm.settings()};
+  DeviceSession felt_device{warm.settings()};
+  FeelController felt{scene, felt_device};
   const auto hold = [&] {
     felt.start(QStringLiteral("virtual"));
     warm.advance(felt, 20);

@@ -60,7 +60,8 @@ class FeelPanelTest : public testing::Test {
   ModelController models;
   SceneController scene{models};
   tests::SteppedFeel time;
-  FeelController feel{scene, time.settings()};
+  DeviceSession device_session{time.settings()};
+  FeelController feel{scene, device_session};
   FeelPanel panel{scene, feel};
 };
 

@@ -82,7 +82,8 @@ class FeelStoreTest : public testing::Test {
   ModelController models;
   SceneController scene{models};
   tests::SteppedFeel time;
-  FeelController feel{scene, time.settings()};
+  DeviceSession device_session{time.settings()};
+  FeelController feel{scene, device_session};
   EditController edits{models};
   StudyConnection study;
   StudyModels study_models{study, models, edits};
@@ -368,7 +369,8 @@ TEST_F(FeelStoreTest, AReplayWaitsForADeviceThatTakesItsTimeToStop) {
   feel.stop();
   ASSERT_TRUE(comesTrue([this] { return study.recordings().size() == 1 && study.recordings()[0].finished; }));
   std::atomic<bool> lets_go = true;
-  FeelController slow(scene, time.slowSettings(lets_go));
+  DeviceSession slow_device{time.slowSettings(lets_go)};
+  FeelController slow{scene, slow_device};
   FeelStore other(slow, scene, study, [this] { return study_models.modelVersion(); });
   slow.start(QStringLiteral("virtual"));
   ASSERT_TRUE(comesTrue([&] { return slow.state() == FeelController::State::kRunning; }));

@@ -46,7 +46,8 @@ class CompareControllerTest : public testing::Test {
   ModelController models;
   SceneController scene{models};
   tests::SteppedFeel time;
-  FeelController feel{scene, time.settings()};
+  DeviceSession device_session{time.settings()};
+  FeelController feel{scene, device_session};
   EditController edits{models};
   CompareController compare{models, edits};
 };
