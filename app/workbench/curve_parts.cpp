@@ -5,12 +5,14 @@
 #include <QFileInfo>
 #include <QSettings>
 
-#include "app/workbench/main_window.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/model_controller.h"
-#include "app/workbench/tune/terms/membership_editor.h"
+#include "app/workbench/plot/plot_menu.h"
+#include "app/workbench/shell/main_window.h"
 #include "app/workbench/understand/curves/curves_panel.h"
+#include "app/workbench/understand/curves/reading_model.h"
+#include "app/workbench/understand/curves/reading_panel.h"
 #include "app/workbench/understand/curves/reference_controller.h"
 
 namespace tactus::workbench {
@@ -25,25 +27,34 @@ constexpr auto kReferenceNames = "curves/reference_names";
 
 }  // namespace
 
-CurveParts::CurveParts(MainWindow& window, const ModelController& models, EditController& edits, GhostController& ghost,
-                       ReferenceController& references, QSettings& settings)
-    : window_(window),
-      models_(models),
-      references_(references),
-      settings_(settings),
-      curves_(*window.findChild<CurvesPanel*>()) {
+CurveParts::CurveParts(MainWindow& window, const ModelController& models, SceneController& scene,
+                       const EditController& edits, GhostController& ghost, ReferenceController& references,
+                       QSettings& settings)
+    : window_(window), models_(models), references_(references), settings_(settings) {
+  ghost.setOn(settings_.value(QLatin1String(kGhost), true).toBool());
+  auto* readings = new ReadingModel(scene, this);
+  curves_ = new CurvesPanel(scene, *readings, ghost, references);
+  curves_panel_ = &window_.addPanel(QStringLiteral("curves"), tr("Force curves"), curves_);
+  reading_panel_ = &window_.addPanel(QStringLiteral("reading"), tr("Forces here"), new ReadingPanel(scene, *readings));
   keepChoices(ghost);
-  curves_.setGhost(ghost);
-  curves_.setReferences(references);
-  const auto show_pace = [this, &edits] { curves_.setFast(edits.inGesture()); };
-  connect(&edits, &EditController::changed, &curves_, show_pace);
-  connect(&edits, &EditController::historyChanged, &curves_, show_pace);
-  window_.findChild<MembershipEditor*>()->setGhost(ghost);
+  const auto show_pace = [this, &edits] { curves_->setFast(edits.inGesture()); };
+  connect(&edits, &EditController::changed, curves_, show_pace);
+  connect(&edits, &EditController::historyChanged, curves_, show_pace);
+  addActions();
+}
 
-  open_reference_ = window_.addReferenceAction();
-  open_reference_->setEnabled(false);
-  connect(open_reference_, &QAction::triggered, this, &CurveParts::chooseReference);
-  connect(&models_, &ModelController::opened, open_reference_, [this] { open_reference_->setEnabled(true); });
+void CurveParts::addActions() {
+  WindowMenus& menus = window_.menus();
+  QAction* const reference =
+      menus.addAction(MenuSlot::kFilePictures, tr("Open re&ference curve…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O);
+  QAction* const picture =
+      menus.addAction(MenuSlot::kFilePictures, tr("Save &picture of the curves…"), Qt::CTRL | Qt::Key_E);
+  connect(reference, &QAction::triggered, this, &CurveParts::chooseReference);
+  connect(picture, &QAction::triggered, &curves_->plotMenu(), &PlotMenu::choosePicture);
+  for (QAction* action : {reference, picture}) {
+    action->setEnabled(false);
+    connect(&models_, &ModelController::opened, action, [action] { action->setEnabled(true); });
+  }
 }
 
 void CurveParts::keepChoices(GhostController& ghost) {
@@ -51,9 +62,8 @@ void CurveParts::keepChoices(GhostController& ghost) {
     return settings_.value(QLatin1String(key), otherwise).toBool();
   };
   const SpreadShown standard;
-  curves_.setSpreadShown({chosen(kRange, standard.range), chosen(kDeviation, standard.deviation)});
-  ghost.setOn(chosen(kGhost, true));
-  connect(&curves_, &CurvesPanel::spreadChosen, this, [this](SpreadShown shown) {
+  curves_->setSpreadShown({chosen(kRange, standard.range), chosen(kDeviation, standard.deviation)});
+  connect(curves_, &CurvesPanel::spreadChosen, this, [this](SpreadShown shown) {
     settings_.setValue(QLatin1String(kRange), shown.range);
     settings_.setValue(QLatin1String(kDeviation), shown.deviation);
   });

@@ -1,5 +1,5 @@
-// Adds the comparisons of the curves to the window: the ghost (the model before an edit) and reference curves from
-// files. The settings keep the user's choices for the next start.
+// Adds the force curves to the window: their panel, the forces at the place that is read, the ghost (the model before
+// an edit) and reference curves from files. The settings keep the user's choices for the next start.
 #pragma once
 
 #include <QObject>
@@ -14,19 +14,26 @@ class EditController;
 class GhostController;
 class MainWindow;
 class ModelController;
+class Panel;
 class ReferenceController;
+class SceneController;
 
 class CurveParts : public QObject {
   Q_OBJECT
 
  public:
-  /// Create after EditParts: its membership function editor shows the shapes before an edit.
-  CurveParts(MainWindow& window, const ModelController& models, EditController& edits, GhostController& ghost,
-             ReferenceController& references, QSettings& settings);
+  CurveParts(MainWindow& window, const ModelController& models, SceneController& scene, const EditController& edits,
+             GhostController& ghost, ReferenceController& references, QSettings& settings);
+
+  CurvesPanel& view() { return *curves_; }
+  Panel& curves() { return *curves_panel_; }
+  /// The forces at the place that is read.
+  Panel& reading() { return *reading_panel_; }
 
  private:
-  void chooseReference();
+  void addActions();
   void keepChoices(GhostController& ghost);
+  void chooseReference();
   void openReferences();
   void storeReferences();
 
@@ -34,8 +41,9 @@ class CurveParts : public QObject {
   const ModelController& models_;
   ReferenceController& references_;
   QSettings& settings_;
-  CurvesPanel& curves_;
-  QAction* open_reference_ = nullptr;
+  CurvesPanel* curves_ = nullptr;
+  Panel* curves_panel_ = nullptr;
+  Panel* reading_panel_ = nullptr;
 };
 
 }  // namespace tactus::workbench

@@ -1,14 +1,12 @@
 #include "app/workbench/edit_parts.h"
 
 #include <QAction>
-#include <QMenu>
-#include <QMenuBar>
 
-#include "app/workbench/main_window.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/shell/frame_clock.h"
 #include "app/workbench/shell/frame_status.h"
+#include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/shell/undo_keys.h"
@@ -29,10 +27,14 @@ QString actionText(const QString& action, const QString& label) {
 
 }  // namespace
 
-EditParts::EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene)
-    : window_(window), edits_(edits), clock_(new FrameClock(window.panels(), this)) {
+EditParts::EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene,
+                     const GhostController& ghost)
+    : window_(window),
+      edits_(edits),
+      clock_(new FrameClock(window.panels(), this)),
+      editor_(new MembershipEditor(edits, terms, scene, ghost)),
+      panel_(&window.addPanel(QStringLiteral("membership_editor"), tr("Membership function editor"), editor_)) {
   buildMenu();
-  addPanels(terms, scene);
   connect(undo_, &QAction::triggered, &edits_, &EditController::undo);
   connect(redo_, &QAction::triggered, &edits_, &EditController::redo);
   connect(&edits_, &EditController::historyChanged, this, &EditParts::showUndo);
@@ -46,19 +48,8 @@ EditParts::EditParts(MainWindow& window, EditController& edits, TermController& 
 }
 
 void EditParts::buildMenu() {
-  menu_ = new QMenu(tr("&Edit"), &window_);
-  undo_ = menu_->addAction(tr("&Undo"));
-  undo_->setShortcut(Qt::CTRL | Qt::Key_Z);
-  redo_ = menu_->addAction(tr("&Redo"));
-  redo_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
-  const QList<QAction*> menus = window_.menuBar()->actions();
-  window_.menuBar()->insertMenu(menus.value(1), menu_);
-}
-
-void EditParts::addPanels(TermController& terms, SceneController& scene) {
-  PanelArea& panels = window_.panels();
-  editor_ = new MembershipEditor(edits_, terms, scene);
-  panels.addPanel(QStringLiteral("membership_editor"), tr("Membership function editor"), editor_);
+  undo_ = window_.menus().addAction(MenuSlot::kEditUndo, tr("&Undo"), Qt::CTRL | Qt::Key_Z);
+  redo_ = window_.menus().addAction(MenuSlot::kEditUndo, tr("&Redo"), Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
 }
 
 void EditParts::showUndo() {

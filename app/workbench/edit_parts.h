@@ -5,14 +5,15 @@
 #include <QObject>
 
 class QAction;
-class QMenu;
 
 namespace tactus::workbench {
 
 class EditController;
 class FrameClock;
+class GhostController;
 class MainWindow;
 class MembershipEditor;
+class Panel;
 class SceneController;
 class TermController;
 
@@ -20,24 +21,23 @@ class EditParts : public QObject {
   Q_OBJECT
 
  public:
-  /// Create before a model is opened: a stage gets its layout at its first use.
-  EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene);
+  EditParts(MainWindow& window, EditController& edits, TermController& terms, SceneController& scene,
+            const GhostController& ghost);
 
   MembershipEditor& editor() { return *editor_; }
-  /// The menu Edit.
-  QMenu& menu() { return *menu_; }
+  Panel& panel() { return *panel_; }
+  const FrameClock& clock() const { return *clock_; }
 
  private:
   void buildMenu();
-  void addPanels(TermController& terms, SceneController& scene);
   void showUndo();
   void say(const QString& sentence);
 
   MainWindow& window_;
   EditController& edits_;
   FrameClock* clock_;
-  MembershipEditor* editor_ = nullptr;
-  QMenu* menu_ = nullptr;
+  MembershipEditor* editor_;
+  Panel* panel_;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
 };

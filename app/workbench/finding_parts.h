@@ -7,6 +7,7 @@ namespace tactus::workbench {
 
 class FindingsController;
 class MainWindow;
+class Panel;
 class RuleController;
 class TermController;
 
@@ -14,9 +15,12 @@ class FindingParts {
   Q_DECLARE_TR_FUNCTIONS(FindingParts)
 
  public:
-  /// Create before a model is opened: a stage gets its layout at its first use.
-  /// Create before a model is opened: a stage gets its layout at its first use.
   FindingParts(MainWindow& window, FindingsController& findings, TermController& terms, RuleController& rules);
+
+  Panel& panel() { return panel_; }
+
+ private:
+  Panel& panel_;
 };
 
 }  // namespace tactus::workbench

@@ -37,6 +37,6 @@ int main(int argc, char** argv) {
   tactus::workbench::theme::apply(application, tactus::workbench::theme::storedLook(settings));
   tactus::workbench::Workbench workbench(settings);
   workbench.window.show();
-  if (!arguments.positionalArguments().isEmpty()) workbench.window.openFile(arguments.positionalArguments().first());
+  if (!arguments.positionalArguments().isEmpty()) workbench.files.open(arguments.positionalArguments().first());
   return QApplication::exec();
 }

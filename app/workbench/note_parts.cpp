@@ -1,12 +1,11 @@
 #include "app/workbench/note_parts.h"
 
 #include <QAction>
-#include <QMenu>
 #include <QMenuBar>
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/note_groups.h"
-#include "app/workbench/main_window.h"
+#include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/study/study_models.h"
@@ -15,18 +14,17 @@
 
 namespace tactus::workbench {
 
-NoteParts::NoteParts(MainWindow& window, QMenu& menu, StudyConnection& study, StudyModels& study_models,
-                     MembershipEditor& editor)
+NoteParts::NoteParts(MainWindow& window, StudyConnection& study, StudyModels& study_models, MembershipEditor& editor)
     : window_(window),
       study_(study),
       study_models_(study_models),
       editor_(editor),
       strip_(new StudyNoticeStrip(study, &window)) {
   window_.addStrip(strip_);
-  menu.addSeparator();
-  notices_ = menu.addAction(tr("What &happened to the study"));
-  data_ = menu.addAction(tr("&Look at the data first"));
-  build_ = menu.addAction(tr("N&otes of the build"));
+  WindowMenus& menus = window_.menus();
+  notices_ = menus.addAction(MenuSlot::kStudyNotes, tr("What &happened to the study"));
+  data_ = menus.addAction(MenuSlot::kStudyNotes, tr("&Look at the data first"));
+  build_ = menus.addAction(MenuSlot::kStudyNotes, tr("N&otes of the build"));
   connect(notices_, &QAction::triggered, this, [this] {
     strip_->showAll();
     if (!study_.notices().before.isEmpty()) popUp(noticeGroups(study_.notices()));

@@ -8,7 +8,6 @@
 #include "app/workbench/kit/notes_popup.h"
 
 class QAction;
-class QMenu;
 
 namespace tactus::workbench {
 
@@ -22,9 +21,7 @@ class NoteParts : public QObject {
   Q_OBJECT
 
  public:
-  /// `menu`: that of the study.
-  NoteParts(MainWindow& window, QMenu& menu, StudyConnection& study, StudyModels& study_models,
-            MembershipEditor& editor);
+  NoteParts(MainWindow& window, StudyConnection& study, StudyModels& study_models, MembershipEditor& editor);
 
  private:
   void showNotes();

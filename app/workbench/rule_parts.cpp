@@ -1,14 +1,12 @@
 #include "app/workbench/rule_parts.h"
 
-#include "app/workbench/main_window.h"
-#include "app/workbench/shell/panel_area.h"
+#include "app/workbench/shell/main_window.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_editor.h"
 
 namespace tactus::workbench {
 
-RuleParts::RuleParts(MainWindow& window, RuleController& rules) {
-  window.panels().addPanel(QStringLiteral("rule_editor"), tr("Rules"), new RuleEditor(rules));
-}
+RuleParts::RuleParts(MainWindow& window, RuleController& rules)
+    : panel_(window.addPanel(QStringLiteral("rule_editor"), tr("Rules"), new RuleEditor(rules))) {}
 
 }  // namespace tactus::workbench

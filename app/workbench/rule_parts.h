@@ -6,14 +6,19 @@
 namespace tactus::workbench {
 
 class MainWindow;
+class Panel;
 class RuleController;
 
 class RuleParts {
   Q_DECLARE_TR_FUNCTIONS(RuleParts)
 
  public:
-  /// Create before a model is opened: a stage gets its layout at its first use.
   RuleParts(MainWindow& window, RuleController& rules);
+
+  Panel& panel() { return panel_; }
+
+ private:
+  Panel& panel_;
 };
 
 }  // namespace tactus::workbench

@@ -1,11 +1,8 @@
 #include "app/workbench/study_parts.h"
 
 #include <QAction>
-#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMenu>
-#include <QMenuBar>
 #include <QMessageBox>
 
 #include "app/workbench/base/study_path.h"
@@ -14,8 +11,9 @@
 #include "app/workbench/feel/recordings/feel_store.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
 #include "app/workbench/kit/message_banner.h"
-#include "app/workbench/main_window.h"
 #include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/model_files.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/recent_files.h"
 #include "app/workbench/study/connection/study_connection.h"
@@ -23,9 +21,11 @@
 
 namespace tactus::workbench {
 
-StudyParts::StudyParts(MainWindow& window, StudyConnection& study, StudyModels& study_models, FeelController& feel,
-                       FeelStore& store, const ModelController& models, RecentFiles& recent)
+StudyParts::StudyParts(MainWindow& window, ModelFiles& files, StudyConnection& study, StudyModels& study_models,
+                       FeelController& feel, FeelPanel& panel, FeelStore& store, const ModelController& models,
+                       RecentFiles& recent)
     : window_(window),
+      files_(files),
       study_(study),
       study_models_(study_models),
       feel_(feel),
@@ -33,49 +33,47 @@ StudyParts::StudyParts(MainWindow& window, StudyConnection& study, StudyModels& 
       models_(models),
       recent_(recent) {
   buildMenu();
-  FeelPanel& panel = window_.feelPanel();
-  auto* recordings = new RecordingsCard(store, study, feel);
-  panel.addCard(recordings);
-  recordings->setRoomy(panel.isRoomy());
-  connect(&panel, &FeelPanel::roomChanged, recordings, &RecordingsCard::setRoomy);
-  const auto show_recording = [&panel, &store, &feel] {
-    const bool runs = feel.isRunning();
-    panel.showRecording(store.isRecording() && !runs, store.isRecording() && runs
-                                                          ? std::optional(static_cast<int>(store.recordedS()))
-                                                          : std::nullopt);
-  };
-  connect(&store, &FeelStore::changed, &panel, show_recording);
-  connect(&feel, &FeelController::stateChanged, &panel, show_recording);
-  window_.installEventFilter(this);
+  addRecordings(panel);
+  window_.addCloseGuard([this] { return mayEnd(); });
   connectAll();
   showState();
 }
 
+void StudyParts::addRecordings(FeelPanel& panel) {
+  auto* recordings = new RecordingsCard(store_, study_, feel_);
+  panel.addCard(recordings);
+  recordings->setRoomy(panel.isRoomy());
+  connect(&panel, &FeelPanel::roomChanged, recordings, &RecordingsCard::setRoomy);
+  const auto show_recording = [this, &panel] {
+    const bool runs = feel_.isRunning();
+    panel.showRecording(store_.isRecording() && !runs, store_.isRecording() && runs
+                                                           ? std::optional(static_cast<int>(store_.recordedS()))
+                                                           : std::nullopt);
+  };
+  connect(&store_, &FeelStore::changed, &panel, show_recording);
+  connect(&feel_, &FeelController::stateChanged, &panel, show_recording);
+}
+
 void StudyParts::buildMenu() {
-  menu_ = new QMenu(tr("&Study"), &window_);
-  make_ = menu_->addAction(tr("&New study…"));
-  make_->setShortcut(QKeySequence::New);
-  show_ = menu_->addAction(tr("Show the study's &model"));
-  menu_->addSeparator();
-  put_ = menu_->addAction(tr("&Put the open model into the study"));
-  build_ = menu_->addAction(tr("&Build the averaged model from the answers"));
-  menu_->addSeparator();
-  close_ = menu_->addAction(tr("&Close the study"));
-  const QList<QAction*> menus = window_.menuBar()->actions();
-  window_.menuBar()->insertMenu(menus.value(2), menu_);
+  WindowMenus& menus = window_.menus();
+  make_ = menus.addAction(MenuSlot::kStudyOpen, tr("&New study…"), QKeySequence::New);
+  show_ = menus.addAction(MenuSlot::kStudyOpen, tr("Show the study's &model"));
+  put_ = menus.addAction(MenuSlot::kStudyModel, tr("&Put the open model into the study"));
+  build_ = menus.addAction(MenuSlot::kStudyModel, tr("&Build the averaged model from the answers"));
+  close_ = menus.addAction(MenuSlot::kStudyClose, tr("&Close the study"));
 }
 
 void StudyParts::connectAll() {
   connect(make_, &QAction::triggered, this, &StudyParts::chooseNew);
   connect(show_, &QAction::triggered, this, [this] {
-    if (window_.mayLoseChanges()) study_models_.openModel();
+    if (files_.mayLoseChanges()) study_models_.openModel();
   });
   connect(put_, &QAction::triggered, &study_models_, &StudyModels::putModel);
   connect(build_, &QAction::triggered, this, [this] {
-    if (window_.mayLoseChanges()) study_models_.buildModel();
+    if (files_.mayLoseChanges()) study_models_.buildModel();
   });
   connect(close_, &QAction::triggered, &study_, &StudyConnection::close);
-  connect(&window_, &MainWindow::studyChosen, &study_, &StudyConnection::open);
+  connect(&files_, &ModelFiles::studyChosen, &study_, &StudyConnection::open);
   connect(&study_models_, &StudyModels::savedChanged, this, &StudyParts::showState);
   connect(&study_, &StudyConnection::contentsChanged, this, &StudyParts::showState);
   connect(&study_, &StudyConnection::closed, this, &StudyParts::showState);
@@ -106,7 +104,7 @@ void StudyParts::showState() {
   show_->setEnabled(open && study_models_.hasModel() && !kept);
   build_->setEnabled(open);
   close_->setEnabled(open);
-  window_.showStudy(study_.isOpen() ? study_.fileName() : QString());
+  files_.showStudy(study_.isOpen() ? study_.fileName() : QString());
   window_.strip().showStored(study_models_.savedText(), !study_.failure().isEmpty());
   // The end is asked for anew: what comes up then may take it back.
   if (ending_ && (!study_.isBusy() || !study_.failure().isEmpty())) {
@@ -124,12 +122,6 @@ void StudyParts::onFailed(const QString& path, const QString& sentence) {
   window_.banner().showError(sentence);
   if (!QFileInfo::exists(path)) recent_.remove(path);
   showState();
-}
-
-bool StudyParts::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != &window_ || event->type() != QEvent::Close || mayEnd()) return QObject::eventFilter(watched, event);
-  event->ignore();
-  return true;
 }
 
 bool StudyParts::mayEnd() {

@@ -5,14 +5,15 @@
 #include <QObject>
 
 class QAction;
-class QMenu;
 
 namespace tactus::workbench {
 
 class FeelController;
+class FeelPanel;
 class FeelStore;
 class MainWindow;
 class ModelController;
+class ModelFiles;
 class RecentFiles;
 class StudyConnection;
 class StudyModels;
@@ -21,33 +22,29 @@ class StudyParts : public QObject {
   Q_OBJECT
 
  public:
-  StudyParts(MainWindow& window, StudyConnection& study, StudyModels& study_models, FeelController& feel,
-             FeelStore& store, const ModelController& models, RecentFiles& recent);
-
-  /// For what else concerns the study.
-  QMenu& menu() { return *menu_; }
-
- protected:
-  /// Keeps the window open until everything is written, or until the user gives it up.
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  StudyParts(MainWindow& window, ModelFiles& files, StudyConnection& study, StudyModels& study_models,
+             FeelController& feel, FeelPanel& panel, FeelStore& store, const ModelController& models,
+             RecentFiles& recent);
 
  private:
   void buildMenu();
+  void addRecordings(FeelPanel& panel);
   void connectAll();
   void chooseNew();
   void showState();
   void onOpened();
   void onFailed(const QString& path, const QString& sentence);
+  /// Keeps the window open until everything is written, or until the user gives it up.
   bool mayEnd();
 
   MainWindow& window_;
+  ModelFiles& files_;
   StudyConnection& study_;
   StudyModels& study_models_;
   FeelController& feel_;
   FeelStore& store_;
   const ModelController& models_;
   RecentFiles& recent_;
-  QMenu* menu_ = nullptr;
   QAction* make_ = nullptr;
   QAction* show_ = nullptr;
   QAction* put_ = nullptr;

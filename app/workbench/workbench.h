@@ -1,28 +1,38 @@
-// The composition root of tactus-workbench: owns the controllers and the window, and connects them.
+// The composition root of tactus-workbench: owns the controllers and the window, and lists the features in their order.
 #pragma once
 
+#include "app/workbench/bench_screens.h"
 #include "app/workbench/curve_parts.h"
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/edit_parts.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/recordings/feel_store.h"
+#include "app/workbench/feel_parts.h"
 #include "app/workbench/finding_parts.h"
+#include "app/workbench/here_parts.h"
 #include "app/workbench/history_parts.h"
-#include "app/workbench/main_window.h"
+#include "app/workbench/map_parts.h"
 #include "app/workbench/model/author_name.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/note_parts.h"
+#include "app/workbench/picture_parts.h"
+#include "app/workbench/recovery_parts.h"
 #include "app/workbench/rule_parts.h"
+#include "app/workbench/shell/help_menu.h"
+#include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/model_files.h"
 #include "app/workbench/shell/recent_files.h"
+#include "app/workbench/shell/view_menu.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/study/study_models.h"
 #include "app/workbench/study_parts.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
 #include "app/workbench/tune/history/compare_controller.h"
+#include "app/workbench/tune/history/recovery_controller.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/term_controller.h"
@@ -33,37 +43,9 @@ class QSettings;
 namespace tactus::workbench {
 
 struct Workbench {
-  /// Autosaved work is kept below `autosave_root`.
-  explicit Workbench(QSettings& settings, const QString& autosave_root = autosaveRoot())
-      : scene(models),
-        feel(scene, device),
-        edits(models),
-        compare(models, edits),
-        author(settings, edits),
-        autosave(models, edits, autosave_root),
-        recovery(models, edits, autosave, autosave_root),
-        terms(edits),
-        rules(edits, scene),
-        ghost(edits, scene),
-        references(scene),
-        findings(edits, scene),
-        study_models(study, models, edits),
-        feel_store(feel, scene, study, [this] { return study_models.modelVersion(); }),
-        recent(settings),
-        window(models, scene, feel, recent, settings),
-        rule_parts(window, rules),
-        edit_parts(window, edits, terms, scene),
-        curve_parts(window, models, edits, ghost, references, settings),
-        finding_parts(window, findings, terms, rules),
-        study_parts(window, study, study_models, feel, feel_store, models, recent),
-        note_parts(window, study_parts.menu(), study, study_models, edit_parts.editor()),
-        history_parts(window, edit_parts.menu(), edits, compare, scene, feel, author) {
-    history_parts.addRecovery(autosave, recovery, study);
-    history_parts.addGhost(ghost);
-    compare.setCurve([this] {
-      return scene.model() == nullptr ? CurveSetting() : CurveSetting{scene.xInput(), scene.values()};
-    });
-  }
+  /// Autosaved work is kept below `autosave_root`. The devices are those of `devices`.
+  explicit Workbench(QSettings& settings, const QString& autosave_root = autosaveRoot(),
+                     DeviceAccess devices = realDevices());
 
   ModelController models;
   SceneController scene;
@@ -84,13 +66,24 @@ struct Workbench {
   FeelStore feel_store;
   RecentFiles recent;
   MainWindow window;
+
+  // The features: each adds to the window what it shows, in this order.
+  ModelFiles files;
+  HereParts here_parts;
+  CurveParts curve_parts;
+  MapParts map_parts;
+  FeelParts feel_parts;
   RuleParts rule_parts;
   EditParts edit_parts;
-  CurveParts curve_parts;
   FindingParts finding_parts;
   StudyParts study_parts;
   NoteParts note_parts;
   HistoryParts history_parts;
+  RecoveryParts recovery_parts;
+  PictureParts picture_parts;
+  BenchScreens screens;
+  ViewMenu view_menu;
+  HelpMenu help_menu;
 };
 
 }  // namespace tactus::workbench

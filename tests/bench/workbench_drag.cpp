@@ -101,7 +101,7 @@ DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& mod
   bench.terms.beginMove({1, workbench::Grip::Part::kVertex, 3, false});
   DragTimes out;
 #ifdef TACTUS_FRAME_CLOCK
-  auto* const strip = bench.edit_parts.findChild<workbench::FrameClock*>();
+  const auto* const strip = &bench.edit_parts.clock();
 #endif
   for (int i = -kWarmUp; i < edits; ++i) {
     application.begin();

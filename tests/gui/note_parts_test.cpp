@@ -41,7 +41,7 @@ class NotePartsTest : public testing::Test {
   }
 
   bool open() {
-    window.openFile(path);
+    bench.files.open(path);
     return comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening(); });
   }
   void close() {
@@ -72,7 +72,7 @@ class NotePartsTest : public testing::Test {
     return nullptr;
   }
   QAction* action(const QString& text) {
-    for (QAction* one : bench.study_parts.menu().actions()) {
+    for (QAction* one : bench.window.menus().menu(MenuSlot::kStudyOpen).actions()) {
       if (one->text().remove(QLatin1Char('&')) == text) return one;
     }
     return nullptr;

@@ -44,7 +44,7 @@ class StudyPartsTest : public testing::Test {
     tests::makeStudyFile(path);
   }
   bool open() {
-    window.openFile(path);
+    bench.files.open(path);
     return comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening(); });
   }
   QAction* action(const QString& start) {
@@ -92,7 +92,7 @@ TEST_F(StudyPartsTest, AStudyIsOpenedAndTakesTheModelIn) {
   EXPECT_EQ(bench.recent.paths().value(0), path);
   EXPECT_TRUE(action("Close the study")->isEnabled());
 
-  window.openFile(folder.write(tests::twoExperts()));
+  bench.files.open(folder.write(tests::twoExperts()));
   EXPECT_TRUE(stripSays(QStringLiteral("Saved")));
   action("Put the open model")->trigger();
   EXPECT_TRUE(stripSays(QStringLiteral("Stored in sample.tactus")));
@@ -112,7 +112,7 @@ TEST_F(StudyPartsTest, AStudyIsDroppedOnTheWindow) {
 }
 
 TEST_F(StudyPartsTest, AFailureIsOneSentenceInTheBanner) {
-  window.openFile(folder.path(QStringLiteral("nowhere.tactus")));
+  bench.files.open(folder.path(QStringLiteral("nowhere.tactus")));
   ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpening(); }));
   EXPECT_TRUE(window.banner().message().contains(QStringLiteral("nowhere.tactus")));
   EXPECT_FALSE(bench.study.isOpen());
@@ -120,7 +120,7 @@ TEST_F(StudyPartsTest, AFailureIsOneSentenceInTheBanner) {
 
 TEST_F(StudyPartsTest, TheWindowStaysUntilEverythingIsWritten) {
   ASSERT_TRUE(open());
-  window.openFile(folder.write(tests::twoExperts()));
+  bench.files.open(folder.write(tests::twoExperts()));
   bench.study_models.putModel();
   ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
   window.close();
@@ -133,7 +133,7 @@ TEST_F(StudyPartsTest, TheWindowStaysUntilEverythingIsWritten) {
 
 TEST_F(StudyPartsTest, AWindowThatIsKeptOpenIsNotClosedByTheNextWrite) {
   ASSERT_TRUE(open());
-  window.openFile(folder.write(tests::twoExperts()));
+  bench.files.open(folder.write(tests::twoExperts()));
   // In a file of its own, beside the study.
   ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
   int asked = 0;
@@ -160,9 +160,9 @@ TEST_F(StudyPartsTest, AWindowThatIsKeptOpenIsNotClosedByTheNextWrite) {
 
 TEST_F(StudyPartsTest, ChangesThatAreNotSavedAreAskedFor) {
   ASSERT_TRUE(open());
-  window.openFile(folder.write(tests::twoExperts()));
+  bench.files.open(folder.write(tests::twoExperts()));
   bench.study_models.putModel();
-  window.openFile(folder.write(tests::twoExperts(), QStringLiteral("beside.tactus.json")));
+  bench.files.open(folder.write(tests::twoExperts(), QStringLiteral("beside.tactus.json")));
   ASSERT_TRUE(bench.edits.apply(editing::moveVertex(bench.edits.model(), kNearShoulder, 2)));
   ASSERT_TRUE(bench.models.isModified());
   for (const char* start : {"Show the study", "Build the averaged"}) {

@@ -91,7 +91,7 @@ class VisibleText : public testing::Test {
   }
 
   void openModel() {
-    window.openFile(folder.write(namelessModel(), QStringLiteral("1.tactus.json")));
+    bench.files.open(folder.write(namelessModel(), QStringLiteral("1.tactus.json")));
     settle();
   }
 
@@ -165,7 +165,7 @@ TEST_F(VisibleText, OfFindingsIsTranslated) {
 TEST_F(VisibleText, OfAStudyIsTranslated) {
   const QString path = folder.path(QStringLiteral("1.tactus"));
   tests::makeStudyFile(path);
-  window.openFile(path);
+  bench.files.open(path);
   ASSERT_TRUE(comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening(); }));
   expectTranslated(window, "empty study");
   openModel();

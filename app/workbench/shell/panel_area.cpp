@@ -1,16 +1,15 @@
 #include "app/workbench/shell/panel_area.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QMenu>
 #include <QScrollArea>
 #include <QSettings>
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/reading_order.h"
 #include "app/workbench/kit/tab_look.h"
 #include "app/workbench/shell/panel_title.h"
 #include "core/base/check.h"
@@ -30,17 +29,6 @@ QWidget* scrollable(QWidget* panel) {
   area->setWidget(panel);
   return area;
 }
-
-// Out of the window it is a window of its own.
-class PanelDock : public QDockWidget {
- public:
-  using QDockWidget::QDockWidget;
-
- protected:
-  bool focusNextPrevChild(bool next) override {
-    return isWindow() ? focusNextAsRead(*this, next) : QDockWidget::focusNextPrevChild(next);
-  }
-};
 
 // What a dock holds. The panel in it is hidden while a tab stands before it; the holder never is, because a dock with
 // hidden content may not have any size.
@@ -70,11 +58,16 @@ PanelArea::PanelArea(QSettings& settings, QWidget* parent) : QMainWindow(parent)
   connect(&titles_, &QTimer::timeout, this, &PanelArea::showTitles);
 }
 
-QDockWidget* PanelArea::addPanel(const QString& id, const QString& title, QWidget* panel) {
-  TACTUS_CHECK(!docks_.contains(id));
-  auto* dock = new PanelDock(title, this);
+// The panels end after this, and are hidden then.
+PanelArea::~PanelArea() {
+  for (Panel* panel : panels_) disconnect(panel, nullptr, this, nullptr);
+}
+
+Panel& PanelArea::addPanel(const QString& id, const QString& title, QWidget* content) {
+  TACTUS_CHECK(!panelNames().contains(id));
+  auto* dock = new Panel(title, this);
   dock->setObjectName(id);
-  dock->setWidget(holderOf(scrollable(panel)));
+  dock->setWidget(holderOf(scrollable(content)));
   for (QScrollArea* area : dock->findChildren<QScrollArea*>()) {
     if (area->accessibleName().isEmpty()) area->setAccessibleName(title);
   }
@@ -82,8 +75,7 @@ QDockWidget* PanelArea::addPanel(const QString& id, const QString& title, QWidge
   dock->setTitleBarWidget(head);
   addDockWidget(Qt::TopDockWidgetArea, dock);
   dock->hide();
-  docks_.insert(id, dock);
-  order_ << dock;
+  panels_ << dock;
   const auto titles_change = [this] { titles_.start(); };
   connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
     // The window leaves a panel behind a tab visible to itself, out of sight; it would go on computing.
@@ -93,12 +85,11 @@ QDockWidget* PanelArea::addPanel(const QString& id, const QString& title, QWidge
   connect(dock, &QDockWidget::topLevelChanged, this, titles_change);
   connect(dock, &QDockWidget::dockLocationChanged, this, titles_change);
   connect(head, &PanelTitle::menuRequested, this, [this, dock](const QPoint& place) { showMenu(*dock, place); });
-  return dock;
+  return *dock;
 }
 
-void PanelArea::addPlaces(Stage stage, const std::vector<PanelPlace>& places) {
-  std::vector<PanelPlace>& all = places_[static_cast<int>(stage)];
-  all.insert(all.end(), places.begin(), places.end());
+void PanelArea::setLayout(Stage stage, std::vector<PanelPlace> places) {
+  places_.insert(static_cast<int>(stage), std::move(places));
 }
 
 void PanelArea::enter(Stage stage) {
@@ -114,9 +105,7 @@ void PanelArea::enter(Stage stage) {
 }
 
 void PanelArea::resetLayout() {
-  if (!stage_) return;
-  layOut(placesOfPresent(places_.value(static_cast<int>(*stage_)),
-                         [this](const std::string& id) { return docks_.contains(QString::fromStdString(id)); }));
+  if (stage_) layOut(places_.value(static_cast<int>(*stage_)));
 }
 
 void PanelArea::storeLayout() {
@@ -127,19 +116,19 @@ void PanelArea::storeLayout() {
 
 QStringList PanelArea::panelNames() const {
   QStringList names;
-  for (const QDockWidget* panel : order_) names << panel->objectName();
+  for (const Panel* panel : panels_) names << panel->objectName();
   names.sort();
   return names;
 }
 
 QList<QAction*> PanelArea::toggleActions() const {
   QList<QAction*> actions;
-  for (const QDockWidget* dock : order_) actions << dock->toggleViewAction();
+  for (const Panel* panel : panels_) actions << panel->toggleViewAction();
   return actions;
 }
 
 void PanelArea::layOut(const std::vector<PanelPlace>& places) {
-  for (QDockWidget* panel : order_) {
+  for (Panel* panel : panels_) {
     panel->setFloating(false);
     removeDockWidget(panel);
   }
@@ -149,11 +138,11 @@ void PanelArea::layOut(const std::vector<PanelPlace>& places) {
                         [](const PanelPlace& place) { return place.how != PanelPlace::How::kTab; });
   for (const PanelPlace& place : ordered) put(place);
   for (const PanelPlace& place : places) {
-    if (place.how == PanelPlace::How::kTab) dock(place.beside)->raise();
+    if (place.how == PanelPlace::How::kTab) place.beside->raise();
   }
   shareRoom(places);
   // A panel that the layout does not know would be shown by restoring it.
-  for (QDockWidget* panel : order_) {
+  for (Panel* panel : panels_) {
     if (dockWidgetArea(panel) != Qt::NoDockWidgetArea) continue;
     addDockWidget(Qt::TopDockWidgetArea, panel);
     panel->hide();
@@ -161,42 +150,39 @@ void PanelArea::layOut(const std::vector<PanelPlace>& places) {
 }
 
 void PanelArea::put(const PanelPlace& place) {
-  QDockWidget* panel = dock(place.panel);
-  QDockWidget* beside = dock(place.beside);
-  TACTUS_CHECK(beside != nullptr || place.how == PanelPlace::How::kFirst);
   switch (place.how) {
     case PanelPlace::How::kFirst:
-      addDockWidget(Qt::TopDockWidgetArea, panel, Qt::Horizontal);
+      addDockWidget(Qt::TopDockWidgetArea, place.panel, Qt::Horizontal);
       break;
     case PanelPlace::How::kRight:
-      splitDockWidget(beside, panel, Qt::Horizontal);
+      splitDockWidget(place.beside, place.panel, Qt::Horizontal);
       break;
     case PanelPlace::How::kBelow:
-      splitDockWidget(beside, panel, Qt::Vertical);
+      splitDockWidget(place.beside, place.panel, Qt::Vertical);
       break;
     case PanelPlace::How::kTab:
-      tabifyDockWidget(beside, panel);
+      tabifyDockWidget(place.beside, place.panel);
       break;
   }
-  panel->show();
+  place.panel->show();
 }
 
 void PanelArea::shareRoom(const std::vector<PanelPlace>& places) {
   // Parts of parts: each split takes its share of what the panel beside it has at that point.
-  QHash<QLatin1String, QSizeF> sizes;
+  QHash<const Panel*, QSizeF> sizes;
   for (const PanelPlace& place : places) {
-    if (place.how == PanelPlace::How::kFirst) sizes.insert(QLatin1String(place.panel), size());
+    if (place.how == PanelPlace::How::kFirst) sizes.insert(place.panel, size());
     if (place.how == PanelPlace::How::kFirst || place.how == PanelPlace::How::kTab) continue;
-    const QSizeF whole = sizes.value(QLatin1String(place.beside));
+    const QSizeF whole = sizes.value(place.beside);
     const double share = place.percent / 100.0;
     const bool right = place.how == PanelPlace::How::kRight;
     const QSizeF part =
         right ? QSizeF(whole.width() * share, whole.height()) : QSizeF(whole.width(), whole.height() * share);
     const QSizeF rest = right ? QSizeF(whole.width() - part.width(), whole.height())
                               : QSizeF(whole.width(), whole.height() - part.height());
-    sizes.insert(QLatin1String(place.panel), part);
-    sizes.insert(QLatin1String(place.beside), rest);
-    resizeDocks({dock(place.beside), dock(place.panel)},
+    sizes.insert(place.panel, part);
+    sizes.insert(place.beside, rest);
+    resizeDocks({place.beside, place.panel},
                 right ? QList<int>{qRound(rest.width()), qRound(part.width())}
                       : QList<int>{qRound(rest.height()), qRound(part.height())},
                 right ? Qt::Horizontal : Qt::Vertical);
@@ -204,7 +190,7 @@ void PanelArea::shareRoom(const std::vector<PanelPlace>& places) {
 }
 
 void PanelArea::showTitles() {
-  for (QDockWidget* panel : order_) {
+  for (Panel* panel : panels_) {
     const QList<QDockWidget*> others = tabifiedDockWidgets(panel);
     const bool tabbed = !panel->isFloating() && std::any_of(others.begin(), others.end(), [](const QDockWidget* other) {
       return !other->isHidden() && !other->isFloating();
@@ -220,31 +206,32 @@ void PanelArea::showTitles() {
     new TabLook(*tabs);
     tabs->setAccessibleName(tr("Panels that share a place"));
     connect(tabs, &QWidget::customContextMenuRequested, this, [this, tabs](const QPoint& place) {
-      if (QDockWidget* panel = dockOfTab(*tabs, tabs->tabAt(place))) showMenu(*panel, tabs->mapToGlobal(place));
+      if (Panel* panel = panelOfTab(*tabs, tabs->tabAt(place))) showMenu(*panel, tabs->mapToGlobal(place));
     });
     connect(tabs, &QTabBar::tabBarDoubleClicked, this, [this, tabs](int index) {
-      if (QDockWidget* panel = dockOfTab(*tabs, index)) panel->setFloating(true);
+      if (Panel* panel = panelOfTab(*tabs, index)) panel->setFloating(true);
     });
   }
 }
 
-bool PanelArea::isBehind(const QDockWidget& panel) const {
+bool PanelArea::isBehind(const Panel& panel) const {
   for (const QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
     for (int i = 0; tabs->isVisible() && i < tabs->count(); ++i) {
-      if (tabs->tabText(i) == panel.windowTitle()) return i != tabs->currentIndex();
+      if (panelOfTab(*tabs, i) == &panel) return i != tabs->currentIndex();
     }
   }
   return false;
 }
 
-QDockWidget* PanelArea::dockOfTab(const QTabBar& tabs, int index) const {
-  const QString title = tabs.tabText(index);
-  const auto found = std::find_if(order_.begin(), order_.end(),
-                                  [&](const QDockWidget* panel) { return panel->windowTitle() == title; });
-  return found == order_.end() ? nullptr : *found;
+// QMainWindow keeps the address of the dock widget with the tab.
+Panel* PanelArea::panelOfTab(const QTabBar& tabs, int index) const {
+  const auto address = tabs.tabData(index).value<quintptr>();
+  const auto found = std::find_if(panels_.begin(), panels_.end(),
+                                  [&](const Panel* panel) { return reinterpret_cast<quintptr>(panel) == address; });
+  return found == panels_.end() ? nullptr : *found;
 }
 
-void PanelArea::showMenu(QDockWidget& panel, const QPoint& place) {
+void PanelArea::showMenu(Panel& panel, const QPoint& place) {
   QMenu menu;
   const bool floating = panel.isFloating();
   menu.addAction(floating ? tr("Put back into the window") : tr("Take out of the window"), &panel,

@@ -9,10 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/shell/panel_place.h"
+#include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/stage.h"
 
-class QDockWidget;
 class QSettings;
 class QTabBar;
 
@@ -23,12 +22,13 @@ class PanelArea : public QMainWindow {
 
  public:
   explicit PanelArea(QSettings& settings, QWidget* parent = nullptr);
+  ~PanelArea() override;
 
-  /// Adds `panel` under the settings key `id`. The stages that have a place for it show it.
-  QDockWidget* addPanel(const QString& id, const QString& title, QWidget* panel);
-  /// Sets the default layout of `stage`; a later call adds places. A place whose panel was not added is left out; its
-  /// neighbors take the space.
-  void addPlaces(Stage stage, const std::vector<PanelPlace>& places);
+  /// Adds a panel with this content. `id` is its name in the settings and nowhere else. Shown by the stages whose
+  /// layout has a place for it.
+  Panel& addPanel(const QString& id, const QString& title, QWidget* content);
+  /// Sets the default layout of `stage`.
+  void setLayout(Stage stage, std::vector<PanelPlace> places);
 
   /// Shows the panels of `stage` in their last places.
   void enter(Stage stage);
@@ -38,6 +38,9 @@ class PanelArea : public QMainWindow {
   /// Stores the layout of the current stage.
   void storeLayout();
 
+  const QList<Panel*>& panels() const { return panels_; }
+  /// Whether the tab of another panel lies before this one.
+  bool isBehind(const Panel& panel) const;
   /// Shows or hides each panel.
   QList<QAction*> toggleActions() const;
 
@@ -47,14 +50,11 @@ class PanelArea : public QMainWindow {
   void shareRoom(const std::vector<PanelPlace>& places);
   QStringList panelNames() const;
   void showTitles();
-  void showMenu(QDockWidget& panel, const QPoint& place);
-  bool isBehind(const QDockWidget& panel) const;
-  QDockWidget* dockOfTab(const QTabBar& tabs, int index) const;
-  QDockWidget* dock(const char* id) const { return docks_.value(QLatin1String(id)); }
+  void showMenu(Panel& panel, const QPoint& place);
+  Panel* panelOfTab(const QTabBar& tabs, int index) const;
 
   QSettings& settings_;
-  QHash<QString, QDockWidget*> docks_;
-  QList<QDockWidget*> order_;
+  QList<Panel*> panels_;
   QHash<int, std::vector<PanelPlace>> places_;
   std::optional<Stage> stage_;
   QTimer titles_;  ///< one update after any number of moved panels

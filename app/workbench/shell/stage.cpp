@@ -59,6 +59,4 @@ QString stageHint(Stage stage) {
   return {};
 }
 
-bool isReady(Stage stage) { return stage == Stage::kUnderstand || stage == Stage::kTune; }
-
 }  // namespace tactus::workbench

@@ -16,7 +16,5 @@ QString stageId(Stage stage);
 QString stageName(Stage stage);
 /// The task of the stage in a few words.
 QString stageHint(Stage stage);
-/// Whether the stage can be entered. The rail also shows the others and says what they will hold.
-bool isReady(Stage stage);
 
 }  // namespace tactus::workbench

@@ -29,7 +29,7 @@ StageButton::StageButton(Stage stage, QWidget* parent) : QAbstractButton(parent)
   setAccessibleDescription(stageHint(stage));
   setCheckable(true);
   setAutoExclusive(true);
-  setEnabled(isReady(stage));
+  setEnabled(false);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

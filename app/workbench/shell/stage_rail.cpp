@@ -22,6 +22,8 @@ StageRail::StageRail(QWidget* parent) : QWidget(parent) {
   setFixedWidth(buttons_.first()->sizeHint().width());
 }
 
+void StageRail::setReady(Stage stage) { buttons_.value(stage)->setEnabled(true); }
+
 void StageRail::setStage(Stage stage) { buttons_.value(stage)->setChecked(true); }
 
 void StageRail::setCompact(bool compact) {

@@ -16,6 +16,8 @@ class StageRail : public QWidget {
  public:
   explicit StageRail(QWidget* parent = nullptr);
 
+  /// `stage` can be entered from now on. The others say what they will hold.
+  void setReady(Stage stage);
   void setStage(Stage stage);
   /// True: a narrow rail.
   void setCompact(bool compact);

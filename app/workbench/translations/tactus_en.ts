@@ -287,6 +287,25 @@
     </message>
 </context>
 <context>
+    <name>HelpMenu</name>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Tactus Workbench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Tactus Workbench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Tactus Workbench %1&lt;/h3&gt;&lt;p&gt;Turns what expert nurses know by feel into a force model that a haptic simulator can run.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later, without any warranty. It uses Qt %2 and QCustomPlot.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ImpactText</name>
     <message>
         <source>below %1</source>
@@ -380,6 +399,33 @@
     </message>
 </context>
 <context>
+    <name>MenuText</name>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;eel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ModelInStudyText</name>
     <message numerus="yes">
         <source>%n expert(s)</source>
@@ -444,6 +490,17 @@
     </message>
     <message>
         <source>Found when it was opened earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PictureParts</name>
+    <message>
+        <source>&amp;Copy picture of the plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plot with the keyboard or under the mouse</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -845,37 +902,6 @@
     </message>
 </context>
 <context>
-    <name>tactus::workbench::BenchView</name>
-    <message>
-        <source>Membership functions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force curves</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Forces here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rules here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Feel</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>tactus::workbench::CompareCard</name>
     <message>
         <source>A: what is compared with</source>
@@ -1014,6 +1040,22 @@
     </message>
     <message>
         <source>Tables (*.csv);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open re&amp;ference curve…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;picture of the curves…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1304,10 +1346,6 @@
 <context>
     <name>tactus::workbench::EditParts</name>
     <message>
-        <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1346,6 +1384,10 @@
     </message>
     <message>
         <source>No model is open; open one to feel it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another part of the program uses the device; stop it there first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1397,6 +1439,29 @@
     </message>
     <message>
         <source>spring softened to %1 N/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FeelParts</name>
+    <message>
+        <source>Feel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start on the chosen device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;top: no force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Flex the neck, or raise the head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New placement</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1754,6 +1819,17 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::HereParts</name>
+    <message>
+        <source>Membership functions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::HistoryModel</name>
     <message>
         <source>Snapshot “%1”</source>
@@ -1904,151 +1980,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Reopen</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save &amp;picture of the curves…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save picture of the &amp;map…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture of the plot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The plot with the keyboard or under the mouse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Stage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Panels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Look</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Reset layout</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;About Tactus Workbench</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>F&amp;eel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Start on the chosen device</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>S&amp;top: no force</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Flex the neck, or raise the head</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;New placement</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open a model or a study</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Models and studies (*.json *.tactus);;Force models (*.json);;Studies (*.tactus);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save the model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force models (*.tactus.json)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open re&amp;ference curve…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Changes not saved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 has changes that are not saved.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Parts of the file were not used: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> – study %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>About Tactus Workbench</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Tactus Workbench %1&lt;/h3&gt;&lt;p&gt;Turns what expert nurses know by feel into a force model that a haptic simulator can run.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later, without any warranty. It uses Qt %2 and QCustomPlot.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2083,6 +2015,21 @@
     <name>tactus::workbench::MapPanel</name>
     <message>
         <source>A map needs a model with two inputs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MapParts</name>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save picture of the &amp;map…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2250,6 +2197,65 @@
     <name>tactus::workbench::MessageBanner</name>
     <message>
         <source>Close this message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ModelFiles</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reopen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a model or a study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Models and studies (*.json *.tactus);;Force models (*.json);;Studies (*.tactus);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force models (*.tactus.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes not saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of the file were not used: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> – study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tactus Workbench</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3466,10 +3472,6 @@ felt on the model %2</source>
 <context>
     <name>tactus::workbench::StudyParts</name>
     <message>
-        <source>&amp;Study</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;New study…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3674,6 +3676,33 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ViewMenu</name>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -156,8 +156,7 @@ TEST_F(GhostControllerTest, TheMostNoticeableChangeMayBeAtAnotherPlace) {
 // shows.
 TEST_F(GhostControllerTest, NoNumberIsSmallerThanTheCurveShows) {
   base::Random random(3);
-  CompareController compare(models, edits);
-  compare.setCurve([this] { return CurveSetting{scene.xInput(), scene.values()}; });
+  CompareController compare(models, edits, [this] { return CurveSetting{scene.xInput(), scene.values()}; });
   for (int i = 0; i < 40; ++i) {
     const fuzzy::ForceModel now = edits.model();
     const double to = now.inputs[1].terms[1].points[0] + random.uniform(-0.7, 0.7);

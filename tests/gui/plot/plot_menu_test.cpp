@@ -10,8 +10,9 @@
 #include <gtest/gtest.h>
 #include <utility>
 
-#include "app/workbench/bench_view.h"
 #include "app/workbench/shell/operating_strip.h"
+#include "app/workbench/understand/curves/curves_panel.h"
+#include "app/workbench/understand/map/map_panel.h"
 #include "app/workbench/workbench.h"
 #include "core/base/tables/csv.h"
 
@@ -32,8 +33,8 @@ class PlotMenuTest : public testing::Test {
     QCoreApplication::processEvents();
   }
 
-  PlotMenu& curves() { return bench.window.findChild<BenchView*>()->curvesMenu(); }
-  PlotMenu& map() { return bench.window.findChild<BenchView*>()->mapMenu(); }
+  PlotMenu& curves() { return bench.curve_parts.view().plotMenu(); }
+  PlotMenu& map() { return bench.map_parts.view().plotMenu(); }
 
   base::CsvTable saved(PlotMenu& plot) {
     const QString path = folder.path(QStringLiteral("plot.csv"));

@@ -56,8 +56,9 @@ std::optional<CompareResult> differenceOf(const OpenModel& a, const OpenModel& b
 
 }  // namespace
 
-CompareController::CompareController(ModelController& models, EditController& edits, QObject* parent)
-    : QObject(parent), models_(models), edits_(edits) {
+CompareController::CompareController(ModelController& models, EditController& edits,
+                                     std::function<CurveSetting()> curve, QObject* parent)
+    : QObject(parent), models_(models), edits_(edits), curve_(std::move(curve)) {
   connect(&edits_, &EditController::modelReset, this, &CompareController::reset);
   connect(&edits_, &EditController::historyChanged, this, [this] {
     // What was the state before may be another one.

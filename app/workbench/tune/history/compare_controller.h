@@ -53,7 +53,9 @@ class CompareController : public QObject {
   Q_OBJECT
 
  public:
-  CompareController(ModelController& models, EditController& edits, QObject* parent = nullptr);
+  /// `curve`: the curve on the screen; the result is never less than it shows. None: the whole universe alone.
+  CompareController(ModelController& models, EditController& edits, std::function<CurveSetting()> curve = {},
+                    QObject* parent = nullptr);
 
   /// One entry of the list of choices.
   struct Option {
@@ -78,8 +80,6 @@ class CompareController : public QObject {
 
   /// The result for the current sides; nothing until it is computed.
   const std::optional<CompareResult>& result() const { return result_; }
-  /// Sets the source of the curve on the screen. The result is never less than that curve shows.
-  void setCurve(std::function<CurveSetting()> curve) { curve_ = std::move(curve); }
   /// Computes the result if it is not known and no gesture is in progress; ends with `resultChanged`.
   void compute();
 
@@ -113,7 +113,7 @@ class CompareController : public QObject {
   CompareChoice sides_[2];
   std::optional<CompareSide> shown_;
   std::optional<CompareResult> result_;
-  std::function<CurveSetting()> curve_;
+  const std::function<CurveSetting()> curve_;
   Background worker_;
 };
 

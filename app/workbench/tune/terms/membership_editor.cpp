@@ -28,6 +28,7 @@
 #include "app/workbench/plot/plot_caption.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/tune/terms/membership_editor_plot.h"
+#include "app/workbench/tune/terms/roomiest_place.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/term_sliders.h"
 #include "app/workbench/tune/terms/term_table.h"
@@ -54,11 +55,12 @@ std::vector<fuzzy::Term> termsBefore(const fuzzy::ForceModel& model, const editi
 }  // namespace
 
 MembershipEditor::MembershipEditor(EditController& edits, TermController& terms, SceneController& scene,
-                                   QWidget* parent)
+                                   const GhostController& ghost, QWidget* parent)
     : Card(parent),
       edits_(edits),
       terms_(terms),
       scene_(scene),
+      ghost_(ghost),
       variables_(new QTabBar(this)),
       whose_(new QComboBox(this)),
       own_(new QCheckBox(tr("Own terms"), this)),
@@ -132,6 +134,7 @@ void MembershipEditor::buildPlace() {
 }
 
 void MembershipEditor::connectAll() {
+  connect(&ghost_, &GhostController::changed, this, &MembershipEditor::showGhost);
   connect(variables_, &QTabBar::currentChanged, this, [this](int index) {
     if (!filling_ && index >= 0) terms_.setVariable(variables_->tabData(index).toString().toStdString());
   });
@@ -248,14 +251,9 @@ void MembershipEditor::showTerms() {
   showValue();
 }
 
-void MembershipEditor::setGhost(const GhostController& ghost) {
-  ghost_ = &ghost;
-  connect(ghost_, &GhostController::changed, this, &MembershipEditor::showGhost);
-}
-
 void MembershipEditor::showGhost() {
-  if (!ghost_ || !terms_.isOpen() || !isVisible()) return;
-  const auto before = ghost_->before();
+  if (!terms_.isOpen() || !isVisible()) return;
+  const auto before = ghost_.before();
   plot_->setGhost(before ? termsBefore(before->model, terms_.list(), terms_.variable()) : std::vector<fuzzy::Term>());
 }
 
@@ -357,7 +355,7 @@ void MembershipEditor::askAdd() {
   name->setAccessibleName(tr("Name of the new term"));
   auto* place = new NumberBox(variable, editing::editStep(variable, editing::StepSize::kFine), form);
   place->setAccessibleName(tr("Place of the new term"));
-  place->setValue(roundedPlace(variable, terms_.roomiestPlace()));
+  place->setValue(roundedPlace(variable, roomiestPlace(variable, terms_.terms())));
   form->addField(tr("Name:"), name);
   form->addField(tr("Around:"), place);
   connect(form, &PopupForm::accepted, this, [this, form, name, place] {

@@ -28,12 +28,12 @@ class MembershipEditor : public Card {
   Q_OBJECT
 
  public:
-  MembershipEditor(EditController& edits, TermController& terms, SceneController& scene, QWidget* parent = nullptr);
+  /// Draws the shapes that `ghost` has as "before" as thin outlines.
+  MembershipEditor(EditController& edits, TermController& terms, SceneController& scene, const GhostController& ghost,
+                   QWidget* parent = nullptr);
 
   /// What is odd in the data, and what the build from the answers says: shown beside the terms that it is about.
   void setNotes(BuildNotes notes);
-  /// Draws the shapes that `ghost` has as "before" as thin outlines. Once.
-  void setGhost(const GhostController& ghost);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -63,7 +63,7 @@ class MembershipEditor : public Card {
   EditController& edits_;
   TermController& terms_;
   SceneController& scene_;
-  const GhostController* ghost_ = nullptr;
+  const GhostController& ghost_;
   QTabBar* variables_;
   QComboBox* whose_;
   QCheckBox* own_;

@@ -1,8 +1,6 @@
 #include "app/workbench/tune/terms/term_controller.h"
 
-#include <QString>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "app/editing/edit_steps.h"
@@ -12,7 +10,6 @@
 #include "app/editing/term_edits.h"
 #include "app/editing/term_split.h"
 #include "app/workbench/base/display_text.h"
-#include "core/base/check.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
@@ -117,41 +114,6 @@ std::size_t TermController::rulesOf(const std::string& term) const {
   return count;
 }
 
-double TermController::roomiestPlace() const {
-  const fuzzy::Variable& v = variable();
-  std::vector<fuzzy::MembershipFunction> shapes;
-  for (const Term& term : terms()) {
-    auto shape = fuzzy::MembershipFunction::of(term);
-    if (shape.gaussian)
-      shape = {false, shape.mean - 3 * shape.sigma, shape.mean, shape.mean, shape.mean + 3 * shape.sigma};
-    shapes.push_back(shape);
-  }
-  std::sort(shapes.begin(), shapes.end(), [](const auto& one, const auto& other) { return one.a < other.a; });
-  double gap_end = v.min;
-  double widest_gap = 0;
-  double widest_core = 0;
-  double in_gap = 0;
-  double in_core = (v.min + v.max) / 2;
-  const auto offer_gap = [&](double to) {
-    if (to - gap_end > widest_gap) {
-      widest_gap = to - gap_end;
-      in_gap = (gap_end + to) / 2;
-    }
-  };
-  for (const auto& shape : shapes) {
-    offer_gap(std::min(shape.a, v.max));
-    gap_end = std::max(gap_end, shape.d);
-    const double from = std::max(shape.b, v.min);
-    const double to = std::min(shape.c, v.max);
-    if (to - from > widest_core) {
-      widest_core = to - from;
-      in_core = from + 0.75 * (to - from);
-    }
-  }
-  offer_gap(v.max);
-  return widest_gap > 0 ? in_gap : in_core;
-}
-
 bool TermController::isLocked(const std::string& term, std::size_t point) const {
   return std::find(locked_.begin(), locked_.end(), VertexPlace{list_, term, point}) != locked_.end();
 }
@@ -225,7 +187,7 @@ void TermController::setKeepsSum(bool keeps) {
   }
   std::erase(sum_not_kept_, list_);
   if (!keeps) sum_not_kept_.push_back(list_);
-  if (keeps && !editing::partitionOrder(variable(), terms())) edits_.apply(editing::makeSumToOne(model(), list_));
+  if (edits) edits_.apply(editing::makeSumToOne(model(), list_));
   emit termsChanged();
 }
 

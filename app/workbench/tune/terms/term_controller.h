@@ -42,10 +42,6 @@ class TermController : public QObject {
   /// The number of rules that name the term, over all experts that use the list.
   std::size_t rulesOf(const std::string& term) const;
 
-  /// A good place for a new term: the middle of the widest gap between terms; without gaps, the middle of the right
-  /// half of the widest core.
-  double roomiestPlace() const;
-
   std::optional<Grip> selected() const { return selected_; }
   bool isLocked(const std::string& term, std::size_t point) const;
   /// Whether moves keep the sum of the terms at one. On for terms that sum to one, until the user switches it off.

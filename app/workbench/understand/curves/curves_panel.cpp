@@ -47,10 +47,13 @@ QString draggedTable(const QMimeData& data) {
 
 }  // namespace
 
-CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget* parent)
+CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostController& ghost,
+                         ReferenceController& references, QWidget* parent)
     : Card(parent),
       scene_(scene),
       readings_(readings),
+      ghost_(ghost),
+      references_(references),
       title_(new QLabel(this)),
       x_input_(new QComboBox(this)),
       plot_(new CurvePlot(this)),
@@ -60,6 +63,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
       ghost_chip_(new LegendChip(ghostLook(tr("Before the last edit")), {}, this)),
       difference_(new ElidedLabel(this)),
       step_(new ElidedLabel(this)),
+      reference_bar_(new ReferenceBar(references, scene, this)),
       draw_curves_(new Refresh(this, [this] { drawCurves(); })),
       draw_ghost_(new Refresh(this, [this] { drawGhost(); })),
       draw_references_(new Refresh(this, [this] { drawReferences(); })),
@@ -71,7 +75,8 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   x_input_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
 
   difference_->setFont(theme::smallFont());
-  ghost_chip_->setChecked(true);
+  ghost_chip_->setChecked(ghost_.isOn());
+  setAcceptDrops(true);
   step_->setFont(theme::smallFont());
   setInk(*step_, theme::errorInk());
   step_->hide();
@@ -93,6 +98,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   layout->addLayout(head);
   layout->addWidget(legend_);
   layout->addWidget(plot_, 1);
+  layout->addWidget(reference_bar_);
 
   connect(x_input_, &QComboBox::activated, this, &CurvesPanel::onXInputChosen);
   connect(plot_, &CurvePlot::hovered, &scene_, &SceneController::setHover);
@@ -105,25 +111,13 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget
   connect(&scene_, &SceneController::familyChanged, this, &CurvesPanel::showFamily);
   connect(&scene_, &SceneController::curvesChanged, draw_curves_, &Refresh::request);
   connect(&scene_, &SceneController::readingChanged, draw_reading_, &Refresh::request);
-}
-
-void CurvesPanel::setGhost(GhostController& ghost) {
-  ghost_ = &ghost;
-  ghost_chip_->setChecked(ghost.isOn());
-  connect(ghost_chip_, &LegendChip::toggled, ghost_, &GhostController::setOn);
-  connect(ghost_, &GhostController::changed, draw_ghost_, &Refresh::request);
+  connect(ghost_chip_, &LegendChip::toggled, &ghost_, &GhostController::setOn);
+  connect(&ghost_, &GhostController::changed, draw_ghost_, &Refresh::request);
   connect(&scene_, &SceneController::curvesChanged, draw_ghost_, &Refresh::request);
-  draw_ghost_->request();
-}
-
-void CurvesPanel::setReferences(ReferenceController& references) {
-  references_ = &references;
-  reference_bar_ = new ReferenceBar(references, scene_, this);
-  static_cast<QVBoxLayout*>(layout())->addWidget(reference_bar_);
-  setAcceptDrops(true);
-  connect(references_, &ReferenceController::changed, draw_references_, &Refresh::request);
-  connect(references_, &ReferenceController::refused, this,
+  connect(&references_, &ReferenceController::changed, draw_references_, &Refresh::request);
+  connect(&references_, &ReferenceController::refused, this,
           [this](const QString& sentence) { sayError(*this, sentence); });
+  draw_ghost_->request();
 }
 
 void CurvesPanel::setFast(bool fast) { plot_->setFast(fast); }
@@ -154,14 +148,14 @@ void CurvesPanel::dropEvent(QDropEvent* event) {
   const QString path = draggedTable(*event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
-  references_->open(path);
+  references_.open(path);
 }
 
 void CurvesPanel::drawCurves() {
   plot_->setCurves(scene_.curves());
   drawSteps();
   if (scene_.family()) plot_->setFamilyCurves(scene_.familyCurves());
-  if (reference_bar_) reference_bar_->showDifferences();
+  reference_bar_->showDifferences();
 }
 
 // Also while a vertex is dragged: a cliff is seen before it is felt.
@@ -184,19 +178,18 @@ void CurvesPanel::drawSteps() {
 }
 
 void CurvesPanel::drawGhost() {
-  const bool any = ghost_ && (ghost_->before() || !ghost_->isOn());
-  plot_->setGhost(ghost_ ? ghost_->curves() : nullptr, ghost_ ? ghost_->label() : QString());
+  const bool any = ghost_.before() || !ghost_.isOn();
+  plot_->setGhost(ghost_.curves(), ghost_.label());
   ghost_chip_->setEnabled(any);
-  if (!ghost_) return;
-  ghost_chip_->setName(ghost_->label());
-  ghost_chip_->setToolTip(ghost_->whatChanged().isEmpty() ? tr("Show the curves before an edit as dashed lines")
-                                                          : tr("Since then: %1").arg(ghost_->whatChanged()));
-  difference_->setFullText(any ? ghost_->differenceText() : tr("nothing is edited yet"));
+  ghost_chip_->setName(ghost_.label());
+  ghost_chip_->setToolTip(ghost_.whatChanged().isEmpty() ? tr("Show the curves before an edit as dashed lines")
+                                                         : tr("Since then: %1").arg(ghost_.whatChanged()));
+  difference_->setFullText(any ? ghost_.differenceText() : tr("nothing is edited yet"));
 }
 
 void CurvesPanel::drawReferences() {
-  plot_->setReferences(references_ ? references_->shown() : std::vector<ReferenceCurve>());
-  if (reference_bar_) reference_bar_->showDifferences();
+  plot_->setReferences(references_.shown());
+  reference_bar_->showDifferences();
 }
 
 void CurvesPanel::adoptModel() {
@@ -289,18 +282,17 @@ PlotTable CurvesPanel::table() {
 // What is compared with the curves, in words: its numbers have places of their own and stand in no column.
 QStringList CurvesPanel::notes() const {
   QStringList out;
-  if (ghost_ && ghost_->curves()) {
+  if (ghost_.curves()) {
     const QString since =
-        ghost_->whatChanged().isEmpty() ? QString() : tr(" (since then: %1)").arg(ghost_->whatChanged());
-    out << tr("Dashed: %1%2, %3").arg(ghost_->label(), since, ghost_->differenceText());
+        ghost_.whatChanged().isEmpty() ? QString() : tr(" (since then: %1)").arg(ghost_.whatChanged());
+    out << tr("Dashed: %1%2, %3").arg(ghost_.label(), since, ghost_.differenceText());
   }
-  if (!references_) return out;
-  const std::vector<ReferenceCurve> shown = references_->shown();
-  const auto& differences = references_->differences();
+  const std::vector<ReferenceCurve> shown = references_.shown();
+  const auto& differences = references_.differences();
   const QString against =
-      references_->expert() ? labelOf(scene_.model()->model.experts[*references_->expert()]) : tr("the mean");
+      references_.expert() ? labelOf(scene_.model()->model.experts[*references_.expert()]) : tr("the mean");
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    out << tr("Reference %1 and %2: %3").arg(shown[i].name, against, references_->differenceText(differences[i]));
+    out << tr("Reference %1 and %2: %3").arg(shown[i].name, against, references_.differenceText(differences[i]));
   }
   return out;
 }

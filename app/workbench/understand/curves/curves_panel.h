@@ -27,13 +27,10 @@ class CurvesPanel : public Card {
   Q_OBJECT
 
  public:
-  CurvesPanel(SceneController& scene, ReadingModel& readings, QWidget* parent = nullptr);
+  CurvesPanel(SceneController& scene, ReadingModel& readings, GhostController& ghost, ReferenceController& references,
+              QWidget* parent = nullptr);
 
   PlotMenu& plotMenu() { return *menu_; }
-  /// Draws the ghost and shows how far the mean is from it. Call once.
-  void setGhost(GhostController& ghost);
-  /// Draws the reference curves over the plot. Call once.
-  void setReferences(ReferenceController& references);
   /// True during a drag: thin lines without smoothing.
   void setFast(bool fast);
   void setSpreadShown(SpreadShown shown);
@@ -66,8 +63,8 @@ class CurvesPanel : public Card {
 
   SceneController& scene_;
   ReadingModel& readings_;
-  GhostController* ghost_ = nullptr;
-  ReferenceController* references_ = nullptr;
+  GhostController& ghost_;
+  ReferenceController& references_;
   QLabel* title_;
   QComboBox* x_input_;
   CurvePlot* plot_;
@@ -76,7 +73,7 @@ class CurvesPanel : public Card {
   LegendChip* ghost_chip_;
   ElidedLabel* difference_;
   ElidedLabel* step_;
-  ReferenceBar* reference_bar_ = nullptr;
+  ReferenceBar* reference_bar_;
   Refresh* draw_curves_;
   Refresh* draw_ghost_;
   Refresh* draw_references_;

@@ -66,7 +66,7 @@ class HistoryPanelTest : public tests::ShownBench {
     return found == all.end() ? nullptr : *found;
   }
   QAction* action(const QKeySequence& keys) {
-    const auto all = bench.edit_parts.menu().actions();
+    const auto all = bench.window.menus().menu(MenuSlot::kEditUndo).actions();
     const auto found = std::find_if(all.begin(), all.end(), [&](auto* a) { return a->shortcut() == keys; });
     return found == all.end() ? nullptr : *found;
   }

@@ -12,6 +12,7 @@
 #include "app/editing/same_bits.h"
 #include "app/workbench/kit/popup_form.h"
 #include "app/workbench/model/force_curves.h"
+#include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_editor.h"
 #include "app/workbench/tune/rules/rule_grids.h"
@@ -88,7 +89,8 @@ class S4ByHand : public testing::Test {
   }
 
   void splitTheEsophagus() {
-    MembershipEditor terms_editor(edits, terms, scene);
+    GhostController ghost(edits, scene);
+    MembershipEditor terms_editor(edits, terms, scene, ghost);
     terms_editor.resize(720, 560);
     terms_editor.show();
     terms.setVariable("depth");

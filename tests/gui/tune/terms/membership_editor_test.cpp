@@ -14,6 +14,7 @@
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/kit/popup_form.h"
 #include "app/workbench/model/edit_controller.h"
+#include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/tune/terms/membership_editor_plot.h"
 #include "app/workbench/tune/terms/term_controller.h"
@@ -74,7 +75,8 @@ class MembershipEditorTest : public testing::Test {
   SceneController scene{models};
   EditController edits{models};
   TermController terms{edits};
-  MembershipEditor editor{edits, terms, scene};
+  GhostController ghost{edits, scene};
+  MembershipEditor editor{edits, terms, scene, ghost};
   MembershipEditorPlot* plot = nullptr;
   QWidget* canvas = nullptr;
 };

@@ -1,4 +1,4 @@
-#include "app/workbench/main_window.h"
+#include "app/workbench/shell/main_window.h"
 
 #include <QAction>
 #include <QCommandLinkButton>
@@ -17,12 +17,13 @@
 
 #include "app/editing/membership_edits.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/bench_view.h"
 #include "app/workbench/kit/message_banner.h"
 #include "app/workbench/plot/plot_menu.h"
+#include "app/workbench/shell/bench_view.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/start_view.h"
 #include "app/workbench/understand/curves/curve_plot.h"
+#include "app/workbench/understand/curves/curves_panel.h"
 #include "app/workbench/understand/curves/reading_model.h"
 #include "app/workbench/workbench.h"
 
@@ -182,7 +183,7 @@ TEST_F(MainWindowTest, TheMouseReadsTheCurves) {
   openSample();
   auto* plot = window.findChild<CurvePlot*>();
   emit plot->hovered(8);
-  const auto* readings = window.findChild<ReadingModel*>();
+  const auto* readings = bench.curve_parts.findChild<ReadingModel*>();
   const auto force = [readings](int row) { return readings->index(row, ReadingModel::kForce).data().toString(); };
   EXPECT_EQ(force(ReadingModel::kMeanRow), QStringLiteral("0.500 N"));
   EXPECT_EQ(force(1), QStringLiteral("0.750 N"));
@@ -194,7 +195,7 @@ TEST_F(MainWindowTest, TheMouseReadsTheCurves) {
 TEST_F(MainWindowTest, ALineCanBeHidden) {
   openSample();
   const QImage before = curves();
-  auto* readings = window.findChild<ReadingModel*>();
+  auto* readings = bench.curve_parts.findChild<ReadingModel*>();
   ASSERT_TRUE(readings->setData(readings->index(1, ReadingModel::kWho), Qt::Unchecked, Qt::CheckStateRole));
   EXPECT_NE(curves(), before);
 }
@@ -255,16 +256,15 @@ TEST_F(MainWindowTest, AFileThatIsDroppedOnAFieldIsOpened) {
 
 TEST_F(MainWindowTest, SavesPicturesByTheirEnding) {
   openSample();
-  auto* view = window.findChild<BenchView*>();
   const QImage before = curves();
   const std::pair<const char*, const char*> kinds[] = {{"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}};
   for (const auto& [name, start] : kinds) {
-    ASSERT_TRUE(view->curvesMenu().savePicture(folder.path(QString::fromLatin1(name))));
+    ASSERT_TRUE(bench.curve_parts.view().plotMenu().savePicture(folder.path(QString::fromLatin1(name))));
     QFile file(folder.path(QString::fromLatin1(name)));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_TRUE(file.readAll().startsWith(start)) << name;
   }
-  const auto refused = view->curvesMenu().savePicture(folder.path(QStringLiteral("a.bmp")));
+  const auto refused = bench.curve_parts.view().plotMenu().savePicture(folder.path(QStringLiteral("a.bmp")));
   ASSERT_FALSE(refused);
   EXPECT_FALSE(QFile::exists(folder.path(QStringLiteral("a.bmp"))));
   // The caption of the picture leaves no trace in the window.

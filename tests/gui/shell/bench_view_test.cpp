@@ -1,4 +1,4 @@
-#include "app/workbench/bench_view.h"
+#include "app/workbench/shell/bench_view.h"
 
 #include <QDockWidget>
 #include <QDoubleSpinBox>

@@ -1,0 +1,52 @@
+#include "app/workbench/feel_parts.h"
+
+#include <QAction>
+
+#include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/feel_panel.h"
+#include "app/workbench/feel/feel_status.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/operating_strip.h"
+
+namespace tactus::workbench {
+
+FeelParts::FeelParts(MainWindow& window, const ModelController& models, SceneController& scene, FeelController& feel)
+    : window_(window),
+      models_(models),
+      feel_(feel),
+      view_(new FeelPanel(scene, feel)),
+      panel_(&window.addPanel(QStringLiteral("feel"), tr("Feel"), view_)) {
+  auto* status = new FeelStatus(feel);
+  window_.strip().setDeviceState(status);
+  connect(status, &FeelStatus::latencyChanged, &window_.strip(), &OperatingStrip::showLatency);
+  // Nobody can stop the force once the window is gone.
+  connect(&window_, &MainWindow::closing, &feel_, &FeelController::stop);
+  buildMenu();
+  connect(&feel_, &FeelController::stateChanged, this, &FeelParts::showActions);
+  connect(&models_, &ModelController::opened, this, &FeelParts::showActions);
+  showActions();
+}
+
+void FeelParts::buildMenu() {
+  WindowMenus& menus = window_.menus();
+  start_ = menus.addAction(MenuSlot::kFeelDevice, tr("&Start on the chosen device"), Qt::Key_F9);
+  // Works without the menu too, whatever has the keyboard (feel_panel.cpp).
+  stop_ = menus.addAction(MenuSlot::kFeelDevice, tr("S&top: no force"), Qt::Key_F12);
+  flex_ = menus.addAction(MenuSlot::kFeelPatient, tr("&Flex the neck, or raise the head"), Qt::Key_F8);
+  new_placement_ = menus.addAction(MenuSlot::kFeelPatient, tr("&New placement"));
+  connect(start_, &QAction::triggered, view_, &FeelPanel::toggle);
+  connect(stop_, &QAction::triggered, &feel_, &FeelController::stop);
+  connect(flex_, &QAction::triggered, &feel_, [this] { feel_.setNeckFlexed(!feel_.isNeckFlexed()); });
+  connect(new_placement_, &QAction::triggered, &feel_, &FeelController::newPlacement);
+}
+
+void FeelParts::showActions() {
+  const bool open = models_.current() != nullptr;
+  start_->setEnabled(open && feel_.state() == FeelController::State::kStopped);
+  stop_->setEnabled(feel_.isRunning() || feel_.state() == FeelController::State::kOpening);
+  flex_->setEnabled(open);
+  new_placement_->setEnabled(feel_.isRunning());
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,154 @@
+#include "app/workbench/shell/main_window.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusTipEvent>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/reading_order.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/operating_strip.h"
+#include "app/workbench/shell/panel_area.h"
+#include "app/workbench/shell/stage_rail.h"
+#include "core/base/check.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr auto kGeometryKey = "window_geometry";
+constexpr auto kStageKey = "stage";
+constexpr int kRoomyWidth = 1500;  // px: below it the rail takes less room
+
+}  // namespace
+
+MainWindow::MainWindow(const ModelController& models, SceneController& scene, QSettings& settings)
+    : settings_(settings),
+      menus_(*menuBar()),
+      banner_(new MessageBanner(this)),
+      column_(new QVBoxLayout),
+      screens_(new QStackedWidget(this)),
+      bench_(new BenchView(scene, settings, this)),
+      rail_(new StageRail(this)),
+      strip_(new OperatingStrip(models, scene, this)) {
+  screens_->addWidget(bench_);
+  auto* content = new QWidget(this);
+  column_->setSpacing(theme::kGrid);
+  column_->addWidget(banner_);
+  column_->addWidget(screens_, 1);
+  auto* stage = new QHBoxLayout;
+  stage->setSpacing(theme::kGrid);
+  stage->addWidget(rail_);
+  stage->addLayout(column_, 1);
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
+  layout->setSpacing(theme::kGrid / 2);
+  layout->addLayout(stage, 1);
+  layout->addWidget(strip_);
+  setCentralWidget(content);
+  // There is nothing to do in a stage before a model is open.
+  rail_->hide();
+  strip_->hide();
+  setWindowTitle(tr("Tactus Workbench"));
+
+  connect(menus_.addAction(MenuSlot::kFileQuit, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
+          &QWidget::close);
+  connect(rail_, &StageRail::chosen, this, &MainWindow::enter);
+  connect(&models, &ModelController::opened, this, &MainWindow::showStages);
+
+  setMinimumSize(1024, 640);
+  resize(1280, 800);
+  restoreGeometry(settings_.value(QLatin1String(kGeometryKey)).toByteArray());
+}
+
+void MainWindow::setStartScreen(QWidget* screen) {
+  screens_->addWidget(screen);
+  screens_->setCurrentWidget(screen);
+}
+
+void MainWindow::addScreen(Stage stage, QWidget* screen) {
+  TACTUS_CHECK(!hasScreen(stage));
+  if (screens_->indexOf(screen) < 0) screens_->addWidget(screen);
+  stages_.insert(static_cast<int>(stage), screen);
+  rail_->setReady(stage);
+}
+
+void MainWindow::addScreen(Stage stage, std::vector<PanelPlace> layout) {
+  panels().setLayout(stage, std::move(layout));
+  addScreen(stage, bench_);
+}
+
+Panel& MainWindow::addPanel(const QString& id, const QString& title, QWidget* content) {
+  return panels().addPanel(id, title, content);
+}
+
+void MainWindow::addStrip(QWidget* strip) { column_->insertWidget(column_->indexOf(screens_), strip); }
+
+void MainWindow::addCloseGuard(std::function<bool()> may_close) { close_guards_.push_back(std::move(may_close)); }
+
+void MainWindow::showError(const QString& sentence) { banner_->showError(sentence); }
+
+void MainWindow::say(const QString& sentence) { strip_->showMessage(harmless(sentence)); }
+
+void MainWindow::enter(Stage stage) {
+  TACTUS_CHECK(hasScreen(stage));
+  stage_ = stage;
+  QWidget* const screen = stages_.value(static_cast<int>(stage));
+  screens_->setCurrentWidget(screen);
+  if (screen == bench_) {
+    // The panels take their shares of the room that the window has now.
+    if (!panels().stage()) centralWidget()->layout()->activate();
+    panels().enter(stage);
+  }
+  rail_->setStage(stage);
+  settings_.setValue(QLatin1String(kStageKey), stageId(stage));
+  emit entered(stage);
+}
+
+void MainWindow::showStages() {
+  rail_->show();
+  strip_->show();
+  if (!stage_) enter(lastStage());
+}
+
+Stage MainWindow::lastStage() const {
+  const QString id = settings_.value(QLatin1String(kStageKey)).toString();
+  const auto last = std::find_if(kStages.begin(), kStages.end(),
+                                 [&](Stage stage) { return stageId(stage) == id && hasScreen(stage); });
+  return last == kStages.end() ? Stage::kTune : *last;
+}
+
+// A field that refuses what was typed says so in a status tip.
+bool MainWindow::event(QEvent* event) {
+  if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
+  if (const QString tip = static_cast<QStatusTipEvent*>(event)->tip(); !tip.isEmpty()) say(tip);
+  return true;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!std::all_of(close_guards_.rbegin(), close_guards_.rend(), [](const auto& may_close) { return may_close(); })) {
+    event->ignore();
+    return;
+  }
+  emit closing();
+  panels().storeLayout();
+  settings_.setValue(QLatin1String(kGeometryKey), saveGeometry());
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  rail_->setCompact(width() < kRoomyWidth);
+}
+
+bool MainWindow::focusNextPrevChild(bool next) { return focusNextAsRead(*this, next); }
+
+}  // namespace tactus::workbench

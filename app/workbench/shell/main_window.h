@@ -1,0 +1,95 @@
+// The main window: menus, messages, the stages with their screens, and the strip below. Features add to it what they
+// show; it knows none of them.
+#pragma once
+
+#include <QHash>
+#include <QMainWindow>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/kit/say.h"
+#include "app/workbench/shell/bench_view.h"
+#include "app/workbench/shell/stage.h"
+#include "app/workbench/shell/window_menus.h"
+
+class QSettings;
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace tactus::workbench {
+
+class MessageBanner;
+class ModelController;
+class OperatingStrip;
+class Panel;
+struct PanelPlace;
+class SceneController;
+class StageRail;
+
+class MainWindow : public QMainWindow, public MessagePlace {
+  Q_OBJECT
+
+ public:
+  MainWindow(const ModelController& models, SceneController& scene, QSettings& settings);
+
+  WindowMenus& menus() { return menus_; }
+  /// The screen that is shown until a stage is entered.
+  void setStartScreen(QWidget* screen);
+  /// Adds the screen of `stage`, which can be entered from now on.
+  void addScreen(Stage stage, QWidget* screen);
+  /// Adds a panel; `id` is its name in the settings and nowhere else.
+  Panel& addPanel(const QString& id, const QString& title, QWidget* content);
+  /// Gives `stage` these panels as its screen.
+  void addScreen(Stage stage, std::vector<PanelPlace> layout);
+  /// Adds a line above the screen, below the messages.
+  void addStrip(QWidget* strip);
+  /// Adds a question for the user before the window closes: false keeps it open. The one added last is asked first.
+  void addCloseGuard(std::function<bool()> may_close);
+
+  PanelArea& panels() { return bench_->panels(); }
+  /// The line above the panels.
+  ModelHeader& header() { return bench_->header(); }
+  OperatingStrip& strip() { return *strip_; }
+  MessageBanner& banner() { return *banner_; }
+  /// Shows one sentence in the strip for some seconds: what was done, or why it was refused. Errors go to the banner.
+  void say(const QString& sentence) override;
+  void showError(const QString& sentence) override;
+
+  /// Whether `stage` has a screen.
+  bool hasScreen(Stage stage) const { return stages_.contains(static_cast<int>(stage)); }
+  std::optional<Stage> stage() const { return stage_; }
+
+ public slots:
+  /// `stage` has a screen.
+  void enter(tactus::workbench::Stage stage);
+
+ signals:
+  void entered(tactus::workbench::Stage stage);
+  /// The window is about to close, and all guards have agreed.
+  void closing();
+
+ protected:
+  bool event(QEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+
+ private:
+  void showStages();
+  Stage lastStage() const;
+
+  QSettings& settings_;
+  WindowMenus menus_;
+  MessageBanner* banner_;
+  QVBoxLayout* column_;
+  QStackedWidget* screens_;
+  BenchView* bench_;
+  StageRail* rail_;
+  OperatingStrip* strip_;
+  QHash<int, QWidget*> stages_;  ///< the screen of each stage that has one
+  std::optional<Stage> stage_;
+  std::vector<std::function<bool()>> close_guards_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,155 @@
+#include "app/workbench/shell/model_files.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/study_path.h"
+#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/file_drop.h"
+#include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/model_header.h"
+#include "app/workbench/shell/recent_files.h"
+#include "app/workbench/shell/start_view.h"
+
+namespace tactus::workbench {
+
+ModelFiles::ModelFiles(MainWindow& window, ModelController& models, RecentFiles& recent)
+    : window_(window), models_(models), recent_(recent) {
+  auto* start = new StartView(recent);
+  window_.setStartScreen(start);
+  connect(start, &StartView::openRequested, this, &ModelFiles::choose);
+  connect(start, &StartView::recentRequested, this, &ModelFiles::open);
+  connect(new FileDrop(window_), &FileDrop::dropped, this, &ModelFiles::open);
+  window_.addCloseGuard([this] { return mayLoseChanges(); });
+  buildMenu();
+  listRecent();
+  connectAll();
+}
+
+void ModelFiles::buildMenu() {
+  WindowMenus& menus = window_.menus();
+  open_ = menus.addAction(MenuSlot::kFileOpen, tr("&Open…"), QKeySequence::Open);
+  recent_menu_ = menus.addMenu(MenuSlot::kFileOpen, tr("Open &recent"));
+  reopen_ = menus.addAction(MenuSlot::kFileOpen, tr("&Reopen"), Qt::Key_F5);
+  save_ = menus.addAction(MenuSlot::kFileSave, tr("&Save"), QKeySequence::Save);
+  save_as_ = menus.addAction(MenuSlot::kFileSave, tr("Save &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S);
+  for (QAction* action : {reopen_, save_, save_as_}) action->setEnabled(false);
+}
+
+void ModelFiles::connectAll() {
+  connect(open_, &QAction::triggered, this, &ModelFiles::choose);
+  connect(reopen_, &QAction::triggered, this, &ModelFiles::reopen);
+  connect(save_, &QAction::triggered, &models_, &ModelController::save);
+  connect(save_as_, &QAction::triggered, this, &ModelFiles::chooseCopy);
+  connect(&recent_, &RecentFiles::changed, this, &ModelFiles::listRecent);
+  connect(&models_, &ModelController::openFailed, this, &ModelFiles::showFailure);
+  connect(&models_, &ModelController::saveFailed, this,
+          [this](const QString& /*path*/, const QString& sentence) { window_.banner().showError(sentence); });
+  connect(&models_, &ModelController::saved, this, &ModelFiles::showTitle);
+  connect(&models_, &ModelController::modifiedChanged, &window_, &QWidget::setWindowModified);
+  connect(&models_, &ModelController::opened, this, &ModelFiles::showModel);
+}
+
+void ModelFiles::choose() {
+  const auto open = models_.current();
+  const QString folder = open ? QFileInfo(open->path).absolutePath() : QString();
+  const QString path = QFileDialog::getOpenFileName(
+      &window_, tr("Open a model or a study"), folder,
+      tr("Models and studies (*.json *.tactus);;Force models (*.json);;Studies (*.tactus);;"
+         "All files (*)"));
+  if (!path.isEmpty()) this->open(path);
+}
+
+void ModelFiles::chooseCopy() {
+  const OpenModel& open = *models_.current();
+  const QFileInfo file(open.path);
+  const QString proposal =
+      open.in_study ? file.absolutePath() + QLatin1Char('/') + file.completeBaseName() + QStringLiteral(".tactus.json")
+                    : open.path;
+  QString path =
+      QFileDialog::getSaveFileName(&window_, tr("Save the model"), proposal, tr("Force models (*.tactus.json)"));
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) path += QStringLiteral(".tactus.json");
+  models_.saveAs(path);
+}
+
+void ModelFiles::open(const QString& path) {
+  if (!mayLoseChanges()) return;
+  if (isStudyPath(path)) {
+    emit studyChosen(path);
+  } else {
+    models_.open(path);
+  }
+}
+
+void ModelFiles::reopen() {
+  if (mayLoseChanges()) models_.reopen();
+}
+
+bool ModelFiles::mayLoseChanges() {
+  if (!models_.isModified()) return true;
+  const auto answer =
+      QMessageBox::question(&window_, tr("Changes not saved"),
+                            tr("%1 has changes that are not saved.").arg(text(models_.current()->model.name)),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) models_.save();
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && !models_.isModified());
+}
+
+void ModelFiles::showModel() {
+  const OpenModel& open = *models_.current();
+  for (QAction* action : {reopen_, save_, save_as_}) action->setEnabled(true);
+  showTitle();
+  if (open.warnings.isEmpty()) {
+    window_.banner().hide();
+  } else {
+    window_.banner().showNote(tr("Parts of the file were not used: %1").arg(open.warnings.join(QStringLiteral("; "))));
+  }
+}
+
+void ModelFiles::showStudy(const QString& name) {
+  const QString shown = harmless(name);
+  if (shown == study_) return;
+  study_ = shown;
+  window_.header().showStudy(shown);
+  showTitle();
+}
+
+void ModelFiles::showTitle() {
+  const QString study = study_.isEmpty() ? QString() : tr(" – study %1").arg(study_);
+  if (!models_.current()) {
+    window_.setWindowTitle(tr("Tactus Workbench") + study);
+    return;
+  }
+  const OpenModel& open = *models_.current();
+  const QString file = shownFileName(open.path);
+  const QString name = harmless(text(open.model.name));
+  // Of a model that the study keeps the file is the study's.
+  window_.setWindowTitle(file == study_ ? name + study + QStringLiteral("[*]")
+                                        : QStringLiteral("%1 – %2%3[*]").arg(name, file, study));
+  // One that was left by its study has no file yet.
+  if (QFileInfo::exists(open.path)) recent_.add(open.path);
+}
+
+void ModelFiles::showFailure(const QString& path, const QString& sentence) {
+  window_.banner().showError(sentence);
+  if (!QFileInfo::exists(path)) recent_.remove(path);
+}
+
+void ModelFiles::listRecent() {
+  recent_menu_->clear();
+  for (const QString& path : recent_.paths()) {
+    QAction* action = recent_menu_->addAction(QString(path).replace(QLatin1Char('&'), QLatin1String("&&")));
+    // Queued, because opening the file rebuilds this menu and with it the action.
+    connect(
+        action, &QAction::triggered, this, [this, path] { open(path); }, Qt::QueuedConnection);
+  }
+  recent_menu_->setEnabled(!recent_menu_->isEmpty());
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,58 @@
+// Model files in the window: the start screen, the menu File, dropped and recent files, the title, and the question
+// about unsaved changes. Studies are files too; opening them is another's work.
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+class QAction;
+class QMenu;
+
+namespace tactus::workbench {
+
+class MainWindow;
+class ModelController;
+class RecentFiles;
+
+class ModelFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  ModelFiles(MainWindow& window, ModelController& models, RecentFiles& recent);
+
+  /// Asks the user about unsaved changes, if there are any. Returns whether another model may be opened.
+  bool mayLoseChanges();
+  /// The study that is open, by its file's name, in the title and beside the heading; empty: none.
+  void showStudy(const QString& name);
+
+ public slots:
+  /// Opens a model file, or emits `studyChosen` for a study file. Asks about unsaved changes first.
+  void open(const QString& path);
+
+ signals:
+  /// The user chose a study file to open.
+  void studyChosen(const QString& path);
+
+ private:
+  void buildMenu();
+  void connectAll();
+  void choose();
+  void chooseCopy();
+  void reopen();
+  void showModel();
+  void showTitle();
+  void showFailure(const QString& path, const QString& sentence);
+  void listRecent();
+
+  MainWindow& window_;
+  ModelController& models_;
+  RecentFiles& recent_;
+  QString study_;  ///< file name of the open study
+  QMenu* recent_menu_ = nullptr;
+  QAction* open_ = nullptr;
+  QAction* reopen_ = nullptr;
+  QAction* save_ = nullptr;
+  QAction* save_as_ = nullptr;
+};
+
+}  // namespace tactus::workbench

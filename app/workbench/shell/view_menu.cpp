@@ -1,0 +1,66 @@
+#include "app/workbench/shell/view_menu.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QMenu>
+#include <utility>
+
+#include "app/workbench/base/theme.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/panel_area.h"
+
+namespace tactus::workbench {
+
+ViewMenu::ViewMenu(MainWindow& window, const ModelController& models, QSettings& settings)
+    : window_(window), settings_(settings) {
+  QAction* const stages = addStages()->menuAction();
+  QAction* const panels = addPanels()->menuAction();
+  addLooks();
+  QAction* const reset =
+      window_.menus().addAction(MenuSlot::kView, tr("&Reset layout"), Qt::CTRL | Qt::SHIFT | Qt::Key_R);
+  connect(reset, &QAction::triggered, &window_.panels(), &PanelArea::resetLayout);
+  for (QAction* action : {stages, panels, reset}) {
+    action->setEnabled(false);
+    connect(&models, &ModelController::opened, action, [action] { action->setEnabled(true); });
+  }
+}
+
+QMenu* ViewMenu::addStages() {
+  QMenu* menu = window_.menus().addMenu(MenuSlot::kView, tr("&Stage"));
+  int number = 0;
+  for (const Stage stage : kStages) {
+    QAction* action = menu->addAction(stageName(stage));
+    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number++)));
+    action->setEnabled(window_.hasScreen(stage));
+    connect(action, &QAction::triggered, &window_, [this, stage] { window_.enter(stage); });
+  }
+  return menu;
+}
+
+QMenu* ViewMenu::addPanels() {
+  QMenu* menu = window_.menus().addMenu(MenuSlot::kView, tr("&Panels"));
+  menu->addActions(window_.panels().toggleActions());
+  return menu;
+}
+
+void ViewMenu::addLooks() {
+  QMenu* menu = window_.menus().addMenu(MenuSlot::kView, tr("&Look"));
+  auto* group = new QActionGroup(menu);
+  const std::pair<theme::Look, QString> looks[] = {{theme::Look::kLight, tr("&Light")},
+                                                   {theme::Look::kDark, tr("&Dark")}};
+  const theme::Look now = theme::storedLook(settings_);
+  for (const auto& [look, name] : looks) {
+    QAction* action = menu->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(look == now);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, chosen = look] {
+      theme::storeLook(settings_, chosen);
+      theme::changeLook(*qApp, chosen);
+    });
+  }
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,47 @@
+#include "app/workbench/workbench.h"
+
+#include <utility>
+
+namespace tactus::workbench {
+
+Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAccess devices)
+    : scene(models),
+      device(std::move(devices)),
+      feel(scene, device),
+      edits(models),
+      compare(models, edits,
+              [this] {
+                return scene.model() == nullptr ? CurveSetting() : CurveSetting{scene.xInput(), scene.values()};
+              }),
+      author(settings, edits),
+      autosave(models, edits, autosave_root),
+      recovery(models, edits, autosave, autosave_root),
+      terms(edits),
+      rules(edits, scene),
+      ghost(edits, scene),
+      references(scene),
+      findings(edits, scene),
+      study_models(study, models, edits),
+      feel_store(feel, scene, study, [this] { return study_models.modelVersion(); }),
+      recent(settings),
+      window(models, scene, settings),
+      files(window, models, recent),
+      here_parts(window, scene),
+      curve_parts(window, models, scene, edits, ghost, references, settings),
+      map_parts(window, models, scene),
+      feel_parts(window, models, scene, feel),
+      rule_parts(window, rules),
+      edit_parts(window, edits, terms, scene, ghost),
+      finding_parts(window, findings, terms, rules),
+      study_parts(window, files, study, study_models, feel, feel_parts.view(), feel_store, models, recent),
+      note_parts(window, study, study_models, edit_parts.editor()),
+      history_parts(window, edits, compare, scene, feel, author, ghost),
+      recovery_parts(window, files, autosave, recovery, edits, study),
+      picture_parts(window, models),
+      screens(window, {here_parts.terms(), here_parts.rules(), curve_parts.curves(), curve_parts.reading(),
+                       map_parts.map(), map_parts.surface(), feel_parts.panel(), edit_parts.panel(), rule_parts.panel(),
+                       finding_parts.panel(), history_parts.panel()}),
+      view_menu(window, models, settings),
+      help_menu(window) {}
+
+}  // namespace tactus::workbench
