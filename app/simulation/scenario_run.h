@@ -50,7 +50,7 @@ struct RunSummary {
   double largest_step_n = 0;     ///< largest change of the resistance between two ticks
   int transitions = 0;           ///< between stuck and sliding
   std::uint64_t held_ticks = 0;  ///< ticks without a firing rule, in which the last force was held
-  haptics::SceneCounters scene;
+  render::SceneCounters scene;
   std::vector<TripSeen> trips;
   std::array<LimitSeen, haptics::kLimitNames.size()> limits;  ///< in the order of haptics::kLimitNames
 };

@@ -37,7 +37,7 @@ struct Placement {
   std::vector<haptics::ServoOrders> orders;  ///< one per set of conditions
   haptics::DeviceInfo device;
   std::vector<PlacedTick> ticks;
-  haptics::SceneCounters counters;
+  render::SceneCounters counters;
 };
 
 ScenePointer sceneOf(const fuzzy::ForceModel& model, const Conditions& conditions, double fade_s) {
@@ -92,7 +92,7 @@ Placement placementOn(const fuzzy::ForceModel& model) {
 
 /// The whole tick of the servo on the recorded device; `each` gets every force.
 template <typename Each>
-haptics::SceneCounters replay(const Placement& placement, Each each) {
+render::SceneCounters replay(const Placement& placement, Each each) {
   haptics::ServoCore core(placement.device);
   for (const PlacedTick& tick : placement.ticks)
     each(core.tick(told(tick.device, placement.orders[tick.conditions])).force_n);

@@ -51,7 +51,7 @@ std::uint64_t Servo::post(ServoOrders orders) {
 }
 
 void Servo::publish() noexcept {
-  const SceneCounters& counters = core_.counters();
+  const render::SceneCounters& counters = core_.counters();
   thermal_share_.store(core_.thermalShare(), std::memory_order_relaxed);
   scene_ticks_.store(counters.ticks, std::memory_order_relaxed);
   scene_asked_.store(counters.asked, std::memory_order_relaxed);
@@ -59,8 +59,8 @@ void Servo::publish() noexcept {
   scene_unchanged_.store(counters.unchanged, std::memory_order_relaxed);
 }
 
-SceneCounters Servo::sceneCounters() const noexcept {
-  SceneCounters counters;
+render::SceneCounters Servo::sceneCounters() const noexcept {
+  render::SceneCounters counters;
   counters.ticks = scene_ticks_.load(std::memory_order_relaxed);
   counters.asked = scene_asked_.load(std::memory_order_relaxed);
   counters.released = scene_released_.load(std::memory_order_relaxed);

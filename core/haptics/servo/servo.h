@@ -69,7 +69,7 @@ class Servo final : public Ticked {
   /// Thread: any. A snapshot; single numbers may come from neighboring ticks.
   LoopStatistics statistics() const noexcept { return meter_.snapshot(); }
   /// Counts of evaluated and skipped inferences. Thread: any (a snapshot).
-  SceneCounters sceneCounters() const noexcept;
+  render::SceneCounters sceneCounters() const noexcept;
   /// Used share of the thermal budget, [0, 1]. At 1 the motors must rest. Thread: any.
   double thermalShare() const noexcept { return thermal_share_.load(std::memory_order_relaxed); }
   /// The flight record of a trip not yet taken, or nothing. Thread: one reader. Real-time safe: no.

@@ -70,12 +70,13 @@ double ServoCore::sources(const ServoTick& tick, double position_mm, double dt_s
   if (placement_ != orders.placement) insertion_.place(orders.start_depth_mm);
   placement_ = orders.placement;
 
-  InsertionTick insertion;
+  render::InsertionTick insertion;
   insertion.active = orders.source == ForceSource::kInsertion;
   insertion.enabled = enabled;
   insertion.position_mm = position_mm;
   insertion.force_cap_n = orders.limits.force_cap_n;
   insertion.scene = orders.scene.get();
+  if (orders.scene) insertion.fade_s = orders.scene->fadeS();
   insertion.dt_s = dt_s;
   const double insertion_n = insertion_.tick(insertion);
   const render::Fault fault = insertion_.state().fault;

@@ -9,8 +9,8 @@
 #include "core/haptics/safety/safety.h"
 #include "core/haptics/servo/sample.h"
 #include "core/haptics/servo/servo_orders.h"
-#include "core/haptics/sources/insertion_source.h"
 #include "core/haptics/sources/stimulus_source.h"
+#include "core/render/insertion.h"
 
 namespace tactus::haptics {
 
@@ -43,7 +43,7 @@ class ServoCore {
   /// fades.
   const AxisMapping& axis() const noexcept { return axis_; }
   const Trip& tripped() const noexcept { return safety_.tripped(); }
-  const SceneCounters& counters() const noexcept { return insertion_.counters(); }
+  const render::SceneCounters& counters() const noexcept { return insertion_.counters(); }
   /// Used share of the thermal budget, [0, 1].
   double thermalShare() const noexcept { return safety_.thermalShare(); }
   /// The load of the motors after the last force has ended, if no tick follows.
@@ -57,7 +57,7 @@ class ServoCore {
 
   double period_s_;
   Safety safety_;
-  InsertionSource insertion_;
+  render::Insertion insertion_;
   StimulusSource stimulus_;
   std::uint64_t ticks_ = 0;
   std::int64_t last_ns_ = 0;                ///< of the last tick

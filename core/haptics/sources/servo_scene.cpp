@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <span>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,23 +29,6 @@ const Variable* moved(const ForceModel& model, const std::string& id) {
   const auto found =
       std::find_if(model.inputs.begin(), model.inputs.end(), [&](const Variable& input) { return input.id == id; });
   return id.empty() || found == model.inputs.end() ? nullptr : &*found;
-}
-
-/// `1` and no unit at all say nothing about lengths and forces.
-base::Result<void> checkUnit(const Variable& variable, std::string_view unit) {
-  if (variable.unit.empty() || variable.unit == "1" || variable.unit == unit) return {};
-  return base::fail(ErrorCode::kValue, "unit of " + base::quoted(variable.id), base::quoted(variable.unit),
-                    std::string(unit) + ", which is what the servo works in");
-}
-
-base::Result<void> checkUnits(const ForceModel& model, const Variable* depth, const Variable* speed) {
-  if (depth != nullptr) {
-    if (auto unit = checkUnit(*depth, "mm"); !unit) return unit;
-  }
-  if (speed != nullptr) {
-    if (auto unit = checkUnit(*speed, "mm/s"); !unit) return unit;
-  }
-  return checkUnit(model.output, "N");
 }
 
 /// One entry per input of the model: a value where it is fixed, nothing where the renderer moves it.
@@ -85,11 +66,6 @@ base::Result<std::vector<std::optional<double>>> fixedInputs(const ForceModel& m
       wanted.empty() ? "no conditions" : "conditions for " + base::joined(wanted, ", ") + " and nothing else");
 }
 
-std::uint64_t nextSerial() noexcept {
-  static std::atomic<std::uint64_t> last{0};  // each stands for itself: relaxed
-  return last.fetch_add(1, std::memory_order_relaxed) + 1;
-}
-
 std::string microseconds(double time_s) { return base::formatFixed(time_s * 1e6, 1) + " microseconds"; }
 
 }  // namespace
@@ -119,8 +95,6 @@ double measuredCostS(const fuzzy::CompiledModel& compiled, double enough_s) {
   return cost_s;
 }
 
-ServoScene::ServoScene(fuzzy::Scene scene) : scene_(std::move(scene)), serial_(nextSerial()) {}
-
 base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceModel& model, const Conditions& conditions,
                                                                  const SceneSettings& settings) {
   const auto compiled = fuzzy::compile(model);
@@ -142,19 +116,19 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
     return base::fail(ErrorCode::kValue, "moved inputs", base::quoted(depth->id) + " for depth and for speed",
                       "two different inputs");
   }
-  if (auto units = checkUnits(model, depth, speed); !units) return tl::unexpected(units.error());
+  if (auto units = render::checkTubeUnits(depth, speed, model.output); !units) return tl::unexpected(units.error());
   const auto fixed = fixedInputs(model, conditions, depth, speed);
   if (!fixed) return tl::unexpected(fixed.error());
   auto specialised = fuzzy::Scene::specialise(compiled, *fixed, fuzzy::SceneUse::kPoints);
   if (!specialised) return tl::unexpected(specialised.error());
 
-  const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(*specialised)));
-  scene->renderer_ = model.renderer.value_or(fuzzy::RendererParameters{});
+  render::TubeSettings tube;
+  tube.renderer = model.renderer.value_or(fuzzy::RendererParameters{});
   const bool speed_first = depth != nullptr && speed != nullptr && speed < depth;
-  if (depth != nullptr) scene->depth_ = speed_first ? 1 : 0;
-  if (speed != nullptr) scene->speed_ = depth != nullptr && !speed_first ? 1 : 0;
-  scene->depth_end_mm_ = depth != nullptr ? depth->max : std::numeric_limits<double>::infinity();
-  scene->fade_s_ = settings.fade_s;
+  if (depth != nullptr) tube.depth = speed_first ? 1 : 0;
+  if (speed != nullptr) tube.speed = depth != nullptr && !speed_first ? 1 : 0;
+  if (depth != nullptr) tube.depth_end_mm = depth->max;
+  const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(*specialised), tube, settings.fade_s));
   if (settings.known_cost_s) {
     scene->cost_s_ = *settings.known_cost_s;
   } else if (std::isfinite(settings.largest_cost_s)) {
@@ -165,14 +139,6 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
                       "at most " + microseconds(settings.largest_cost_s) + ", so that the servo keeps its time");
   }
   return scene;
-}
-
-render::ModelForce ServoScene::force(const render::ForcePoint& point) const noexcept {
-  std::array<double, 2> free_inputs{};
-  if (depth_) free_inputs[*depth_] = point.depth_mm;
-  if (speed_) free_inputs[*speed_] = point.speed_mm_s;
-  const fuzzy::Evaluation answer = scene_.evaluate(std::span(free_inputs).first(scene_.freeInputCount()));
-  return {answer.force_n, answer.fired};
 }
 
 }  // namespace tactus::haptics

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,8 +11,7 @@
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
-#include "core/fuzzy/scene.h"
-#include "core/render/insertion_renderer.h"
+#include "core/render/tube_scene.h"
 
 namespace tactus::haptics {
 
@@ -45,7 +43,7 @@ struct SceneSettings {
 double measuredCostS(const fuzzy::CompiledModel& compiled, double enough_s = SceneSettings().largest_cost_s);
 
 /// Immutable; made by whoever posts it, only read by the servo, freed by whoever posted it.
-class ServoScene {
+class ServoScene : public render::TubeScene {
  public:
   /// Refused with one sentence: an invalid model, a depth, speed or force in other units than mm, mm/s and N (a
   /// variable without a unit is taken as it is), a condition that is missing, unknown or not finite, a fade out of
@@ -59,29 +57,16 @@ class ServoScene {
                                                               const Conditions& conditions,
                                                               const SceneSettings& settings = {});
 
-  /// The force for the renderer. Equal bit by bit to CompiledModel::evaluate. Real-time safe: yes.
-  render::ModelForce force(const render::ForcePoint& point) const noexcept;
-
-  /// A number > 0, different for each scene of this process. It identifies a scene better than its address, which may
-  /// be reused.
-  std::uint64_t serial() const noexcept { return serial_; }
-  const fuzzy::RendererParameters& renderer() const noexcept { return renderer_; }
-  /// End of the model's depth, including the offset; infinite for a model without depth.
-  double depthEndMm() const noexcept { return depth_end_mm_; }
+  /// Duration of the fade from the scene before to this one, s.
   double fadeS() const noexcept { return fade_s_; }
   /// Cost of one force of the model, s: measured or as given. 0: not asked for, because the budget is infinite.
   double costS() const noexcept { return cost_s_; }
 
  private:
-  explicit ServoScene(fuzzy::Scene scene);
+  ServoScene(fuzzy::Scene scene, const render::TubeSettings& settings, double fade_s)
+      : TubeScene(std::move(scene), settings), fade_s_(fade_s) {}
 
-  fuzzy::Scene scene_;
-  std::uint64_t serial_;
-  fuzzy::RendererParameters renderer_;
-  std::optional<std::size_t> depth_;  ///< index among the free inputs
-  std::optional<std::size_t> speed_;
-  double depth_end_mm_ = 0;
-  double fade_s_ = 0.05;
+  double fade_s_;
   double cost_s_ = 0;
 };
 

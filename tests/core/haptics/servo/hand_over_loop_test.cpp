@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/haptics/sources/insertion_source.h"
+#include "core/haptics/sources/servo_scene.h"
+#include "core/render/insertion.h"
 
 #include "tests/core/haptics/scenes.h"
 #include "tests/support/loop_measures.h"
@@ -45,7 +46,7 @@ std::vector<Motion> motions() {
 
 /// The forces of a loop in which the edits, in the order of their ticks, come one after another.
 std::vector<support::LoopTick> edited(const SimulatedHand& hand, const Motion& motion, const std::vector<Edit>& edits) {
-  InsertionSource source(1);
+  render::Insertion source(1);
   source.place(kDepthMm);
   int ticks = 0;
   std::size_t next = 0;
@@ -53,10 +54,11 @@ std::vector<support::LoopTick> edited(const SimulatedHand& hand, const Motion& m
   return simulateLoop(hand, {}, motion.plan, motion.duration_s, [&](double, double position_mm, double dt_s) {
     while (next < edits.size() && edits[next].tick <= ticks) scene = edits[next++].scene.get();
     ++ticks;
-    InsertionTick tick;
+    render::InsertionTick tick;
     tick.active = tick.enabled = true;
     tick.position_mm = position_mm;
     tick.scene = scene;
+    if (scene != nullptr) tick.fade_s = scene->fadeS();
     tick.dt_s = dt_s;
     return source.tick(tick);
   });

@@ -164,7 +164,7 @@ TEST(ServoCore, FreeRecordsTheHandWithoutForce) {
   EXPECT_EQ(hand.largest_step_n, 0);
   EXPECT_NEAR(hand.sample.position_mm, 80, kRounding);
   EXPECT_NEAR(hand.sample.speed_mm_s, 200, 1e-6);  // 400 ms are 60 time constants of the filter
-  EXPECT_EQ(hand.core.counters(), SceneCounters{});
+  EXPECT_EQ(hand.core.counters(), render::SceneCounters{});
 }
 
 TEST(ServoCore, AStimulusIsFeltAfterItsRamp) {

@@ -243,7 +243,7 @@ TEST_F(ServoInVirtualTime, CountersOfTheSceneAreSeenFromOutside) {
   orders_.scene = *scene;
   servo_.post(orders_);
   run(100);
-  const SceneCounters seen = servo_.sceneCounters();
+  const render::SceneCounters seen = servo_.sceneCounters();
   EXPECT_EQ(seen.ticks, 100U);
   EXPECT_EQ(seen.released, 100U) << "nobody holds the device";
   EXPECT_EQ(seen.asked, 0U);

@@ -111,7 +111,7 @@ TEST(ServoScene, RefusesModelsThatItCannotRender) {
   auto centimetres = support::s4Shifted();
   centimetres.inputs[2].unit = "cm";
   EXPECT_EQ(refusal(centimetres, between()).message(),
-            "unit of 'depth': found 'cm', wanted mm, which is what the servo works in");
+            "unit of 'depth': found 'cm', wanted mm, which is what the insertion works in");
 
   SceneSettings settings;
   settings.moved.speed = "depth";

@@ -1,9 +1,9 @@
-#include "core/haptics/sources/insertion_source.h"
+#include "core/render/insertion.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace tactus::haptics {
+namespace tactus::render {
 namespace {
 
 /// Less than this is rounding left over from adding up ticks.
@@ -17,8 +17,8 @@ double kept(double left_s, double dt_s) noexcept {
 
 }  // namespace
 
-void InsertionSource::place(double start_depth_mm) noexcept {
-  render::RendererState next;
+void Insertion::place(double start_depth_mm) noexcept {
+  RendererState next;
   next.depth_mm = start_depth_mm;
   next.fault = state_.fault;
   next.position_mm = state_.position_mm;
@@ -26,33 +26,33 @@ void InsertionSource::place(double start_depth_mm) noexcept {
   // The force of the placement before goes as after a release; what fades already fades no slower.
   next.force_n = next.fading_n = state_.force_n;
   next.fading_rate_n_s =
-      std::max(std::abs(state_.force_n) / render::kReleaseFadeS, state_.fading_n != 0 ? state_.fading_rate_n_s : 0);
+      std::max(std::abs(state_.force_n) / kReleaseFadeS, state_.fading_n != 0 ? state_.fading_rate_n_s : 0);
   state_ = next;
 }
 
-double InsertionSource::tick(const InsertionTick& tick) noexcept {
+double Insertion::tick(const InsertionTick& tick) noexcept {
   fade(tick.dt_s);
-  takeScene(tick.scene);
+  takeScene(tick.scene, tick.fade_s);
   settings_.force_cap_n = std::max(0.0, tick.force_cap_n);
 
-  render::RendererInput input;
+  RendererInput input;
   input.position_mm = tick.position_mm;
   input.enabled = tick.active && tick.enabled && tick.scene != nullptr;
   input.conditions = conditions_;
   const std::uint64_t asked_before = counters_.asked;
-  if (const auto point = render::forceNeeded(state_, input, settings_)) input.force = answer(*point, *tick.scene);
-  state_ = render::step(state_, input, settings_, tick.dt_s);
+  if (const auto point = forceNeeded(state_, input, settings_)) input.force = answer(*point, tick);
+  state_ = step(state_, input, settings_, tick.dt_s);
 
   if (tick.active) {
     ++counters_.ticks;
     if (counters_.asked == asked_before)
-      ++(state_.phase == render::Phase::kReleased ? counters_.released : counters_.unchanged);
+      ++(state_.phase == Phase::kReleased ? counters_.released : counters_.unchanged);
   }
   return state_.force_n;
 }
 
-void InsertionSource::takeScene(const ServoScene* scene) noexcept {
-  const bool engaged = state_.phase != render::Phase::kReleased;
+void Insertion::takeScene(const TubeScene* scene, double fade_s) noexcept {
+  const bool engaged = state_.phase != Phase::kReleased;
   const std::uint64_t serial = scene != nullptr ? scene->serial() : 0;
   const bool another = serial != scene_;
   scene_ = serial;
@@ -66,7 +66,7 @@ void InsertionSource::takeScene(const ServoScene* scene) noexcept {
     settings_.friction.depth_offset_mm = target_.depth_offset_mm;
     settings_.depth_end_mm = scene->depthEndMm();
     untaken_ = true;
-    fade_left_s_ = std::max(fade_left_s_, scene->fadeS());
+    fade_left_s_ = std::max(fade_left_s_, fade_s);
     if (fade_left_s_ <= 0) settings_.friction = target_;
   }
   if (engaged) return;
@@ -77,8 +77,8 @@ void InsertionSource::takeScene(const ServoScene* scene) noexcept {
   untaken_ = false;
 }
 
-void InsertionSource::fade(double dt_s) noexcept {
-  if (fade_left_s_ <= 0) return;
+void Insertion::fade(double dt_s) noexcept {
+  if (fade_left_s_ <= 0 || !(dt_s >= kShortestTickS)) return;
   const double share = kept(fade_left_s_, dt_s);
   for (const fuzzy::RendererField& field : fuzzy::kRendererFields) {
     double& rendered = settings_.friction.*field.member;
@@ -90,10 +90,10 @@ void InsertionSource::fade(double dt_s) noexcept {
   fade_left_s_ = share > 0 ? fade_left_s_ - dt_s : 0;
 }
 
-render::ModelForce InsertionSource::answer(const render::ForcePoint& point, const ServoScene& scene) noexcept {
-  const render::ModelForce before = answer_;
+ModelForce Insertion::answer(const ForcePoint& point, const InsertionTick& tick) noexcept {
+  const ModelForce before = answer_;
   if (unasked_ || point != asked_) {
-    answer_ = scene.force(point);
+    answer_ = tick.scene->force(point);
     asked_ = point;
     unasked_ = false;
     ++counters_.asked;
@@ -101,11 +101,11 @@ render::ModelForce InsertionSource::answer(const render::ForcePoint& point, cons
   // Where no rule fires the renderer holds its force, and there is nothing to fade until one does.
   if (untaken_ && (answer_.fired || !state_.any_fired)) {
     untaken_ = false;
-    fade_left_s_ = std::max(fade_left_s_, scene.fadeS());
+    fade_left_s_ = std::max(fade_left_s_, tick.fade_s);
     const double in_use_n = before.fired ? std::max(0.0, before.force_n + difference_n_) : state_.model_n;
     difference_n_ = fade_left_s_ > 0 ? in_use_n - answer_.force_n : 0;
   }
   return {answer_.force_n + difference_n_, answer_.fired};
 }
 
-}  // namespace tactus::haptics
+}  // namespace tactus::render

@@ -1,12 +1,13 @@
-// The insertion as a source of force: the renderer with a scene. A change of scene never causes a kick in the hand.
+// The insertion: the renderer with a scene. A change of scene never causes a kick in the hand.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
-#include "core/haptics/sources/servo_scene.h"
 #include "core/render/insertion_renderer.h"
+#include "core/render/tube_scene.h"
 
-namespace tactus::haptics {
+namespace tactus::render {
 
 /// Counts of evaluated and skipped inferences.
 struct SceneCounters {
@@ -20,26 +21,28 @@ struct SceneCounters {
 
 /// One tick of the insertion.
 struct InsertionTick {
-  bool active = false;                ///< the insertion is the source; otherwise the source releases its force
-  bool enabled = false;               ///< the hand holds the device
-  double position_mm = 0;             ///< along the insertion axis
-  double force_cap_n = 2.0;           ///< the tube slips at this resistance
-  const ServoScene* scene = nullptr;  ///< null: no force. Used during the tick only
-  double dt_s = 0.001;                ///< since the last tick
+  bool active = false;               ///< the insertion gives the force; otherwise it releases its force
+  bool enabled = false;              ///< the hand holds the tube
+  double position_mm = 0;            ///< along the insertion axis
+  double force_cap_n = 2.0;          ///< the tube slips at this resistance
+  const TubeScene* scene = nullptr;  ///< null: no force. Used during the tick only
+  double fade_s = 0.05;              ///< of the scene: the time in which its difference to the last scene fades
+  double dt_s = 0.001;               ///< since the last tick
 };
 
-/// The tube, in one placement after another. Call `tick` at every tick, active or not, because the source follows the
-/// hand. After a release the remaining force fades within render::kReleaseFadeS.
+/// The tube, in one placement after another. Call `tick` at every tick, active or not, because the insertion follows
+/// the hand. After a release the remaining force fades within kReleaseFadeS.
 ///
 /// Change of scene: the new scene takes effect at once. The difference that it makes to F_d fades out linearly over the
-/// scene's fade; the renderer's parameters move from old to new over the same time. Both act inside the friction, whose
-/// energy certificate holds for every F_d >= 0 and every parameter. So no change of scene feeds energy to the hand, and
-/// none leaves a force behind after a release. A second change during a fade continues the fade and never shortens it.
-/// All state is plain, copyable data. Thread: servo. Real-time safe: yes.
-class InsertionSource {
+/// tick's `fade_s`; the renderer's parameters move from old to new over the same time. Both act inside the friction,
+/// whose energy certificate holds for every F_d >= 0 and every parameter. So no change of scene feeds energy to the
+/// hand, and none leaves a force behind after a release. A second change during a fade continues the fade and never
+/// shortens it. All state is plain, copyable data. Thread: one at a time (the servo). Real-time safe: yes.
+class Insertion {
  public:
   /// `largest_stiffness_n_mm`: > 0. A stiffer model is rendered with this stiffness.
-  explicit InsertionSource(double largest_stiffness_n_mm) noexcept : largest_stiffness_n_mm_(largest_stiffness_n_mm) {}
+  explicit Insertion(double largest_stiffness_n_mm = std::numeric_limits<double>::infinity()) noexcept
+      : largest_stiffness_n_mm_(largest_stiffness_n_mm) {}
 
   /// Starts a new placement: the tube is out, at `start_depth_mm`; strokes count from 1.
   void place(double start_depth_mm) noexcept;
@@ -49,7 +52,7 @@ class InsertionSource {
   /// The resistance, N.
   double tick(const InsertionTick& tick) noexcept;
 
-  const render::RendererState& state() const noexcept { return state_; }
+  const RendererState& state() const noexcept { return state_; }
   /// The parameters rendered now, also during a fade.
   const fuzzy::RendererParameters& rendered() const noexcept { return settings_.friction; }
   /// Whether the scene's spring is stiffer than the rendered one.
@@ -57,14 +60,14 @@ class InsertionSource {
   const SceneCounters& counters() const noexcept { return counters_; }
 
  private:
-  void takeScene(const ServoScene* scene) noexcept;
+  void takeScene(const TubeScene* scene, double fade_s) noexcept;
   void fade(double dt_s) noexcept;
-  render::ModelForce answer(const render::ForcePoint& point, const ServoScene& scene) noexcept;
+  ModelForce answer(const ForcePoint& point, const InsertionTick& tick) noexcept;
 
   double largest_stiffness_n_mm_;
-  render::RendererState state_;
-  render::RendererSettings settings_;  ///< as rendered
-  std::uint64_t scene_ = 0;            ///< serial number of the scene in use, to detect a new one; 0: none
+  RendererState state_;
+  RendererSettings settings_;  ///< as rendered
+  std::uint64_t scene_ = 0;    ///< serial number of the scene in use, to detect a new one; 0: none
   bool stiffness_limited_ = false;
 
   fuzzy::RendererParameters target_;  ///< the values that the rendered parameters move to
@@ -74,9 +77,9 @@ class InsertionSource {
 
   std::uint64_t conditions_ = 0;  ///< changes if the renderer has to take a new answer
   bool unasked_ = true;           ///< the new scene has not been evaluated yet
-  render::ForcePoint asked_;
-  render::ModelForce answer_;  ///< of the scene at `asked_`
+  ForcePoint asked_;
+  ModelForce answer_;  ///< of the scene at `asked_`
   SceneCounters counters_;
 };
 
-}  // namespace tactus::haptics
+}  // namespace tactus::render

@@ -1,4 +1,4 @@
-#include "core/haptics/sources/insertion_source.h"
+#include "core/render/insertion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,14 @@
 
 #include "tests/core/haptics/scenes.h"
 
-namespace tactus::haptics {
+namespace tactus::render {
 namespace {
+
+using haptics::constantModel;
+using haptics::constantScene;
+using haptics::ngtScene;
+using haptics::sceneOf;
+using haptics::ScenePointer;
 
 constexpr double kStiff = 1e3;       // no device limits the spring
 constexpr double kCalmStepN = 0.03;  // largest step of a force in a tick (facts of the closed loop: docs/renderer.md)
@@ -28,7 +34,7 @@ fuzzy::RendererParameters undamped(double stiffness_n_mm = 0.25) {
 
 /// A hand that a test moves, at ticks of 1 ms.
 struct Tube {
-  InsertionSource source{kStiff};
+  Insertion source{kStiff};
   InsertionTick tick;
   double force_n = 0;
   double largest_step_n = 0;
@@ -41,6 +47,7 @@ struct Tube {
   void take(ScenePointer next) {
     scenes_.push_back(std::move(next));  // as the mailbox does, the old one stays until the servo has seen the new one
     tick.scene = scenes_.back().get();
+    tick.fade_s = scenes_.back()->fadeS();
     if (scenes_.size() > 2) scenes_.erase(scenes_.begin());
   }
 
@@ -64,7 +71,7 @@ struct Tube {
   std::vector<ScenePointer> scenes_;
 };
 
-TEST(InsertionSource, TheNextTickAsksTheNewModelAndNoTickAfterIt) {
+TEST(Insertion, TheNextTickAsksTheNewModelAndNoTickAfterIt) {
   Tube tube(constantScene(0.4, undamped()));
   tube.rest(1);
   tube.moveBy(1, 100);
@@ -78,7 +85,7 @@ TEST(InsertionSource, TheNextTickAsksTheNewModelAndNoTickAfterIt) {
   EXPECT_EQ(tube.source.counters(), (SceneCounters{302, 2, 0, 300}));
 }
 
-TEST(InsertionSource, TheDifferenceFadesEvenly) {
+TEST(Insertion, TheDifferenceFadesEvenly) {
   Tube tube(constantScene(0.4, undamped()));
   tube.rest(1);
   tube.moveBy(1, 100);
@@ -90,7 +97,7 @@ TEST(InsertionSource, TheDifferenceFadesEvenly) {
   EXPECT_NEAR(tube.dynamicN(), 0.9, 1e-15);
 }
 
-TEST(InsertionSource, ANeckFlexionGestureTakesItsTime) {
+TEST(Insertion, ANeckFlexionGestureTakesItsTime) {
   Tube tube(ngtScene(1, 10));
   tube.rest(1);
   tube.source.place(170);
@@ -106,7 +113,7 @@ TEST(InsertionSource, ANeckFlexionGestureTakesItsTime) {
   EXPECT_NEAR(tube.dynamicN(), large_n, 1e-15);
 }
 
-TEST(InsertionSource, AnEditWithinAGestureDoesNotHurryIt) {
+TEST(Insertion, AnEditWithinAGestureDoesNotHurryIt) {
   Tube tube(constantScene(0.4, undamped()));
   tube.rest(1);
   tube.moveBy(1, 100);
@@ -120,7 +127,7 @@ TEST(InsertionSource, AnEditWithinAGestureDoesNotHurryIt) {
   EXPECT_NEAR(tube.dynamicN(), 0.7, 1e-15);
 }
 
-TEST(InsertionSource, SlidingFeelsExactlyTheNewModelAfterTheFade) {
+TEST(Insertion, SlidingFeelsExactlyTheNewModelAfterTheFade) {
   const auto model = support::s4Shifted();
   const auto compiled = fuzzy::compile(model);
   Tube tube(ngtScene(1, 10));
@@ -138,13 +145,13 @@ TEST(InsertionSource, SlidingFeelsExactlyTheNewModelAfterTheFade) {
     // Following the model is one addition and one subtraction.
     ASSERT_NEAR(tube.dynamicN(), exact_n, 2e-16);
   }
-  EXPECT_EQ(tube.source.state().phase, render::Phase::kSlidingIn);
+  EXPECT_EQ(tube.source.state().phase, Phase::kSlidingIn);
   // 500 ms on the plateau of a region: the friction has relaxed to F_d.
   EXPECT_NEAR(tube.force_n, tube.dynamicN(), 1e-6);
   EXPECT_LE(tube.largest_step_n, kCalmStepN);
 }
 
-TEST(InsertionSource, DraggingAVertexNeverKicks) {
+TEST(Insertion, DraggingAVertexNeverKicks) {
   for (const bool sliding : {false, true}) {
     Tube tube(constantScene(0.4));
     tube.rest(1);
@@ -164,7 +171,7 @@ TEST(InsertionSource, DraggingAVertexNeverKicks) {
   }
 }
 
-TEST(InsertionSource, AnotherModelAtEveryTickIsFollowedAllTheSame) {
+TEST(Insertion, AnotherModelAtEveryTickIsFollowedAllTheSame) {
   Tube tube(constantScene(0.4, undamped()));
   tube.rest(1);
   tube.moveBy(1, 100);
@@ -176,7 +183,7 @@ TEST(InsertionSource, AnotherModelAtEveryTickIsFollowedAllTheSame) {
   EXPECT_NEAR(tube.dynamicN(), 0.9 - 0.05, 0.002);
 }
 
-TEST(InsertionSource, ASofterSpringFadesAndAStifferOneKeepsItsForce) {
+TEST(Insertion, ASofterSpringFadesAndAStifferOneKeepsItsForce) {
   Tube tube(constantScene(1.5, undamped(0.4)));
   tube.rest(1);
   tube.moveBy(2, 400);
@@ -195,7 +202,7 @@ TEST(InsertionSource, ASofterSpringFadesAndAStifferOneKeepsItsForce) {
   EXPECT_EQ(tube.source.rendered().stiffness_n_mm, 0.4);
 }
 
-TEST(InsertionSource, WildParametersNeverKick) {
+TEST(Insertion, WildParametersNeverKick) {
   base::Random random(11);
   Tube tube(constantScene(0.8));
   tube.rest(1);
@@ -216,7 +223,7 @@ TEST(InsertionSource, WildParametersNeverKick) {
   EXPECT_LE(tube.largest_step_n, 0.018 + kCalmStepN);
 }
 
-TEST(InsertionSource, HandOversTakeNoEnergyFromTheSpring) {
+TEST(Insertion, HandOversTakeNoEnergyFromTheSpring) {
   base::Random random(3);
   for (int run = 0; run < 20; ++run) {
     Tube tube(constantScene(0.5));
@@ -231,7 +238,7 @@ TEST(InsertionSource, HandOversTakeNoEnergyFromTheSpring) {
       velocity_mm_s += random.uniform(-8, 8) - 0.02 * velocity_mm_s;
       tube.moveBy(velocity_mm_s * 0.001, 1);
       const auto& after = tube.source.state();
-      if (before.phase == render::Phase::kReleased) continue;
+      if (before.phase == Phase::kReleased) continue;
       // The force held during the tick is that of the old spring; of what the hold can hide, the larger counts.
       const double dx = tube.tick.position_mm - *before.position_mm;
       taken += before.stiffness_n_mm * before.stretch_mm * dx +
@@ -241,7 +248,7 @@ TEST(InsertionSource, HandOversTakeNoEnergyFromTheSpring) {
   }
 }
 
-TEST(InsertionSource, AReleaseEndsForceAndFade) {
+TEST(Insertion, AReleaseEndsForceAndFade) {
   Tube tube(constantScene(1.2));
   tube.rest(1);
   tube.moveBy(20, 500);
@@ -270,7 +277,7 @@ TEST(InsertionSource, AReleaseEndsForceAndFade) {
   EXPECT_EQ(tube.asked(), asked + 1);
 }
 
-TEST(InsertionSource, AHoleKeepsTheForceUntilTheNewModelFires) {
+TEST(Insertion, AHoleKeepsTheForceUntilTheNewModelFires) {
   Tube tube(constantScene(0.4, undamped()));
   tube.rest(1);
   tube.moveBy(10, 500);
@@ -288,9 +295,9 @@ TEST(InsertionSource, AHoleKeepsTheForceUntilTheNewModelFires) {
   EXPECT_NEAR(tube.dynamicN(), 0.8, 1e-15);
 }
 
-TEST(InsertionSource, TheDeviceBoundsTheStiffness) {
+TEST(Insertion, TheDeviceBoundsTheStiffness) {
   Tube tube(constantScene(0.8, undamped(0.5)));
-  tube.source = InsertionSource(0.3);
+  tube.source = Insertion(0.3);
   tube.rest(1);
   tube.moveBy(1, 100);
   EXPECT_NEAR(tube.force_n, 0.3, kRounding);
@@ -301,7 +308,7 @@ TEST(InsertionSource, TheDeviceBoundsTheStiffness) {
   EXPECT_EQ(tube.source.rendered().stiffness_n_mm, 0.2);
 }
 
-TEST(InsertionSource, AnotherPlacementBeginsWithoutForceAtItsDepth) {
+TEST(Insertion, AnotherPlacementBeginsWithoutForceAtItsDepth) {
   Tube tube(constantScene(1.2, undamped()));
   tube.rest(1);
   tube.moveBy(30, 600);
@@ -322,7 +329,7 @@ TEST(InsertionSource, AnotherPlacementBeginsWithoutForceAtItsDepth) {
   EXPECT_LE(tube.largest_step_n, before_n / 30 + kRounding);
 }
 
-TEST(InsertionSource, ADepthOffsetIsFeltWithoutAStep) {
+TEST(Insertion, ADepthOffsetIsFeltWithoutAStep) {
   Tube tube(ngtScene(0.1, 80));
   tube.rest(1);
   tube.moveBy(40, 1500);
@@ -340,12 +347,12 @@ TEST(InsertionSource, ADepthOffsetIsFeltWithoutAStep) {
   EXPECT_LE(tube.largest_step_n, kCalmStepN);
 }
 
-TEST(InsertionSource, AnotherSceneAtTheSameAddressIsAnotherScene) {
+TEST(Insertion, AnotherSceneAtTheSameAddressIsAnotherScene) {
   const ScenePointer first = constantScene(0.4, undamped());
   const ScenePointer second = constantScene(0.9, undamped());
   EXPECT_NE(first->serial(), 0U);
   EXPECT_NE(first->serial(), second->serial());
-  ServoScene place = *first;
+  TubeScene place = *first;
   Tube tube(first);
   tube.tick.scene = &place;
   tube.rest(1);
@@ -360,7 +367,7 @@ TEST(InsertionSource, AnotherSceneAtTheSameAddressIsAnotherScene) {
   EXPECT_EQ(tube.asked(), 2U);
 }
 
-TEST(InsertionSource, PlacementsInARowDoNotDelayTheFade) {
+TEST(Insertion, PlacementsInARowDoNotDelayTheFade) {
   Tube tube(constantScene(1.2, undamped()));
   tube.rest(1);
   tube.moveBy(30, 600);
@@ -375,37 +382,37 @@ TEST(InsertionSource, PlacementsInARowDoNotDelayTheFade) {
   EXPECT_LE(tube.largest_step_n, before_n / 30 + kRounding);
 }
 
-TEST(InsertionSource, WithoutASceneThereIsNoForce) {
+TEST(Insertion, WithoutASceneThereIsNoForce) {
   Tube tube(constantScene(0.5));
   tube.rest(1);
   tube.moveBy(1.5, 100);
   tube.tick.scene = nullptr;
   tube.rest(31);
   EXPECT_EQ(tube.force_n, 0);
-  EXPECT_EQ(tube.source.state().phase, render::Phase::kReleased);
+  EXPECT_EQ(tube.source.state().phase, Phase::kReleased);
   tube.take(constantScene(0.5));
   tube.rest(1);
-  EXPECT_EQ(tube.source.state().phase, render::Phase::kStuck);
+  EXPECT_EQ(tube.source.state().phase, Phase::kStuck);
 }
 
-TEST(InsertionSource, APositionThatIsNoneLetsGo) {
+TEST(Insertion, APositionThatIsNoneLetsGo) {
   Tube tube(constantScene(0.5));
   tube.rest(1);
   tube.moveBy(1.5, 100);
   tube.tick.position_mm = std::numeric_limits<double>::quiet_NaN();
   tube.rest(1);
-  EXPECT_EQ(tube.source.state().fault, render::Fault::kPosition);
+  EXPECT_EQ(tube.source.state().fault, Fault::kPosition);
   tube.rest(30);
   EXPECT_EQ(tube.force_n, 0);
 }
 
-TEST(InsertionSource, ACopyGoesOnTheSame) {
+TEST(Insertion, ACopyGoesOnTheSame) {
   Tube tube(ngtScene(0.3, 40));
   tube.rest(1);
   tube.moveBy(20, 300);
   tube.take(ngtScene(0.9, 40));
   tube.moveBy(1, 20);
-  InsertionSource copy = tube.source;
+  Insertion copy = tube.source;
   for (int i = 0; i < 200; ++i) {
     tube.moveBy(0.03, 1);
     ASSERT_EQ(copy.tick(tube.tick), tube.force_n);
@@ -414,4 +421,4 @@ TEST(InsertionSource, ACopyGoesOnTheSame) {
 }
 
 }  // namespace
-}  // namespace tactus::haptics
+}  // namespace tactus::render
