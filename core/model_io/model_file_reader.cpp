@@ -59,8 +59,8 @@ class ModelReader {
   void readModel(JsonMembers& members) {
     ForceModel& model = result_.model;
     members.textOrEmpty(required("name"), model.name);
-    members.textOrEmpty(required("created_utc"), model.created_utc);
-    members.textOrEmpty(required("generator"), model.generator);
+    members.textOrEmpty("created_utc", model.created_utc);
+    members.textOrEmpty("generator", model.generator);
     if (const auto value = members.object("provenance")) model.provenance = provenance(*value);
     for (const JsonValue value : members.elements(required("inputs"))) model.inputs.push_back(variable(value));
     if (const auto value = members.object(required("output"))) model.output = variable(*value);
@@ -76,10 +76,10 @@ class ModelReader {
   fuzzy::Provenance provenance(JsonValue object) {
     fuzzy::Provenance out;
     JsonMembers members(object, error_);
-    members.textOrEmpty(required("study"), out.study);
-    if (const auto settings = members.object(required("settings"))) out.settings = named(*settings);
-    if (const auto sources = members.object(required("sources"))) out.sources = named(*sources);
-    members.textOrEmpty(required("notes"), out.notes);
+    members.textOrEmpty("study", out.study);
+    if (const auto settings = members.object("settings")) out.settings = named(*settings);
+    if (const auto sources = members.object("sources")) out.sources = named(*sources);
+    members.textOrEmpty("notes", out.notes);
     warnOfOthers(members);
     return out;
   }
@@ -87,14 +87,21 @@ class ModelReader {
   fuzzy::Variable variable(JsonValue object) {
     fuzzy::Variable out;
     JsonMembers members(object, error_);
-    members.textOrEmpty(required("id"), out.id);
-    members.textOrEmpty(required("label"), out.label);
+    idAndLabel(members, out);
     members.textOrEmpty(required("unit"), out.unit);
     members.number(required("min"), out.min);
     members.number(required("max"), out.max);
     out.terms = terms(members, required("terms"));
     warnOfOthers(members);
     return out;
+  }
+
+  /// Without a label people read the id.
+  template <class Named>
+  static void idAndLabel(JsonMembers& members, Named& out) {
+    members.textOrEmpty(required("id"), out.id);
+    out.label = out.id;
+    members.textOrEmpty("label", out.label);
   }
 
   std::vector<fuzzy::Term> terms(JsonMembers& members, JsonKey key) {
@@ -106,8 +113,7 @@ class ModelReader {
   fuzzy::Term term(JsonValue object) {
     fuzzy::Term out;
     JsonMembers members(object, error_);
-    members.textOrEmpty(required("id"), out.id);
-    members.textOrEmpty(required("label"), out.label);
+    idAndLabel(members, out);
     out.shape = oneOf(members, "shape", fuzzy::kShapes);
     members.numbers(required("points"), out.points);
     warnOfOthers(members);
@@ -128,8 +134,7 @@ class ModelReader {
   fuzzy::Expert expert(JsonValue object) {
     fuzzy::Expert out;
     JsonMembers members(object, error_);
-    members.textOrEmpty(required("id"), out.id);
-    members.textOrEmpty(required("label"), out.label);
+    idAndLabel(members, out);
     members.number(required("weight"), out.weight);
     if (const auto lists = members.object("terms")) {
       JsonMembers own(*lists, error_);

@@ -75,6 +75,38 @@ TEST(ModelFile, OptionalKeysHaveTheirDefaults) {
   }
 }
 
+TEST(ModelFile, AModelWrittenByHandNeedsNoLabelsAndNoOrigin) {
+  const auto read = parseModel(R"({"format": "tactus-force-model", "version": 1, "name": "by hand",
+    "provenance": {"notes": "typed in"},
+    "inputs": [{"id": "x", "unit": "mm", "min": 0, "max": 1,
+                "terms": [{"id": "low", "shape": "triangle", "points": [0, 0, 1]}]}],
+    "output": {"id": "force", "unit": "N", "min": 0, "max": 1,
+               "terms": [{"id": "some", "label": "", "shape": "triangle", "points": [0, 0.5, 1]}]},
+    "inference": {"conjunction": "min", "implication": "clip", "aggregation": "max", "defuzzification": "centroid"},
+    "experts": [{"id": "me", "weight": 1, "rules": [{"if": {"x": "low"}, "then": "some"}]}]})",
+                               "hand.json");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_TRUE(read->warnings.empty());
+  const fuzzy::ForceModel& model = read->model;
+  EXPECT_EQ(model.created_utc + model.generator, "");
+  EXPECT_EQ(model.inputs[0].label, "x");
+  EXPECT_EQ(model.inputs[0].terms[0].label, "low");
+  EXPECT_EQ(model.output.terms[0].label, "");  // an empty label stays one
+  EXPECT_EQ(model.experts[0].label, "me");
+  ASSERT_TRUE(model.provenance);
+  EXPECT_EQ(model.provenance->notes, "typed in");
+  EXPECT_TRUE(model.provenance->study.empty() && model.provenance->settings.empty());
+  const auto again = parseModel(formatModel(model), "written.json");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->model, model);
+}
+
+TEST(ModelFile, TheGoldenModelIsTheOneBuiltByHand) {
+  const auto read = readModel(golden("ngt.tactus.json"));
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->model, support::s4Shifted());
+}
+
 TEST(ModelFile, RendererMembersHaveTheirDefaults) {
   std::string text = contents(golden("minimal.tactus.json"));
   text.replace(text.rfind('}'), 1, R"(, "renderer": { "stiffness_n_mm": 0.5 } })");
