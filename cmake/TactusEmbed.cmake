@@ -8,8 +8,8 @@ function(tactus_embed target namespace function file)
   add_custom_command(
     OUTPUT "${out}"
     COMMAND ${CMAKE_COMMAND} -DIN=${path} -DOUT=${out} -DNAMESPACE=${namespace} -DFUNCTION=${function}
-            -P "${CMAKE_SOURCE_DIR}/cmake/embed_file.cmake"
-    DEPENDS "${path}" "${CMAKE_SOURCE_DIR}/cmake/embed_file.cmake"
+            -P "${PROJECT_SOURCE_DIR}/cmake/embed_file.cmake"
+    DEPENDS "${path}" "${PROJECT_SOURCE_DIR}/cmake/embed_file.cmake"
     COMMENT "Embedding ${file}" VERBATIM)
   target_sources(${target} PRIVATE "${out}")
 endfunction()

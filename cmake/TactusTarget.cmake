@@ -11,7 +11,7 @@ endif()
 
 add_library(tactus_common INTERFACE)
 target_compile_features(tactus_common INTERFACE cxx_std_20)
-target_include_directories(tactus_common INTERFACE "${CMAKE_SOURCE_DIR}")
+target_include_directories(tactus_common INTERFACE "${PROJECT_SOURCE_DIR}")
 # No contraction and no fast-math: the same entry point gives the same bits on every x86-64 machine.
 target_compile_options(tactus_common INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
@@ -25,10 +25,15 @@ if(TACTUS_SANITIZE)
   target_link_options(tactus_common INTERFACE -fsanitize=${TACTUS_SANITIZE})
 endif()
 
-# tactus_library(NAME SOURCES ... LINK ...): a static library whose LINK list is its place in the layering.
+# tactus_library(NAME [RUNTIME] SOURCES ... LINK ...): a static library whose LINK list is its place in the layering.
+# RUNTIME: a part of libtactus (core/runtime), which exports none of it and leaves out what it does not use.
 function(tactus_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "RUNTIME" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  if(ARG_RUNTIME)
+    set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
+  endif()
   target_link_libraries(${name} PUBLIC tactus_common ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
 endfunction()

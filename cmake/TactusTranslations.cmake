@@ -25,11 +25,11 @@ function(tactus_translations target folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
   list(APPEND sources ${ARGN})
   file(GLOB languages CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.ts")
-  qt_add_translations(${target} TS_FILES ${languages} SOURCES ${sources} INCLUDE_DIRECTORIES "${CMAKE_SOURCE_DIR}"
+  qt_add_translations(${target} TS_FILES ${languages} SOURCES ${sources} INCLUDE_DIRECTORIES "${PROJECT_SOURCE_DIR}"
     LUPDATE_OPTIONS -no-obsolete -locations none LRELEASE_OPTIONS -silent)
 
   set(list "${CMAKE_CURRENT_BINARY_DIR}/lupdate_sources.txt")
   list(JOIN sources "\n" lines)
-  file(CONFIGURE OUTPUT "${list}" CONTENT "-I${CMAKE_SOURCE_DIR}\n${lines}\n" @ONLY)
+  file(CONFIGURE OUTPUT "${list}" CONTENT "-I${PROJECT_SOURCE_DIR}\n${lines}\n" @ONLY)
   set(TACTUS_LUPDATE_LIST "${list}" CACHE INTERNAL "The sources of the translations, one a line")
 endfunction()

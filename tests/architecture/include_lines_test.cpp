@@ -73,6 +73,11 @@ const std::map<std::string, Permission>& permissions() {
       {"core/haptics/openhaptics", {{"core/base", "core/base/files", "core/haptics/device"}, {}}},
       {"core/store", {joined({"core/model_io", "core/study"}, {base}), {kJson, "SQLiteCpp/", "sqlite3.h"}}},
       {"core/model_io", {{"core/base", "core/base/json", "core/base/files", "core/fuzzy"}, {}}},
+      {"core/runtime",
+       {{"core/base", "core/fuzzy", "core/render", "core/model_io", "core/runtime/include/tactus"}, {"tactus/"}}},
+      // What a simulator builds against knows nothing of this repository.
+      {"core/runtime/include/tactus", {{}, {}}},
+      {"core/runtime/examples", {{}, {"tactus/"}}},
       {"experiments", {joined({"core/study"}, {base}), {}}},
       {"elicitation/clustering", {{"core/base"}, {}}},
       {"elicitation/variables", {joined(model, {base}), {kJson}}},

@@ -1,0 +1,30 @@
+// The averaged force of a model at one point: Force MODEL VALUE..., one value for each input.
+// With Mono: mcs Force.cs ../languages/Tactus.cs && mono Force.exe model.tactus.json 1 45 30 30
+using System;
+using System.Globalization;
+
+public static class Force
+{
+    public static int Main(string[] arguments)
+    {
+        try
+        {
+            using (var model = Tactus.Model.Open(arguments[0]))
+            {
+                var inputs = new double[arguments.Length - 1];
+                for (int i = 0; i < inputs.Length; ++i)
+                    inputs[i] = double.Parse(arguments[i + 1], CultureInfo.InvariantCulture);
+                bool fired;
+                double forceN = model.Force(inputs, out fired);
+                Console.WriteLine(forceN.ToString("R", CultureInfo.InvariantCulture) + " N" +
+                                  (fired ? "" : " (no rule fires: the model's default)"));
+            }
+            return 0;
+        }
+        catch (Tactus.Error error)
+        {
+            Console.Error.WriteLine(error.Message);
+            return 1;
+        }
+    }
+}

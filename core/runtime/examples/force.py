@@ -1,0 +1,15 @@
+"""The averaged force of a model at one point: python3 force.py MODEL VALUE..., one value for each input."""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "languages"))
+import tactus
+
+if len(sys.argv) < 2:
+    sys.exit("usage: force.py MODEL VALUE...")
+try:
+    model = tactus.Model.open(sys.argv[1])
+    force_n, fired = model.force_and_fired(sys.argv[2:])
+except tactus.Error as error:
+    sys.exit(str(error))
+print(f"{force_n!r} N" + ("" if fired else " (no rule fires: the model's default)"))

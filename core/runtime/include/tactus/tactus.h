@@ -1,0 +1,184 @@
+// libtactus: the force of a Tactus model in a simulator. C99 and C++. Examples and measurements: docs/libtactus.md.
+/*
+ *   tactus_model *model;
+ *   char message[256];
+ *   if (tactus_model_open("model.tactus.json", &model, message, sizeof message) != TACTUS_OK) puts(message);
+ *   double inputs[4] = {1.0, 45.0, 30.0, 30.0};    in the order and the units of the model
+ *   int fired;
+ *   double force_n = tactus_force(model, inputs, &fired);
+ *
+ * No function throws, aborts or prints, whatever its arguments. A null model, scene or tube gives TACTUS_BAD_ARGUMENT,
+ * a force of 0 with `fired` 0, or nothing. A pointer must be null or point to what its type says: that cannot be
+ * checked. Real-time safe means: no allocation, no lock, no system call, bounded time. Numbers are double; forces are
+ * N, lengths mm, speeds mm/s, times s, all other inputs as their unit says. */
+#ifndef TACTUS_TACTUS_H
+#define TACTUS_TACTUS_H
+
+#include <stddef.h>
+
+#if defined(__GNUC__) && !defined(_WIN32)
+#define TACTUS_API __attribute__((visibility("default")))
+#else
+#define TACTUS_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Version ------------------------------------------------------------------------------------------------- */
+
+/* The interface that this header describes. Within one number only new functions, new members at the end of a struct
+ * with a `size`, and new values at the end of an enum are added. */
+#define TACTUS_INTERFACE 1
+
+/* "0.2.0". Thread: any. Real-time safe: yes. */
+TACTUS_API const char* tactus_version(void);
+/* TACTUS_INTERFACE of the library that runs. Thread: any. Real-time safe: yes. */
+TACTUS_API int tactus_interface(void);
+
+typedef enum {
+  TACTUS_OK = 0,
+  TACTUS_BAD_ARGUMENT = 1, /* the call is wrong */
+  TACTUS_BAD_FILE = 2,     /* the file cannot be read, or is no valid model */
+  TACTUS_NO_MEMORY = 3,
+  TACTUS_NOT_VERIFIED = 4 /* a file of a bundle is missing, altered, or beyond its tolerance */
+} tactus_status;
+
+/* ---- Models -------------------------------------------------------------------------------------------------- */
+
+typedef struct tactus_model tactus_model; /* immutable: any number of threads */
+
+/* Reads the model file `path`, checks it and repeats the reference evaluations in it (docs/model-file.md).
+ * `model`: receives the model, or null on failure. `message`: receives one sentence in UTF-8 (what, where, found,
+ * wanted), always terminated, cut to `message_size` bytes between characters; may be null. Success leaves "" or a
+ * warning.
+ * Thread: any. Real-time safe: no. */
+TACTUS_API tactus_status tactus_model_open(const char* path, tactus_model** model, char* message, size_t message_size);
+
+/* The same for the text of a model file, `size` bytes.
+ * Thread: any. Real-time safe: no. */
+TACTUS_API tactus_status tactus_model_read(const void* text, size_t size, tactus_model** model, char* message,
+                                           size_t message_size);
+
+/* No thread may use the model afterwards. Scenes made from it stay. Null is allowed.
+ * Thread: any. Real-time safe: no. */
+TACTUS_API void tactus_model_free(tactus_model* model);
+
+/* What a model declares. Texts live as long as the model; null where there is no such input or expert. Numbers are then
+ * 0. Thread: any. Real-time safe: yes. */
+TACTUS_API const char* tactus_model_name(const tactus_model* model);
+TACTUS_API size_t tactus_model_inputs(const tactus_model* model); /* 1 to 8 */
+TACTUS_API const char* tactus_model_input_id(const tactus_model* model, size_t input);
+TACTUS_API const char* tactus_model_input_unit(const tactus_model* model, size_t input);
+TACTUS_API double tactus_model_input_min(const tactus_model* model, size_t input);
+TACTUS_API double tactus_model_input_max(const tactus_model* model, size_t input);
+TACTUS_API double tactus_model_output_min(const tactus_model* model);
+TACTUS_API double tactus_model_output_max(const tactus_model* model);
+TACTUS_API size_t tactus_model_experts(const tactus_model* model);
+TACTUS_API const char* tactus_model_expert_id(const tactus_model* model, size_t expert);
+TACTUS_API double tactus_model_expert_weight(const tactus_model* model, size_t expert);
+
+/* ---- Forces -------------------------------------------------------------------------------------------------- */
+
+/* The averaged force at one point. `inputs`: tactus_model_inputs() values in the model's order. A value outside its
+ * universe is clamped (tactus_clamped tells). `fired`: 1 where a rule of some expert fires, else 0, and the force is
+ * the model's default; may be null. An input that is not finite gives NaN and `fired` 0. The same bits on every x86-64
+ * machine. Thread: any. Real-time safe: yes. */
+TACTUS_API double tactus_force(const tactus_model* model, const double* inputs, int* fired);
+
+/* The force of one expert alone; its weight does not matter. There is no such expert: 0 and `fired` 0.
+ * Thread: any. Real-time safe: yes. */
+TACTUS_API double tactus_expert_force(const tactus_model* model, size_t expert, const double* inputs, int* fired);
+
+/* The averaged force at many points, three to ten times as fast. `inputs`: point after point. `force`: `points` values.
+ * `fired`: `points` values, 1 or 0; may be null. The forces agree with tactus_force to 4 ulp, `fired` exactly.
+ * Needs at most 80 KiB of stack. Thread: any. Real-time safe: yes. */
+TACTUS_API void tactus_force_batch(const tactus_model* model, const double* inputs, size_t points, double* force,
+                                   unsigned char* fired);
+
+/* Which inputs of a point are outside their universes and are therefore clamped: bit i for input i. A NaN is not
+ * clamped. Thread: any. Real-time safe: yes. */
+TACTUS_API unsigned tactus_clamped(const tactus_model* model, const double* inputs);
+
+/* ---- Scenes -------------------------------------------------------------------------------------------------- */
+
+/* A model with some inputs fixed; the others stay in the model's order. Immutable: any number of threads. Lives on its
+ * own: the model may be freed before it. */
+typedef struct tactus_scene tactus_scene;
+
+/* `fixed`: indices of `fixed_count` inputs, each once, in any order; `values`: their values, finite. None or all may be
+ * fixed. A value outside its universe is clamped, and the message says so.
+ * Thread: any. Real-time safe: no. */
+TACTUS_API tactus_status tactus_scene_make(const tactus_model* model, const size_t* fixed, const double* values,
+                                           size_t fixed_count, tactus_scene** scene, char* message,
+                                           size_t message_size);
+
+/* No thread may use the scene afterwards. Tubes that feel it keep what they need. Null is allowed.
+ * Thread: any. Real-time safe: no. */
+TACTUS_API void tactus_scene_free(tactus_scene* scene);
+
+/* How many inputs are not fixed. Thread: any. Real-time safe: yes. */
+TACTUS_API size_t tactus_scene_inputs(const tactus_scene* scene);
+
+/* As tactus_force and with its bits; `inputs`: tactus_scene_inputs() values (may be null where that is 0).
+ * Thread: any. Real-time safe: yes. */
+TACTUS_API double tactus_scene_force(const tactus_scene* scene, const double* inputs, int* fired);
+
+/* As tactus_force_batch; what the fixed inputs decide is computed once, in tactus_scene_make.
+ * Thread: any. Real-time safe: yes. */
+TACTUS_API void tactus_scene_force_batch(const tactus_scene* scene, const double* inputs, size_t points, double* force,
+                                         unsigned char* fired);
+
+/* ---- The tube ------------------------------------------------------------------------------------------------ */
+
+/* The state of one insertion: the renderer of docs/renderer.md with the parameters of the model file, as the servo of
+ * the workbench runs it before its safety limits. A tube slips at 2 N at the latest. Lives on its own. */
+typedef struct tactus_tube tactus_tube;
+
+typedef struct {
+  size_t size;            /* sizeof(tactus_feel), set by the caller; later versions add members at the end */
+  double force_n;         /* resistance on the hand, > 0 pushes it out */
+  double depth_mm;        /* of the tube: the sum of all slip */
+  double speed_mm_s;      /* of the hand, filtered, inwards positive */
+  double slip_speed_mm_s; /* of the tube, filtered */
+  double stretch_mm;      /* by how much the hand leads the tube */
+  double model_force_n;   /* dynamic friction in effect: the model's force, held and faded; 0 while released */
+  int phase;              /* 0 released, 1 stuck, 2 sliding */
+  int held_last;          /* 1: no rule fired, the last force is held */
+  unsigned stroke;        /* number of the stroke, from 1; 0: no stroke yet */
+} tactus_feel;
+
+/* A tube at depth 0, out of the hand. The scene must leave exactly the inputs `depth` and `speed`, in mm and mm/s, and
+ * give N. Thread: any. Real-time safe: no. */
+TACTUS_API tactus_status tactus_tube_make(const tactus_scene* scene, tactus_tube** tube, char* message,
+                                          size_t message_size);
+
+/* Null is allowed. Thread: any, one at a time. Real-time safe: no. */
+TACTUS_API void tactus_tube_free(tactus_tube* tube);
+
+/* A new placement at `depth_mm`; strokes count from 1 again. A force that is still there fades within 30 ms. Nothing
+ * happens if `depth_mm` is not finite or beyond 1e6. Thread: one at a time. Real-time safe: yes. */
+TACTUS_API void tactus_tube_place(tactus_tube* tube, double depth_mm);
+
+/* Feels another scene from the next step on, without a kick: the difference to the scene before fades within `fade_s`
+ * (0 to 60 s, moved into this range; NaN counts as 0.05 s, the workbench's time for an edit). Nothing happens if the
+ * scene has other inputs than `depth` and `speed`, or other units.
+ * Thread: one at a time. Real-time safe: yes, as long as the caller has not yet freed the scene felt before. Otherwise
+ * this call frees it. */
+TACTUS_API void tactus_tube_scene(tactus_tube* tube, const tactus_scene* scene, double fade_s);
+
+/* One step of the insertion, at any rate; 1 kHz is usual. `position_mm`: of the hand along the axis of insertion,
+ * inwards positive, from anywhere. `held`: whether the hand holds the tube; a press begins at force 0, a release fades
+ * within 30 ms. `dt_s`: time since the last step, 1e-6 to 1 s.
+ * A position that is not finite or beyond 1e6 mm, or a time out of range, lets the tube go and gives
+ * TACTUS_BAD_ARGUMENT, with `feel` filled in; it is held again after a step with `held` 0.
+ * Thread: one at a time. Real-time safe: yes. */
+TACTUS_API tactus_status tactus_tube_step(tactus_tube* tube, double position_mm, int held, double dt_s,
+                                          tactus_feel* feel);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,27 @@
+# What `cmake --install` gives a simulator: component libtactus1 (the library), libtactus-dev (everything to build with it).
+include(CMakePackageConfigHelpers)
+
+install(TARGETS tactus_runtime_shared EXPORT tactus
+        LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus1 NAMELINK_COMPONENT libtactus-dev)
+install(TARGETS tactus_runtime_static EXPORT tactus
+        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus-dev)
+install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT libtactus-dev)
+
+set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/tactus")
+install(EXPORT tactus NAMESPACE tactus:: FILE tactusTargets.cmake DESTINATION "${package_folder}" COMPONENT libtactus-dev)
+configure_package_config_file(tactusConfig.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/tactusConfig.cmake"
+                              INSTALL_DESTINATION "${package_folder}" NO_SET_AND_CHECK_MACRO)
+# Interfaces stay compatible within one major version, and before version 1 within the interface's number.
+write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/tactusConfigVersion.cmake" COMPATIBILITY SameMajorVersion)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/tactusConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/tactusConfigVersion.cmake"
+        DESTINATION "${package_folder}" COMPONENT libtactus-dev)
+
+# The folder of the .pc file leads to the others, so the prefix may be moved.
+file(RELATIVE_PATH prefix_from_pkgconfig "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+configure_file(tactus.pc.in "${CMAKE_CURRENT_BINARY_DIR}/tactus.pc" @ONLY)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/tactus.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
+        COMPONENT libtactus-dev)
+
+install(FILES languages/tactus.py languages/Tactus.cs DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/languages"
+        COMPONENT libtactus-dev)
+install(DIRECTORY examples/ DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/examples" COMPONENT libtactus-dev)

@@ -1,0 +1,339 @@
+// libtactus for .NET, Mono and Unity: the force of a Tactus model. One file; put it beside your code, and libtactus
+// (libtactus.so.1, or tactus.dll on Windows) where the runtime looks for native libraries.
+//
+//   using (var model = Tactus.Model.Open("model.tactus.json"))
+//   using (var scene = model.Scene(new Dictionary<string, double> {{"lubrication", 1.0}, {"neck_flexion", 45.0}}))
+//   using (var tube = new Tactus.Tube(scene))
+//       feel = tube.Step(positionMm, held, 0.001);
+//
+// What each call does, and which threads may call it: tactus/tactus.h. Force, ForceBatch and Step allocate nothing.
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+using System.Text;
+
+namespace Tactus
+{
+    public enum Status { Ok = 0, BadArgument = 1, BadFile = 2, NoMemory = 3, NotVerified = 4 }
+
+    /// One sentence: what, where, what was found, what was wanted.
+    public sealed class Error : Exception
+    {
+        public readonly Status Status;
+        public Error(Status status, string sentence) : base(sentence) { Status = status; }
+    }
+
+    /// What the hand feels after one step; the names and units of tactus_feel.
+    [StructLayout(LayoutKind.Sequential)]
+    public struct Feel
+    {
+        internal UIntPtr Size;
+        public double ForceN, DepthMm, SpeedMmS, SlipSpeedMmS, StretchMm, ModelForceN;
+        public int Phase, HeldLast;
+        public uint Stroke;
+    }
+
+    internal static class Native
+    {
+#if UNITY_IOS && !UNITY_EDITOR
+        private const string Library = "__Internal";
+#elif UNITY_5_3_OR_NEWER
+        private const string Library = "tactus";
+#else
+        private const string Library = "libtactus.so.1";
+#endif
+        private const CallingConvention C = CallingConvention.Cdecl;
+
+        [DllImport(Library, CallingConvention = C)] internal static extern IntPtr tactus_version();
+        [DllImport(Library, CallingConvention = C)] internal static extern int tactus_interface();
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern Status tactus_model_open(byte[] path, out IntPtr model, byte[] message, UIntPtr size);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern Status tactus_model_read(byte[] text, UIntPtr textSize, out IntPtr model, byte[] message,
+                                                        UIntPtr size);
+        [DllImport(Library, CallingConvention = C)] internal static extern void tactus_model_free(IntPtr model);
+        [DllImport(Library, CallingConvention = C)] internal static extern IntPtr tactus_model_name(IntPtr model);
+        [DllImport(Library, CallingConvention = C)] internal static extern UIntPtr tactus_model_inputs(IntPtr model);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern IntPtr tactus_model_input_id(IntPtr model, UIntPtr input);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern IntPtr tactus_model_input_unit(IntPtr model, UIntPtr input);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern double tactus_model_input_min(IntPtr model, UIntPtr input);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern double tactus_model_input_max(IntPtr model, UIntPtr input);
+        [DllImport(Library, CallingConvention = C)] internal static extern double tactus_model_output_min(IntPtr model);
+        [DllImport(Library, CallingConvention = C)] internal static extern double tactus_model_output_max(IntPtr model);
+        [DllImport(Library, CallingConvention = C)] internal static extern UIntPtr tactus_model_experts(IntPtr model);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern IntPtr tactus_model_expert_id(IntPtr model, UIntPtr expert);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern double tactus_model_expert_weight(IntPtr model, UIntPtr expert);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern double tactus_force(IntPtr model, double[] inputs, out int fired);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern double tactus_expert_force(IntPtr model, UIntPtr expert, double[] inputs, out int fired);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern void tactus_force_batch(IntPtr model, double[] inputs, UIntPtr points, double[] force,
+                                                       byte[] fired);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern uint tactus_clamped(IntPtr model, double[] inputs);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern Status tactus_scene_make(IntPtr model, UIntPtr[] inputs, double[] values, UIntPtr count,
+                                                        out IntPtr scene, byte[] message, UIntPtr size);
+        [DllImport(Library, CallingConvention = C)] internal static extern void tactus_scene_free(IntPtr scene);
+        [DllImport(Library, CallingConvention = C)] internal static extern UIntPtr tactus_scene_inputs(IntPtr scene);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern double tactus_scene_force(IntPtr scene, double[] inputs, out int fired);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern void tactus_scene_force_batch(IntPtr scene, double[] inputs, UIntPtr points,
+                                                             double[] force, byte[] fired);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern Status tactus_tube_make(IntPtr scene, out IntPtr tube, byte[] message, UIntPtr size);
+        [DllImport(Library, CallingConvention = C)] internal static extern void tactus_tube_free(IntPtr tube);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern void tactus_tube_place(IntPtr tube, double depthMm);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern void tactus_tube_scene(IntPtr tube, IntPtr scene, double fadeS);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern Status tactus_tube_step(IntPtr tube, double positionMm, int held, double dtS,
+                                                       ref Feel feel);
+
+        private const int MessageBytes = 1024;
+
+        internal delegate Status Make(out IntPtr handle, byte[] message, UIntPtr size);
+
+        /// Runs a call that makes a handle, and throws its sentence where it fails.
+        internal static IntPtr Made(Make make, out string warning)
+        {
+            var message = new byte[MessageBytes];
+            IntPtr handle;
+            Status status = make(out handle, message, (UIntPtr)MessageBytes);
+            int length = Array.IndexOf(message, (byte)0);
+            warning = Encoding.UTF8.GetString(message, 0, length);
+            if (status != Status.Ok) throw new Error(status, warning);
+            return handle;
+        }
+
+        internal static byte[] Bytes(string text) { return Encoding.UTF8.GetBytes(text + "\0"); }
+
+        internal static string Text(IntPtr text)
+        {
+            if (text == IntPtr.Zero) return null;
+            int length = 0;
+            while (Marshal.ReadByte(text, length) != 0) ++length;
+            var bytes = new byte[length];
+            Marshal.Copy(text, bytes, 0, length);
+            return Encoding.UTF8.GetString(bytes);
+        }
+
+        internal static void Want(double[] inputs, int count)
+        {
+            if (inputs == null || inputs.Length < count)
+                throw new Error(Status.BadArgument, "inputs: found " + (inputs == null ? 0 : inputs.Length) +
+                                                        " values, wanted " + count);
+        }
+    }
+
+    /// A model file in memory. Any number of threads.
+    public sealed class Model : IDisposable
+    {
+        internal IntPtr Handle;
+        public readonly string Warning;
+        public readonly string Name;
+        public readonly int Inputs;
+        public readonly string[] InputIds, InputUnits, ExpertIds;
+        public readonly double[] InputMin, InputMax, ExpertWeights;
+        public readonly double OutputMin, OutputMax;
+
+        private Model(IntPtr handle, string warning)
+        {
+            Handle = handle;
+            Warning = warning;
+            Name = Native.Text(Native.tactus_model_name(handle));
+            Inputs = (int)Native.tactus_model_inputs(handle);
+            InputIds = new string[Inputs];
+            InputUnits = new string[Inputs];
+            InputMin = new double[Inputs];
+            InputMax = new double[Inputs];
+            for (int i = 0; i < Inputs; ++i)
+            {
+                InputIds[i] = Native.Text(Native.tactus_model_input_id(handle, (UIntPtr)i));
+                InputUnits[i] = Native.Text(Native.tactus_model_input_unit(handle, (UIntPtr)i));
+                InputMin[i] = Native.tactus_model_input_min(handle, (UIntPtr)i);
+                InputMax[i] = Native.tactus_model_input_max(handle, (UIntPtr)i);
+            }
+            OutputMin = Native.tactus_model_output_min(handle);
+            OutputMax = Native.tactus_model_output_max(handle);
+            int experts = (int)Native.tactus_model_experts(handle);
+            ExpertIds = new string[experts];
+            ExpertWeights = new double[experts];
+            for (int i = 0; i < experts; ++i)
+            {
+                ExpertIds[i] = Native.Text(Native.tactus_model_expert_id(handle, (UIntPtr)i));
+                ExpertWeights[i] = Native.tactus_model_expert_weight(handle, (UIntPtr)i);
+            }
+        }
+
+        public static Model Open(string path)
+        {
+            string warning;
+            IntPtr handle = Native.Made((out IntPtr model, byte[] message, UIntPtr size) =>
+                Native.tactus_model_open(Native.Bytes(path), out model, message, size), out warning);
+            return new Model(handle, warning);
+        }
+
+        public static Model Read(string text)
+        {
+            byte[] bytes = Encoding.UTF8.GetBytes(text);
+            string warning;
+            IntPtr handle = Native.Made((out IntPtr model, byte[] message, UIntPtr size) =>
+                Native.tactus_model_read(bytes, (UIntPtr)bytes.Length, out model, message, size), out warning);
+            return new Model(handle, warning);
+        }
+
+        public double Force(double[] inputs) { bool fired; return Force(inputs, out fired); }
+
+        public double Force(double[] inputs, out bool fired)
+        {
+            Native.Want(inputs, Inputs);
+            int any;
+            double forceN = Native.tactus_force(Handle, inputs, out any);
+            fired = any != 0;
+            return forceN;
+        }
+
+        public double ExpertForce(int expert, double[] inputs)
+        {
+            Native.Want(inputs, Inputs);
+            int any;
+            return Native.tactus_expert_force(Handle, (UIntPtr)expert, inputs, out any);
+        }
+
+        /// Points one after another; `forceN` holds one value for each. `fired` may be null.
+        public void ForceBatch(double[] inputs, double[] forceN, byte[] fired)
+        {
+            Native.Want(inputs, Inputs * forceN.Length);
+            if (fired != null && fired.Length < forceN.Length)
+                throw new Error(Status.BadArgument, "fired: found " + fired.Length + " values, wanted " + forceN.Length);
+            Native.tactus_force_batch(Handle, inputs, (UIntPtr)forceN.Length, forceN, fired);
+        }
+
+        /// Bit i: input i is outside its universe and is clamped.
+        public uint Clamped(double[] inputs)
+        {
+            Native.Want(inputs, Inputs);
+            return Native.tactus_clamped(Handle, inputs);
+        }
+
+        /// The model with some inputs fixed, by id.
+        public Scene Scene(IDictionary<string, double> fixedInputs)
+        {
+            var indices = new UIntPtr[fixedInputs.Count];
+            var values = new double[fixedInputs.Count];
+            int next = 0;
+            foreach (var one in fixedInputs)
+            {
+                int index = Array.IndexOf(InputIds, one.Key);
+                if (index < 0)
+                    throw new Error(Status.BadArgument, "scene: found the input '" + one.Key + "', wanted one of " +
+                                                            string.Join(", ", InputIds));
+                indices[next] = (UIntPtr)index;
+                values[next++] = one.Value;
+            }
+            string warning;
+            IntPtr handle = Native.Made((out IntPtr scene, byte[] message, UIntPtr size) =>
+                Native.tactus_scene_make(Handle, indices, values, (UIntPtr)indices.Length, out scene, message, size),
+                out warning);
+            return new Scene(handle, warning);
+        }
+
+        public void Dispose()
+        {
+            Native.tactus_model_free(Handle);
+            Handle = IntPtr.Zero;
+            GC.SuppressFinalize(this);
+        }
+
+        ~Model() { Native.tactus_model_free(Handle); }
+    }
+
+    /// A model with some inputs fixed; made by Model.Scene. Any number of threads.
+    public sealed class Scene : IDisposable
+    {
+        internal IntPtr Handle;
+        public readonly string Warning;
+        public readonly int Inputs;
+
+        internal Scene(IntPtr handle, string warning)
+        {
+            Handle = handle;
+            Warning = warning;
+            Inputs = (int)Native.tactus_scene_inputs(handle);
+        }
+
+        public double Force(double[] inputs) { bool fired; return Force(inputs, out fired); }
+
+        public double Force(double[] inputs, out bool fired)
+        {
+            Native.Want(inputs, Inputs);
+            int any;
+            double forceN = Native.tactus_scene_force(Handle, inputs, out any);
+            fired = any != 0;
+            return forceN;
+        }
+
+        public void ForceBatch(double[] inputs, double[] forceN, byte[] fired)
+        {
+            Native.Want(inputs, Inputs * forceN.Length);
+            if (fired != null && fired.Length < forceN.Length)
+                throw new Error(Status.BadArgument, "fired: found " + fired.Length + " values, wanted " + forceN.Length);
+            Native.tactus_scene_force_batch(Handle, inputs, (UIntPtr)forceN.Length, forceN, fired);
+        }
+
+        public void Dispose()
+        {
+            Native.tactus_scene_free(Handle);
+            Handle = IntPtr.Zero;
+            GC.SuppressFinalize(this);
+        }
+
+        ~Scene() { Native.tactus_scene_free(Handle); }
+    }
+
+    /// One insertion: position in, force out. One thread at a time.
+    public sealed class Tube : IDisposable
+    {
+        private IntPtr handle_;
+
+        public Tube(Scene scene)
+        {
+            string warning;
+            handle_ = Native.Made((out IntPtr tube, byte[] message, UIntPtr size) =>
+                Native.tactus_tube_make(scene.Handle, out tube, message, size), out warning);
+        }
+
+        /// A new placement at this depth.
+        public void Place(double depthMm) { Native.tactus_tube_place(handle_, depthMm); }
+
+        /// Feels another scene, without a kick.
+        public void Scene(Scene scene, double fadeS = 0.05) { Native.tactus_tube_scene(handle_, scene.Handle, fadeS); }
+
+        /// A position or a time out of range lets the tube go (phase 0).
+        public Feel Step(double positionMm, bool held, double dtS)
+        {
+            var feel = new Feel { Size = (UIntPtr)(uint)Marshal.SizeOf(typeof(Feel)) };
+            Native.tactus_tube_step(handle_, positionMm, held ? 1 : 0, dtS, ref feel);
+            return feel;
+        }
+
+        public void Dispose()
+        {
+            Native.tactus_tube_free(handle_);
+            handle_ = IntPtr.Zero;
+            GC.SuppressFinalize(this);
+        }
+
+        ~Tube() { Native.tactus_tube_free(handle_); }
+    }
+}

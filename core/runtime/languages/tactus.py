@@ -1,0 +1,271 @@
+"""libtactus for Python: the force of a Tactus model. One file, only ctypes; numpy is used where it is there.
+
+    import tactus
+    model = tactus.Model.open("model.tactus.json")
+    model.force([1.0, 45.0, 30.0, 30.0])                 # the averaged force, N
+    model.batch([[1.0, 45.0, 30.0, 30.0], ...])          # a list, or an array where numpy is there
+    scene = model.scene(lubrication=1.0, neck_flexion=45.0)
+    tube = tactus.Tube(scene)
+    feel = tube.step(position_mm=12.0, held=True, dt_s=0.001)
+
+What each call does, and which threads may call it: tactus/tactus.h. The library is looked for under TACTUS_LIBRARY, then
+where the system looks, then in the prefix that this file is installed in.
+"""
+import ctypes
+import glob
+import os
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+INTERFACE = 1
+_MESSAGE_BYTES = 1024
+_double_p = ctypes.POINTER(ctypes.c_double)
+
+
+class Error(RuntimeError):
+    """One sentence: what, where, what was found, what was wanted."""
+
+    def __init__(self, status, sentence):
+        super().__init__(sentence)
+        self.status = status
+
+
+class _Feel(ctypes.Structure):
+    _fields_ = [("size", ctypes.c_size_t), ("force_n", ctypes.c_double), ("depth_mm", ctypes.c_double),
+                ("speed_mm_s", ctypes.c_double), ("slip_speed_mm_s", ctypes.c_double),
+                ("stretch_mm", ctypes.c_double), ("model_force_n", ctypes.c_double), ("phase", ctypes.c_int),
+                ("held_last", ctypes.c_int), ("stroke", ctypes.c_uint)]
+
+
+class Feel:
+    """What the hand feels after one step; the names and units of tactus_feel."""
+
+    __slots__ = [name for name, _ in _Feel._fields_ if name != "size"]
+
+    def __init__(self, raw):
+        for name in self.__slots__:
+            setattr(self, name, getattr(raw, name))
+
+    def __repr__(self):
+        return "Feel(" + ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__slots__) + ")"
+
+
+def _load():
+    prefix = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
+    named = os.environ.get("TACTUS_LIBRARY")
+    names = [named] if named else ["libtactus.so.1"]
+    if not named:
+        names += sorted(glob.glob(os.path.join(prefix, "lib*", "libtactus.so.1")))
+        names += sorted(glob.glob(os.path.join(prefix, "lib", "*", "libtactus.so.1")))
+    reasons = []
+    for name in names:
+        try:
+            return ctypes.CDLL(name)
+        except OSError as error:
+            reasons.append(str(error))
+    raise ImportError("libtactus: " + "; ".join(reasons) + "; set TACTUS_LIBRARY to its path")
+
+
+def _declare(library):
+    handle, size, double, text = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_double, ctypes.c_char_p
+    handle_p, int_p = ctypes.POINTER(handle), ctypes.POINTER(ctypes.c_int)
+    message = [text, size]
+    functions = {
+        "tactus_version": (text, []),
+        "tactus_interface": (ctypes.c_int, []),
+        "tactus_model_open": (ctypes.c_int, [text, handle_p] + message),
+        "tactus_model_read": (ctypes.c_int, [text, size, handle_p] + message),
+        "tactus_model_free": (None, [handle]),
+        "tactus_model_name": (text, [handle]),
+        "tactus_model_inputs": (size, [handle]),
+        "tactus_model_input_id": (text, [handle, size]),
+        "tactus_model_input_unit": (text, [handle, size]),
+        "tactus_model_input_min": (double, [handle, size]),
+        "tactus_model_input_max": (double, [handle, size]),
+        "tactus_model_output_min": (double, [handle]),
+        "tactus_model_output_max": (double, [handle]),
+        "tactus_model_experts": (size, [handle]),
+        "tactus_model_expert_id": (text, [handle, size]),
+        "tactus_model_expert_weight": (double, [handle, size]),
+        "tactus_force": (double, [handle, _double_p, int_p]),
+        "tactus_expert_force": (double, [handle, size, _double_p, int_p]),
+        "tactus_force_batch": (None, [handle, _double_p, size, _double_p, ctypes.c_void_p]),
+        "tactus_clamped": (ctypes.c_uint, [handle, _double_p]),
+        "tactus_scene_make": (ctypes.c_int, [handle, ctypes.POINTER(size), _double_p, size, handle_p] + message),
+        "tactus_scene_free": (None, [handle]),
+        "tactus_scene_inputs": (size, [handle]),
+        "tactus_scene_force": (double, [handle, _double_p, int_p]),
+        "tactus_scene_force_batch": (None, [handle, _double_p, size, _double_p, ctypes.c_void_p]),
+        "tactus_tube_make": (ctypes.c_int, [handle, handle_p] + message),
+        "tactus_tube_free": (None, [handle]),
+        "tactus_tube_place": (None, [handle, double]),
+        "tactus_tube_scene": (None, [handle, handle, double]),
+        "tactus_tube_step": (ctypes.c_int, [handle, double, ctypes.c_int, double, ctypes.POINTER(_Feel)]),
+    }
+    for name, (result, arguments) in functions.items():
+        function = getattr(library, name)
+        function.restype, function.argtypes = result, arguments
+    if library.tactus_interface() < INTERFACE:
+        raise ImportError(f"libtactus: found interface {library.tactus_interface()}, wanted {INTERFACE} or later")
+    return library
+
+
+_lib = _declare(_load())
+
+
+def version():
+    return _lib.tactus_version().decode()
+
+
+def _made(call, *arguments):
+    """Runs a call that makes a handle; returns the handle and the warning."""
+    handle, message = ctypes.c_void_p(), ctypes.create_string_buffer(_MESSAGE_BYTES)
+    status = call(*arguments, ctypes.byref(handle), message, _MESSAGE_BYTES)
+    sentence = message.value.decode("utf-8", "replace")
+    if status != 0:
+        raise Error(status, sentence)
+    return handle, sentence
+
+
+def _point(inputs, count):
+    values = [float(value) for value in inputs]
+    if len(values) != count:
+        raise Error(1, f"inputs: found {len(values)} values, wanted {count}")
+    return (ctypes.c_double * count)(*values)
+
+
+def _points(points, count):
+    """The points as one block of doubles, their number, and what keeps the block alive."""
+    if numpy is not None:
+        block = numpy.ascontiguousarray(points, dtype=numpy.float64)
+        if block.ndim != 2 or block.shape[1] != count:
+            raise Error(1, f"points: found an array of shape {block.shape}, wanted (points, {count})")
+        return block.ctypes.data_as(_double_p), block.shape[0], block
+    rows = [_point(row, count) for row in points]
+    block = (ctypes.c_double * (count * len(rows)))(*[value for row in rows for value in row])
+    return block, len(rows), block
+
+
+class _Evaluator:
+    """What models and scenes share."""
+
+    _handle = None
+
+    def __del__(self):
+        if self._handle and _lib is not None:
+            type(self)._free(self._handle)
+            self._handle = None
+
+    def force(self, inputs):
+        """The force at one point, N."""
+        return self.force_and_fired(inputs)[0]
+
+    def force_and_fired(self, inputs):
+        fired = ctypes.c_int()
+        force_n = type(self)._force(self._handle, _point(inputs, self.inputs), ctypes.byref(fired))
+        return force_n, fired.value != 0
+
+    def batch(self, points):
+        """The forces at many points, N: an array where numpy is there, else a list."""
+        return self.batch_and_fired(points)[0]
+
+    def batch_and_fired(self, points):
+        block, count, _alive = _points(points, self.inputs)
+        force_n, fired = (ctypes.c_double * count)(), (ctypes.c_ubyte * count)()
+        type(self)._batch(self._handle, block, count, force_n, fired)
+        if numpy is not None:
+            return numpy.array(force_n, dtype=numpy.float64), numpy.array(fired, dtype=bool)
+        return list(force_n), [one != 0 for one in fired]
+
+
+class Scene(_Evaluator):
+    """A model with some inputs fixed; made by Model.scene."""
+
+    _free, _force, _batch = _lib.tactus_scene_free, _lib.tactus_scene_force, _lib.tactus_scene_force_batch
+
+    def __init__(self, handle, warning):
+        self._handle, self.warning = handle, warning
+        self.inputs = _lib.tactus_scene_inputs(handle)
+
+
+class Model(_Evaluator):
+    """A model file in memory."""
+
+    _free, _force, _batch = _lib.tactus_model_free, _lib.tactus_force, _lib.tactus_force_batch
+
+    def __init__(self, handle, warning):
+        self._handle, self.warning = handle, warning
+        self.name = _lib.tactus_model_name(handle).decode()
+        self.inputs = _lib.tactus_model_inputs(handle)
+        every = range(self.inputs)
+        self.input_ids = [_lib.tactus_model_input_id(handle, i).decode() for i in every]
+        self.input_units = [_lib.tactus_model_input_unit(handle, i).decode() for i in every]
+        self.input_ranges = [(_lib.tactus_model_input_min(handle, i), _lib.tactus_model_input_max(handle, i))
+                             for i in every]
+        self.output_range = (_lib.tactus_model_output_min(handle), _lib.tactus_model_output_max(handle))
+        experts = range(_lib.tactus_model_experts(handle))
+        self.expert_ids = [_lib.tactus_model_expert_id(handle, i).decode() for i in experts]
+        self.expert_weights = [_lib.tactus_model_expert_weight(handle, i) for i in experts]
+
+    @classmethod
+    def open(cls, path):
+        return cls(*_made(_lib.tactus_model_open, os.fsencode(path)))
+
+    @classmethod
+    def read(cls, text):
+        data = text.encode() if isinstance(text, str) else bytes(text)
+        return cls(*_made(_lib.tactus_model_read, data, len(data)))
+
+    def expert_force(self, expert, inputs):
+        """The force of one expert, by id or by index."""
+        index = self.expert_ids.index(expert) if isinstance(expert, str) else expert
+        if not 0 <= index < len(self.expert_ids):
+            raise Error(1, f"expert: found {index}, wanted 0 to {len(self.expert_ids) - 1}")
+        return _lib.tactus_expert_force(self._handle, index, _point(inputs, self.inputs), None)
+
+    def clamped(self, inputs):
+        """The ids of the inputs that are outside their universes."""
+        bits = _lib.tactus_clamped(self._handle, _point(inputs, self.inputs))
+        return [name for i, name in enumerate(self.input_ids) if bits >> i & 1]
+
+    def scene(self, fixed=None, **more):
+        """The model with some inputs fixed: scene({"lubrication": 1.0}) or scene(lubrication=1.0)."""
+        values = {**(fixed or {}), **more}
+        for name in values:
+            if name not in self.input_ids:
+                raise Error(1, f"scene: found the input '{name}', wanted one of {', '.join(self.input_ids)}")
+        indices = (ctypes.c_size_t * len(values))(*[self.input_ids.index(name) for name in values])
+        numbers = (ctypes.c_double * len(values))(*values.values())
+        return Scene(*_made(_lib.tactus_scene_make, self._handle, indices, numbers, len(values)))
+
+
+class Tube:
+    """One insertion: position in, force out."""
+
+    _handle = None
+
+    def __init__(self, scene):
+        self._handle, _ = _made(_lib.tactus_tube_make, scene._handle)
+        self._raw = _Feel()
+        self._raw.size = ctypes.sizeof(_Feel)
+
+    def __del__(self):
+        if self._handle and _lib is not None:
+            _lib.tactus_tube_free(self._handle)
+            self._handle = None
+
+    def place(self, depth_mm):
+        """A new placement at this depth."""
+        _lib.tactus_tube_place(self._handle, depth_mm)
+
+    def scene(self, scene, fade_s=0.05):
+        """Feels another scene, without a kick."""
+        _lib.tactus_tube_scene(self._handle, scene._handle, fade_s)
+
+    def step(self, position_mm, held, dt_s):
+        """One step; a position or a time out of range lets the tube go (phase 0)."""
+        _lib.tactus_tube_step(self._handle, position_mm, 1 if held else 0, dt_s, ctypes.byref(self._raw))
+        return Feel(self._raw)

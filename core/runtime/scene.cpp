@@ -1,0 +1,137 @@
+// Scenes of the C interface.
+#include "core/fuzzy/scene.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/runtime/handles.h"
+#include "core/runtime/message.h"
+#include "core/runtime/point_tiles.h"
+
+namespace tactus::runtime {
+namespace {
+
+using Fixed = std::vector<std::optional<double>>;
+
+/// One entry per input of the model; a sentence where `fixed` and `values` do not name inputs and values for them.
+tl::expected<Fixed, std::string> fixedInputs(const LoadedModel& model, std::span<const std::size_t> fixed,
+                                             const double* values) {
+  Fixed out(model.inputs.size());
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    const std::string place = "fixed input " + std::to_string(i) + ": ";
+    if (fixed[i] >= out.size()) {
+      return tl::unexpected(place + "found the index " + std::to_string(fixed[i]) + ", wanted 0 to " +
+                            std::to_string(out.size() - 1));
+    }
+    const std::string name = base::quoted(model.inputs[fixed[i]].id);
+    if (out[fixed[i]]) return tl::unexpected(place + "found " + name + " again, wanted each input once");
+    if (!std::isfinite(values[i])) {
+      return tl::unexpected(place + "found " + base::formatNumber(values[i]) + " for " + name +
+                            ", wanted a finite number");
+    }
+    out[fixed[i]] = values[i];
+  }
+  return out;
+}
+
+/// Names the fixed values that are outside their universes; empty where there are none.
+std::string clampedValues(const LoadedModel& model, const Fixed& fixed) {
+  std::vector<std::string> said;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    const double used = fixed[i] ? model.compiled.clampInput(i, *fixed[i]) : 0;
+    if (!fixed[i] || used == *fixed[i]) continue;
+    said.push_back(base::quoted(model.inputs[i].id) + ": found " + base::formatNumber(*fixed[i]) + ", taken as " +
+                   base::formatNumber(used));
+  }
+  return base::joined(said, "; ");
+}
+
+/// What the tube needs of a scene, or the sentence why it has no tube.
+void addTube(const LoadedModel& model, const Fixed& fixed, tactus_scene& scene) {
+  render::TubeSettings settings;
+  settings.renderer = model.renderer;
+  std::vector<std::string> ids;
+  const fuzzy::Variable* depth = nullptr;
+  const fuzzy::Variable* speed = nullptr;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (fixed[i]) continue;
+    const fuzzy::Variable& input = model.inputs[i];
+    if (input.id == "depth") {
+      depth = &input;
+      settings.depth = ids.size();
+      settings.depth_end_mm = input.max;
+    } else if (input.id == "speed") {
+      speed = &input;
+      settings.speed = ids.size();
+    }
+    ids.push_back(base::quoted(input.id));
+  }
+  if (depth == nullptr || speed == nullptr || ids.size() != 2) {
+    scene.no_tube = "inputs of the scene: found " + (ids.empty() ? "none" : base::joined(ids, ", ")) +
+                    ", wanted 'depth' and 'speed' and no other";
+  } else if (const auto units = render::checkTubeUnits(depth, speed, model.output); !units) {
+    scene.no_tube = units.error().message();
+  } else {
+    scene.tube = std::make_shared<const render::TubeScene>(scene.scene, settings);
+  }
+}
+
+}  // namespace
+}  // namespace tactus::runtime
+
+using namespace tactus;  // NOLINT(google-build-using-namespace): the functions below are outside all namespaces
+using namespace tactus::runtime;  // NOLINT(google-build-using-namespace)
+
+tactus_status tactus_scene_make(const tactus_model* model, const size_t* fixed, const double* values,
+                                size_t fixed_count, tactus_scene** scene, char* message, size_t message_size) {
+  Message said(message, message_size);
+  if (scene == nullptr)
+    return said.fail(TACTUS_BAD_ARGUMENT, "scene: found a null pointer, wanted a place for the scene");
+  *scene = nullptr;
+  if (model == nullptr) return said.fail(TACTUS_BAD_ARGUMENT, "model: found a null pointer, wanted a model");
+  const LoadedModel& loaded = *model->loaded;
+  if (fixed_count > loaded.inputs.size() || (fixed_count > 0 && (fixed == nullptr || values == nullptr))) {
+    return said.fail(TACTUS_BAD_ARGUMENT, fixed_count > loaded.inputs.size()
+                                              ? "fixed: found more fixed inputs than the model has inputs"
+                                              : "fixed: found a null pointer, wanted fixed inputs and their values");
+  }
+  return guarded(said, [&] {
+    const auto inputs = fixedInputs(loaded, {fixed, fixed_count}, values);
+    if (!inputs) return said.fail(TACTUS_BAD_ARGUMENT, inputs.error());
+    auto specialised = fuzzy::Scene::specialise(loaded.compiled, *inputs);
+    if (!specialised) return said.fail(TACTUS_BAD_ARGUMENT, specialised.error().message());
+    auto made = std::make_unique<tactus_scene>(tactus_scene{std::move(*specialised), nullptr, {}});
+    addTube(loaded, *inputs, *made);
+    const std::string clamped = clampedValues(loaded, *inputs);
+    said.say(clamped);
+    *scene = made.release();
+    return TACTUS_OK;
+  });
+}
+
+void tactus_scene_free(tactus_scene* scene) { delete scene; }
+
+size_t tactus_scene_inputs(const tactus_scene* scene) { return scene != nullptr ? scene->scene.freeInputCount() : 0; }
+
+double tactus_scene_force(const tactus_scene* scene, const double* inputs, int* fired) {
+  if (scene == nullptr) return handOut({}, fired);
+  const std::size_t count = scene->scene.freeInputCount();
+  if (inputs == nullptr && count > 0) return handOut({}, fired);
+  return handOut(scene->scene.evaluate({inputs, count}), fired);
+}
+
+void tactus_scene_force_batch(const tactus_scene* scene, const double* inputs, size_t points, double* force,
+                              unsigned char* fired) {
+  const std::size_t count = tactus_scene_inputs(scene);
+  if (scene == nullptr || force == nullptr || (inputs == nullptr && count > 0)) return noForces(points, force, fired);
+  inTiles(inputs, points, count, force, fired,
+          [&](std::span<const std::span<const double>> columns, fuzzy::BatchResult out) {
+            scene->scene.evaluateBatch(columns, out);
+          });
+}

@@ -1,0 +1,20 @@
+# Tactus.cs from the installed prefix, under Mono.
+include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+if(NOT MCS OR NOT MONO)
+  message("SKIPPED: there is no Mono here (mcs, mono), so Tactus.cs is not tested")
+  return()
+endif()
+points("${WORK}/points.csv" 2000)
+run(ignored "${MCS}" -warnaserror "-out:${WORK}/table.exe" "${SOURCE}/tests/consumer/outside/Table.cs"
+    "${PREFIX}/share/tactus/languages/Tactus.cs")
+run(ignored "${WORK}/../consumer_program/build/shared_c" "${MODEL}" "${WORK}/points.csv" "${WORK}/bits.csv" bits)
+run(said "${MONO}" "${WORK}/table.exe" "${MODEL}" "${WORK}/bits.csv")
+if(NOT said STREQUAL "2000 forces as in C\n")
+  message(FATAL_ERROR "${said}")
+endif()
+run(ignored "${MCS}" -warnaserror "-out:${WORK}/force.exe" "${PREFIX}/share/tactus/examples/Force.cs"
+    "${PREFIX}/share/tactus/languages/Tactus.cs")
+run(force "${MONO}" "${WORK}/force.exe" "${MODEL}" 1 45 30 30)
+if(NOT force MATCHES "^0\\.12666666666666[0-9]* N\n$")
+  message(FATAL_ERROR "Force.cs: ${force}")
+endif()

@@ -1,0 +1,16 @@
+# The installed examples build and run.
+include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+build("${PREFIX}/share/tactus/examples" "${WORK}/build" "-DCMAKE_PREFIX_PATH=${PREFIX}")
+run(force "${WORK}/build/force" "${MODEL}" 1 45 30 30)
+# Facts sheet: the exact force of S4's rules at this point is .12666666666666668 N.
+if(NOT force MATCHES "^0\\.12666666666666[0-9]* N\n$")
+  message(FATAL_ERROR "force: ${force}")
+endif()
+run(trace "${WORK}/build/insertion" "${MODEL}")
+if(NOT trace MATCHES "^time_s,position_mm,depth_mm,force_n\n0.000,0.000,0.000,0.000000\n.*1.000,60.000,5[0-9]\\.")
+  message(FATAL_ERROR "insertion: ${trace}")
+endif()
+run(latency "${WORK}/build/latency" "${MODEL}")
+if(NOT latency MATCHES "^reading the model .* us\nforce, median point .*\nforce, costliest point .* us\n")
+  message(FATAL_ERROR "latency: ${latency}")
+endif()

@@ -1,0 +1,16 @@
+# tactus.py from the installed prefix: the same table, with and without numpy.
+include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+if(NOT PYTHON)
+  message("SKIPPED: there is no python3 here, so tactus.py is not tested")
+  return()
+endif()
+unset(ENV{LD_LIBRARY_PATH})  # it finds the library of its prefix by itself
+points("${WORK}/points.csv" 2000)
+run(said "${PYTHON}" "${SOURCE}/tests/consumer/outside/table.py" "${PREFIX}/share/tactus/languages" "${MODEL}"
+    "${WORK}/points.csv" "${WORK}/python.csv")
+message("${said}")
+sameAsProgram("${WORK}/points.csv" "${WORK}/python.csv")
+run(force "${PYTHON}" "${PREFIX}/share/tactus/examples/force.py" "${MODEL}" 1 45 30 30)
+if(NOT force MATCHES "^0\\.12666666666666[0-9]* N\n$")
+  message(FATAL_ERROR "force.py: ${force}")
+endif()

@@ -1,0 +1,18 @@
+# The shared library exports the functions of tactus.h and nothing else.
+execute_process(COMMAND "${NM}" -D --defined-only "${LIBRARY}" OUTPUT_VARIABLE lines COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^\n]+" lines "${lines}")
+set(exported "")
+foreach(line IN LISTS lines)
+  string(REGEX REPLACE "^.* " "" name "${line}")
+  list(APPEND exported "${name}")
+endforeach()
+
+file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/../../../core/runtime/include/tactus/tactus.h" declared REGEX "^TACTUS_API")
+list(TRANSFORM declared REPLACE "^.*[ *](tactus_[a-z_]+)\\(.*$" "\\1")
+list(SORT exported)
+list(SORT declared)
+if(NOT exported STREQUAL declared)
+  message(FATAL_ERROR "exported: ${exported}\ndeclared: ${declared}")
+endif()
+list(LENGTH exported count)
+message(STATUS "${count} names, all of them declared")
