@@ -1,42 +1,74 @@
 // tactus-workbench [MODEL|STUDY]: the program with a window.
 #include <QApplication>
-#include <QCommandLineParser>
 #include <QIcon>
 #include <QLocale>
 #include <QSettings>
 #include <csignal>
+#include <cstdio>
 
 #include "app/version.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/program_options.h"
 #include "app/workbench/translation.h"
 #include "app/workbench/workbench.h"
 
-int main(int argc, char** argv) {
-  // A limit on the size of files is then an error that is told, as a full disk is.
-  std::signal(SIGXFSZ, SIG_IGN);
-  QApplication application(argc, argv);
+namespace {
+
+using namespace tactus::workbench;
+
+int fail(const tactus::base::Error& error) {
+  std::fprintf(stderr, "tactus-workbench: %s\n", error.message().c_str());
+  return 1;
+}
+
+void nameProgram() {
   QApplication::setOrganizationName(QStringLiteral("Tactus"));
   QApplication::setApplicationName(QStringLiteral("tactus-workbench"));
   QApplication::setApplicationDisplayName(QStringLiteral("Tactus Workbench"));
   QApplication::setApplicationVersion(
       QString::fromUtf8(tactus::kVersion.data(), static_cast<qsizetype>(tactus::kVersion.size())));
+}
+
+int takePictures(QApplication& application, const PictureSettings& pictures) {
+  calmForPictures();
+  theme::apply(application, theme::Look::kLight);
+  const auto written = writeScreenPictures(pictures);
+  return written ? 0 : fail(written.error());
+}
+
+QStringList argumentsOf(int argc, char** argv) {
+  QStringList arguments;
+  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+  return arguments;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A limit on the size of files is then an error that is told, as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
+  QCommandLineParser first_look;
+  describeOptions(first_look);
+  first_look.parse(argumentsOf(argc, argv));
+  const auto read = readOptions(first_look);
+  if (!read) return fail(read.error());
+  const auto& pictures = read->pictures;
+  if (pictures) prepareForPictures(*pictures);
+
+  QApplication application(argc, argv);
+  nameProgram();
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/tactus/icon.svg")));
-
-  tactus::workbench::installTranslations(application, QLocale());
-
+  installTranslations(application, pictures ? QLocale(pictures->language) : QLocale());
+  // In the language of the user: answers --help and --version, and refuses unknown options.
   QCommandLineParser arguments;
-  arguments.setApplicationDescription(QCoreApplication::translate("main", "Explore force models of expert nurses."));
-  arguments.addHelpOption();
-  arguments.addVersionOption();
-  arguments.addPositionalArgument(QStringLiteral("file"),
-                                  QCoreApplication::translate("main", "A model (*.tactus.json) or a study (*.tactus)."),
-                                  QStringLiteral("[file]"));
+  describeOptions(arguments);
   arguments.process(application);
+  if (pictures) return takePictures(application, *pictures);
 
   QSettings settings;
-  tactus::workbench::theme::apply(application, tactus::workbench::theme::storedLook(settings));
-  tactus::workbench::Workbench workbench(settings);
+  theme::apply(application, theme::storedLook(settings));
+  Workbench workbench(settings);
   workbench.window.show();
-  if (!arguments.positionalArguments().isEmpty()) workbench.files.open(arguments.positionalArguments().first());
+  if (!read->file.isEmpty()) workbench.files.open(read->file);
   return QApplication::exec();
 }

@@ -25,7 +25,7 @@ using tests::literalsOf;
 // dates, the widest text of a field, names of classes, objects and styles. Errors are English sentences, made by
 // core/base/error.h.
 constexpr std::string_view kNotShown =
-    " tr translate toString horizontalAdvance inherits setObjectName create fail inFile refuse too_many ";
+    " tr translate toString horizontalAdvance inherits setObjectName create fail inFile refuse too_many qputenv ";
 
 // Give a text to the screen: a literal with letters in it is seen.
 constexpr std::string_view kShows =
@@ -49,6 +49,7 @@ constexpr Exception kExceptions[] = {
     {"feel/feel_panel.cpp", "<span style=\\\"color:%1\\\">■</span> %2", "marks without a word"},
     {"feel/feel_panel.cpp", "<br>", "markup"},
     {"workbench/main.cpp", "Tactus", "the folder of the settings"},
+    {"workbench/main.cpp", "tactus-workbench: %s\\n", "the command line"},
     {"workbench/main.cpp", "Tactus Workbench", "the name of the program"},
     {"plot/picture_export.cpp", "PNG", "the name of a format"},
     {"understand/curves/curve_overlays.cpp", "under the curves", "the name of a layer"},

@@ -494,6 +494,49 @@
     </message>
 </context>
 <context>
+    <name>OptionText</name>
+    <message>
+        <source>Explore force models of expert nurses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a picture of every screen in &lt;folder&gt;, from the demo study, without a display.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of these pictures in px, before the scale; 1280x720 without this option.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WxH</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale of these pictures: 2 for a screen with twice the dots.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language of these pictures: en, zh-Hant or zh-Hans.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A model (*.tactus.json) or a study (*.tactus).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PictureParts</name>
     <message>
         <source>&amp;Copy picture of the plot</source>
@@ -880,17 +923,6 @@
     </message>
     <message>
         <source>“%1” can be one number or two: type %2 or %3.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>main</name>
-    <message>
-        <source>Explore force models of expert nurses.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A model (*.tactus.json) or a study (*.tactus).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

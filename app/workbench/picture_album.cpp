@@ -1,0 +1,76 @@
+#include "app/workbench/picture_album.h"
+
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QImage>
+#include <QPixmap>
+#include <QTimer>
+#include <QWidget>
+#include <utility>
+
+#include "core/base/files/file.h"
+#include "core/base/json/json_writer.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kCalmMs = 120;         // some frames; a screen that has not changed for so long is finished
+constexpr int kPatienceMs = 20'000;  // for what is computed in the background
+
+void pass(int ms) {
+  QEventLoop loop;
+  QTimer::singleShot(ms, &loop, &QEventLoop::quit);
+  loop.exec();
+}
+
+QImage settledPicture(QWidget& window) {
+  QElapsedTimer clock;
+  clock.start();
+  QImage last;
+  for (QImage now = window.grab().toImage(); now != last && clock.elapsed() < kPatienceMs;) {
+    last = std::move(now);
+    pass(kCalmMs);
+    now = window.grab().toImage();
+  }
+  return last;
+}
+
+}  // namespace
+
+PictureAlbum::PictureAlbum(QString folder, const QSize& size, double scale, QString language)
+    : folder_(std::move(folder)), size_(size), scale_(scale), language_(std::move(language)) {}
+
+base::Result<void> PictureAlbum::add(const QString& area, const QString& screen, const QString& title,
+                                     QWidget& window) {
+  if (qobject_cast<QDialog*>(&window) == nullptr) window.resize(size_);
+  const QString file = area + QLatin1Char('/') + screen + QStringLiteral(".png");
+  const QString path = folder_ + QLatin1Char('/') + file;
+  if (auto made = base::makeFolder((folder_ + QLatin1Char('/') + area).toStdString()); !made) return made;
+  if (!settledPicture(window).save(path)) {
+    return base::fail(base::ErrorCode::kIo, path.toStdString(), "a file that cannot be written", "a writable folder");
+  }
+  pictures_.push_back({file, area, screen, title, window.size()});
+  return {};
+}
+
+base::Result<void> PictureAlbum::finish() const {
+  base::JsonWriter json;
+  json.beginArray();
+  for (const Picture& picture : pictures_) {
+    json.beginObject(base::JsonWriter::Layout::kInline);
+    json.key("file").value(picture.file.toStdString());
+    json.key("area").value(picture.area.toStdString());
+    json.key("screen").value(picture.screen.toStdString());
+    json.key("title").value(picture.title.toStdString());
+    json.key("language").value(language_.toStdString());
+    json.key("width").value(picture.size.width());
+    json.key("height").value(picture.size.height());
+    json.key("scale").value(scale_);
+    json.endObject();
+  }
+  json.endArray();
+  return base::writeFileAtomically((folder_ + QStringLiteral("/screens.json")).toStdString(), json.text());
+}
+
+}  // namespace tactus::workbench

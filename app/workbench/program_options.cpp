@@ -1,0 +1,107 @@
+#include "app/workbench/program_options.h"
+
+#include <QApplication>
+#include <QLocale>
+#include <QRegularExpression>
+#include <string>
+#include <utility>
+
+namespace tactus::workbench {
+namespace {
+
+struct OptionText {
+  Q_DECLARE_TR_FUNCTIONS(OptionText)
+};
+
+constexpr auto kScreens = "screens";
+constexpr auto kSize = "size";
+constexpr auto kScale = "scale";
+constexpr auto kLanguage = "language";
+
+constexpr int kSmallest = 320;  // px; below it no screen can be recognized
+constexpr int kLargest = 8192;
+constexpr double kLeastScale = 0.5;
+constexpr double kMostScale = 4;
+
+tl::unexpected<base::Error> refuse(const char* option, const QString& found, const char* wanted) {
+  return base::fail(base::ErrorCode::kValue, std::string("--") + option, base::quoted(found.toStdString()), wanted);
+}
+
+base::Result<QSize> sizeOf(const QString& text) {
+  static const QRegularExpression kPattern(QStringLiteral("^(\\d{1,5})x(\\d{1,5})$"));
+  const auto match = kPattern.match(text);
+  const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
+  const auto fits = [](int length) { return length >= kSmallest && length <= kLargest; };
+  if (!fits(size.width()) || !fits(size.height())) {
+    return refuse(kSize, text, "width and height in px, from 320 to 8192, as in 1280x720");
+  }
+  return size;
+}
+
+base::Result<PictureSettings> picturesOf(const QCommandLineParser& parser) {
+  PictureSettings pictures;
+  pictures.folder = parser.value(QLatin1String(kScreens));
+  if (parser.isSet(QLatin1String(kSize))) {
+    auto size = sizeOf(parser.value(QLatin1String(kSize)));
+    if (!size) return tl::unexpected(size.error());
+    pictures.size = *size;
+  }
+  if (parser.isSet(QLatin1String(kScale))) {
+    const QString text = parser.value(QLatin1String(kScale));
+    bool number = false;
+    pictures.scale = QLocale::c().toDouble(text, &number);
+    if (!number || !(pictures.scale >= kLeastScale && pictures.scale <= kMostScale)) {
+      return refuse(kScale, text, "a number from 0.5 to 4");
+    }
+  }
+  if (parser.isSet(QLatin1String(kLanguage))) pictures.language = parser.value(QLatin1String(kLanguage));
+  return pictures;
+}
+
+}  // namespace
+
+void describeOptions(QCommandLineParser& parser) {
+  parser.setApplicationDescription(OptionText::tr("Explore force models of expert nurses."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  const auto option = [&parser](const char* name, const QString& help, const QString& value) {
+    parser.addOption({QLatin1String(name), help, value});
+  };
+  option(kScreens,
+         OptionText::tr("Save a picture of every screen in <folder>, from the demo study, without a display."),
+         OptionText::tr("folder"));
+  option(kSize, OptionText::tr("Size of these pictures in px, before the scale; 1280x720 without this option."),
+         OptionText::tr("WxH"));
+  option(kScale, OptionText::tr("Scale of these pictures: 2 for a screen with twice the dots."),
+         OptionText::tr("scale"));
+  option(kLanguage, OptionText::tr("Language of these pictures: en, zh-Hant or zh-Hans."), OptionText::tr("language"));
+  parser.addPositionalArgument(QStringLiteral("file"), OptionText::tr("A model (*.tactus.json) or a study (*.tactus)."),
+                               QStringLiteral("[file]"));
+}
+
+base::Result<ProgramOptions> readOptions(const QCommandLineParser& parser) {
+  ProgramOptions options;
+  if (const QStringList files = parser.positionalArguments(); !files.isEmpty()) options.file = files.first();
+  if (parser.isSet(QLatin1String(kScreens))) {
+    auto pictures = picturesOf(parser);
+    if (!pictures) return tl::unexpected(pictures.error());
+    options.pictures = std::move(*pictures);
+  }
+  return options;
+}
+
+void prepareForPictures(const PictureSettings& pictures) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  qputenv("QT_SCALE_FACTOR", QByteArray::number(pictures.scale));
+}
+
+void calmForPictures() {
+  QLocale::setDefault(QLocale::c());
+  QApplication::setCursorFlashTime(0);
+  for (const Qt::UIEffect effect : {Qt::UI_AnimateMenu, Qt::UI_FadeMenu, Qt::UI_AnimateCombo, Qt::UI_AnimateTooltip,
+                                    Qt::UI_FadeTooltip, Qt::UI_AnimateToolBox}) {
+    QApplication::setEffectEnabled(effect, false);
+  }
+}
+
+}  // namespace tactus::workbench

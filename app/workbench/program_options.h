@@ -1,0 +1,29 @@
+// The command line of tactus-workbench.
+#pragma once
+
+#include <QCommandLineParser>
+#include <QString>
+#include <QStringList>
+#include <optional>
+
+#include "app/workbench/screen_pictures.h"
+#include "core/base/error.h"
+
+namespace tactus::workbench {
+
+struct ProgramOptions {
+  QString file;                             ///< a model or a study; empty: none
+  std::optional<PictureSettings> pictures;  ///< --screens
+};
+
+/// Options, arguments and their help texts. Needs no QApplication.
+void describeOptions(QCommandLineParser& parser);
+/// Reads what `parser` has parsed.
+base::Result<ProgramOptions> readOptions(const QCommandLineParser& parser);
+
+/// What Qt must know before there is a QApplication: that pictures need no display, and their scale.
+void prepareForPictures(const PictureSettings& pictures);
+/// The same pictures on each computer: no blinking cursor, no animations, no local number format.
+void calmForPictures();
+
+}  // namespace tactus::workbench

@@ -1,0 +1,91 @@
+#include "app/workbench/screen_pictures.h"
+
+#include <QEventLoop>
+#include <QMenuBar>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "app/session/simulated_study.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/picture_album.h"
+#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
+#include "app/workbench/shell/shortcut_sheet.h"
+#include "app/workbench/workbench.h"
+
+namespace tactus::workbench {
+namespace {
+
+base::Result<void> makeDemoStudy(const QString& path) {
+  auto made = session::makeSimulatedNgtStudy(path.toStdString());
+  if (!made) return tl::unexpected(made.error());
+  return made->close();
+}
+
+/// Until the study is open and its model is built, or the reason why it cannot be.
+base::Result<void> openStudy(Workbench& bench, const QString& path) {
+  QEventLoop loop;
+  base::Result<void> opened;
+  const auto fail = [&](const QString& file, const QString& sentence) {
+    opened = base::fail(base::ErrorCode::kIo, file.toStdString(), sentence.toStdString(), "the demo study");
+    loop.quit();
+  };
+  QObject::connect(&bench.study, &StudyConnection::failed, &loop, fail);
+  QObject::connect(&bench.study_models, &StudyModels::failed, &loop, fail);
+  QObject::connect(&bench.study_models, &StudyModels::notesChanged, &loop, &QEventLoop::quit);
+  bench.files.open(path);
+  loop.exec();
+  return opened;
+}
+
+/// The layout of `stage`, and each of its panels behind a tab.
+base::Result<void> addStage(PictureAlbum& album, Workbench& bench, Stage stage) {
+  bench.window.enter(stage);
+  PanelArea& panels = bench.window.panels();
+  if (auto added = album.add(stageId(stage), QStringLiteral("overview"), stageName(stage), bench.window); !added) {
+    return added;
+  }
+  QList<Panel*> behind;
+  for (Panel* panel : panels.panels()) {
+    if (panels.isBehind(*panel)) behind << panel;
+  }
+  for (Panel* panel : behind) {
+    panels.resetLayout();
+    panel->reveal();
+    const QString title = stageName(stage) + QStringLiteral(": ") + panel->windowTitle();
+    if (auto added = album.add(stageId(stage), panel->objectName(), title, bench.window); !added) return added;
+  }
+  return {};
+}
+
+}  // namespace
+
+base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
+  const QTemporaryDir folder;
+  const QString study = folder.filePath(QStringLiteral("ngt-demo.tactus"));
+  if (auto made = makeDemoStudy(study); !made) return made;
+  QSettings settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat);
+  Workbench bench(settings, folder.filePath(QStringLiteral("autosave")));
+  bench.window.resize(wanted.size);
+  bench.window.show();
+
+  PictureAlbum album(wanted.folder, wanted.size, wanted.scale, wanted.language);
+  if (auto added =
+          album.add(QStringLiteral("start"), QStringLiteral("start"), bench.window.windowTitle(), bench.window);
+      !added) {
+    return added;
+  }
+  if (auto opened = openStudy(bench, study); !opened) return opened;
+  for (const Stage stage : {Stage::kUnderstand, Stage::kTune}) {
+    if (auto added = addStage(album, bench, stage); !added) return added;
+  }
+  ShortcutSheet sheet(*bench.window.menuBar(), &bench.window);
+  sheet.show();
+  if (auto added = album.add(QStringLiteral("help"), QStringLiteral("shortcuts"), sheet.windowTitle(), sheet); !added) {
+    return added;
+  }
+  sheet.hide();
+  return album.finish();
+}
+
+}  // namespace tactus::workbench

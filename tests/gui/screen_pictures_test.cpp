@@ -1,0 +1,88 @@
+#include "app/workbench/screen_pictures.h"
+
+#include <QCommandLineParser>
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSet>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "app/workbench/program_options.h"
+
+namespace tactus::workbench {
+namespace {
+
+base::Result<ProgramOptions> optionsOf(const QStringList& arguments) {
+  QCommandLineParser parser;
+  describeOptions(parser);
+  EXPECT_TRUE(parser.parse(QStringList{QStringLiteral("tactus-workbench")} + arguments));
+  return readOptions(parser);
+}
+
+TEST(ScreenPictures, AreAllListedWithTheirSize) {
+  const QTemporaryDir folder;
+  const PictureSettings wanted{folder.filePath(QStringLiteral("new/pictures")), QSize(1280, 720), 1,
+                               QStringLiteral("en")};
+  const auto written = writeScreenPictures(wanted);
+  ASSERT_TRUE(written) << written.error().message();
+  QFile list(wanted.folder + QStringLiteral("/screens.json"));
+  ASSERT_TRUE(list.open(QIODevice::ReadOnly));
+  const QJsonArray all = QJsonDocument::fromJson(list.readAll()).array();
+  QSet<QString> screens;
+  for (const QJsonValue& value : all) {
+    const QJsonObject picture = value.toObject();
+    EXPECT_EQ(picture.keys(),
+              (QStringList{QStringLiteral("area"), QStringLiteral("file"), QStringLiteral("height"),
+                           QStringLiteral("language"), QStringLiteral("scale"), QStringLiteral("screen"),
+                           QStringLiteral("title"), QStringLiteral("width")}));
+    const QString name =
+        picture[QStringLiteral("area")].toString() + QLatin1Char('/') + picture[QStringLiteral("screen")].toString();
+    EXPECT_EQ(picture[QStringLiteral("file")].toString(), name + QStringLiteral(".png"));
+    EXPECT_EQ(QImage(wanted.folder + QLatin1Char('/') + name + QStringLiteral(".png")).size(),
+              QSize(picture[QStringLiteral("width")].toInt(), picture[QStringLiteral("height")].toInt()))
+        << name.toStdString();
+    EXPECT_FALSE(picture[QStringLiteral("title")].toString().isEmpty());
+    if (name != QStringLiteral("help/shortcuts")) {  // a dialog has its own size
+      EXPECT_EQ(picture[QStringLiteral("width")].toInt(), wanted.size.width());
+      EXPECT_EQ(picture[QStringLiteral("height")].toInt(), wanted.size.height());
+    }
+    screens << name;
+  }
+  EXPECT_EQ(screens.size(), all.size());
+  for (const char* name : {"start/start", "understand/overview", "understand/surface", "tune/overview",
+                           "tune/rule_editor", "tune/findings", "tune/history"}) {
+    EXPECT_TRUE(screens.contains(QLatin1String(name))) << name;
+  }
+}
+
+TEST(ProgramOptions, SayWhatPicturesAreWanted) {
+  const auto options = optionsOf({QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--size"),
+                                  QStringLiteral("1920x1080"), QStringLiteral("--scale"), QStringLiteral("2"),
+                                  QStringLiteral("--language"), QStringLiteral("zh-Hant")});
+  ASSERT_TRUE(options && options->pictures);
+  EXPECT_EQ(options->pictures->folder, QStringLiteral("out"));
+  EXPECT_EQ(options->pictures->size, QSize(1920, 1080));
+  EXPECT_EQ(options->pictures->scale, 2);
+  EXPECT_EQ(options->pictures->language, QStringLiteral("zh-Hant"));
+  EXPECT_FALSE(optionsOf({QStringLiteral("study.tactus")})->pictures);
+}
+
+TEST(ProgramOptions, ThatCannotBeMeantAreASentence) {
+  for (const char* bad : {"1280", "1280x", "x720", "12x720", "1280x99999", "1280x720x2", "-1280x720"}) {
+    const auto options =
+        optionsOf({QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--size=") + QLatin1String(bad)});
+    ASSERT_FALSE(options) << bad;
+    EXPECT_NE(options.error().message().find("1280x720"), std::string::npos);
+  }
+  for (const char* bad : {"0", "-1", "nan", "5", "two"}) {
+    EXPECT_FALSE(optionsOf(
+        {QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--scale=") + QLatin1String(bad)}))
+        << bad;
+  }
+}
+
+}  // namespace
+}  // namespace tactus::workbench
