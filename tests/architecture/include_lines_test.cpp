@@ -120,6 +120,8 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/study/connection", room({"base"})},
       {"app/workbench/study", room({"base", "kit", "model", "study/connection"})},
       {"app/workbench/shell", room({"base", "kit", "model"})},
+      {"app/workbench/participant/kit", room({"base", "anatomy"})},
+      {"app/workbench/participant/screens", room({"base", "anatomy", "participant/kit"})},
       // The root composes them.
       {"app/workbench", room({"base", "kit", "model", "plot", "tune/terms", "tune/rules", "tune/findings",
                               "tune/history", "understand/curves", "understand/map", "understand/here", "device",

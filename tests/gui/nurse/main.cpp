@@ -1,5 +1,5 @@
-// Runs the tests of the nurse's screens without a display, in one screen of the size of a small laptop. Any warning that
-// Qt logs ends the run.
+// Runs the tests of the nurse's screens without a display, in one screen of the size of a small laptop. Any warning
+// that Qt logs ends the run.
 #include <QApplication>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>

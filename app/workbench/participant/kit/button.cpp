@@ -1,0 +1,124 @@
+#include "app/workbench/participant/kit/button.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "app/workbench/participant/kit/colors.h"
+#include "app/workbench/participant/kit/ring.h"
+
+namespace tactus::workbench::nurse {
+namespace {
+
+constexpr double kHeightMm = 20;
+constexpr double kForceOffMm = 25;
+constexpr double kLeastWidthMm = 30;
+constexpr double kPaddingMm = 4;
+constexpr double kCornerMm = 2;
+constexpr double kToleranceMm = 10;
+constexpr double kWidestMm = 110;  // of a line; longer texts take two
+constexpr int kTextFlags = Qt::AlignCenter | Qt::TextWordWrap;
+
+}  // namespace
+
+bool endsNear(const Look& look, const QWidget& control, const QPoint& at) {
+  const int reach = look.mm(kToleranceMm);
+  return control.rect().adjusted(-reach, -reach, reach, reach).contains(at);
+}
+
+Button::Button(const Look& look, ButtonKind kind, const Phrase& text, QWidget* parent)
+    : QAbstractButton(parent), look_(look), kind_(kind), text_(text) {
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  connect(&look, &Look::changed, this, &Button::follow);
+  follow();
+}
+
+void Button::setPhrase(const Phrase& text) {
+  text_ = text;
+  follow();
+}
+
+void Button::waitFor(const std::optional<Phrase>& reason) {
+  if (reason == reason_) return;
+  reason_ = reason;
+  setEnabled(!reason);
+  follow();
+}
+
+void Button::reserve(const Phrase& text) {
+  reserved_ = text;
+  updateGeometry();
+}
+
+void Button::keepOneLine() {
+  one_line_ = true;
+  updateGeometry();
+}
+
+void Button::follow() {
+  setFont(look_.font(1, kind_ != ButtonKind::kPlain && !reason_));
+  setText(look_.say(reason_ ? *reason_ : text_));
+  setAccessibleName(text());
+  updateGeometry();
+  update();
+}
+
+QSize Button::sizeHint() const {
+  const int padding = look_.mm(kPaddingMm);
+  int wide = look_.mm(kLeastWidthMm);
+  int high = look_.mm(kind_ == ButtonKind::kForceOff ? kForceOffMm : kHeightMm);
+  for (const Phrase& phrase : {text_, reason_.value_or(Phrase{}), reserved_}) {
+    const QSize needed = room(look_.say(phrase));
+    wide = std::max(wide, needed.width() + 2 * padding);
+    high = std::max(high, needed.height() + padding);
+  }
+  return QSize(wide, high) + QSize(2 * kRingRoom, 2 * kRingRoom);
+}
+
+QSize Button::room(const QString& text) const {
+  const QFontMetricsF metrics(look_.font(1, true));
+  const double line = metrics.horizontalAdvance(text);
+  if (one_line_ || line <= look_.mm(kWidestMm))
+    return {static_cast<int>(std::ceil(line)) + 1, static_cast<int>(metrics.height())};
+  // Two lines of nearly equal length.
+  const double step = metrics.averageCharWidth();
+  double wide = line / 2;
+  const auto height = [&](double width) {
+    return metrics.boundingRect(QRectF(0, 0, width, 1e6), kTextFlags, text).height();
+  };
+  while (wide < line && height(wide) > 2.1 * metrics.lineSpacing()) wide += step;
+  return {static_cast<int>(std::ceil(wide)) + 1, static_cast<int>(std::ceil(height(wide)))};
+}
+
+bool Button::hitButton(const QPoint& at) const { return isDown() ? endsNear(look_, *this, at) : rect().contains(at); }
+
+QColor Button::fill() const {
+  if (!isEnabled()) return colors::kWaiting;
+  switch (kind_) {
+    case ButtonKind::kPrimary:
+      return isDown() ? colors::kAccentPressed : colors::kAccent;
+    case ButtonKind::kForceOff:
+      return isDown() ? colors::kForceOffPressed : colors::kForceOff;
+    case ButtonKind::kPlain:
+      break;
+  }
+  return isDown() ? colors::kChosen : colors::kCard;
+}
+
+void Button::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF face = faceOf(size());
+  const double corner = look_.mm(kCornerMm);
+  const bool plain = kind_ == ButtonKind::kPlain || !isEnabled();
+  painter.setPen(kind_ == ButtonKind::kPlain && isEnabled() ? QPen(colors::kEdge, 1.5) : QPen(Qt::NoPen));
+  painter.setBrush(fill());
+  painter.drawRoundedRect(face, corner, corner);
+  painter.setPen(plain ? colors::kInk : QColor(Qt::white));
+  const double padding = look_.mm(kPaddingMm);
+  painter.drawText(face.adjusted(padding / 2, 0, -padding / 2, 0), kTextFlags, text());
+  if (hasFocus()) drawRing(painter, face, corner);
+}
+
+}  // namespace tactus::workbench::nurse

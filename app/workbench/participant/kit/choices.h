@@ -1,0 +1,54 @@
+// The answers to one question: those on the scale in one row of equal cards, from left to right in their order, those
+// apart from it in a second row. Nothing is chosen at the start.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/participant/kit/answer_card.h"
+
+namespace tactus::workbench::nurse {
+
+class Choices : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Choices(const Look& look, QWidget* parent = nullptr);
+
+  /// Makes new cards only if the ids differ.
+  void setAnswers(std::vector<Answer> answers);
+  /// Shows `id` as chosen; empty or unknown: none.
+  void choose(const QString& id);
+  QString chosen() const;
+  /// The id of answer `place` on the scale, from 1; empty if there is none.
+  QString onScale(int place) const;
+  bool offers(const QString& id) const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+
+ signals:
+  void picked(const QString& id);  ///< by the person
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  /// Sets the cards into `width` px if `set`; the height that they take.
+  int arrange(int width, bool set) const;
+  int columnWidth(int width) const;
+  std::vector<AnswerCard*> row(bool apart) const;
+
+  const Look& look_;
+  std::vector<AnswerCard*> cards_;
+};
+
+/// The five words of force, `not_felt` and `beyond_practice` apart, as the vote knows them.
+std::vector<Answer> forceWords();
+/// The five words and "I can't tell".
+std::vector<Answer> questionWords();
+
+}  // namespace tactus::workbench::nurse

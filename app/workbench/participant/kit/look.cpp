@@ -1,0 +1,65 @@
+#include "app/workbench/participant/kit/look.h"
+
+#include <QScreen>
+#include <algorithm>
+#include <cmath>
+
+namespace tactus::workbench::nurse {
+namespace {
+
+constexpr double kMmPerInch = 25.4;
+constexpr double kPointsPerInch = 72;
+constexpr double kTextPoints = 22;
+constexpr double kLeastDots = 80;
+constexpr double kMostDots = 220;
+// The densest screen (force perception) needs 180 mm of height and 18 heights of text; a smaller window shrinks both.
+constexpr double kWindowMm = 180;
+constexpr double kWindowTexts = 18;
+constexpr double kWindowTextsWide = 32;
+
+}  // namespace
+
+Look::Look(QObject* parent) : QObject(parent) {}
+
+void Look::setLanguage(Language language) {
+  if (language_ == language) return;
+  language_ = language;
+  emit changed();
+}
+
+void Look::setTextPercent(int percent) {
+  if (text_percent_ == percent) return;
+  text_percent_ = percent;
+  emit changed();
+}
+
+void Look::setScreen(double dots_per_inch, const QSize& window) {
+  const double clamped = std::clamp(dots_per_inch, kLeastDots, kMostDots);
+  if (dots_per_inch_ == clamped && window_ == window) return;
+  dots_per_inch_ = clamped;
+  window_ = window;
+  emit changed();
+}
+
+void Look::setScreen(const QScreen& screen) { setScreen(screen.physicalDotsPerInch(), screen.size()); }
+
+int Look::mm(double length) const {
+  const double dots = std::min(dots_per_inch_ / kMmPerInch, window_.height() / kWindowMm);
+  return static_cast<int>(std::lround(length * dots));
+}
+
+int Look::textPx() const {
+  const double wanted = kTextPoints / kPointsPerInch * dots_per_inch_ * text_percent_ / 100;
+  return static_cast<int>(
+      std::lround(std::min({wanted, window_.height() / kWindowTexts, window_.width() / kWindowTextsWide})));
+}
+
+QFont Look::font(Language language, double factor, bool bold) const {
+  QFont font;
+  font.setFamilies(fontFamilies(language));
+  font.setPixelSize(static_cast<int>(std::lround(textPx() * factor)));
+  font.setBold(bold);
+  return font;
+}
+
+}  // namespace tactus::workbench::nurse

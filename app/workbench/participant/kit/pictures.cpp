@@ -1,0 +1,185 @@
+#include "app/workbench/participant/kit/pictures.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "app/workbench/participant/kit/colors.h"
+
+namespace tactus::workbench::nurse {
+namespace {
+
+constexpr QColor kTube(0x0B, 0x65, 0x9E);
+constexpr QColor kGel(0xC9, 0xE4, 0xF4);
+
+QRectF centered(const QRectF& box, double width_share_of_height) {
+  const double high = std::min(box.height(), box.width() / width_share_of_height);
+  const QSizeF size(high * width_share_of_height, high);
+  return {box.center() - QPointF(size.width() / 2, size.height() / 2), size};
+}
+
+void drawDrop(QPainter& painter, const QPointF& center, double radius) {
+  QPainterPath drop(center + QPointF(0, -1.7 * radius));
+  drop.cubicTo(center + QPointF(0.3 * radius, -1.1 * radius), center + QPointF(radius, -0.5 * radius),
+               center + QPointF(radius, 0.15 * radius));
+  drop.arcTo(QRectF(center.x() - radius, center.y() - 0.85 * radius, 2 * radius, 2 * radius), 0, -180);
+  drop.cubicTo(center + QPointF(-radius, -0.5 * radius), center + QPointF(-0.3 * radius, -1.1 * radius),
+               center + QPointF(0, -1.7 * radius));
+  painter.drawPath(drop);
+}
+
+// A piece of tube with its tip to the left.
+void drawTube(QPainter& painter, const QRectF& box, double height) {
+  const QRectF tube(box.left(), box.center().y() - height / 2, box.width(), height);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kTube);
+  painter.drawRoundedRect(tube, height / 2, height / 2);
+  painter.setBrush(QColor(0x7D, 0xB9, 0xDC));
+  painter.drawRoundedRect(tube.adjusted(height, height * 0.22, -height, -height * 0.6), height * 0.1, height * 0.1);
+}
+
+}  // namespace
+
+Picture strengthPicture(int level) {
+  return [level](QPainter& painter, const QRectF& box) {
+    constexpr int kBars = 5;
+    const QRectF area = centered(box, 1.5);
+    const double bar = area.width() / (kBars + (kBars - 1) * 0.35);
+    const double line = std::max(1.2, area.height() / 28);
+    for (int i = 0; i < kBars; ++i) {
+      const double high = area.height() * (0.28 + 0.72 * i / (kBars - 1));
+      const QRectF shape(area.left() + i * bar * 1.35, area.bottom() - high, bar, high);
+      painter.setPen(QPen(i < level ? colors::kStrength[4] : colors::kEdge, line));
+      painter.setBrush(i < level ? QBrush(colors::kStrength[static_cast<std::size_t>(level - 1)]) : QBrush(Qt::white));
+      painter.drawRoundedRect(shape.adjusted(line / 2, line / 2, -line / 2, -line / 2), bar * 0.15, bar * 0.15);
+    }
+  };
+}
+
+Picture lubricationPicture(int level) {
+  return [level](QPainter& painter, const QRectF& box) {
+    const QRectF area = centered(box, 1.5);
+    const double high = area.height();
+    const QRectF tube(area.left(), area.top() + high * 0.62, area.width(), high * 0.3);
+    if (level == 3) {
+      painter.setPen(QPen(colors::kAccent, std::max(1.0, high / 40)));
+      painter.setBrush(kGel);
+      painter.drawRoundedRect(tube.adjusted(0, -high * 0.08, 0, high * 0.08), high * 0.2, high * 0.2);
+    }
+    drawTube(painter, tube.adjusted(high * 0.08, 0, -high * 0.08, 0), high * 0.22);
+    painter.setPen(QPen(colors::kAccent, std::max(1.2, high / 32)));
+    for (int i = 0; i < 3; ++i) {
+      painter.setBrush(i < level ? QBrush(colors::kStrength[2]) : QBrush(Qt::white));
+      if (i >= level) painter.setPen(QPen(colors::kEdge, std::max(1.0, high / 40), Qt::DotLine));
+      drawDrop(painter, {area.left() + area.width() * (0.22 + 0.28 * i), area.top() + high * 0.33}, high * 0.15);
+    }
+  };
+}
+
+Picture speedPicture(int level) {
+  return [level](QPainter& painter, const QRectF& box) {
+    const QRectF area = centered(box, 1.5);
+    const double high = area.height();
+    drawTube(painter, QRectF(area.left(), area.top() + high * 0.7, area.width(), high * 0.22), high * 0.22);
+    const double step = area.width() * 0.27;
+    for (int i = 0; i < 3; ++i) {
+      painter.setPen(i < level ? QPen(colors::kAccent, high * 0.11, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)
+                               : QPen(colors::kEdge, std::max(1.2, high / 32), Qt::DotLine));
+      painter.setBrush(Qt::NoBrush);
+      // Into the patient, who looks left: to the right.
+      const double x = area.left() + area.width() * 0.16 + i * step;
+      QPainterPath arrow(QPointF(x, area.top() + high * 0.08));
+      arrow.lineTo(x + high * 0.2, area.top() + high * 0.3);
+      arrow.lineTo(x, area.top() + high * 0.52);
+      painter.drawPath(arrow);
+    }
+  };
+}
+
+Picture textSizePicture(int percent) {
+  return [percent](QPainter& painter, const QRectF& box) {
+    // Drawn as a path: it is a picture of a size, not a text of the screen.
+    QFont font = painter.font();
+    font.setPixelSize(std::max(1, static_cast<int>(box.height() * 0.8 * percent / 150)));
+    font.setBold(true);
+    QPainterPath letter;
+    letter.addText(0, 0, font, QStringLiteral("A"));
+    const QRectF bounds = letter.boundingRect();
+    letter.translate(box.center().x() - bounds.center().x(), box.bottom() - box.height() * 0.1);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colors::kInk);
+    painter.drawPath(letter);
+  };
+}
+
+Picture pushPicture() {
+  return [](QPainter& painter, const QRectF& box) {
+    const QRectF area = centered(box, 2);
+    const double u = area.height() / 20;
+    const QPointF o = area.topLeft();
+    painter.setPen(QPen(colors::kAccent, u * 0.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::white);
+    // A pen on its arm, held at its thick end.
+    QPainterPath pen(o + QPointF(1.5, 14) * u);
+    pen.lineTo(o + QPointF(12, 8) * u);
+    pen.lineTo(o + QPointF(15.5, 8) * u);
+    pen.lineTo(o + QPointF(14, 11.2) * u);
+    pen.lineTo(o + QPointF(3.5, 17.4) * u);
+    pen.closeSubpath();
+    painter.drawPath(pen);
+    painter.setBrush(colors::kAccent);
+    painter.drawEllipse(o + QPointF(16.5, 7.6) * u, 1.2 * u, 1.2 * u);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colors::kAccent, u * 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawLine(o + QPointF(22, 7.6) * u, o + QPointF(37, 7.6) * u);
+    painter.drawPolyline(QPolygonF({o + QPointF(32, 2.8) * u, o + QPointF(37.5, 7.6) * u, o + QPointF(32, 12.4) * u}));
+  };
+}
+
+Picture tickPicture() {
+  return [](QPainter& painter, const QRectF& box) {
+    const QRectF area = centered(box, 1);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colors::kAccent);
+    painter.drawEllipse(area);
+    painter.setPen(Qt::white);
+    drawTick(painter, area, area.width() / 9);
+  };
+}
+
+Picture cupPicture() {
+  return [](QPainter& painter, const QRectF& box) {
+    const QRectF area = centered(box, 1);
+    const double u = area.width() / 20;
+    const QPointF o = area.topLeft();
+    const QPen pen(colors::kAccent, u * 0.9, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(QRectF(o.x() + 12.5 * u, o.y() + 9 * u, 5 * u, 5 * u));
+    painter.setBrush(Qt::white);
+    QPainterPath cup(o + QPointF(3, 8) * u);
+    cup.lineTo(o + QPointF(15, 8) * u);
+    cup.cubicTo(o + QPointF(15, 14) * u, o + QPointF(13, 16.5) * u, o + QPointF(9, 16.5) * u);
+    cup.cubicTo(o + QPointF(5, 16.5) * u, o + QPointF(3, 14) * u, o + QPointF(3, 8) * u);
+    painter.drawPath(cup);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawLine(o + QPointF(2, 19) * u, o + QPointF(16, 19) * u);
+    painter.setPen(QPen(colors::kStrength[2], u * 0.8, Qt::SolidLine, Qt::RoundCap));
+    for (const double x : {6.5, 11.5}) {
+      QPainterPath steam(o + QPointF(x, 5.5) * u);
+      steam.cubicTo(o + QPointF(x - 1.6, 4) * u, o + QPointF(x + 1.6, 2.8) * u, o + QPointF(x, 1) * u);
+      painter.drawPath(steam);
+    }
+  };
+}
+
+void drawTick(QPainter& painter, const QRectF& box, double width) {
+  QPainterPath tick(QPointF(box.left() + box.width() * 0.22, box.top() + box.height() * 0.52));
+  tick.lineTo(box.left() + box.width() * 0.43, box.top() + box.height() * 0.72);
+  tick.lineTo(box.left() + box.width() * 0.78, box.top() + box.height() * 0.3);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(painter.pen().color(), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(tick);
+}
+
+}  // namespace tactus::workbench::nurse

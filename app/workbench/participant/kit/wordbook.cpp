@@ -1,0 +1,50 @@
+#include "app/workbench/participant/kit/wordbook.h"
+
+#include <string_view>
+
+#include "core/base/check.h"
+
+namespace tactus::workbench::nurse {
+
+std::string_view stringsFile();
+
+namespace {
+
+// A text with the count 1, if the language has a form of its own for it.
+QString oneOf(const QString& id) { return id + QStringLiteral(".one"); }
+
+}  // namespace
+
+Wordbook::Wordbook() {
+  const std::string_view file = stringsFile();
+  const QStringList lines =
+      QString::fromUtf8(file.data(), static_cast<qsizetype>(file.size())).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  bool header = true;
+  for (const QString& line : lines) {
+    if (line.startsWith(QLatin1Char('#'))) continue;
+    const QStringList fields = line.split(QLatin1Char('\t'));
+    TACTUS_CHECK(fields.size() == 1 + static_cast<qsizetype>(kLanguages.size()));
+    if (header) {
+      for (std::size_t i = 0; i < kLanguages.size(); ++i)
+        TACTUS_CHECK(fields[static_cast<qsizetype>(i) + 1] == idOf(kLanguages[i]));
+      header = false;
+      continue;
+    }
+    TACTUS_CHECK(!texts_.contains(fields[0]));
+    ids_ << fields[0];
+    for (std::size_t i = 0; i < kLanguages.size(); ++i) texts_[fields[0]][i] = fields[static_cast<qsizetype>(i) + 1];
+  }
+}
+
+QString Wordbook::say(const Phrase& phrase, Language language) const {
+  if (phrase.id.isEmpty()) return phrase.plain;
+  const bool one = phrase.count == 1 && texts_.contains(oneOf(phrase.id));
+  const auto found = texts_.constFind(one ? oneOf(phrase.id) : phrase.id);
+  TACTUS_CHECK(found != texts_.constEnd());
+  QString text = found.value()[static_cast<std::size_t>(language)];
+  if (phrase.count) text.replace(QStringLiteral("%n"), QString::number(*phrase.count));
+  for (const QString& value : phrase.values) text = text.arg(value);
+  return text;
+}
+
+}  // namespace tactus::workbench::nurse

@@ -1,0 +1,45 @@
+#include "app/workbench/participant/screens/consent_screen.h"
+
+namespace tactus::workbench::nurse {
+
+ConsentScreen::ConsentScreen(const Look& look, QWidget* parent)
+    : ScreenFrame(look, parent), text_(new PagedText(look, this)) {
+  setTitle(phrase(QStringLiteral("con.title")));
+  setMain(text_);
+  auto* decline = new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("con.decline")), this);
+  addExtra(decline);
+  connect(decline, &QAbstractButton::clicked, this, &ConsentScreen::declined);
+  connect(text_, &PagedText::paged, this, &ConsentScreen::showPage);
+  connect(this, &ScreenFrame::back, this, [this] {
+    if (text_->page() == 0) {
+      emit left();
+    } else {
+      text_->setPage(text_->page() - 1);
+    }
+  });
+  connect(this, &ScreenFrame::primary, this, [this] {
+    if (text_->page() + 1 >= text_->pages()) {
+      emit agreed();
+    } else {
+      text_->setPage(text_->page() + 1);
+    }
+  });
+  setState({});
+}
+
+void ConsentScreen::setState(const ConsentState& state) {
+  std::vector<Phrase> paragraphs;
+  for (const char* id :
+       {"con.purpose", "con.what", "con.force", "con.voluntary", "con.stop", "con.data", "con.withdraw"})
+    paragraphs.push_back(phrase(QString::fromLatin1(id)));
+  for (const QString& paragraph : state.study_text) paragraphs.push_back(plain(paragraph));
+  text_->setParagraphs(std::move(paragraphs));
+  setSimulated(state.simulated);
+}
+
+void ConsentScreen::showPage() {
+  const bool last = text_->page() + 1 >= text_->pages();
+  primaryButton().setPhrase(phrase(last ? QStringLiteral("con.agree") : QStringLiteral("nav.next")));
+}
+
+}  // namespace tactus::workbench::nurse

@@ -1,0 +1,33 @@
+// Consent: what she agrees to, as pages. Without consent there is no session.
+#pragma once
+
+#include "app/workbench/participant/kit/paged_text.h"
+#include "app/workbench/participant/kit/screen_frame.h"
+
+namespace tactus::workbench::nurse {
+
+struct ConsentState {
+  QStringList study_text;  ///< paragraphs of the study's own text, in the language of the screen; may be empty
+  bool simulated = false;
+};
+
+class ConsentScreen : public ScreenFrame {
+  Q_OBJECT
+
+ public:
+  explicit ConsentScreen(const Look& look, QWidget* parent = nullptr);
+
+  void setState(const ConsentState& state);
+
+ signals:
+  void agreed();
+  void declined();
+  void left();  ///< Back from the first page
+
+ private:
+  void showPage();
+
+  PagedText* text_;
+};
+
+}  // namespace tactus::workbench::nurse

@@ -1,0 +1,119 @@
+#include "app/workbench/participant/screens/force_curve.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "app/workbench/anatomy/region.h"
+#include "app/workbench/participant/kit/colors.h"
+
+namespace tactus::workbench::nurse {
+namespace {
+
+constexpr double kEndMm = 440;  // of the esophagus
+constexpr double kTickMm = 50;
+constexpr QColor kBand(0xEC, 0xF1, 0xF5);
+constexpr QColor kFill(0x08, 0x52, 0x85, 40);
+
+struct Band {
+  anatomy::Region region;
+  double from_mm;
+  double to_mm;
+};
+
+std::vector<Band> bands() {
+  std::vector<Band> out;
+  for (std::size_t i = 0; i + 1 < anatomy::kRegions.size(); ++i) {
+    const anatomy::Region region = anatomy::kRegions[i];
+    out.push_back({region, anatomy::beginMm(region), std::min(kEndMm, anatomy::beginMm(anatomy::kRegions[i + 1]))});
+  }
+  return out;
+}
+
+}  // namespace
+
+ForceCurve::ForceCurve(const Look& look, QWidget* parent) : QWidget(parent), look_(look) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  const auto follow = [this] {
+    setAccessibleName(look_.say(phrase(QStringLiteral("thx.curve"))));
+    update();
+  };
+  connect(&look, &Look::changed, this, follow);
+  follow();
+}
+
+void ForceCurve::setCurve(std::vector<QPointF> points) {
+  points_ = std::move(points);
+  update();
+}
+
+void ForceCurve::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setFont(look_.font());
+  draw(painter, rect());
+}
+
+void ForceCurve::draw(QPainter& painter, const QRectF& area) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QFontMetricsF metrics(painter.font());
+  const double line = metrics.height();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors::kCard);
+  painter.drawRoundedRect(area, line / 4, line / 4);
+
+  // Force at the left as a word, depth below, names of the regions in two rows above: the short regions have long
+  // names.
+  const QString force = look_.say(phrase(QStringLiteral("thx.force")));
+  const QRectF plot = area.adjusted(line * 0.8, 2.5 * line, -line, -2.6 * line);
+  const auto xOf = [&plot](double mm) { return plot.left() + plot.width() * mm / kEndMm; };
+  const auto yOf = [&plot](double share) { return plot.bottom() - plot.height() * 0.88 * share; };
+
+  double name_end[2] = {area.left(), area.left()};
+  bool shaded = false;
+  for (const Band& band : bands()) {
+    const QRectF column(xOf(band.from_mm), plot.top(), xOf(band.to_mm) - xOf(band.from_mm), plot.height());
+    if (shaded) painter.fillRect(column, kBand);
+    const QString name =
+        look_.say(phrase(QStringLiteral("a.") + QString::fromLatin1(anatomy::idOf(band.region).data())));
+    const double wide = metrics.horizontalAdvance(name);
+    const double middle =
+        std::clamp(column.center().x() - wide / 2, area.left() + line / 2, area.right() - wide - line / 2);
+    const int row = middle > name_end[1] + line ? 1 : 0;
+    const double left = std::max(middle, name_end[row] + line * 0.6);
+    const double y = plot.top() - line * (row == 1 ? 1.15 : 2.25);
+    painter.setPen(colors::kInk);
+    painter.drawText(QRectF(left, y, wide + 2, line), Qt::AlignLeft | Qt::AlignVCenter, name);
+    painter.setPen(QPen(colors::kEdge, 1));
+    painter.drawLine(QPointF(column.center().x(), y + line), QPointF(column.center().x(), plot.top() + line * 0.15));
+    name_end[row] = left + wide;
+    shaded = !shaded;
+  }
+
+  painter.setPen(QPen(colors::kEdge, 1.5));
+  painter.drawLine(plot.bottomLeft(), plot.bottomRight());
+  painter.setPen(colors::kMutedInk);
+  for (double mm = 0; mm <= kEndMm; mm += 2 * kTickMm) {
+    const QString number = QString::number(mm / 10);
+    const double wide = metrics.horizontalAdvance(number) + 4;
+    painter.drawText(QRectF(xOf(mm) - wide / 2, plot.bottom() + line * 0.15, wide, line), Qt::AlignCenter, number);
+  }
+  painter.drawText(QRectF(plot.left(), plot.bottom() + line * 1.3, plot.width(), line), Qt::AlignCenter,
+                   look_.say(phrase(QStringLiteral("thx.depth"))));
+  painter.drawText(
+      QRectF(plot.left() + line * 0.4, plot.top() + line * 0.2, metrics.horizontalAdvance(force) + 2, line),
+      Qt::AlignLeft | Qt::AlignVCenter, force);
+
+  if (points_.size() < 2) return;
+  QPainterPath curve(QPointF(xOf(points_.front().x()), yOf(points_.front().y())));
+  for (const QPointF& point : points_) curve.lineTo(xOf(point.x()), yOf(point.y()));
+  QPainterPath filled = curve;
+  filled.lineTo(xOf(points_.back().x()), plot.bottom());
+  filled.lineTo(xOf(points_.front().x()), plot.bottom());
+  filled.closeSubpath();
+  painter.fillPath(filled, kFill);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colors::kAccent, line / 10, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(curve);
+}
+
+}  // namespace tactus::workbench::nurse

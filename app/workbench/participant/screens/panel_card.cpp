@@ -1,0 +1,72 @@
+#include "app/workbench/participant/screens/panel_card.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <algorithm>
+
+#include "app/workbench/participant/kit/colors.h"
+#include "app/workbench/participant/kit/column.h"
+#include "app/workbench/participant/kit/screen_frame.h"
+
+namespace tactus::workbench::nurse {
+namespace {
+
+constexpr QColor kDimmed(0x1F, 0x29, 0x33, 190);
+constexpr double kWidthMm = 210;
+constexpr int kWidthTexts = 20;  // heights of text
+constexpr double kPaddingMm = 8;
+constexpr double kCornerMm = 3;
+
+}  // namespace
+
+PanelCard::PanelCard(const Look& look, QWidget* parent)
+    : QWidget(parent), look_(look), card_(new QWidget(this)), column_(new QVBoxLayout(card_)) {
+  setFocusPolicy(Qt::StrongFocus);
+  keepSpacing(look, *column_, 1);
+  connect(&look, &Look::changed, this, &PanelCard::arrange);
+}
+
+Label* PanelCard::addText(TextRole role, const Phrase& text) {
+  auto* label = new Label(look_, role, text, card_);
+  column_->addWidget(label);
+  return label;
+}
+
+Button* PanelCard::addButton(ButtonKind kind, const Phrase& text) {
+  auto* button = new Button(look_, kind, text, card_);
+  button->keepOneLine();
+  column_->addWidget(button);
+  return button;
+}
+
+bool PanelCard::event(QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest) arrange();
+  return QWidget::event(event);
+}
+
+void PanelCard::resizeEvent(QResizeEvent* /*event*/) { arrange(); }
+
+void PanelCard::arrange() {
+  const int corner = forceOffCorner(look_).width();
+  // Left of the corner, where the red button stays in view.
+  const int least = std::max(look_.mm(kWidthMm), kWidthTexts * look_.textPx());
+  const int wide = std::min(least, width() - 2 * (corner + frameMargin(look_)));
+  const int high = column_->heightForWidth(wide);
+  card_->setGeometry((width() - wide) / 2, (height() - high) / 2, wide, high);
+  update();
+}
+
+void PanelCard::showEvent(QShowEvent* /*event*/) { setFocus(); }
+
+void PanelCard::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), kDimmed);
+  const int padding = look_.mm(kPaddingMm);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors::kCard);
+  painter.drawRoundedRect(card_->geometry().adjusted(-padding, -padding, padding, padding), look_.mm(kCornerMm),
+                          look_.mm(kCornerMm));
+}
+
+}  // namespace tactus::workbench::nurse

@@ -1,0 +1,59 @@
+// One of the 45 questions: a plain sentence, the picture with the region lit and the neck as it is, small pictures of
+// lubrication and speed, five words and "I can't tell".
+#pragma once
+
+#include <QHBoxLayout>
+
+#include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/participant/kit/choices.h"
+#include "app/workbench/participant/kit/picture_box.h"
+#include "app/workbench/participant/kit/screen_frame.h"
+#include "app/workbench/participant/screens/text_block.h"
+
+namespace tactus::workbench::nurse {
+
+struct QuestionState {
+  int number = 1;
+  int count = 45;
+  QString condition;  ///< `lubrication`, `neck_flexion` or `speed`
+  QString term;       ///< of the condition: `poor`, `small`, `slow`, …
+  QString region;     ///< `nasal_cavity` … `esophagus`
+  QString chosen;     ///< very_small … very_large, cant_tell; empty: none
+  bool left_handed = false;
+  bool simulated = false;
+};
+
+/// The picture of a term of lubrication or speed; nothing for the neck, which the anatomy shows.
+Picture pictureOf(const QString& condition, const QString& term);
+/// The posture of a term of neck flexion; upright for other conditions.
+anatomy::Posture postureOf(const QString& condition, const QString& term);
+
+class QuestionScreen : public ScreenFrame {
+  Q_OBJECT
+
+ public:
+  explicit QuestionScreen(const Look& look, QWidget* parent = nullptr);
+
+  void setState(const QuestionState& state);
+
+ signals:
+  void picked(const QString& word);
+  void confirmed(int number);
+
+ protected:
+  /// 1 to 5 the words, 0 "I can't tell".
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void show();
+
+  QuestionState state_;
+  TextBlock* texts_;
+  Label* situation_;
+  Choices* choices_;
+  anatomy::AnatomyView* picture_;
+  PictureBox* condition_picture_;
+  QHBoxLayout* corner_;
+};
+
+}  // namespace tactus::workbench::nurse

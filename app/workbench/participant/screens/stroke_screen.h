@@ -1,0 +1,51 @@
+// Practice of strokes and the speed experiment: one word for the speed, the tube in the picture follows the hand, a dot
+// for each stroke. Nothing moves by itself and nothing tells a speed.
+#pragma once
+
+#include <optional>
+
+#include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/participant/kit/dots.h"
+#include "app/workbench/participant/kit/picture_box.h"
+#include "app/workbench/participant/kit/screen_frame.h"
+#include "app/workbench/participant/screens/text_block.h"
+
+namespace tactus::workbench::nurse {
+
+enum class SpeedWord { kSlow, kMedium, kFast };
+
+/// What became of the last stroke, or what to do now.
+enum class StrokeNote { kStart, kReturn, kRecorded, kTooShort, kNotRecorded, kBackwards, kOutOfRange };
+
+struct StrokeState {
+  bool practice = false;
+  SpeedWord speed = SpeedWord::kSlow;
+  int recorded = 0;
+  int wanted = 4;
+  StrokeNote note = StrokeNote::kStart;
+  bool may_go_on = false;
+  bool left_handed = false;
+  bool simulated = false;
+};
+
+class StrokeScreen : public ScreenFrame {
+  Q_OBJECT
+
+ public:
+  explicit StrokeScreen(const Look& look, QWidget* parent = nullptr);
+
+  void setState(const StrokeState& state);
+  /// Where the hand is, mm from the start; drawn with the next frame.
+  void setDepth(double depth_mm);
+
+ private:
+  TextBlock* texts_;
+  Label* practice_;
+  Label* lead_;
+  Dots* dots_;
+  PictureBox* tick_;
+  Label* note_;
+  anatomy::AnatomyView* picture_;
+};
+
+}  // namespace tactus::workbench::nurse

@@ -1,0 +1,101 @@
+#include "app/workbench/participant/screens/welcome_screen.h"
+
+namespace tactus::workbench::nurse {
+namespace {
+
+constexpr int kTextPercents[] = {100, 125, 150};
+
+std::vector<Answer> languageAnswers() {
+  std::vector<Answer> answers;
+  for (const Language language : kLanguages)
+    answers.push_back({idOf(language), phrase(QStringLiteral("language.name")), {}, false, language});
+  return answers;
+}
+
+std::vector<Answer> sizeAnswers() {
+  std::vector<Answer> answers;
+  for (const int percent : kTextPercents) {
+    const QString id = QString::number(percent);
+    answers.push_back({id, phrase(QStringLiteral("wel.size_") + id), textSizePicture(percent)});
+  }
+  return answers;
+}
+
+}  // namespace
+
+WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
+    : ScreenFrame(look, parent),
+      texts_(new TextBlock(look, this)),
+      line_(texts_->add(TextRole::kBody, phrase(QStringLiteral("wel.line")))),
+      language_title_(texts_->add(TextRole::kTitle, phrase(QStringLiteral("wel.language")))),
+      languages_(new Choices(look, texts_)),
+      size_title_(nullptr),
+      sizes_(new Choices(look, texts_)),
+      lead_(nullptr),
+      field_(new CodeField(look, texts_)),
+      unknown_(nullptr),
+      have_code_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("code.have")), this)) {
+  setTitle(phrase(QStringLiteral("wel.title")));
+  texts_->add(languages_);
+  size_title_ = texts_->add(TextRole::kTitle, phrase(QStringLiteral("wel.text_size")));
+  texts_->add(sizes_);
+  lead_ = texts_->add(TextRole::kLead, phrase(QStringLiteral("code.enter")));
+  texts_->add(field_);
+  unknown_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("code.unknown")));
+  texts_->center();
+  setMain(texts_);
+  addExtra(have_code_);
+  languages_->setAnswers(languageAnswers());
+  sizes_->setAnswers(sizeAnswers());
+
+  connect(languages_, &Choices::picked, this, [this](const QString& id) { emit languagePicked(*languageWithId(id)); });
+  connect(sizes_, &Choices::picked, this, [this](const QString& id) { emit textSizePicked(id.toInt()); });
+  connect(have_code_, &QAbstractButton::clicked, this, &WelcomeScreen::haveCode);
+  connect(this, &ScreenFrame::primary, this, &WelcomeScreen::press);
+  connect(field_, &CodeField::entered, this, &WelcomeScreen::press);
+  connect(&look, &Look::changed, this, &WelcomeScreen::showChoices);
+  showChoices();
+  setState({});
+}
+
+void WelcomeScreen::showChoices() {
+  languages_->choose(idOf(look().language()));
+  sizes_->choose(QString::number(look().textPercent()));
+}
+
+void WelcomeScreen::setState(const WelcomeState& state) {
+  const bool entering = state.step == WelcomeStep::kEnterCode && state_.step != WelcomeStep::kEnterCode;
+  state_ = state;
+  const bool start = state.step == WelcomeStep::kStart;
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{line_, language_title_, languages_, size_title_, sizes_, have_code_})
+    widget->setVisible(start);
+  lead_->setVisible(!start);
+  if (state.step == WelcomeStep::kNewCode) lead_->setPhrase(phrase(QStringLiteral("code.yours"), {state.code}));
+  if (state.step == WelcomeStep::kEnterCode) lead_->setPhrase(phrase(QStringLiteral("code.enter")));
+  if (state.step == WelcomeStep::kWelcomeBack)
+    lead_->setPhrase(counted(QStringLiteral("code.back"), state.kept_answers));
+  field_->setVisible(state.step == WelcomeStep::kEnterCode);
+  unknown_->setVisible(state.step == WelcomeStep::kEnterCode && state.code_unknown);
+  backButton().setVisible(!start);
+  primaryButton().setPhrase(phrase(start ? QStringLiteral("code.new") : QStringLiteral("nav.next")));
+  setSimulated(state.simulated);
+  if (entering) field_->takeFocus();
+}
+
+void WelcomeScreen::press() {
+  switch (state_.step) {
+    case WelcomeStep::kStart:
+      emit newHere();
+      break;
+    case WelcomeStep::kEnterCode:
+      if (!field_->code().isEmpty()) emit codeEntered(field_->code());
+      break;
+    case WelcomeStep::kNewCode:
+    case WelcomeStep::kWelcomeBack:
+      emit goOn();
+      break;
+  }
+}
+
+}  // namespace tactus::workbench::nurse

@@ -1,0 +1,59 @@
+// Welcome: language, size of the text, and the participant's code, new or known.
+#pragma once
+
+#include "app/workbench/participant/kit/choices.h"
+#include "app/workbench/participant/kit/screen_frame.h"
+#include "app/workbench/participant/screens/code_field.h"
+#include "app/workbench/participant/screens/text_block.h"
+
+namespace tactus::workbench::nurse {
+
+enum class WelcomeStep {
+  kStart,      ///< language, size, new or known
+  kNewCode,    ///< shows the new code
+  kEnterCode,  ///< asks for a code
+  kWelcomeBack,
+};
+
+struct WelcomeState {
+  WelcomeStep step = WelcomeStep::kStart;
+  QString code;
+  int kept_answers = 0;
+  bool code_unknown = false;
+  bool simulated = false;
+};
+
+class WelcomeScreen : public ScreenFrame {
+  Q_OBJECT
+
+ public:
+  explicit WelcomeScreen(const Look& look, QWidget* parent = nullptr);
+
+  void setState(const WelcomeState& state);
+
+ signals:
+  void languagePicked(tactus::workbench::nurse::Language language);
+  void textSizePicked(int percent);
+  void newHere();
+  void haveCode();
+  void codeEntered(const QString& code);
+  void goOn();  ///< from the new code, or from Welcome back
+
+ private:
+  void showChoices();
+  void press();
+
+  WelcomeState state_;
+  TextBlock* texts_;
+  Label* line_;
+  Label* language_title_;
+  Choices* languages_;
+  Label* size_title_;
+  Choices* sizes_;
+  Label* lead_;
+  CodeField* field_;
+  Label* unknown_;
+  Button* have_code_;
+};
+
+}  // namespace tactus::workbench::nurse

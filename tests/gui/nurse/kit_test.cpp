@@ -1,0 +1,180 @@
+// The nurse's controls: sizes on the screen, touches that roll, what is chosen, what a screen reader says.
+#include <QAccessible>
+#include <QSignalSpy>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "app/workbench/participant/kit/choices.h"
+#include "app/workbench/participant/kit/colors.h"
+#include "app/workbench/participant/screens/force_screen.h"
+#include "app/workbench/participant/screens/question_screen.h"
+
+namespace tactus::workbench::nurse {
+namespace {
+
+// Contrast of two colors, WCAG 2.1.
+double contrast(const QColor& a, const QColor& b) {
+  const auto luminance = [](const QColor& color) {
+    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+  };
+  const double one = luminance(a);
+  const double other = luminance(b);
+  return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
+}
+
+TEST(NurseColors, TextHasSevenToOneAndEdgesThreeToOne) {
+  for (const QColor& ground : {colors::kGround, colors::kCard}) {
+    EXPECT_GE(contrast(colors::kInk, ground), 7);
+    EXPECT_GE(contrast(colors::kMutedInk, ground), 7);
+    EXPECT_GE(contrast(colors::kEdge, ground), 3);
+  }
+  EXPECT_GE(contrast(colors::kInk, colors::kChosen), 7);
+  EXPECT_GE(contrast(colors::kInk, colors::kWaiting), 7);
+  EXPECT_GE(contrast(Qt::white, colors::kAccent), 7);
+  EXPECT_GE(contrast(Qt::white, colors::kForceOff), 7);
+}
+
+TEST(NurseLook, TextIs22PointsOnTheScreenTimesTheChosenSize) {
+  Look look;
+  look.setScreen(96, {1920, 1080});
+  EXPECT_EQ(look.textPx(), 29);  // 22 / 72 * 96 = 29.3
+  look.setTextPercent(150);
+  EXPECT_EQ(look.textPx(), 44);
+  look.setScreen(144, {2560, 1440});
+  look.setTextPercent(100);
+  EXPECT_EQ(look.textPx(), 44);
+  look.setScreen(20, {1920, 1080});  // a television that states nonsense: 80
+  EXPECT_EQ(look.textPx(), 24);
+}
+
+TEST(NurseLook, EverythingShrinksWithASmallWindowOfADenseScreen) {
+  Look look;
+  look.setScreen(220, {1280, 720});
+  EXPECT_EQ(look.mm(180), 720);
+  EXPECT_EQ(look.textPx(), 40);  // 720 / 18
+}
+
+class NurseKit : public testing::Test {
+ protected:
+  NurseKit() { look.setScreen(96, {1280, 720}); }
+
+  static QString spoken(QWidget* widget) {
+    return QAccessible::queryAccessibleInterface(widget)->text(QAccessible::Name);
+  }
+
+  Look look;
+};
+
+TEST_F(NurseKit, ControlsAreLargeEnoughForAFinger) {
+  const double dots = 96 / 25.4;
+  for (Answer& answer : forceWords()) {
+    const bool apart = answer.apart;
+    const AnswerCard card(look, std::move(answer), 1, 5);
+    EXPECT_GE(card.sizeHint().width(), 30 * dots - 1);
+    EXPECT_GE(card.sizeHint().height(), (apart ? 20 : 25) * dots - 1);
+  }
+  const Button next(look, ButtonKind::kPrimary, phrase(QStringLiteral("nav.next")));
+  EXPECT_GE(next.sizeHint().height(), 20 * dots - 1);
+  const Button off(look, ButtonKind::kForceOff, phrase(QStringLiteral("off.button")));
+  EXPECT_GE(off.sizeHint().height(), 25 * dots - 1);
+  EXPECT_GE(off.sizeHint().width(), 25 * dots - 1);
+}
+
+TEST_F(NurseKit, ATouchThatRollsCountsWhereItBegan) {
+  Button button(look, ButtonKind::kPlain, phrase(QStringLiteral("nav.next")));
+  button.resize(button.sizeHint());
+  button.show();
+  QSignalSpy clicks(&button, &QAbstractButton::clicked);
+  const QPoint inside = button.rect().center();
+  const QPoint near(button.width() + look.mm(9), inside.y());
+  const QPoint far(button.width() + look.mm(12), inside.y());
+
+  QTest::mousePress(&button, Qt::LeftButton, {}, inside);
+  EXPECT_TRUE(button.isDown());
+  QTest::mouseMove(&button, near);
+  QTest::mouseRelease(&button, Qt::LeftButton, {}, near);
+  EXPECT_EQ(clicks.count(), 1);
+
+  QTest::mousePress(&button, Qt::LeftButton, {}, inside);
+  QTest::mouseRelease(&button, Qt::LeftButton, {}, far);
+  EXPECT_EQ(clicks.count(), 1);
+
+  QTest::mousePress(&button, Qt::LeftButton, {}, near);  // began outside
+  QTest::mouseRelease(&button, Qt::LeftButton, {}, near);
+  EXPECT_EQ(clicks.count(), 1);
+}
+
+TEST_F(NurseKit, NothingIsChosenAtTheStartAndAChoiceCanBeTakenBack) {
+  Choices choices(look);
+  choices.setAnswers(forceWords());
+  EXPECT_EQ(choices.chosen(), QString());
+  choices.choose(QStringLiteral("large"));
+  EXPECT_EQ(choices.chosen(), "large");
+  choices.choose(QStringLiteral("not_felt"));
+  EXPECT_EQ(choices.chosen(), "not_felt");
+  choices.choose({});
+  EXPECT_EQ(choices.chosen(), QString());
+  EXPECT_EQ(choices.onScale(1), "very_small");
+  EXPECT_EQ(choices.onScale(5), "very_large");
+  EXPECT_EQ(choices.onScale(6), QString());
+}
+
+TEST_F(NurseKit, CardsSayTheirWordTheirPlaceAndWhetherTheyAreChosen) {
+  AnswerCard card(look, {QStringLiteral("large"), phrase(QStringLiteral("w.large"))}, 4, 5);
+  EXPECT_EQ(spoken(&card), "Large, 4 of 5");
+  card.setChecked(true);
+  EXPECT_EQ(spoken(&card), "Large, 4 of 5, chosen");
+  look.setLanguage(Language::kSimplifiedChinese);
+  EXPECT_EQ(spoken(&card), QStringLiteral("大，第 4 项，共 5 项，已选"));
+}
+
+TEST_F(NurseKit, TheChoiceStaysWhenTheLanguageChanges) {
+  QuestionScreen screen(look);
+  QuestionState state;
+  state.condition = QStringLiteral("speed");
+  state.term = QStringLiteral("fast");
+  state.region = QStringLiteral("oropharynx");
+  state.chosen = QStringLiteral("small");
+  screen.setState(state);
+  QSignalSpy picks(&screen, &QuestionScreen::picked);
+  look.setLanguage(Language::kTraditionalChinese);
+  EXPECT_EQ(screen.findChild<Choices*>()->chosen(), "small");
+  EXPECT_EQ(picks.count(), 0);
+}
+
+TEST_F(NurseKit, KeysOfBothRowsAnswerInTheOrderOfTheCards) {
+  ForceScreen screen(look);
+  ForceState state;
+  state.step = ForceStep::kAnswer;
+  screen.setState(state);
+  screen.show();
+  QSignalSpy picks(&screen, &ForceScreen::picked);
+  QSignalSpy confirms(&screen, &ForceScreen::confirmed);
+  QTest::keyClick(&screen, Qt::Key_1);
+  QTest::keyClick(&screen, Qt::Key_5, Qt::KeypadModifier);
+  QTest::keyClick(&screen, Qt::Key_0);
+  QTest::keyClick(&screen, Qt::Key_9);
+  ASSERT_EQ(picks.count(), 4);
+  EXPECT_EQ(picks[0][0], "very_small");
+  EXPECT_EQ(picks[1][0], "very_large");
+  EXPECT_EQ(picks[2][0], "not_felt");
+  EXPECT_EQ(picks[3][0], "beyond_practice");
+  QTest::keyClick(&screen, Qt::Key_Return);
+  EXPECT_EQ(confirms.count(), 0) << "nothing is chosen";
+  state.chosen = QStringLiteral("small");
+  screen.setState(state);
+  QTest::keyClick(&screen, Qt::Key_Return);
+  EXPECT_EQ(confirms.count(), 1);
+  state.step = ForceStep::kFeel;
+  screen.setState(state);
+  QTest::keyClick(&screen, Qt::Key_2);
+  QTest::keyClick(&screen, Qt::Key_Return);
+  EXPECT_EQ(picks.count(), 4);
+  EXPECT_EQ(confirms.count(), 1);
+}
+
+}  // namespace
+}  // namespace tactus::workbench::nurse

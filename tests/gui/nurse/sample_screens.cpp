@@ -1,0 +1,216 @@
+#include "tests/gui/nurse/sample_screens.h"
+
+#include <cmath>
+
+#include "app/workbench/participant/screens/about_you_screen.h"
+#include "app/workbench/participant/screens/consent_screen.h"
+#include "app/workbench/participant/screens/device_check_screen.h"
+#include "app/workbench/participant/screens/force_off_panel.h"
+#include "app/workbench/participant/screens/force_screen.h"
+#include "app/workbench/participant/screens/glossary_screen.h"
+#include "app/workbench/participant/screens/own_model_screen.h"
+#include "app/workbench/participant/screens/question_screen.h"
+#include "app/workbench/participant/screens/rest_screen.h"
+#include "app/workbench/participant/screens/review_screen.h"
+#include "app/workbench/participant/screens/stopped_screen.h"
+#include "app/workbench/participant/screens/stroke_screen.h"
+#include "app/workbench/participant/screens/thanks_screen.h"
+#include "app/workbench/participant/screens/welcome_screen.h"
+#include "app/workbench/participant/screens/withdraw_panel.h"
+
+namespace tactus::workbench::tests {
+namespace {
+
+using namespace nurse;
+
+template <class Screen, class State>
+SampleScreen sample(const QString& name, const State& state) {
+  return {name, [state](const Look& look) {
+            auto screen = std::make_unique<Screen>(look);
+            screen->setState(state);
+            return screen;
+          }};
+}
+
+WelcomeState welcome(WelcomeStep step) {
+  WelcomeState state;
+  state.step = step;
+  state.code = QStringLiteral("thunderstorm marmalade");
+  state.kept_answers = 27;
+  state.code_unknown = true;
+  return state;
+}
+
+QuestionState question(const char* condition, const char* term, const char* region, const char* chosen) {
+  QuestionState state;
+  state.number = 12;
+  state.condition = QString::fromLatin1(condition);
+  state.term = QString::fromLatin1(term);
+  state.region = QString::fromLatin1(region);
+  state.chosen = QString::fromLatin1(chosen);
+  return state;
+}
+
+ReviewState review(bool gaps, bool sealed) {
+  const char* words[] = {"very_small", "small", "medium", "large", "very_large", "cant_tell"};
+  const struct {
+    const char* id;
+    const char* terms[3];
+  } conditions[] = {{"lubrication", {"poor", "medium", "well"}},
+                    {"neck_flexion", {"small", "medium", "large"}},
+                    {"speed", {"slow", "medium", "fast"}}};
+  ReviewState state;
+  state.sealed = sealed;
+  for (const auto& condition : conditions) {
+    for (const char* term : condition.terms) {
+      for (const char* region : {"nasal_cavity", "nasopharynx", "oropharynx", "laryngopharynx", "esophagus"}) {
+        const int item = static_cast<int>(state.answers.size()) + 1;
+        state.answers.push_back({item, QString::fromLatin1(condition.id), QString::fromLatin1(term),
+                                 QString::fromLatin1(region), QString::fromLatin1(words[item % 6])});
+      }
+    }
+  }
+  if (gaps) {
+    state.answers[3].word.clear();
+    state.answers[40].word.clear();
+  }
+  return state;
+}
+
+SampleScreen reviewPage(const QString& name, const ReviewState& state, int page) {
+  return {name, [state, page](const Look& look) {
+            auto screen = std::make_unique<ReviewScreen>(look);
+            screen->setState(state);
+            screen->setPage(page);
+            return screen;
+          }};
+}
+
+SampleScreen glossary(int page) {
+  return {QStringLiteral("glossary_%1").arg(page + 1), [page](const Look& look) {
+            auto screen = std::make_unique<GlossaryScreen>(look);
+            screen->setPage(page);
+            return screen;
+          }};
+}
+
+SampleScreen strokes(const QString& name, const StrokeState& state, double depth_mm) {
+  return {name, [state, depth_mm](const Look& look) {
+            auto screen = std::make_unique<StrokeScreen>(look);
+            screen->setState(state);
+            screen->setDepth(depth_mm);
+            return screen;
+          }};
+}
+
+template <class Panel>
+SampleScreen panel(const QString& name) {
+  return {name, [](const Look& look) { return std::make_unique<Panel>(look); }};
+}
+
+ForceState force(ForceStep step, const char* chosen = "") {
+  ForceState state;
+  state.step = step;
+  state.chosen = QString::fromLatin1(chosen);
+  return state;
+}
+
+}  // namespace
+
+std::vector<SampleScreen> sampleScreens() {
+  std::vector<SampleScreen> all = {
+      sample<WelcomeScreen>("welcome", welcome(WelcomeStep::kStart)),
+      sample<WelcomeScreen>("welcome_new_code", welcome(WelcomeStep::kNewCode)),
+      sample<WelcomeScreen>("welcome_enter_code", welcome(WelcomeStep::kEnterCode)),
+      sample<WelcomeScreen>("welcome_back", welcome(WelcomeStep::kWelcomeBack)),
+      sample<ConsentScreen>("consent", ConsentState{}),
+  };
+  int number = 0;
+  for (const AboutQuestion each : {AboutQuestion::kYears, AboutQuestion::kHand, AboutQuestion::kGloves,
+                                   AboutQuestion::kHaptic, AboutQuestion::kComfort}) {
+    AboutYouState state;
+    state.question = each;
+    if (number % 2 == 1) state.chosen = answersTo(each).front().id;
+    all.push_back(sample<AboutYouScreen>(QStringLiteral("about_you_%1").arg(++number), state));
+  }
+  all.push_back(sample<DeviceCheckScreen>("device_hold", DeviceCheckState{DeviceStep::kHold, true, true}));
+  all.push_back(sample<DeviceCheckScreen>("device_ready", DeviceCheckState{DeviceStep::kReady, false, false}));
+  all.push_back(sample<DeviceCheckScreen>("device_wrong", DeviceCheckState{DeviceStep::kWrong, false, false}));
+  all.push_back(sample<DeviceCheckScreen>("device_lost", DeviceCheckState{DeviceStep::kLost, false, false}));
+
+  StrokeState stroke;
+  stroke.practice = true;
+  stroke.speed = SpeedWord::kMedium;
+  all.push_back(strokes("practice", stroke, 40));
+  stroke.practice = false;
+  stroke.recorded = 2;
+  stroke.note = StrokeNote::kRecorded;
+  all.push_back(strokes("speed", stroke, 110));
+  stroke.note = StrokeNote::kNotRecorded;
+  stroke.left_handed = true;
+  stroke.simulated = true;
+  stroke.may_go_on = true;
+  all.push_back(strokes("speed_left_handed", stroke, 160));
+
+  ForceState practice = force(ForceStep::kFeel);
+  practice.practice = true;
+  all.push_back(sample<ForceScreen>("force_practice", practice));
+  all.push_back(sample<ForceScreen>("force_feel", force(ForceStep::kFeel)));
+  ForceState again = force(ForceStep::kFeel);
+  again.again = true;
+  again.simulated = true;
+  all.push_back(sample<ForceScreen>("force_again", again));
+  all.push_back(sample<ForceScreen>("force_pause", force(ForceStep::kPause)));
+  all.push_back(sample<ForceScreen>("force_answer", force(ForceStep::kAnswer)));
+  all.push_back(sample<ForceScreen>("force_answer_chosen", force(ForceStep::kAnswer, "large")));
+  ForceState left = force(ForceStep::kAnswer, "beyond_practice");
+  left.left_handed = true;
+  all.push_back(sample<ForceScreen>("force_answer_left_handed", left));
+
+  all.push_back(panel<RestScreen>("rest"));
+  for (int page = 0; page < 6; ++page) all.push_back(glossary(page));
+  all.push_back(
+      sample<QuestionScreen>("question_lubrication", question("lubrication", "medium", "laryngopharynx", "")));
+  all.push_back(sample<QuestionScreen>("question_neck", question("neck_flexion", "large", "oropharynx", "large")));
+  all.push_back(sample<QuestionScreen>("question_speed", question("speed", "medium", "nasopharynx", "cant_tell")));
+  QuestionState chest = question("lubrication", "well", "esophagus", "very_small");
+  chest.left_handed = true;
+  all.push_back(sample<QuestionScreen>("question_left_handed", chest));
+  all.push_back(reviewPage("review_lubrication", review(true, false), 0));
+  all.push_back(reviewPage("review_neck", review(false, false), 1));
+  all.push_back(reviewPage("review_speed_gaps", review(true, false), 2));
+  all.push_back(reviewPage("review_speed", review(false, false), 2));
+  all.push_back(sample<ReviewScreen>("review_sealed", review(false, true)));
+  OwnModelState own;
+  own.region = QStringLiteral("laryngopharynx");
+  own.chosen = QStringLiteral("right");
+  all.push_back({"own_model", [own](const Look& look) {
+                   auto screen = std::make_unique<OwnModelScreen>(look);
+                   screen->setState(own);
+                   screen->setDepth(160);
+                   return screen;
+                 }});
+  ThanksState thanks;
+  for (int mm = 0; mm <= 440; mm += 2) {
+    // Any smooth curve.
+    thanks.curve.emplace_back(
+        mm, 0.25 + 0.7 * std::exp(-std::pow((mm - 175.0) / 35, 2)) + 0.2 * std::exp(-std::pow((mm - 65.0) / 25, 2)));
+  }
+  all.push_back(sample<ThanksScreen>("thanks", thanks));
+  for (const auto& [name, reason] :
+       {std::pair{"stopped", StopReason::kForToday}, std::pair{"withdrawn", StopReason::kWithdrawn},
+        std::pair{"paused", StopReason::kPaused}, std::pair{"not_saved", StopReason::kNotSaved}}) {
+    all.push_back(sample<StoppedScreen>(QString::fromLatin1(name),
+                                        StoppedState{reason, QStringLiteral("thunderstorm marmalade"), false, false}));
+  }
+  all.push_back(panel<ForceOffPanel>("force_off"));
+  all.push_back({"force_off_called", [](const Look& look) {
+                   auto force_off = std::make_unique<ForceOffPanel>(look);
+                   force_off->setCalled(true);
+                   return force_off;
+                 }});
+  all.push_back(panel<WithdrawPanel>("withdraw"));
+  return all;
+}
+
+}  // namespace tactus::workbench::tests
