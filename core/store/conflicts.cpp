@@ -46,6 +46,19 @@ void checkCorrections(Connection& connection, Findings& findings) {
   }
 }
 
+/// Within one file a version that participants follow is not changed, so this is the work of two stations.
+void checkProtocols(Connection& connection, Findings& findings) {
+  Query query(connection,
+              "SELECT p.version, count(DISTINCT p.id) FROM protocol AS p JOIN session AS s ON s.protocol_id = p.id"
+              " JOIN person ON person.id = s.person_id WHERE person.simulated = 0"
+              " GROUP BY p.version HAVING count(DISTINCT p.id) > 1 ORDER BY p.version");
+  while (query.next()) {
+    const std::string version = std::to_string(query.integer());
+    findings.push_back("protocol: participants followed " + std::to_string(query.integer()) +
+                       " protocols that are all version " + version + "; the latest counts from now on");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> circles(Connection& connection) {
@@ -69,6 +82,7 @@ std::vector<std::string> conflicts(Connection& connection) {
   checkOrder(connection, findings);
   checkPersons(connection, findings);
   checkCorrections(connection, findings);
+  checkProtocols(connection, findings);
   for (auto& circle : circles(connection)) findings.push_back(std::move(circle));
   return findings;
 }

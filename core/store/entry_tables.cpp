@@ -45,6 +45,7 @@ const std::string& plainName(const std::string& name, const char* place) {
 void putColumns(Query& query, const study::ProfileRecord& record) {
   query.put(record.years_experience).put(record.insertions_per_month).put(record.category).put(record.handedness);
   query.put(record.gloves).put(record.tube_size).put(record.haptic_experience).put(record.weight);
+  query.put(record.comfort);
 }
 void takeColumns(Query& query, study::ProfileRecord& record) {
   record.years_experience = query.numberOrNothing();
@@ -55,6 +56,7 @@ void takeColumns(Query& query, study::ProfileRecord& record) {
   record.tube_size = query.text();
   record.haptic_experience = query.text();
   record.weight = query.numberOrNothing();
+  record.comfort = query.text();
 }
 
 void putColumns(Query& query, const study::EventRecord& record) { query.put(record.kind).putJson(record.detail); }
@@ -96,7 +98,7 @@ void putColumns(Query& query, const study::JudgementRecord& record) {
       .put(record.scored)
       .put(record.catch_trial)
       .put(record.feel_again);
-  query.put(record.forward_mm).put(record.forward_speed_mm_s).put(record.response_s);
+  query.put(record.forward_mm).put(record.forward_speed_mm_s).put(record.response_s).put(record.delivered_share);
 }
 void takeColumns(Query& query, study::JudgementRecord& record) {
   record.series = query.text();
@@ -112,6 +114,7 @@ void takeColumns(Query& query, study::JudgementRecord& record) {
   record.forward_mm = query.number();
   record.forward_speed_mm_s = query.number();
   record.response_s = query.number();
+  record.delivered_share = query.numberOrNothing();
 }
 
 void putColumns(Query& query, const study::AnswerRecord& record) {

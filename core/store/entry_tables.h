@@ -26,7 +26,7 @@ template <>
 inline constexpr EntryTable kEntryTable<study::ProfileRecord>{
     "profile",
     "years_experience, insertions_per_month, category, handedness, gloves, tube_size, "
-    "haptic_experience, weight"};
+    "haptic_experience, weight, comfort"};
 template <>
 inline constexpr EntryTable kEntryTable<study::EventRecord>{"event", "kind, detail"};
 template <>
@@ -36,7 +36,7 @@ template <>
 inline constexpr EntryTable kEntryTable<study::JudgementRecord>{
     "judgement",
     "series, step, attempt, commanded_n, felt_n, kind, term, scored, catch_trial, feel_again, "
-    "forward_mm, forward_speed_mm_s, response_s"};
+    "forward_mm, forward_speed_mm_s, response_s, delivered_share"};
 template <>
 inline constexpr EntryTable kEntryTable<study::AnswerRecord>{
     "answer", "form, form_version, item, position, status, value, response_s"};

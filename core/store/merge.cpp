@@ -37,7 +37,10 @@ struct MergedTable {
 
 /// Rows that others refer to come first.
 std::vector<MergedTable> mergedTables() {
-  std::vector<MergedTable> tables = {{"person", "id", "id"}, {"person_code", "id", "id"}, {"session", "id", "id"}};
+  std::vector<MergedTable> tables = {{"person", "id", "id"},
+                                     {"person_code", "id", "id"},
+                                     {"protocol", "id", "version, utc_ms, id"},
+                                     {"session", "id", "id"}};
   for (const std::string_view entry : kEntryTables) {
     const std::string name(entry);
     // A correction comes after what it corrects, however long the chain is; a ring of them is left out.

@@ -111,8 +111,10 @@ const std::vector<FreeText>& freeTexts() {
                                  {"session", "settings"},   {"profile", "category"},
                                  {"profile", "handedness"}, {"profile", "gloves"},
                                  {"profile", "tube_size"},  {"profile", "haptic_experience"},
-                                 {"event", "detail"},       {"import_log", "source"},
-                                 {"import_log", "detail"},  {"incident", "detail"}};
+                                 {"profile", "comfort"},    {"protocol", "author"},
+                                 {"protocol", "reason"},    {"event", "detail"},
+                                 {"import_log", "source"},  {"import_log", "detail"},
+                                 {"incident", "detail"}};
     for (const std::string_view table : kEntryTables) all.push_back({table, "reason"});
     return all;
   }();

@@ -162,7 +162,9 @@ void RecordRows::insertRow(Connection& connection, Query& query, std::size_t row
 void RecordRows::requireReferences(Connection& connection, std::size_t row) const {
   for (const auto& column : table_.columns) {
     if (column.refers_to.empty() || column.refers_to == table_.name) continue;
+    if (column.since > version_) continue;
     const auto id = idIn(row, column);
+    if (!id && column.optional) continue;
     const RecordTable& target = tableCalled(column.refers_to);
     Query there(connection,
                 "SELECT 1 FROM " + std::string(target.name) + " WHERE " + std::string(keyOf(target).name) + " = ?");

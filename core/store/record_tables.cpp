@@ -75,6 +75,17 @@ std::vector<RecordTable> makeTables() {
                      {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
                      {"code", Kind::kText, "", "Code, never a name"}},
                     2});
+  tables.push_back({"protocol",
+                    "protocols.csv",
+                    "A version of the study's protocol: what everybody is asked",
+                    "version, utc_ms, id",
+                    {{"id", Kind::kId, "", "The record of the protocol"},
+                     {"version", Kind::kInteger, "", "From 1; of the rows of one version the latest counts"},
+                     {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
+                     {"author", Kind::kText, "", "By whom", "", true},
+                     {"reason", Kind::kText, "", "Reason of the change", "", true},
+                     {"text", Kind::kJson, "", "Settings, languages, consent texts, device"}},
+                    3});
   tables.push_back(
       {"session",
        "sessions.csv",
@@ -93,17 +104,19 @@ std::vector<RecordTable> makeTables() {
         {"program", Kind::kText, "", "Program and version"},
         {"device", Kind::kText, "", "Haptic device and its serial number", "", true},
         {"device_friction_n", Kind::kNumber, "N", "The device's own friction against forward motion", "", true},
-        {"settings", Kind::kJson, "", "Settings of the protocols", "", true}}});
-  tables.push_back(entryTable(
-      "profile", "profiles.csv", "What a participant told of themselves",
-      {{"years_experience", Kind::kNumber, "years", "Experience", "", true},
-       {"insertions_per_month", Kind::kNumber, "1/month", "Tubes placed in a month", "", true},
-       {"category", Kind::kText, "", "For example beginner, intermediate, expert", "", true},
-       {"handedness", Kind::kText, "", "left, right or both", "", true},
-       {"gloves", Kind::kText, "", "Gloves that are usually worn", "", true},
-       {"tube_size", Kind::kText, "", "Usual size of the tube", "", true},
-       {"haptic_experience", Kind::kText, "", "Experience with haptic devices", "", true},
-       {"weight", Kind::kNumber, "", "Weight in the mean of the experts, given by the researcher", "", true}}));
+        {"settings", Kind::kJson, "", "Settings of the protocols", "", true},
+        {"protocol_id", Kind::kId, "", "The record of the study's protocol that it follows", "protocol", true, 3}}});
+  tables.push_back(
+      entryTable("profile", "profiles.csv", "What a participant told of themselves",
+                 {{"years_experience", Kind::kNumber, "years", "Experience", "", true},
+                  {"insertions_per_month", Kind::kNumber, "1/month", "Tubes placed in a month", "", true},
+                  {"category", Kind::kText, "", "For example beginner, intermediate, expert", "", true},
+                  {"handedness", Kind::kText, "", "left, right or both", "", true},
+                  {"gloves", Kind::kText, "", "Gloves that are usually worn", "", true},
+                  {"tube_size", Kind::kText, "", "Usual size of the tube", "", true},
+                  {"haptic_experience", Kind::kText, "", "Experience with haptic devices", "", true},
+                  {"weight", Kind::kNumber, "", "Weight in the mean of the experts, given by the researcher", "", true},
+                  {"comfort", Kind::kText, "", "How hand and arm felt before the session", "", true, 3}}));
   tables.push_back(entryTable("event", "events.csv", "A line of a session's log",
                               {{"kind", Kind::kText, "", "What happened, for example stage_entered, paused"},
                                {"detail", Kind::kJson, "", "More about it", "", true}}));
@@ -146,7 +159,10 @@ std::vector<RecordTable> makeTables() {
        {"feel_again", Kind::kInteger, "", "How often the participant asked to feel it again"},
        {"forward_mm", Kind::kNumber, "mm", "Way forward while judging"},
        {"forward_speed_mm_s", Kind::kNumber, "mm/s", "Mean speed on that way"},
-       {"response_s", Kind::kNumber, "s", "From the full force to the answer"}}));
+       {"response_s", Kind::kNumber, "s", "From the full force to the answer"},
+       {"delivered_share", Kind::kNumber, "",
+        "Least share of the force that was in the hand from the full force on, 0 to 1; empty: not known", "", true,
+        3}}));
   tables.push_back(entryTable(
       "answer", "answers.csv", "The answer to one item of a form",
       {{"form", Kind::kText, "", "Id of the form"},

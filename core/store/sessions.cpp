@@ -15,7 +15,7 @@ using study::SessionRecord;
 /// What readSession takes, of a session called `s`.
 std::string sessionColumns(Connection& connection) {
   return "s.id, s.person_id, s.kind, s.started_utc_ms, s.started_monotonic_ns, s.consent_version, s.seed, s.language, "
-         "s.station, s.program, s.device, s.device_friction_n, s.settings, " +
+         "s.station, s.program, s.device, s.device_friction_n, s.settings, s.protocol_id, " +
          fitsChecksum(connection, "session", "s");
 }
 
@@ -44,6 +44,7 @@ SessionRecord readSession(Query& query) {
   session.device = query.text();
   session.device_friction_n = query.numberOrNothing();
   session.settings = query.text();
+  session.protocol = query.idOrNothing();
   query.requireIntact("session", session.id);
   return session;
 }
@@ -57,7 +58,8 @@ Result<void> append(StudyFile& file, const SessionRecord& session) {
     insert.put(session.id).put(session.person).put(wordFor(session.kind));
     insert.put(session.started.utc_ms).put(session.started.monotonic_ns).put(session.consent_version);
     insert.put(std::to_string(session.seed)).put(session.language).put(session.station).put(session.program);
-    insert.put(session.device).put(session.device_friction_n).putJson(session.settings).run();
+    insert.put(session.device).put(session.device_friction_n).putJson(session.settings);
+    insert.put(session.protocol).run();
   });
 }
 

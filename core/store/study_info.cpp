@@ -6,6 +6,7 @@
 #include "core/store/conflicts.h"
 #include "core/store/entry_tables.h"
 #include "core/store/feel_records.h"
+#include "core/store/protocols.h"
 #include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"
@@ -113,6 +114,10 @@ Result<StudyInfo> studyInfo(const StudyFile& file) {
     if (!felt) throw Refusal{felt.error()};
     info.placements = felt->placements;
     info.feel_recordings = felt->recordings;
+    const auto protocol = protocolState(file);
+    if (!protocol) throw Refusal{protocol.error()};
+    if (protocol->current) info.protocol_version = protocol->current->version;
+    info.protocol_locked = protocol->locked;
     return info;
   });
 }

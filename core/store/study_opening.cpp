@@ -171,6 +171,7 @@ void readAsNewest(Connection& connection, int version) {
   connection.database().exec("PRAGMA query_only = OFF");
   connection.database().exec("PRAGMA temp_store = MEMORY");
   if (version == 1) connection.database().exec(std::string(readingVersion1()));
+  if (version == 2) connection.database().exec(std::string(readingVersion2()));
   connection.database().exec(viewsForReading());
   connection.database().exec("PRAGMA query_only = ON");
 }

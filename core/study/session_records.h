@@ -60,6 +60,7 @@ struct ProfileRecord {
   std::string tube_size;          ///< usual size of tube, e.g. `14 Fr`
   std::string haptic_experience;  ///< with haptic devices, e.g. none, some, regular
   std::optional<double> weight;   ///< weight in the mean of the experts, set by the researcher
+  std::string comfort;            ///< of hand and arm before the session, e.g. good, some_pain
 
   bool operator==(const ProfileRecord&) const = default;
 };
@@ -84,7 +85,8 @@ struct SessionRecord {
   std::string device;           ///< haptic device and serial number; may be empty
   /// The device's own friction against forward motion, which adds to the felt force.
   std::optional<double> device_friction_n;
-  std::string settings;  ///< JSON text: the settings of the protocols
+  std::string settings;              ///< JSON text: the settings of the protocols
+  std::optional<RecordId> protocol;  ///< the study's protocol (protocol_record.h) that the session follows
 
   bool operator==(const SessionRecord&) const = default;
 };
@@ -148,6 +150,8 @@ struct JudgementRecord {
   double forward_mm = 0;          ///< distance moved forward during the judgement
   double forward_speed_mm_s = 0;  ///< mean speed over that distance
   double response_s = 0;          ///< from the full force to the answer
+  /// The least share of the force that was in the hand from the full force on, [0, 1]; nothing: not known.
+  std::optional<double> delivered_share;
 
   bool operator==(const JudgementRecord&) const = default;
 };

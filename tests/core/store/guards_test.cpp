@@ -24,6 +24,8 @@ class Guards : public testing::Test {
     sql_->complaint("INSERT INTO tombstone VALUES (randomblob(16), 1, NULL, NULL, 0)");
     sql_->complaint("INSERT INTO person_code SELECT randomblob(16), id, 1, 'calm-fox', 0 FROM person");
     sql_->complaint("INSERT INTO incident VALUES (randomblob(16), 1, 'journal_missing', '', 0)");
+    sql_->complaint("INSERT INTO protocol VALUES (randomblob(16), 1, 1, '', '', '{}', 0)");
+    sql_->complaint("INSERT INTO research_key VALUES (1, 1, '', 0)");
   }
 
   void fill() {
@@ -42,9 +44,10 @@ class Guards : public testing::Test {
   std::string path_ = folder_.file("study.tactus");
   std::unique_ptr<PlainSql> sql_;
 
-  const std::vector<std::string> tables_ = {
-      "study",  "person", "session",       "profile",   "event",     "stroke",     "recording",   "answer",
-      "rating", "rule",   "model_version", "judgement", "tombstone", "import_log", "person_code", "incident"};
+  const std::vector<std::string> tables_ = {"study",         "person",    "session",     "profile",    "event",
+                                            "stroke",        "recording", "answer",      "rating",     "rule",
+                                            "model_version", "judgement", "tombstone",   "import_log", "person_code",
+                                            "incident",      "protocol",  "research_key"};
   const std::vector<std::string> no_records_ = {"opening", "erasure"};
 };
 
@@ -110,7 +113,7 @@ TEST_F(Guards, NothingIsReplaced) {
 TEST_F(Guards, WhatIsNoNumberDoesNotSlipIn) {
   const std::string begin =
       "INSERT INTO judgement SELECT randomblob(16), session_id, 99, 1, 1, 'program', NULL, '', 'ascending', 1, 1, ";
-  const std::string end = ", NULL, 'not_felt', '', 1, 0, 0, 1, 1, 1, 0 FROM judgement LIMIT 1";
+  const std::string end = ", NULL, 'not_felt', '', 1, 0, 0, 1, 1, 1, 0, NULL FROM judgement LIMIT 1";
   EXPECT_EQ(sql_->complaint(begin + "0.5" + end), "");
   for (const std::string value : {"NULL", "9e999", "-9e999", "9e999 - 9e999", "-0.1", "'many'"}) {
     EXPECT_NE(sql_->complaint(begin + value + end), "") << value;

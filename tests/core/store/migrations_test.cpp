@@ -8,8 +8,10 @@
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
 #include "core/store/persons.h"
+#include "core/store/protocols.h"
 #include "core/store/record_export.h"
 #include "core/store/record_import.h"
+#include "core/store/research_key.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
 #include "core/store/withdrawal.h"
@@ -35,7 +37,8 @@ class Migrations : public testing::Test {
   }
   /// The error of migrating through `later` steps after those of the program, which every study here has taken.
   std::string migrateTo(const std::vector<std::string>& later) const {
-    std::vector<Migration> steps = {{1, "this must not run again"}, {2, "this must not run again"}};
+    std::vector<Migration> steps = {
+        {1, "this must not run again"}, {2, "this must not run again"}, {3, "this must not run again"}};
     for (const auto& sql : later) steps.push_back({static_cast<int>(steps.size()) + 1, sql});
     const auto done = migrateFile(path_, steps);
     return done ? "" : done.error().message();
@@ -44,9 +47,9 @@ class Migrations : public testing::Test {
   support::TempFolder folder_;
   SampleRecords records_;
   std::string path_ = folder_.file("study.tactus");
-  const std::string third_ = "ALTER TABLE answer ADD COLUMN certainty REAL";
+  const std::string fourth_ = "ALTER TABLE answer ADD COLUMN certainty REAL";
   // The rebuild of a table, as SQLite's manual describes it for what ALTER cannot do.
-  const std::string fourth_ =
+  const std::string fifth_ =
       "CREATE TABLE person_new (id BLOB NOT NULL PRIMARY KEY, code TEXT NOT NULL, simulated INTEGER NOT NULL,"
       " note TEXT NOT NULL) STRICT, WITHOUT ROWID;"
       "INSERT INTO person_new SELECT id, code, simulated, '' FROM person;"
@@ -54,25 +57,25 @@ class Migrations : public testing::Test {
 };
 
 TEST_F(Migrations, EachStepRunsOnceInOrder) {
-  ASSERT_EQ(migrateTo({third_, fourth_}), "");
+  ASSERT_EQ(migrateTo({fourth_, fifth_}), "");
   {
     PlainSql sql(path_);
-    EXPECT_EQ(sql.number("PRAGMA user_version"), 4);
+    EXPECT_EQ(sql.number("PRAGMA user_version"), 5);
     EXPECT_EQ(sql.number("SELECT count(*) FROM answer WHERE certainty IS NULL"), 1);
     EXPECT_EQ(sql.text("SELECT code || note FROM person"), "velvet-otter");
     EXPECT_EQ(sql.lines("PRAGMA foreign_key_check"), "");
     EXPECT_NE(sql.complaint("UPDATE answer SET certainty = 1"), "");  // new columns are guarded too
   }
-  EXPECT_EQ(migrateTo({third_, fourth_}), "");
+  EXPECT_EQ(migrateTo({fourth_, fifth_}), "");
 }
 
 TEST_F(Migrations, ACopyIsMadeBeforeAndOnlyWhenNeeded) {
   ASSERT_EQ(migrateTo({}), "");
-  EXPECT_FALSE(fs::exists(path_ + ".before-v3"));
-  ASSERT_EQ(migrateTo({third_}), "");
-  const auto copy = StudyFile::open(path_ + ".before-v3");
+  EXPECT_FALSE(fs::exists(path_ + ".before-v4"));
+  ASSERT_EQ(migrateTo({fourth_}), "");
+  const auto copy = StudyFile::open(path_ + ".before-v4");
   ASSERT_TRUE(copy) << copy.error().message();
-  EXPECT_EQ(copy->version(), 2);
+  EXPECT_EQ(copy->version(), 3);
   EXPECT_EQ(answers(*copy)->size(), 1U);
 }
 
@@ -80,7 +83,7 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
   std::string schema;
   schema = PlainSql(path_).lines(kSchema);
   const std::vector<std::pair<std::string, std::string>> failing = {
-      {third_ + "; SELECT nonsense FROM nowhere", "no such table"},
+      {fourth_ + "; SELECT nonsense FROM nowhere", "no such table"},
       {"INSERT INTO recording VALUES (1, randomblob(16), randomblob(16), 1000, 0, '', zeroblob(24), 0)",
        "found a row of recording without the row it belongs to"},
       {"UPDATE answer SET value = 'small'", "never changed"},
@@ -89,20 +92,20 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
   for (const auto& [sql, complaint] : failing) {
     EXPECT_NE(migrateTo({sql}).find(complaint), std::string::npos) << migrateTo({sql});
     PlainSql plain(path_);
-    EXPECT_EQ(plain.number("PRAGMA user_version"), 2);
+    EXPECT_EQ(plain.number("PRAGMA user_version"), 3);
     EXPECT_EQ(plain.lines(kSchema), schema);
     EXPECT_EQ(plain.number("SELECT count(*) FROM answer WHERE value = 'very_large'"), 1);
-    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v3" : ".before-v3-" + std::to_string(copies))));
+    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v4" : ".before-v4-" + std::to_string(copies))));
   }
   const auto file = StudyFile::open(path_);
   ASSERT_TRUE(file) << file.error().message();
 }
 
 TEST_F(Migrations, TheStepsBeforeAFailingOneStay) {
-  EXPECT_NE(migrateTo({third_, "nonsense"}), "");
-  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 3);
-  ASSERT_EQ(migrateTo({third_, fourth_}), "");
+  EXPECT_NE(migrateTo({fourth_, "nonsense"}), "");
   EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 4);
+  ASSERT_EQ(migrateTo({fourth_, fifth_}), "");
+  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 5);
 }
 
 TEST_F(Migrations, OnlyOfStudies) {
@@ -157,17 +160,59 @@ TEST_P(Version1, IsReadInFull) {
   const auto findings = checkStudy(*file);
   ASSERT_TRUE(findings) << findings.error().message();
   EXPECT_TRUE(findings->empty());
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 2 : 1);
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 3 : 1);
   EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
 }
 INSTANTIATE_TEST_SUITE_P(Both, Version1, testing::Values(Access::kReadWrite, Access::kReadOnly));
 
-TEST(StoredVersions, Version2IsReadInFull) {
+class Version2 : public testing::TestWithParam<Access> {};
+
+TEST_P(Version2, IsReadInFull) {
   const support::TempFolder folder;
-  const auto file = StudyFile::open(makeFixture(folder, "v2"));
+  const auto file = StudyFile::open(makeFixture(folder, "v2"), {GetParam(), {}});
   expectRecords(file);
   EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 2");
   EXPECT_EQ(persons(*file)->front().code, "calm-fox-2");
+  EXPECT_EQ(judgements(*file)->front().delivered_share, std::nullopt);
+  EXPECT_EQ(profiles(*file)->front().comfort, "");
+  EXPECT_EQ(sessions(*file)->front().protocol, std::nullopt);
+  EXPECT_EQ(protocolState(*file)->current, std::nullopt);
+  EXPECT_FALSE(*hasResearchKey(*file));
+  EXPECT_EQ(*checkStudy(*file),
+            std::vector<std::string>{"incident: the journal was missing when the study was opened"});
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 3 : 2);
+  EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
+}
+
+// What did not fit its checksum in version 2 is known as damaged in version 3, too.
+TEST_P(Version2, ADamagedRecordStaysDamaged) {
+  const support::TempFolder folder;
+  const auto path = makeFixture(folder, "v2");
+  const auto changed = PlainSql(path).complaintWithoutGuards("UPDATE judgement SET commanded_n = 1.7");
+  ASSERT_EQ(changed, "");
+  const auto file = StudyFile::open(path, {GetParam(), {}});
+  ASSERT_TRUE(file) << file.error().message();
+  EXPECT_FALSE(judgements(*file));
+  EXPECT_EQ(answers(*file)->size(), 1U);
+}
+INSTANTIATE_TEST_SUITE_P(Both, Version2, testing::Values(Access::kReadWrite, Access::kReadOnly));
+
+TEST(StoredVersions, Version3IsReadInFull) {
+  const support::TempFolder folder;
+  const auto file = StudyFile::open(makeFixture(folder, "v3"));
+  expectRecords(file);
+  EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 3");
+  EXPECT_EQ(judgements(*file)->front().delivered_share, 0.53);
+  EXPECT_EQ(profiles(*file)->front().comfort, "good");
+  const auto all = protocols(*file);
+  ASSERT_TRUE(all) << all.error().message();
+  ASSERT_EQ(all->size(), 2U);
+  EXPECT_EQ(sessions(*file)->front().protocol, all->front().id);
+  EXPECT_EQ(all->back().reason, "shorter");
+  EXPECT_EQ(studyInfo(*file)->protocol_version, 1);
+  EXPECT_FALSE(studyInfo(*file)->protocol_locked) << "only a simulated person follows it";
+  EXPECT_TRUE(*opensResearch(*file, "correct horse"));
+  EXPECT_FALSE(*opensResearch(*file, "correct house"));
   EXPECT_EQ(*checkStudy(*file),
             std::vector<std::string>{"incident: the journal was missing when the study was opened"});
 }
@@ -183,7 +228,7 @@ TEST(StoredVersions, TheStepsOfTheProgramStillMakeTheSameTables) {
   SampleRecords records;
   auto made = StudyFile::create(folder.file("new.tactus"), records.study());
   ASSERT_TRUE(made && made->close());
-  for (const char* version : {"v1", "v2"}) {
+  for (const char* version : {"v1", "v2", "v3"}) {
     const auto fixture = makeFixture(folder, version);
     ASSERT_TRUE(StudyFile::open(fixture));  // brings it to the newest version
     EXPECT_EQ(PlainSql(fixture).lines(kSchema), PlainSql(folder.file("new.tactus")).lines(kSchema)) << version;

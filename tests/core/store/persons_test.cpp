@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "core/base/close_match.h"
 #include "core/store/person_codes.h"
 #include "core/store/recoding.h"
 
@@ -27,6 +28,22 @@ TEST(PersonCodes, AreMadeOfPlainDifferentWords) {
   }
 }
 
+// Misheard or mistyped by one letter, a word is no other word, and two codes typed without their dash are never the
+// same.
+TEST(PersonCodes, AreEasyToTellApart) {
+  const PersonCodes codes(1);
+  for (const auto& words : {codes.firstWords(), codes.secondWords()}) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) EXPECT_GE(base::editDistance(words[i], words[k]), 2U) << words[i] << words[k];
+    }
+  }
+  std::set<std::string> joined;
+  for (const auto first : codes.firstWords()) {
+    for (const auto second : codes.secondWords()) joined.insert(std::string(first) + std::string(second));
+  }
+  EXPECT_EQ(joined.size(), codes.firstWords().size() * codes.secondWords().size());
+}
+
 TEST(PersonCodes, FollowFromTheSeed) {
   PersonCodes first(7);
   PersonCodes same(7);
@@ -41,7 +58,7 @@ TEST(PersonCodes, FollowFromTheSeed) {
     EXPECT_EQ(std::count(code.begin(), code.end(), '-'), 1) << code;
   }
   EXPECT_GT(differences, 95);
-  EXPECT_GT(drawn.size(), 95U);  // 100 draws from 46,161 codes: 0.1 doubles are expected
+  EXPECT_GT(drawn.size(), 95U);  // 100 draws from 44,457 codes: 0.1 doubles are expected
   EXPECT_NE(PersonCodes().next() + PersonCodes().next(), PersonCodes().next() + PersonCodes().next());
 }
 

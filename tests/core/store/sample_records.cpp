@@ -48,6 +48,7 @@ study::ProfileRecord SampleRecords::profile(const study::RecordId& session) {
   record.tube_size = "14 Fr";
   record.haptic_experience = "none";
   record.weight = 0.25;
+  record.comfort = "some_pain";
   return record;
 }
 
@@ -90,6 +91,7 @@ study::JudgementRecord SampleRecords::judgement(const study::RecordId& session) 
   record.forward_mm = 8.25;
   record.forward_speed_mm_s = 17.5;
   record.response_s = 2.75;
+  record.delivered_share = 0.529;
   return record;
 }
 
