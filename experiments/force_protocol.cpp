@@ -34,9 +34,26 @@ std::string described(const std::string& series, int step, int attempt, double f
          base::formatNumber(force_n) + " N";
 }
 
+std::string_view sentence(RepeatReason reason) {
+  if (reason == RepeatReason::kNone) return {};
+  return reason == RepeatReason::kStoodStill ? kStandStill : kNotDelivered;
+}
+
 bool isAmount(double value) { return std::isfinite(value) && value >= 0; }
 
 }  // namespace
+
+std::string_view name(RepeatReason reason) noexcept {
+  switch (reason) {
+    case RepeatReason::kNone:
+      return "none";
+    case RepeatReason::kStoodStill:
+      return "stood_still";
+    case RepeatReason::kNotDelivered:
+      return "not_delivered";
+  }
+  return {};
+}
 
 base::Result<ForceProtocol> ForceProtocol::create(const ForceSettings& settings, std::uint64_t seed,
                                                   std::span<const study::JudgementRecord> records) {
@@ -74,7 +91,8 @@ ForcePlan ForceProtocol::next() const {
   plan.forward_least_mm = settings_.forward_least_mm;
   plan.forward_least_mm_s = settings_.forward_least_mm_s;
   if (asked) plan.question.answers = allAnswers(settings_.terms);
-  if (plan.attempt > 1) plan.question.repeat_reason = repeatReason(*step);
+  if (plan.attempt > 1) plan.question.repeat = repeatReason(*step);
+  plan.question.repeat_reason = sentence(plan.question.repeat);
   const auto felt = static_cast<int>(judgements_.size());
   plan.question.rest_first = settings_.rest_every > 0 && felt > 0 && felt % settings_.rest_every == 0;
   return plan;
@@ -97,6 +115,9 @@ base::Result<study::JudgementRecord> ForceProtocol::record(const ForceAnswer& an
     return refuse("forward_speed_mm_s", base::formatNumber(answer.forward_speed_mm_s), "0 or more");
   }
   if (!isAmount(answer.response_s)) return refuse("response_s", base::formatNumber(answer.response_s), "0 or more");
+  if (answer.delivered_share && !(*answer.delivered_share >= 0 && *answer.delivered_share <= 1)) {
+    return refuse("delivered_share", base::formatNumber(*answer.delivered_share), "0 to 1");
+  }
   if (answer.feel_again < 0) return refuse("feel_again", std::to_string(answer.feel_again), "0 or more");
 
   study::JudgementRecord record;
@@ -106,7 +127,9 @@ base::Result<study::JudgementRecord> ForceProtocol::record(const ForceAnswer& an
   record.commanded_n = plan.step.force_n;
   record.forward_mm = answer.forward_mm;
   record.forward_speed_mm_s = answer.forward_speed_mm_s;
-  const bool felt = answer.delivered && movedForward(record);
+  record.delivered_share = answer.delivered_share;
+  const bool delivered = answer.delivered && answer.delivered_share.value_or(1) >= kLeastShare;
+  const bool felt = delivered && movedForward(record);
   if (settings_.device_friction_n && felt) record.felt_n = plan.step.force_n + *settings_.device_friction_n;
   record.kind = answer.kind;
   if (answer.kind == Kind::kTerm) record.term = answer.term;
@@ -138,7 +161,7 @@ base::Result<void> ForceProtocol::add(const study::JudgementRecord& record) {
     *corrected = record;
     return {};
   }
-  const auto step = nextStep();
+  const auto step = stepFor(record);
   if (!step) return refuse(found, "nothing: the force experiment is finished");
   const int attempt = attemptsAt(*step) + 1;
   const bool fits =
@@ -192,16 +215,32 @@ bool ForceProtocol::movedForward(const study::JudgementRecord& record) const {
 }
 
 /// A hand that moved forward was no reason not to score the last attempt: then it was the force.
-std::string ForceProtocol::repeatReason(const ForceStep& step) const {
+RepeatReason ForceProtocol::repeatReason(const ForceStep& step) const {
   const auto last = std::find_if(judgements_.rbegin(), judgements_.rend(),
                                  [&step](const auto& judgement) { return isOf(judgement, step); });
-  return last != judgements_.rend() && movedForward(*last) ? kNotDelivered : kStandStill;
+  const bool moved = last != judgements_.rend() && movedForward(*last);
+  return moved ? RepeatReason::kNotDelivered : RepeatReason::kStoodStill;
 }
 
+/// The step of a new record. Sessions from before attempts were limited may hold more attempts at a step.
+std::optional<ForceStep> ForceProtocol::stepFor(const study::JudgementRecord& record) const {
+  if (!judgements_.empty() && isOf(record, {judgements_.back().series, judgements_.back().step})) {
+    for (const auto& step : steps()) {
+      if (isOf(record, step) && !isScored(step) && step.series != kFamiliarisation) return step;
+    }
+  }
+  return nextStep();
+}
+
+bool ForceProtocol::isScored(const ForceStep& step) const {
+  return std::any_of(judgements_.begin(), judgements_.end(),
+                     [&](const auto& judgement) { return isOf(judgement, step) && judgement.scored; });
+}
+
+/// A step that is never delivered or never felt in motion is left out, so that a session cannot stay at it for ever.
 bool ForceProtocol::isDone(const ForceStep& step) const {
-  return std::any_of(judgements_.begin(), judgements_.end(), [&](const auto& judgement) {
-    return isOf(judgement, step) && (judgement.scored || step.series == kFamiliarisation);
-  });
+  const int most = step.series == kFamiliarisation ? 1 : settings_.attempts_most;
+  return isScored(step) || attemptsAt(step) >= most;
 }
 
 int ForceProtocol::attemptsAt(const ForceStep& step) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -23,11 +24,22 @@ struct ForceAnswerOption {
   bool operator==(const ForceAnswerOption&) const = default;
 };
 
+/// Why a step comes again.
+enum class RepeatReason {
+  kNone,          ///< the first attempt
+  kStoodStill,    ///< the hand did not move forward while it felt the force
+  kNotDelivered,  ///< the device did not give the whole force
+};
+
+/// `none`, `stood_still`, `not_delivered`.
+std::string_view name(RepeatReason reason) noexcept;
+
 /// The part of a step that the participant may see: no force, no step number, no position in the series.
 struct ForceQuestion {
-  std::vector<ForceAnswerOption> answers;  ///< none during familiarization
-  std::string repeat_reason;               ///< one sentence: why the step is repeated; empty for the first attempt
-  bool rest_first = false;                 ///< offer a rest before this step
+  std::vector<ForceAnswerOption> answers;     ///< none during familiarization
+  std::string repeat_reason;                  ///< one sentence: why the step is repeated; empty for the first attempt
+  RepeatReason repeat = RepeatReason::kNone;  ///< the same for screens in other languages
+  bool rest_first = false;                    ///< offer a rest before this step
 
   bool operator==(const ForceQuestion&) const = default;
 };
@@ -57,14 +69,21 @@ struct ForceAnswer {
   double forward_speed_mm_s = 0;
   double response_s = 0;  ///< from the full force to the answer
   bool delivered = true;  ///< false: a stall, a trip or a limit kept the force from the hand (stimulus_delivery.h)
+  /// The least share of the force that was in the hand, [0, 1] (StimulusDelivery::leastShare); nothing: not known. Less
+  /// than kLeastShare counts as not delivered.
+  std::optional<double> delivered_share = {};
 };
+
+/// A force that was cut by more than 1 % is not the force of the step; the smallest difference that a hand feels is
+/// about 12 %.
+inline constexpr double kLeastShare = 0.99;
 
 /// The state depends only on settings, seed and records, so an interrupted session can continue from its records.
 ///
 /// Order: familiarisation, ascending series (to its end or to the first `beyond_practice`), descending series, random
 /// block. A judgement without forward motion, or of a force that was not delivered, is recorded but not scored, and its
-/// step comes again. Corrections (`entry.supersedes`) count instead of what they correct: where one takes a
-/// `beyond_practice` back, the ascending series goes on.
+/// step comes again, until `attempts_most` of them: then the step is left out. Corrections (`entry.supersedes`) count
+/// instead of what they correct: where one takes a `beyond_practice` back, the ascending series goes on.
 class ForceProtocol {
  public:
   /// `records`: those of the session so far, in the order of insertion. Returns an error if they do not fit the
@@ -89,10 +108,12 @@ class ForceProtocol {
   ForceProtocol(const ForceSettings& settings, std::uint64_t seed, std::vector<ForceStep> block);
   std::optional<ForceStep> nextStep() const;
   std::vector<ForceStep> ascendingSteps() const;
+  bool isScored(const ForceStep& step) const;
   bool isDone(const ForceStep& step) const;
+  std::optional<ForceStep> stepFor(const study::JudgementRecord& record) const;
   int attemptsAt(const ForceStep& step) const;
   bool movedForward(const study::JudgementRecord& record) const;
-  std::string repeatReason(const ForceStep& step) const;
+  RepeatReason repeatReason(const ForceStep& step) const;
 
   ForceSettings settings_;
   std::uint64_t seed_;

@@ -100,7 +100,7 @@ base::Result<void> validate(const ForceSettings& s) {
     double most;
     const char* unit;
   };
-  const std::array<Range, 12> ranges = {{{"descending_offset_most", double(s.descending_offset_most), 0, 5, " steps"},
+  const std::array<Range, 13> ranges = {{{"descending_offset_most", double(s.descending_offset_most), 0, 5, " steps"},
                                          {"random_repeats", double(s.random_repeats), 1, 10, ""},
                                          {"random_widest_jump", double(s.random_widest_jump), 1, 100, " steps"},
                                          {"forward_least_mm", s.forward_least_mm, 1, 100, " mm"},
@@ -111,6 +111,7 @@ base::Result<void> validate(const ForceSettings& s) {
                                          {"hold_limit_s", s.hold_limit_s, 0.5, 60, " s"},
                                          {"pause_s", s.pause_s, 2, 60, " s"},
                                          {"rest_every", double(s.rest_every), 0, 1000, " steps"},
+                                         {"attempts_most", double(s.attempts_most), 2, 20, ""},
                                          {"start_zone_mm", s.start_zone_mm, 1, 100, " mm"}}};
   for (const auto& range : ranges) {
     if (range.value >= range.least && range.value <= range.most) continue;

@@ -83,7 +83,9 @@ SpeedPlan SpeedProtocol::next() const {
   plan.count = slot->practice ? settings_.practice : settings_.strokes;
   plan.attempt = attemptsAt(*slot) + 1;
   for (const auto& attempt : attempts_) {
-    if (attempt.slot == *slot) plan.repeat_reason = attempt.reason;
+    if (attempt.slot != *slot) continue;
+    plan.repeat_reason = attempt.reason;
+    plan.repeat = attempt.verdict;
   }
   return plan;
 }

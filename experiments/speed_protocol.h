@@ -40,7 +40,9 @@ struct SpeedPlan {
   int count = 0;
   int attempt = 1;
   std::string repeat_reason;  ///< one sentence why the stroke is repeated; empty at the first attempt
-  int accepted = 0;           ///< progress: accepted strokes without practice, of all levels
+  /// The same for screens in other languages: the verdict on the last attempt; kAccepted at the first attempt.
+  StrokeVerdict repeat = StrokeVerdict::kAccepted;
+  int accepted = 0;  ///< progress: accepted strokes without practice, of all levels
   int wanted = 0;
 
   bool operator==(const SpeedPlan&) const = default;

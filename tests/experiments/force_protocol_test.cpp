@@ -116,6 +116,61 @@ TEST(ForceProtocol, AForceThatWasNotDeliveredIsRepeatedAndNotScored) {
   EXPECT_EQ(protocol.next().step.step, 2);
 }
 
+TEST(ForceProtocol, OnlyTheWholeForceIsScoredAndTheShareIsStored) {
+  auto protocol = readyToJudge({});
+  auto cut = term("large");
+  cut.delivered_share = 0.53;  // 0.90 N of 1.7 N
+  const auto record = give(protocol, cut);
+  EXPECT_FALSE(record.scored);
+  EXPECT_EQ(record.delivered_share, 0.53);
+  EXPECT_EQ(protocol.next().question.repeat, RepeatReason::kNotDelivered);
+  EXPECT_EQ(name(protocol.next().question.repeat), "not_delivered");
+  auto whole = term("large");
+  whole.delivered_share = 1;
+  EXPECT_TRUE(give(protocol, whole).scored);
+  EXPECT_EQ(protocol.next().question.repeat, RepeatReason::kNone);
+  for (const double impossible : {-0.1, 1.1}) {
+    whole.delivered_share = impossible;
+    EXPECT_FALSE(protocol.record(whole).has_value()) << impossible;
+  }
+}
+
+TEST(ForceProtocol, AStepThatIsNeverScoredIsLeftOutAfterSomeAttempts) {
+  ForceSettings settings;
+  settings.attempts_most = 3;
+  auto protocol = readyToJudge(settings);
+  auto cut = term("large");
+  cut.delivered = false;
+  for (int attempt = 1; attempt <= 3; ++attempt) {
+    EXPECT_EQ(protocol.next().attempt, attempt);
+    EXPECT_EQ(protocol.next().step.step, 1);
+    give(protocol, cut);
+  }
+  EXPECT_EQ(protocol.next().step.step, 2);
+  int steps = 1;
+  while (!protocol.next().finished) {
+    give(protocol, standingStill(term("small")));
+    ASSERT_LE(++steps, 3 * 17);
+  }
+}
+
+// A study from before attempts were limited must open.
+TEST(ForceProtocol, MoreAttemptsOfAnOlderSessionAreTaken) {
+  ForceSettings older;
+  older.attempts_most = 20;
+  auto recorded = readyToJudge(older);
+  std::vector<study::JudgementRecord> records;
+  for (int i = 0; i < 9; ++i) records.push_back(give(recorded, standingStill(term("small"))));
+  records.push_back(give(recorded, term("very_small")));
+  records.push_back(give(recorded, term("small")));
+  auto protocol = readyToJudge({});
+  for (const auto& record : records) {
+    const auto added = protocol.add(record);
+    ASSERT_TRUE(added) << added.error().message();
+  }
+  EXPECT_EQ(protocol.next().step.step, 3);
+}
+
 TEST(ForceProtocol, TheFeltForceHasTheDevicesFrictionOnTop) {
   ForceSettings settings;
   EXPECT_FALSE(readyToJudge(settings).record(term("small"))->felt_n.has_value());

@@ -62,6 +62,7 @@ TEST(SpeedProtocol, ABadStrokeIsNamedAndRepeated) {
   ASSERT_TRUE(protocol.add(answer(protocol, StrokeVerdict::kTooShort, 12.5)).has_value());
   EXPECT_EQ(told(protocol.next()), "slow 1/4 attempt 2");
   EXPECT_EQ(protocol.next().repeat_reason, "Too short: 12 mm, at least 30 mm wanted.");
+  EXPECT_EQ(protocol.next().repeat, StrokeVerdict::kTooShort);
   ASSERT_TRUE(protocol.add(answer(protocol, StrokeVerdict::kInterrupted)).has_value());
   EXPECT_EQ(told(protocol.next()), "slow 1/4 attempt 3");
   EXPECT_EQ(protocol.next().repeat_reason, "Interrupted: part of the movement was not recorded.");
@@ -69,6 +70,7 @@ TEST(SpeedProtocol, ABadStrokeIsNamedAndRepeated) {
   ASSERT_TRUE(protocol.add(answer(protocol, StrokeVerdict::kAccepted)).has_value());
   EXPECT_EQ(told(protocol.next()), "slow 2/4 attempt 1");
   EXPECT_EQ(protocol.next().repeat_reason, "");
+  EXPECT_EQ(protocol.next().repeat, StrokeVerdict::kAccepted);
 }
 
 TEST(SpeedProtocol, AStrokeThatIsTakenBackIsAskedForAgain) {
