@@ -29,7 +29,11 @@ struct CarriedWording {
 constexpr std::array kCarried = {
     CarriedWording{kForceForm, "en-x-plain", &ngtForcePlainWordingJson},
     CarriedWording{kForceForm, "de", &ngtForceGermanWordingJson},
+    CarriedWording{kForceForm, "zh-Hant", &ngtForceTraditionalChineseWordingJson},
+    CarriedWording{kForceForm, "zh-Hans", &ngtForceSimplifiedChineseWordingJson},
     CarriedWording{kUsabilityForm, "de", &usabilityGermanWordingJson},
+    CarriedWording{kUsabilityForm, "zh-Hant", &usabilityTraditionalChineseWordingJson},
+    CarriedWording{kUsabilityForm, "zh-Hans", &usabilitySimplifiedChineseWordingJson},
 };
 
 std::string joined(const std::vector<std::string>& words) {

@@ -48,6 +48,8 @@ Wording readWording(JsonMembers& json, std::optional<base::Error>& error) {
   json.text("remark", wording.remark);
   json.text("question", wording.question);
   if (const auto phrases = json.object("phrases")) readPhrases(*phrases, wording, error);
+  json.textOrEmpty("joiner", wording.joiner);
+  json.texts("order", wording.order);
   readItems(json, wording, error);
   if (wording.phrases.empty() && wording.items.empty()) {
     json.refuse("phrases", "neither 'phrases' nor 'items'", "the words of the items");
@@ -62,12 +64,17 @@ Wording readWording(JsonMembers& json, std::optional<base::Error>& error) {
 }  // namespace
 
 std::optional<std::string> Wording::sentence(const std::vector<study::ItemCondition>& conditions) const {
+  const auto place = [this](const study::ItemCondition& condition) {
+    return std::find(order.begin(), order.end(), condition.input) - order.begin();
+  };
+  auto ordered = conditions;
+  std::stable_sort(ordered.begin(), ordered.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
   std::string text;
-  for (const auto& condition : conditions) {
+  for (const auto& condition : ordered) {
     const auto phrase = std::find_if(phrases.begin(), phrases.end(),
                                      [&](const Phrase& candidate) { return candidate.condition == condition; });
     if (phrase == phrases.end()) return std::nullopt;
-    text += phrase->text + ' ';
+    text += phrase->text + joiner;
   }
   return text + question;
 }

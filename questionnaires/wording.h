@@ -32,13 +32,16 @@ struct Wording {
   std::string language;
   std::string title;
   std::string instructions;
-  std::string remark;    ///< for the researcher, e.g. that the translation was not reviewed; may be empty
-  std::string question;  ///< after the phrases; empty if items are worded as a whole
+  std::string remark;        ///< for the researcher, e.g. that the translation was not reviewed; may be empty
+  std::string question;      ///< after the phrases; empty if items are worded as a whole
+  std::string joiner = " ";  ///< between phrases, and before the question; empty in Chinese
+  /// Inputs in the order of their phrases; empty: as in the item. Inputs that are not named come last.
+  std::vector<std::string> order;
   std::vector<Phrase> phrases;
   std::vector<Item> items;
   std::vector<Label> answers;
 
-  /// The phrases of `conditions` and the question, joined. Nothing if a condition has no phrase.
+  /// The phrases of `conditions` in their order and the question, joined. Nothing if a condition has no phrase.
   std::optional<std::string> sentence(const std::vector<study::ItemCondition>& conditions) const;
   const std::string* item(int number) const;
   const std::string* answer(std::string_view value) const;

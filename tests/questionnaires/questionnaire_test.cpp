@@ -54,6 +54,43 @@ TEST(Questionnaire, PlainWordsSayTheSameCondition) {
   EXPECT_EQ(form->choice("Medium"), nullptr);
 }
 
+// The sentences of facts/participant.md 2: the condition, the depth, the question, joined by nothing.
+TEST(Questionnaire, ChineseSentencesAreJoinedByNothingWithTheDepthBehind) {
+  const auto traditional = questionnaire("ngt-force-v1", "zh-Hant");
+  ASSERT_TRUE(traditional.has_value());
+  ASSERT_EQ(traditional->questions.size(), 45U);
+  EXPECT_EQ(traditional->questions[3].text, "管身潤滑不足，鼻胃管前端位於喉咽（下咽）。您手上感受到的阻力有多大？");
+  const auto simplified = questionnaire("ngt-force-v1", "zh-Hans");
+  ASSERT_TRUE(simplified.has_value());
+  EXPECT_EQ(simplified->questions[3].text, "管身润滑不足，鼻胃管前端位于喉咽（下咽）。您手上感受到的阻力有多大？");
+  EXPECT_EQ(simplified->choice("very_large")->label, "非常大");
+  for (const auto& form : {*traditional, *simplified}) {
+    EXPECT_EQ(form.remark, "A translation that no nurse has reviewed yet.");
+    for (const auto& question : form.questions) {
+      EXPECT_EQ(question.text.find(' '), std::string::npos) << question.text;
+      // The condition ends in a comma, the depth in a full stop: in this order they are one sentence.
+      EXPECT_LT(question.text.find("，"), question.text.find("。")) << question.text;
+    }
+  }
+}
+
+// Characters of the Traditional texts that Simplified Chinese writes in another way.
+TEST(Questionnaire, NoTraditionalCharacterIsInTheSimplifiedWording) {
+  const std::vector<std::string> traditional = {"個", "學", "實", "對", "擬", "於", "時", "標", "沒", "況", "準", "潤",
+                                                "為", "畫", "練", "習", "見", "訓", "詞", "話", "課", "請", "護", "輔",
+                                                "過", "選", "針", "錯", "頸", "後", "會", "厭", "顎", "聲", "氣"};
+  for (const char* id : {"ngt-force-v1", "usability-v1"}) {
+    const auto form = questionnaire(id, "zh-Hans");
+    ASSERT_TRUE(form.has_value());
+    std::string all = form->title + form->instructions;
+    for (const auto& question : form->questions) all += question.text;
+    for (const auto& choice : form->choices) all += choice.label;
+    for (const auto& character : traditional) {
+      EXPECT_EQ(all.find(character), std::string::npos) << character;
+    }
+  }
+}
+
 TEST(Questionnaire, AScaleNamesItsEnds) {
   const auto form = questionnaire("usability-v1", "en");
   ASSERT_TRUE(form.has_value());
