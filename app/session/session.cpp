@@ -9,6 +9,7 @@
 #include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
+#include "core/store/protocols.h"
 #include "core/store/sessions.h"
 
 namespace tactus::session {
@@ -24,6 +25,10 @@ constexpr int kMostRating = 7;
 tl::unexpected<base::Error> notNow(std::string what, SessionPart part) {
   return fail(ErrorCode::kValue, "session", std::move(what) + " in the part " + base::quoted(name(part)),
               "what this part of the session asks for");
+}
+
+std::optional<Note> noteOf(const study::RecordId& record, const std::optional<AnswerInput>& input) {
+  return input ? std::optional(answerInput(record, *input)) : std::nullopt;
 }
 
 }  // namespace
@@ -57,8 +62,18 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
     return fail(ErrorCode::kReference, "session", "an unknown participant", "a participant of this study");
   }
 
+  if (start.protocol) {
+    const auto state = store::protocolState(file);
+    if (!state) return tl::unexpected(state.error());
+    if (!state->current || state->current->id != *start.protocol) {
+      return fail(ErrorCode::kReference, "session", "a protocol that does not count",
+                  "the latest protocol of the study");
+    }
+  }
+
   study::SessionRecord record;
   record.id = tools.ids.next();
+  record.protocol = start.protocol;
   record.person = start.person;
   record.kind = start.kind;
   record.started = tools.now();
@@ -127,11 +142,19 @@ std::size_t Session::blocksDone() const {
   return static_cast<std::size_t>(std::find(blocks.begin(), blocks.end(), *at) - blocks.begin());
 }
 
-Result<void> Session::tell(study::ProfileRecord profile) {
-  if (state_->aborted) return notNow("a profile", part());
-  profile.entry = state_->entry();
-  if (state_->profile) profile.entry.supersedes = state_->profile->entry.id;
-  return state_->store(profile, [&] { state_->profile = profile; });
+Result<void> Session::tell(study::ProfileRecord profile) { return state_->tell(std::move(profile), {}); }
+
+Result<void> Session::tell(study::ProfileRecord profile, const ExperienceBand& band) {
+  profile.years_experience = band.middle_years;
+  return state_->tell(std::move(profile), experienceBandChosen(band));
+}
+
+Result<void> Session::note(const Note& note) {
+  if (note.kind.empty() || steersSession(note.kind)) {
+    return fail(ErrorCode::kValue, "session", "a note of the kind " + base::quoted(note.kind),
+                "a kind that does not steer the session");
+  }
+  return state_->log(note.kind.c_str(), note.detail);
 }
 
 Result<void> Session::addStroke(const experiments::Stroke& stroke, study::Recording recording,
@@ -166,18 +189,26 @@ Result<void> Session::rejectStroke(const study::RecordId& stroke, const std::str
   return state_->store(record, [&] { state_->speed = std::move(after); });
 }
 
-Result<void> Session::judge(const experiments::ForceAnswer& answer) {
+Result<void> Session::judge(const experiments::ForceAnswer& answer, const std::optional<AnswerInput>& input) {
   if (part() != SessionPart::kForce) return notNow("a judgement", part());
+  if (input) {
+    if (auto ok = validate(*input); !ok) return ok;
+  }
   auto record = state_->force->record(answer);
   if (!record) return tl::unexpected(record.error());
   record->entry = state_->entry();
   auto after = *state_->force;
   if (auto ok = after.add(*record); !ok) return ok;
-  return state_->store(*record, [&] { state_->force = std::move(after); });
+  return state_->store(
+      *record, [&] { state_->force = std::move(after); }, noteOf(record->entry.id, input));
 }
 
-Result<void> Session::reply(const questionnaires::Reply& reply, double response_s) {
+Result<void> Session::reply(const questionnaires::Reply& reply, double response_s,
+                            const std::optional<AnswerInput>& input) {
   if (part() != SessionPart::kForm) return notNow("an answer", part());
+  if (input) {
+    if (auto ok = validate(*input); !ok) return ok;
+  }
   auto record = state_->form->draft(reply);
   if (!record) return tl::unexpected(record.error());
   const auto supersedes = record->entry.supersedes;
@@ -186,7 +217,8 @@ Result<void> Session::reply(const questionnaires::Reply& reply, double response_
   record->response_s = response_s;
   auto after = *state_->form;
   if (auto ok = after.add(*record); !ok) return ok;
-  return state_->store(*record, [&] { state_->form = std::move(after); });
+  return state_->store(
+      *record, [&] { state_->form = std::move(after); }, noteOf(record->entry.id, input));
 }
 
 void Session::back() {

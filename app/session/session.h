@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/session/session_notes.h"
 #include "app/session/session_settings.h"
 #include "core/base/error.h"
 #include "core/store/study_file.h"
@@ -54,6 +55,8 @@ struct SessionStart {
   std::string device;
   std::optional<double> device_friction_n;  ///< as in ForceSettings, whose own value is not used
   SessionSettings settings;
+  /// The record of the study's protocol that the session follows (study_protocol.h); it must be the current one.
+  std::optional<study::RecordId> protocol;
 };
 
 struct SessionState;
@@ -94,13 +97,17 @@ class Session {
 
   /// Stores the profile and fills in its entry. A later call is a correction.
   base::Result<void> tell(study::ProfileRecord profile);
+  /// The same for a participant who named a band of years: the profile gets its middle, and the log the band.
+  base::Result<void> tell(study::ProfileRecord profile, const ExperienceBand& band);
   /// Stores the result of the stroke that `speed()->next()` asked for. Arguments as in SpeedProtocol::record.
   base::Result<void> addStroke(const experiments::Stroke& stroke, study::Recording recording,
                                std::size_t recording_first);
   /// Rejects an accepted stroke of this session. The protocol then asks for it again.
   base::Result<void> rejectStroke(const study::RecordId& stroke, const std::string& reason);
-  base::Result<void> judge(const experiments::ForceAnswer& answer);
-  base::Result<void> reply(const questionnaires::Reply& reply, double response_s);
+  /// `input`: how the answer was entered; stored with it, both or none.
+  base::Result<void> judge(const experiments::ForceAnswer& answer, const std::optional<AnswerInput>& input = {});
+  base::Result<void> reply(const questionnaires::Reply& reply, double response_s,
+                           const std::optional<AnswerInput>& input = {});
   /// Moves to the previous or the next question, or to the first one without an answer. Also possible from the rating
   /// after the form, until the rating is given.
   void back();
@@ -109,6 +116,8 @@ class Session {
   /// Stores the rating, 1 to 7 each, and ends the block.
   base::Result<void> rate(int effort, int comfort);
 
+  /// Adds a line to the log, in every part of the session, also after its end. Refused: a kind that steers the session.
+  base::Result<void> note(const Note& note);
   base::Result<void> pause(const std::string& reason);
   base::Result<void> unpause();
   /// Skips the rest of the block.

@@ -91,6 +91,7 @@ void visit(Visitor& v, experiments::ForceSettings& s) {
   v("pause_s", s.pause_s);
   v("rest_every", s.rest_every);
   v("start_zone_mm", s.start_zone_mm);
+  v("attempts_most", s.attempts_most);
 }
 
 template <class Visitor>
@@ -239,14 +240,16 @@ std::string toJson(const SessionSettings& settings) {
   return writer.json.dump();
 }
 
-Result<SessionSettings> parseSessionSettings(std::string_view text) {
+SessionSettings readSessionSettings(JsonMembers& members, std::optional<base::Error>& error) {
   // A member of a newer program is ignored.
-  return base::readJson(text, {}, [](JsonMembers& members, std::optional<base::Error>& error) {
-    SessionSettings settings;
-    Reader reader(members, error);
-    visit(reader, settings);
-    return settings;
-  });
+  SessionSettings settings;
+  Reader reader(members, error);
+  visit(reader, settings);
+  return settings;
+}
+
+Result<SessionSettings> parseSessionSettings(std::string_view text) {
+  return base::readJson(text, {}, readSessionSettings);
 }
 
 std::uint64_t blockSeed(std::uint64_t session_seed, Block block) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,10 @@
 #include "experiments/force_series.h"
 #include "experiments/speed_protocol.h"
 #include "questionnaires/item_order.h"
+
+namespace tactus::base {
+class JsonMembers;
+}
 
 namespace tactus::session {
 
@@ -39,6 +44,8 @@ std::string toJson(const SessionSettings& settings);
 /// Reads the settings that `toJson` wrote. A missing member keeps its default. Refused: other text, a member of the
 /// wrong type, an unknown word.
 base::Result<SessionSettings> parseSessionSettings(std::string_view text);
+/// The same for settings within another JSON text.
+SessionSettings readSessionSettings(base::JsonMembers& members, std::optional<base::Error>& error);
 
 /// The seed of one block of a session: different for each block, the same for the same session.
 std::uint64_t blockSeed(std::uint64_t session_seed, Block block) noexcept;

@@ -82,6 +82,15 @@ Result<void> SessionState::log(const char* kind, std::string text) {
   return store::append(file, study::EventRecord{entry(), kind, std::move(text)});
 }
 
+Result<void> SessionState::tell(study::ProfileRecord made, const std::optional<Note>& beside) {
+  if (aborted)
+    return base::fail(base::ErrorCode::kValue, "session", "a profile after its end", "a session that goes on");
+  made.entry = entry();
+  if (profile) made.entry.supersedes = profile->entry.id;
+  return store(
+      made, [&] { profile = made; }, beside);
+}
+
 Result<void> SessionState::makeProtocols() {
   const store::Selection history{{}, record.id, true};
   for (const Block block : settings.blocks) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/session/session.h"
+#include "core/store/batch.h"
 #include "core/store/entries.h"
 
 namespace tactus::session {
@@ -53,16 +54,21 @@ struct SessionState {
   /// The entry for a new record.
   study::Entry entry();
   base::Result<void> log(const char* kind, std::string text = {});
+  base::Result<void> tell(study::ProfileRecord made, const std::optional<Note>& beside);
 
   /// Makes the protocols for the settings and feeds them the stored records.
   base::Result<void> makeProtocols();
   /// Reads all stored records of the session.
   base::Result<void> readBack();
 
-  /// Stores `made`; then `take` changes the state.
+  /// Stores `made`, and `beside` with it, if given: both or none. Then `take` changes the state.
   template <class Record, class Take>
-  base::Result<void> store(const Record& made, Take take) {
-    if (auto ok = store::append(file, made); !ok) return ok;
+  base::Result<void> store(const Record& made, Take take, const std::optional<Note>& beside = {}) {
+    const auto stored = !beside ? store::append(file, made) : store::inOneBatch(file, [&]() -> base::Result<void> {
+      if (auto ok = store::append(file, made); !ok) return ok;
+      return log(beside->kind.c_str(), beside->detail);
+    });
+    if (!stored) return stored;
     take();
     // The record is what counts. Where the log only repeats where it leads, a failure is left to the next write.
     if (part() != announced && log(kStageEntered, detail("stage", name(part())))) announced = part();

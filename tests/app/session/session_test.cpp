@@ -1,5 +1,6 @@
 #include "app/session/session.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <utility>
 
@@ -283,6 +284,58 @@ TEST_F(SessionTest, AProfileIsCorrectedByAFurtherRecord) {
   ASSERT_EQ(history->size(), 2U);
   EXPECT_EQ(history->at(0).entry.entered_by, study::EnteredBy::kParticipant);
   EXPECT_EQ(history->at(1).entry.entered_by, study::EnteredBy::kResearcher);
+}
+
+TEST_F(SessionTest, ABandOfYearsIsKeptBesideItsMiddle) {
+  begin(start());
+  study::ProfileRecord profile;
+  profile.comfort = "good";
+  ASSERT_TRUE(session_->tell(profile, *experienceBandCalled("years_3")));
+  EXPECT_EQ(session_->profile()->years_experience, 12.5);
+  EXPECT_EQ(store::profiles(*file_)->front().comfort, "good");
+  const auto events = store::events(*file_);
+  EXPECT_TRUE(std::any_of(events->begin(), events->end(), [](const study::EventRecord& event) {
+    return event.kind == "experience_band" && event.detail.find("years_3") != std::string::npos;
+  }));
+}
+
+TEST_F(SessionTest, HowAnAnswerWasEnteredIsStoredWithIt) {
+  begin(start());
+  ASSERT_TRUE(session_->tell({}));
+  ASSERT_TRUE(session_->skipBlock("short"));
+  ForceAnswer answer;
+  answer.forward_mm = 40;
+  answer.forward_speed_mm_s = 60;
+  answer.delivered_share = 1;
+  while (session_->force()->next().step.series == "familiarisation") ASSERT_TRUE(session_->judge(answer));
+  answer.kind = Kind::kTerm;
+  answer.term = "small";
+  const AnswerInput input{InputMeans::kDeviceButton, "large", 4};
+  ASSERT_TRUE(session_->judge(answer, input));
+  EXPECT_FALSE(session_->judge(answer, AnswerInput{InputMeans::kTouch, "large", 4}));
+  const auto judged = store::judgements(*file_)->back();
+  EXPECT_EQ(judged.delivered_share, 1);
+  const auto events = store::events(*file_);
+  const auto line = answerInputIn(events->back());
+  ASSERT_TRUE(line && *line) << events->back().kind;
+  EXPECT_EQ((*line)->record, judged.entry.id);
+  EXPECT_EQ((*line)->input, input);
+  const std::string before = shown();
+  ASSERT_NO_FATAL_FAILURE(restart());
+  EXPECT_EQ(shown(), before);
+}
+
+TEST_F(SessionTest, NotesGoToTheLogAndSteerNothing) {
+  begin(start());
+  ASSERT_TRUE(session_->note(languageChosen("zh-Hant")));
+  ASSERT_TRUE(session_->note({kForceOff, {}}));
+  EXPECT_FALSE(session_->note({"aborted", {}}));
+  EXPECT_FALSE(session_->note({"", {}}));
+  EXPECT_FALSE(session_->note({"odd", "no JSON"}));
+  EXPECT_EQ(session_->part(), SessionPart::kProfile);
+  EXPECT_EQ(store::events(*file_)->size(), 3U);
+  ASSERT_TRUE(session_->abort("stop"));
+  EXPECT_TRUE(session_->note(researcherNote("felt dizzy"))) << "also after the end";
 }
 
 TEST_F(SessionTest, AStrokeTakenBackIsAskedForAgain) {

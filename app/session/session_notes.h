@@ -1,0 +1,97 @@
+// What happens in a session beside its protocols: lines of its log that screens write and the researcher reads.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/study/record_id.h"
+#include "core/study/session_records.h"
+
+namespace tactus::session {
+
+/// A line of the log without its entry.
+struct Note {
+  std::string kind;
+  std::string detail;  ///< JSON text; may be empty
+
+  bool operator==(const Note&) const = default;
+};
+
+// Kinds without a detail.
+inline constexpr const char* kForceOff = "force_off";                  ///< the participant switched the force off
+inline constexpr const char* kResearcherCalled = "researcher_called";  ///< the participant asked for help
+inline constexpr const char* kRested = "rested";                       ///< the participant ended a rest
+inline constexpr const char* kAnswersSealed = "answers_sealed";        ///< the participant locked the answers
+
+Note consentGiven(const std::string& version, const std::string& language);
+Note languageChosen(const std::string& language);
+/// `percent`: of the usual size.
+Note textSizeChosen(int percent);
+/// `reason`: what the device said; may be empty.
+Note deviceLost(const std::string& reason);
+/// The researcher's own words.
+Note researcherNote(const std::string& text);
+
+/// A band of years of experience. The profile keeps the middle of the band as its number.
+struct ExperienceBand {
+  std::string_view id;  ///< `years_1` to `years_4`
+  double middle_years = 0;
+};
+/// Under 5, 5 to 10, 10 to 15, over 15 years: middles 2.5, 7.5, 12.5, 20.
+std::optional<ExperienceBand> experienceBandCalled(std::string_view id);
+Note experienceBandChosen(const ExperienceBand& band);
+
+/// By what means a participant answered.
+enum class InputMeans { kMouse, kKeyboard, kTouch, kDeviceButton, kPedal };
+
+/// How a judgement or an answer was entered. With the button of the device, presses go through the words from a start
+/// word that is drawn; both are kept, because a fixed start makes one word the cheapest.
+struct AnswerInput {
+  InputMeans means = InputMeans::kMouse;
+  std::string start_word;  ///< the first word that was lit; empty without the device's button
+  int presses = 0;         ///< of the device's button
+
+  bool operator==(const AnswerInput&) const = default;
+};
+/// Refused: presses below 0, presses or a start word without the device's button.
+base::Result<void> validate(const AnswerInput& input);
+/// `record`: the judgement or the answer.
+Note answerInput(const study::RecordId& record, const AnswerInput& input);
+
+/// What the participant said of the own model in one region: in practice the force is …
+enum class OwnModelVerdict { kLighter, kAboutRight, kHeavier };
+
+/// `lighter`, `about_right`, `heavier`.
+std::string_view name(OwnModelVerdict verdict) noexcept;
+
+/// What was in the hand.
+struct OwnModelPlace {
+  std::optional<study::RecordId> model_version;  ///< of the same study
+  std::string region;                            ///< term id of the depth
+  std::optional<double> depth_mm;
+  std::optional<double> force_n;
+
+  bool operator==(const OwnModelPlace&) const = default;
+};
+Note ownModelVerdict(const OwnModelPlace& place, OwnModelVerdict verdict);
+/// The participant marked this moment.
+Note ownModelMark(const OwnModelPlace& place);
+
+// Back from the log. Nothing for a line of another kind; an error for a detail that does not fit the kind.
+struct AnswerInputLine {
+  study::RecordId record;
+  AnswerInput input;
+};
+struct OwnModelLine {
+  OwnModelPlace place;
+  std::optional<OwnModelVerdict> verdict;  ///< nothing: a mark
+};
+base::Result<std::optional<AnswerInputLine>> answerInputIn(const study::EventRecord& event);
+base::Result<std::optional<OwnModelLine>> ownModelIn(const study::EventRecord& event);
+
+/// Whether a note of this kind would be taken for a step of the session itself (began, paused, aborted, …).
+bool steersSession(std::string_view kind) noexcept;
+
+}  // namespace tactus::session

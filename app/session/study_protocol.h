@@ -1,0 +1,56 @@
+// The study's protocol: what everybody in the study is asked, and its text in the study file.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/session/session.h"
+#include "app/session/session_settings.h"
+#include "core/base/error.h"
+#include "core/store/protocols.h"
+
+namespace tactus::session {
+
+/// The device that the forces are meant for. The defaults are those of a Touch.
+struct ProtocolDevice {
+  std::string name;                  ///< empty: any
+  std::optional<double> friction_n;  ///< its own friction against forward motion; 0 to 1
+  double force_cap_n = 2;            ///< as haptics::LimitSettings
+  double continuous_force_n = 0.88;
+};
+
+struct StudyProtocol {
+  SessionSettings settings;                     ///< levels, steps, order
+  std::vector<std::string> languages = {"en"};  ///< offered to participants in this order
+  std::string consent_version;
+  std::map<std::string, std::string> consent;  ///< text by language
+  ProtocolDevice device;
+};
+
+/// Refuses, with one sentence: invalid settings, a language that the form lacks or that stands twice, no consent
+/// version, a language without a consent text, forces that the device cannot hold.
+base::Result<void> validate(const StudyProtocol& protocol);
+
+/// A JSON object on one line.
+std::string toJson(const StudyProtocol& protocol);
+/// Reads what `toJson` wrote; a missing member keeps its default.
+base::Result<StudyProtocol> parseStudyProtocol(std::string_view text);
+
+/// Stores a valid protocol as the next record (store::ProtocolState). `reason`: needed for an amendment.
+base::Result<study::ProtocolRecord> setProtocol(store::StudyFile& file, const StudyProtocol& protocol,
+                                                const std::string& author, const std::string& reason,
+                                                SessionTools& tools);
+
+/// The current protocol of the file, or nothing.
+base::Result<std::optional<StudyProtocol>> currentProtocol(const store::StudyFile& file);
+
+/// The start of a session that follows the file's current protocol, for a person who agreed to its consent text in
+/// `language`. The caller adds station, program and device. Returns an error if the file has no protocol, or the
+/// protocol no such language.
+base::Result<SessionStart> startUnderProtocol(const store::StudyFile& file, const study::RecordId& person,
+                                              const std::string& language, std::uint64_t seed);
+
+}  // namespace tactus::session
