@@ -57,15 +57,17 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("PERSON", o.person, "Code or id of the participant")->required()->check(notEmpty());
                command.add_option("CODE", o.code, "The new code")->required()->check(notEmpty());
              });
-  addCommand(study, chosen, "withdraw", "Remove everything of a participant for good", studyWithdraw,
-             [](CLI::App& command, StudyWithdrawOptions& o) {
-               addFile(command, o.file);
-               command.add_option("PERSON", o.person, "Code or id of the participant")->required()->check(notEmpty());
-               command
-                   .add_flag_callback(
-                       "--yes", [] {}, "Needed, because it cannot be undone")
-                   ->required();
-             });
+  addCommand(
+      study, chosen, "withdraw", "Remove everything of a participant for good", studyWithdraw,
+      [](CLI::App& command, StudyWithdrawOptions& o) {
+        addFile(command, o.file);
+        command.add_option("PERSON", o.person, "Code or id of the participant")->required()->check(notEmpty());
+        auto* const yes = command.add_flag("--yes", o.yes, "Really remove; it cannot be undone");
+        command.add_flag("--dry-run", o.dry_run, "Only say what would be removed and what would stay")->excludes(yes);
+        command.parse_complete_callback([&o] {
+          if (!o.yes && !o.dry_run) throw CLI::RequiredError("--yes or --dry-run");
+        });
+      });
   addCommand(study, chosen, "erase", "Finish an erasure that was interrupted", studyErase,
              [](CLI::App& command, StudyEraseOptions& o) { addFile(command, o.file); });
 }

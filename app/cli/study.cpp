@@ -29,6 +29,10 @@ std::string infoAsText(const std::string& file, const store::StudyInfo& info) {
                      base::oneLine(info.program) + "\n  version of the file " + std::to_string(info.version) +
                      "\n  id " + toText(info.id) + '\n';
   for (const auto& count : info.counts) text += "  " + count.table + ' ' + std::to_string(count.rows) + '\n';
+  if (info.protocol_version > 0) {
+    text += "  protocol: version " + std::to_string(info.protocol_version) +
+            (info.protocol_locked ? ", which participants follow\n" : ", a draft\n");
+  }
   if (info.placements > 0) text += "  placements felt: " + std::to_string(info.placements) + " of the events\n";
   if (info.feel_recordings > 0) text += "  recordings of feeling: " + std::to_string(info.feel_recordings) + '\n';
   if (info.simulated_persons > 0) {
@@ -42,6 +46,7 @@ std::string infoAsJson(const std::string& file, const store::StudyInfo& info, co
   json.beginObject().key("file").value(file).key("id").value(toText(info.id)).key("name").value(info.name);
   json.key("created_utc").value(utcText(info.created_utc_ms)).key("program").value(info.program);
   json.key("version").value(info.version).key("simulated_persons").value(info.simulated_persons);
+  json.key("protocol_version").value(info.protocol_version).key("protocol_locked").value(info.protocol_locked);
   json.key("placements").value(info.placements).key("feel_recordings").value(info.feel_recordings);
   json.key("rows");
   writeCounts(info.counts, json);

@@ -68,9 +68,11 @@ base::Result<Output> studyRecode(const StudyRecodeOptions& options);
 struct StudyWithdrawOptions {
   std::string file;
   std::string person;  ///< code or id
+  bool yes = false;    ///< really remove
+  bool dry_run = false;
 };
-/// Removes all data of a participant permanently. For a participant who withdrew already, removes the rest of an
-/// interrupted erasure.
+/// Removes all data of a participant permanently; with `dry_run` only says what would be removed and what would stay.
+/// For a participant who withdrew already, removes the rest of an interrupted erasure.
 base::Result<Output> studyWithdraw(const StudyWithdrawOptions& options);
 
 struct StudyEraseOptions {

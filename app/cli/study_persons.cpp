@@ -7,6 +7,7 @@
 #include "core/store/copies.h"
 #include "core/store/recoding.h"
 #include "core/store/withdrawal.h"
+#include "core/store/withdrawal_preview.h"
 
 namespace tactus::cli {
 namespace {
@@ -55,6 +56,32 @@ Result<Output> finishWithdrawal(store::StudyFile& file, const StudyWithdrawOptio
   return output;
 }
 
+/// What would go and what would stay; changes nothing.
+Result<Output> previewOf(const StudyWithdrawOptions& options) {
+  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
+  if (!file) return tl::unexpected(file.error());
+  const auto person = store::personNamed(*file, options.person);
+  if (!person) return tl::unexpected(person.error());
+  const auto preview = store::previewWithdrawal(*file, person->id);
+  if (!preview) return tl::unexpected(preview.error());
+  const auto line = [](const char* what, long long count) {
+    return std::string("  ") + what + ' ' + std::to_string(count) + '\n';
+  };
+  Output output;
+  output.text = "A withdrawal of " + base::oneLine(person->code) + " from " + base::oneLine(options.file) +
+                " would remove " + std::to_string(preview->records) + " records for good:\n" +
+                line("sessions", preview->sessions) + line("strokes", preview->strokes) +
+                line("judgements", preview->judgements) + line("answers", preview->answers) +
+                line("rules given directly", preview->rules) + line("profiles", preview->profiles) +
+                line("ratings", preview->ratings) + line("placements felt", preview->placements) +
+                line("recordings of feeling", preview->feel_recordings) +
+                line("versions of models cleaned of the participant's rules", preview->models_cleaned) +
+                "What would stay:\n" + line("versions of models as they are", preview->models_kept);
+  output.warnings = noticesOf(*file);
+  addCopies(options.file, person->id, {person->code}, output);
+  return output;
+}
+
 }  // namespace
 
 Result<Output> studyRecode(const StudyRecodeOptions& options) {
@@ -72,6 +99,7 @@ Result<Output> studyRecode(const StudyRecodeOptions& options) {
 }
 
 Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
+  if (options.dry_run) return previewOf(options);
   auto file = store::StudyFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
   const auto person = store::personNamed(*file, options.person);

@@ -33,6 +33,11 @@ std::string_view describe(Check check) noexcept {
   return kTexts[static_cast<int>(check)];
 }
 
+std::string_view SelfTest::name(Phase phase) noexcept {
+  constexpr std::string_view kNames[] = {"samples", "motion", "button", "force_off", "pulse", "ask", "done"};
+  return kNames[static_cast<int>(phase)];
+}
+
 std::string SelfTest::instruction() const {
   switch (phase_) {
     case Phase::kMotion:

@@ -296,6 +296,17 @@ TEST_F(StudyCommands, WithdrawWantsAYesAndLastsThroughImports) {
   EXPECT_EQ(rows("a.tactus")["tombstone"], 1);
 }
 
+TEST_F(StudyCommands, ADryRunSaysWhatAWithdrawalRemovesAndRemovesNothing) {
+  fine({"study", "import", path("a.tactus"), path("tables")});
+  const auto dry = fine({"study", "withdraw", path("a.tactus"), "S1", "--dry-run"});
+  EXPECT_NE(dry.out.find("A withdrawal of S1 from"), std::string::npos) << dry.out;
+  EXPECT_NE(dry.out.find("  sessions 1\n"), std::string::npos) << dry.out;
+  EXPECT_NE(dry.out.find("What would stay:\n  versions of models as they are 0\n"), std::string::npos) << dry.out;
+  EXPECT_EQ(rows("a.tactus")["person"], 2);
+  EXPECT_EQ(ProgramRun({"study", "withdraw", path("a.tactus"), "S1", "--dry-run", "--yes"}).status, 2);
+  EXPECT_EQ(ProgramRun({"study", "withdraw", path("a.tactus"), "S7", "--dry-run"}).status, 1);
+}
+
 TEST_F(StudyCommands, WithdrawCanBeDoneAgainAndNamesCopies) {
   fine({"study", "import", path("a.tactus"), path("tables")});
   fine({"study", "export", path("a.tactus"), path("out")});

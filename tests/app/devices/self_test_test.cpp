@@ -44,6 +44,12 @@ TEST(SelfTest, AGoodDevicePassesEveryCheckInOrder) {
   EXPECT_LT(test.shiftMm(), -SelfTestSettings{}.smallest_shift_mm);
 }
 
+TEST(SelfTest, ItsPhasesHaveNamesForScreensInOtherLanguages) {
+  EXPECT_EQ(SelfTest::name(Phase::kSamples), "samples");
+  EXPECT_EQ(SelfTest::name(Phase::kForceOff), "force_off");
+  EXPECT_EQ(SelfTest::name(Phase::kDone), "done");
+}
+
 TEST(SelfTest, TheShiftIsThatOfTheForceOnTheSpringOfTheHand) {
   Played played;
   played.device.mechanics.dry_friction_n = 0;
