@@ -204,8 +204,25 @@ class Checker {
             counted(check.outliers.size(), "response was", "responses were") + " unusually short or long.");
   }
 
+  /// Steps without a scored attempt, except the one at which the records end.
+  std::size_t countLeftOut() const {
+    std::set<std::pair<std::string, int>> asked;
+    std::set<std::pair<std::string, int>> scored;
+    std::pair<std::string, int> last;
+    for (const std::size_t i : live_) {
+      if (records_[i].series == kFamiliarisation) continue;
+      last = {records_[i].series, records_[i].step};
+      asked.insert(last);
+      if (records_[i].scored) scored.insert(last);
+    }
+    asked.erase(last);
+    return static_cast<std::size_t>(
+        std::count_if(asked.begin(), asked.end(), [&](const auto& step) { return !scored.contains(step); }));
+  }
+
   void checkMotion() {
     auto& check = result_.motion;
+    check.left_out = countLeftOut();
     std::vector<double> speeds_mm_s;
     for (const std::size_t i : live_) {
       const auto& record = records_[i];
@@ -220,11 +237,13 @@ class Checker {
     check.median_mm_s = base::median(speeds_mm_s);
     check.slowest_mm_s = *std::min_element(speeds_mm_s.begin(), speeds_mm_s.end());
     check.fastest_mm_s = *std::max_element(speeds_mm_s.begin(), speeds_mm_s.end());
-    say("motion", check.repeated > check.judgements,
+    const std::string left_out = counted(check.left_out, "step was", "steps were") + " left out for that.";
+    say("motion", check.repeated > check.judgements || check.left_out > 0,
         "Forces were judged at " + base::formatFixed(*check.median_mm_s, 0) + " mm/s forward (median; " +
             base::formatFixed(*check.slowest_mm_s, 0) + " to " + base::formatFixed(*check.fastest_mm_s, 0) + "); " +
             counted(check.repeated, "attempt", "attempts") +
-            " did not count: without forward motion, or without the whole force.");
+            " did not count: without forward motion, or without the whole force" +
+            (check.left_out > 0 ? "; " + left_out : std::string(".")));
   }
 
   void findThresholds() {

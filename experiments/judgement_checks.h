@@ -56,6 +56,8 @@ struct MotionCheck {
   std::optional<double> slowest_mm_s;
   std::optional<double> fastest_mm_s;
   std::size_t repeated = 0;  ///< attempts without forward motion or without the whole force, which were repeated
+  /// Steps that no attempt scored and after which the experiment went on (ForceSettings::attempts_most).
+  std::size_t left_out = 0;
 };
 
 /// A statement about the judgements.

@@ -127,6 +127,26 @@ TEST(JudgementChecks, ResponseTimesAndSpeedsAreDescribed) {
   EXPECT_EQ(checks.motion.repeated, 1U);
 }
 
+TEST(JudgementChecks, AStepThatWasNeverScoredIsNamed) {
+  Session session;
+  const auto attempt = [&](int step, bool scored) {
+    auto& record = session.add(kAscending, step / 10.0, 2);
+    record.step = step;
+    record.scored = scored;
+  };
+  attempt(1, true);
+  attempt(2, false);
+  attempt(2, false);
+  attempt(3, false);
+  attempt(3, true);
+  attempt(4, false);  // the session ends here, and may go on
+  const auto checks = session.check();
+  EXPECT_EQ(checks.motion.left_out, 1U);
+  const auto finding = session.finding(checks, "motion");
+  EXPECT_TRUE(finding.notable);
+  EXPECT_NE(finding.sentence.find("1 step was left out"), std::string::npos) << finding.sentence;
+}
+
 TEST(JudgementChecks, CorrectedRecordsAreLeftOut) {
   Session session;
   session.add(kAscending, 0.1, 4);
