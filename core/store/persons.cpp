@@ -1,10 +1,13 @@
 #include "core/store/persons.h"
 
+#include <set>
+
 #include "core/base/tables/csv.h"
 #include "core/store/query.h"
 #include "core/store/recoding.h"
 #include "core/store/record_checksum.h"
 #include "core/store/withdrawn_codes.h"
+#include "core/study/code_key.h"
 
 namespace tactus::store {
 namespace {
@@ -37,10 +40,12 @@ bool isTaken(Connection& connection, const std::string& code) {
   return query.put(code).next();
 }
 
-/// A code that was changed stays the earlier person's in models and exports.
-bool wasTaken(Connection& connection, const std::string& code) {
-  Query query(connection, "SELECT 1 FROM person WHERE code = ?1 UNION ALL SELECT 1 FROM person_code WHERE code = ?1");
-  return query.put(code).next();
+/// Of all codes that persons have or had: one that was changed stays the earlier person's in models and exports.
+std::set<std::string> takenKeys(Connection& connection) {
+  Query query(connection, "SELECT code FROM person UNION SELECT code FROM person_code");
+  std::set<std::string> keys;
+  while (query.next()) keys.insert(study::codeKey(query.text()));
+  return keys;
 }
 
 }  // namespace
@@ -66,9 +71,10 @@ Result<std::string> unusedCode(const StudyFile& file, PersonCodes& codes) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {
     const auto withdrawn = readTombstones(connection);
+    const auto taken = takenKeys(connection);
     for (int draw = 0; draw < kMostDraws; ++draw) {
       std::string code = codes.next();
-      if (!wasTaken(connection, code) && withdrawnWith(withdrawn, code) == nullptr) return code;
+      if (!taken.contains(study::codeKey(code)) && withdrawnWith(withdrawn, code) == nullptr) return code;
     }
     refuse(ErrorCode::kLimit, {}, "a study in which nearly all codes are in use", "fewer persons");
   });

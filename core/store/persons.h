@@ -15,7 +15,8 @@ namespace tactus::store {
 /// Adds a person. Returns an error for an existing code or id, or the id or a code of a person who withdrew.
 base::Result<void> append(StudyFile& file, const study::Person& person);
 
-/// A code from `codes` that no person of the file has or had, including persons who withdrew.
+/// A code from `codes` that no person of the file has or had, including persons who withdrew, however it is written
+/// (study::codeKey).
 base::Result<std::string> unusedCode(const StudyFile& file, PersonCodes& codes);
 
 /// All persons, by code.

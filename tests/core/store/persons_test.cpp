@@ -1,6 +1,7 @@
 #include "core/store/persons.h"
 
 #include <algorithm>
+#include <cctype>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -98,6 +99,13 @@ TEST_F(Persons, ANewCodeIsOneThatNobodyHas) {
   const auto second = unusedCode(study_.file, again);
   ASSERT_TRUE(second);
   EXPECT_NE(*second, *first);
+  // Tables write the same code in another way.
+  std::string written = *second;
+  std::replace(written.begin(), written.end(), '-', ' ');
+  written[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(written[0])));
+  ASSERT_TRUE(append(study_.file, records_.person(written)));
+  PersonCodes third(3);
+  EXPECT_NE(*unusedCode(study_.file, third), *second);
 }
 
 TEST_F(Persons, ANewCodeCountsEverywhereAndTheOldOneStaysTheirs) {
