@@ -72,7 +72,8 @@ const std::map<std::string, Permission>& permissions() {
       {"core/haptics/hid", {{"core/base", "core/base/files", "core/haptics/device"}, {"hidapi/", "linux/"}}},
       {"core/haptics/openhaptics", {{"core/base", "core/base/files", "core/haptics/device"}, {}}},
       {"core/store", {joined({"core/model_io", "core/study"}, {base}), {kJson, "SQLiteCpp/", "sqlite3.h"}}},
-      {"core/model_io", {{"core/base", "core/base/json", "core/base/files", "core/fuzzy"}, {}}},
+      {"core/model_io", {{"core/base", "core/base/json", "core/base/files", "core/base/tables", "core/fuzzy"}, {}}},
+      {"core/exchange", {{"core/base", "core/fuzzy"}, {}}},
       {"core/runtime",
        {{"core/base", "core/fuzzy", "core/render", "core/model_io", "core/runtime/include/tactus"}, {"tactus/"}}},
       // What a simulator builds against knows nothing of this repository.

@@ -99,6 +99,9 @@ namespace Tactus
         internal static extern Status tactus_tube_step(IntPtr tube, double positionMm, int held, double dtS,
                                                        ref Feel feel);
 
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern Status tactus_verify(byte[] folder, out double errorN, byte[] message, UIntPtr size);
+
         private const int MessageBytes = 1024;
 
         internal delegate Status Make(out IntPtr handle, byte[] message, UIntPtr size);
@@ -132,6 +135,23 @@ namespace Tactus
             if (inputs == null || inputs.Length < count)
                 throw new Error(Status.BadArgument, "inputs: found " + (inputs == null ? 0 : inputs.Length) +
                                                         " values, wanted " + count);
+        }
+    }
+
+    public static class Bundle
+    {
+        /// Reads a bundle again; the largest error of the forces that it could evaluate, N. Throws where it is not as
+        /// promised.
+        public static double Verify(string folder)
+        {
+            double errorN = 0;
+            string warning;
+            Native.Made((out IntPtr none, byte[] message, UIntPtr size) =>
+            {
+                none = IntPtr.Zero;
+                return Native.tactus_verify(Native.Bytes(folder), out errorN, message, size);
+            }, out warning);
+            return errorN;
         }
     }
 

@@ -103,6 +103,7 @@ def _declare(library):
         "tactus_tube_free": (None, [handle]),
         "tactus_tube_place": (None, [handle, double]),
         "tactus_tube_scene": (None, [handle, handle, double]),
+        "tactus_verify": (ctypes.c_int, [text, _double_p] + message),
         "tactus_tube_step": (ctypes.c_int, [handle, double, ctypes.c_int, double, ctypes.POINTER(_Feel)]),
     }
     for name, (result, arguments) in functions.items():
@@ -118,6 +119,15 @@ _lib = _declare(_load())
 
 def version():
     return _lib.tactus_version().decode()
+
+
+def verify(bundle_folder):
+    """Reads a bundle again; the largest error of the forces that it could evaluate, N. An Error where it is not as promised."""
+    error_n, message = ctypes.c_double(), ctypes.create_string_buffer(_MESSAGE_BYTES)
+    status = _lib.tactus_verify(os.fsencode(bundle_folder), ctypes.byref(error_n), message, _MESSAGE_BYTES)
+    if status != 0:
+        raise Error(status, message.value.decode("utf-8", "replace"))
+    return error_n.value
 
 
 def _made(call, *arguments):

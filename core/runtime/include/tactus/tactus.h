@@ -177,6 +177,16 @@ TACTUS_API void tactus_tube_scene(tactus_tube* tube, const tactus_scene* scene, 
 TACTUS_API tactus_status tactus_tube_step(tactus_tube* tube, double position_mm, int held, double dt_s,
                                           tactus_feel* feel);
 
+/* ---- Bundles ------------------------------------------------------------------------------------------------- */
+
+/* Reads a bundle (docs/bundle.md): every file must be there with its checksum, the model repeats its reference
+ * evaluations, and the table of checks is evaluated again. TACTUS_NOT_VERIFIED where a file is missing, altered or
+ * beyond its tolerance, with a sentence about the first of them; TACTUS_BAD_FILE where there is no bundle.
+ * `largest_error_n`: receives the largest error of the forces that were evaluated again; may be null.
+ * Thread: any. Real-time safe: no. */
+TACTUS_API tactus_status tactus_verify(const char* bundle_folder, double* largest_error_n, char* message,
+                                       size_t message_size);
+
 #ifdef __cplusplus
 }
 #endif

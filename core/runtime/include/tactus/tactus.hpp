@@ -276,6 +276,16 @@ class Tube {
   std::unique_ptr<tactus_tube, detail::Free> handle_;
 };
 
+// Reads a bundle again; returns the largest error of the forces that it could evaluate, N. Throws where a file is
+// missing, altered or beyond its tolerance.
+inline double verify(const std::string& bundle_folder) {
+  double largest_error_n = 0;
+  detail::checked([&](char* message, std::size_t size) {
+    return tactus_verify(bundle_folder.c_str(), &largest_error_n, message, size);
+  });
+  return largest_error_n;
+}
+
 inline std::string version() { return tactus_version(); }
 
 }  // namespace tactus

@@ -1,0 +1,209 @@
+// Memberships and strengths in C.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/exchange/c_parts.h"
+
+namespace tactus::exchange {
+namespace {
+
+// Inside these sizes no membership above 0 can round to 0 (fired would differ), once inputs keep off 0 by kTouch.
+constexpr double kSmall = 1e-6;
+constexpr double kLarge = 1e6;
+constexpr double kLeastWeight = 1e-10;
+
+bool isPlain(double value) { return value == 0 || (std::abs(value) >= kSmall && std::abs(value) <= kLarge); }
+
+bool isPlain(const fuzzy::Term& term) {
+  const auto& p = term.points;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!isPlain(p[i]) || (i > 0 && term.shape != fuzzy::Shape::kGaussian && !isPlain(p[i] - p[i - 1]))) return false;
+  }
+  return true;
+}
+
+bool isPlain(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {
+  return isPlain(variable.min) && isPlain(variable.max) &&
+         std::all_of(terms.begin(), terms.end(), [](const fuzzy::Term& term) { return isPlain(term); });
+}
+
+bool isOddModel(const fuzzy::ForceModel& model) {
+  for (const fuzzy::Expert& expert : model.experts) {
+    for (const fuzzy::Variable& input : model.inputs) {
+      if (!isPlain(input, fuzzy::termsFor(expert, input))) return true;
+    }
+    for (const fuzzy::Rule& rule : expert.rules) {
+      if (rule.weight > 0 && rule.weight < kLeastWeight) return true;
+    }
+  }
+  return false;
+}
+
+using Premise = std::vector<std::size_t>;  ///< memberships, all of which must hold
+
+/// `parts` joined by `function`, as a tree: a chain would be deeper than compilers accept.
+std::string tree(const std::vector<std::string>& parts, const std::string& function, std::size_t first,
+                 std::size_t count) {
+  if (count == 1) return parts[first];
+  const std::size_t half = count / 2;
+  return function + "(" + tree(parts, function, first, half) + ", " +
+         tree(parts, function, first + half, count - half) + ")";
+}
+
+std::string tree(const std::vector<std::string>& parts, const std::string& function) {
+  return tree(parts, function, 0, parts.size());
+}
+
+std::string membership(std::size_t index) { return "m[" + std::to_string(index) + "]"; }
+
+/// The strongest of `premises`; "" stands for 1. min(a, max(b, c)) = max(min(a, b), min(a, c)) holds for every bit, so
+/// the membership that most premises share is taken out, again and again.
+std::string strongest(std::vector<Premise> premises) {
+  std::vector<std::string> alternatives;
+  while (!premises.empty()) {
+    std::map<std::size_t, std::size_t> uses;
+    for (const Premise& premise : premises) {
+      if (premise.empty()) return {};
+      for (const std::size_t index : premise) ++uses[index];
+    }
+    const std::size_t shared = std::max_element(uses.begin(), uses.end(), [](const auto& a, const auto& b) {
+                                 return a.second < b.second;
+                               })->first;
+    std::vector<Premise> with;
+    std::vector<Premise> without;
+    for (Premise& premise : premises) {
+      const auto at = std::find(premise.begin(), premise.end(), shared);
+      if (at == premise.end()) {
+        without.push_back(std::move(premise));
+        continue;
+      }
+      premise.erase(at);
+      with.push_back(std::move(premise));
+    }
+    const std::string rest = strongest(std::move(with));
+    alternatives.push_back(rest.empty() ? membership(shared) : "lower(" + membership(shared) + ", " + rest + ")");
+    premises = std::move(without);
+  }
+  return tree(alternatives, "larger");
+}
+
+}  // namespace
+
+std::string comment(std::string_view text) {
+  std::string out = base::oneLine(text);
+  for (std::size_t at = out.find("*/"); at != std::string::npos; at = out.find("*/")) out.replace(at, 2, "* /");
+  for (std::size_t at = out.find("/*"); at != std::string::npos; at = out.find("/*")) out.replace(at, 2, "/ *");
+  return out;
+}
+
+std::string number(double value) {
+  std::string text = base::formatNumber(value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return value < 0 ? "(" + text + ")" : text;
+}
+
+MembershipCode::MembershipCode(const fuzzy::ForceModel& model) : model_(model), odd_(isOddModel(model)) {}
+
+std::size_t MembershipCode::index(std::size_t input, const fuzzy::Term& term) {
+  const auto same = [&](const auto& known) {
+    return known.first == input && known.second.shape == term.shape && known.second.points == term.points;
+  };
+  const auto found = std::find_if(terms_.begin(), terms_.end(), same);
+  if (found != terms_.end()) return static_cast<std::size_t>(found - terms_.begin());
+  terms_.emplace_back(input, term);
+  return terms_.size() - 1;
+}
+
+bool MembershipCode::usesExp() const {
+  return std::any_of(terms_.begin(), terms_.end(),
+                     [](const auto& one) { return one.second.shape == fuzzy::Shape::kGaussian; });
+}
+
+std::string MembershipCode::expression(std::size_t input, const fuzzy::Term& term) const {
+  const std::string x = "x" + std::to_string(input);
+  if (term.shape == fuzzy::Shape::kGaussian) {
+    const std::string u = "((" + x + " - " + number(term.points[0]) + ") / " + number(term.points[1]) + ")";
+    return "exp(-0.5 * " + u + " * " + u + ")";
+  }
+  const fuzzy::Variable& variable = model_.inputs[input];
+  const Corners f = cornersOf(term);
+  // Never: the clamped input cannot be there.
+  const bool no_left = f.b <= variable.min;
+  const bool no_right = f.c >= variable.max;
+  const auto ramp = [&](const std::string& way, double width) {
+    return odd_ ? "kept(" + way + ", " + number(width) + ")" : "(" + way + ") * " + number(1 / width);
+  };
+  std::vector<std::string> sides;
+  if (!no_left) {
+    sides.push_back(f.a == f.b ? "(" + x + " >= " + number(f.b) + " ? 1.0 : 0.0)"
+                               : ramp(x + " - " + number(f.a), f.b - f.a));
+  }
+  if (!no_right) {
+    sides.push_back(f.c == f.d ? "(" + x + " <= " + number(f.c) + " ? 1.0 : 0.0)"
+                               : ramp(number(f.d) + " - " + x, f.d - f.c));
+  }
+  if (sides.empty()) return "1.0";
+  sides.emplace_back("1.0");
+  return "larger(0.0, " + tree(sides, "lower") + ")";
+}
+
+std::string MembershipCode::function() const {
+  std::string out =
+      "static double memberships(const double *inputs, double *m) {\n"
+      "  double nothing = 0.0;\n";
+  for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+    const fuzzy::Variable& input = model_.inputs[i];
+    const std::string x = "x" + std::to_string(i);
+    const std::string from = "inputs[" + std::to_string(i) + "]";
+    out += "  double " + x + " = lower(larger(" + from + ", " + number(input.min) + "), " + number(input.max) +
+           ");  /* " + comment(input.id) + " */\n";
+  }
+  for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+    const std::string from = "inputs[" + std::to_string(i) + "]";
+    out += "  nothing += " + from + " - " + from + ";  /* NaN where it is not finite */\n";
+  }
+  for (std::size_t i = 0; i < model_.inputs.size() && !odd_; ++i) {
+    // A vertex at 0: next to it, memberships would be too small for a double.
+    const std::string x = "x" + std::to_string(i);
+    out += "  " + x + " = off_zero(" + x + ");\n";
+  }
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    out += "  " + membership(t) + " = " + expression(terms_[t].first, terms_[t].second) + ";\n";
+  }
+  // What no rule asks for.
+  for (std::size_t i = 0; i < model_.inputs.size(); ++i) out += "  (void)x" + std::to_string(i) + ";\n";
+  if (terms_.empty()) out += "  (void)m;\n";
+  return out + "  return nothing;\n}\n";
+}
+
+StrengthCode strengthCode(const ExpertView& view, MembershipCode& memberships) {
+  // By output term, then by weight: w min(a, b) = min(w a, w b) and w max(a, b) = max(w a, w b) hold for every bit.
+  std::map<std::size_t, std::map<double, std::vector<Premise>>> rules;
+  for (const IndexedRule& rule : view.rules) {
+    if (rule.weight == 0) continue;
+    Premise premise;
+    for (const auto& [input, term] : rule.conditions) {
+      premise.push_back(memberships.index(input, *view.inputs[input].terms[term].term));
+    }
+    rules[rule.then][rule.weight].push_back(std::move(premise));
+  }
+  StrengthCode out;
+  for (auto& [term, by_weight] : rules) {
+    std::vector<std::string> alternatives;
+    for (auto& [weight, premises] : by_weight) {
+      const std::string held = strongest(std::move(premises));
+      const std::string scaled =
+          memberships.isOdd() ? "kept_product(" + number(weight) + ", " + held + ")" : number(weight) + " * " + held;
+      alternatives.push_back(weight == 1 ? held : scaled);
+    }
+    out.text += "  double s" + std::to_string(term) + " = " + tree(alternatives, "larger") + ";  /* " +
+                comment(view.output.terms[term].term->id) + " */\n";
+    out.reached.push_back(term);
+  }
+  return out;
+}
+
+}  // namespace tactus::exchange

@@ -1,0 +1,115 @@
+#include "core/model_io/bundle_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "core/base/files/file.h"
+#include "core/base/files/sha256.h"
+#include "core/base/tables/csv.h"
+#include "core/base/text.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/model_io/model_file.h"
+
+namespace tactus::model_io {
+namespace {
+
+constexpr std::size_t kMostManifestBytes = std::size_t{4} << 20U;
+constexpr std::size_t kMostFileBytes = std::size_t{256} << 20U;
+
+FileCheck failed(FileCheck check, std::string sentence) {
+  check.ok = false;
+  check.wrong = std::move(sentence);
+  return check;
+}
+
+/// The bytes of a file of the bundle, which must be those that the manifest means.
+base::Result<std::string> unaltered(const std::string& folder, const BundleFile& file) {
+  const std::string path = folder + "/" + file.path;
+  if (const auto below = base::requireBelow(folder, path); !below) return tl::unexpected(below.error());
+  auto bytes = base::readFile(path, kMostFileBytes);
+  if (!bytes) return bytes;
+  if (base::sha256(*bytes) == file.sha256) return bytes;
+  return tl::unexpected(base::Error{
+      base::ErrorCode::kMismatch, path, {}, "another SHA-256 than the manifest's", "the file as it was written"});
+}
+
+FileCheck checked(const fuzzy::ForceModel& model, const std::string& folder, const BundleFile& file) {
+  FileCheck check{file, true, false, file.promise ? file.promise->largest_error_n : 0, {}};
+  auto bytes = unaltered(folder, file);
+  if (!bytes) return failed(check, bytes.error().message());
+  const std::string path = folder + "/" + file.path;
+  if (file.kind == "checks") {
+    const auto error = errorOfChecks(model, std::move(*bytes), path);
+    if (!error) return failed(check, error.error().message());
+    check.evaluated = true;
+    check.largest_error_n = error->largest_n;
+  }
+  if (!file.promise || check.largest_error_n <= file.promise->tolerance_n) return check;
+  const std::string found = "an error of " + base::formatNumber(check.largest_error_n) + " N";
+  return failed(check,
+                path + ": found " + found + ", wanted at most " + base::formatNumber(file.promise->tolerance_n) + " N");
+}
+
+}  // namespace
+
+bool BundleCheck::ok() const {
+  return std::all_of(files.begin(), files.end(), [](const FileCheck& file) { return file.ok; });
+}
+
+base::Result<TableError> errorOfChecks(const fuzzy::ForceModel& model, std::string text, const std::string& file) {
+  const auto compiled = fuzzy::compile(model);
+  if (!compiled) return tl::unexpected(compiled.error());
+  const auto table = base::CsvTable::parse(std::move(text), file);
+  if (!table) return tl::unexpected(table.error());
+  std::vector<std::size_t> columns;
+  std::vector<std::string> names;
+  for (const fuzzy::Variable& input : model.inputs) names.push_back(input.id);
+  names.insert(names.end(), {"force", "fired"});
+  for (const std::string& name : names) {
+    const auto column = table->require(name);
+    if (!column) return tl::unexpected(column.error());
+    columns.push_back(*column);
+  }
+  TableError out;
+  std::vector<double> row(columns.size());
+  for (std::size_t r = 0; r < table->rowCount(); ++r) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const auto value = table->number(r, columns[c]);
+      if (!value) return tl::unexpected(value.error());
+      row[c] = *value;
+    }
+    const std::span point = std::span(row).first(model.inputs.size());
+    const fuzzy::Evaluation force = compiled->evaluate(point);
+    if (force.fired != (row.back() != 0)) {
+      return table->refuse(
+          r, columns.back(), base::ErrorCode::kMismatch,
+          std::string(force.fired ? "1" : "0") + ", because " + (force.fired ? "a" : "no") + " rule fires there");
+    }
+    const double error_n = std::abs(force.force_n - row[row.size() - 2]);
+    ++out.points;
+    if (!(error_n > out.largest_n)) continue;
+    out.largest_n = error_n;
+    out.at.assign(point.begin(), point.end());
+  }
+  return out;
+}
+
+base::Result<BundleCheck> checkBundle(const std::string& folder) {
+  const std::string path = folder + "/" + std::string(kManifestName);
+  const auto text = base::readFile(path, kMostManifestBytes);
+  if (!text) return tl::unexpected(text.error());
+  const auto manifest = parseManifest(*text, path);
+  if (!manifest) return tl::unexpected(manifest.error());
+  BundleCheck out;
+  const std::string model_path = folder + "/" + manifest->model;
+  if (const auto below = base::requireBelow(folder, model_path); !below) return tl::unexpected(below.error());
+  auto read = readModel(model_path);
+  if (!read) return tl::unexpected(read.error());
+  out.model = std::move(read->model);
+  for (const BundleFile& file : manifest->files) out.files.push_back(checked(out.model, folder, file));
+  return out;
+}
+
+}  // namespace tactus::model_io
