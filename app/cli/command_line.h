@@ -53,6 +53,9 @@ void addAccept(CLI::App& command, std::vector<std::string>& kinds, const std::st
 /// `study` with its subcommands (study_commands.h).
 void addStudyCommands(CLI::App& app, Chosen& chosen);
 
+/// `bundle`, `verify`, `convert`, `diff`.
+void addDeliveryCommands(CLI::App& app, Chosen& chosen);
+
 struct Terminal;
 /// Adds `devices` with its subcommands (device_commands.h). `terminal`: for the dialog with the person; `aside`: the
 /// same while standard output is used for JSON.

@@ -19,6 +19,8 @@ struct Output {
   std::vector<std::string> warnings;  ///< one line each, for standard error
   /// The text is a table for another program, not a message: it is printed without escaping.
   bool is_table = false;
+  /// Set if a verification failed: the text is printed, this sentence goes to standard error, and the exit status is 1.
+  std::string failure = {};
 };
 
 struct EvalOptions {
@@ -102,5 +104,37 @@ struct DemoOptions {
 };
 /// Runs the whole elicitation on the published data.
 base::Result<Output> demo(const DemoOptions& options);
+
+struct BundleOptions {
+  std::string model;
+  std::string out;                        ///< folder
+  std::vector<std::string> accept_holes;  ///< names of holes that may stay
+  bool json = false;
+};
+/// Writes the bundle of a model, whole or not at all.
+base::Result<Output> bundle(const BundleOptions& options);
+
+struct VerifyOptions {
+  std::string folder;
+  bool json = false;
+};
+/// Reads a bundle back. A file that is missing, altered or beyond its tolerance is a failure.
+base::Result<Output> verify(const VerifyOptions& options);
+
+struct ConvertOptions {
+  std::string model;
+  std::string to;   ///< fll, fcl, fcl-fuzzylite, fis, fml or c
+  std::string out;  ///< folder
+};
+/// Writes a model for other programs: one file per expert, or C source.
+base::Result<Output> convert(const ConvertOptions& options);
+
+struct DiffOptions {
+  std::string first;
+  std::string second;
+  bool json = false;
+};
+/// The difference of two models: terms and rules, and newtons.
+base::Result<Output> diff(const DiffOptions& options);
 
 }  // namespace tactus::cli

@@ -230,7 +230,8 @@ int report(const base::Result<Output>& result, std::ostream& out, std::ostream& 
   for (const auto& warning : result->warnings) err << "tactus: warning: " << base::oneLine(warning) << '\n';
   // Each name in it is escaped where it is put in, so that it makes no line of its own; this is for what is forgotten.
   out << (result->is_table ? result->text : base::plainLines(result->text)) << std::flush;
-  if (out.good()) return kFine;
+  if (!result->failure.empty()) err << "tactus: " << base::oneLine(result->failure) << '\n';
+  if (out.good()) return result->failure.empty() ? kFine : kWrongInput;
   err << "tactus: found a standard output that cannot be written to, wanted a pipe or file with room\n";
   return kWrongInput;
 }
@@ -253,6 +254,7 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
   Chosen chosen;
   addCommands(app, chosen);
   addStudyCommands(app, chosen);
+  addDeliveryCommands(app, chosen);
   addDeviceCommands(app, chosen, {&in, &out}, {&in, &err});
   if (arguments.empty()) {
     err << app.help();

@@ -2,7 +2,9 @@
 // a walk along the upper envelope.
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory_resource>
+#include <span>
 
 #include "core/exchange/c_parts.h"
 #include "core/fuzzy/closed_form.h"
@@ -15,37 +17,80 @@ using Polynomial = fuzzy::Polynomial<double>;
 
 std::string strength(std::size_t term) { return "s" + std::to_string(term); }
 
-/// Adds (`sign` is `+`) or subtracts area and moment of a trapezoid that is clipped at `t`.
-std::string addClipped(const std::string& t, const Polynomial& f, char sign) {
-  const std::string operation = std::string(" ") + sign + "= ";
-  std::string out = "  part = " + t + " * (" + number(f.width) + " - " + t + " * " + number(f.half_taper) + ");\n";
-  out += "  area" + operation + "part;\n  moment" + operation + "part * " + number(f.middle);
-  if (f.linear != 0 || f.cubic != 0) {
-    out += " + " + t + " * " + t + " * (" + number(f.linear) + " - " + t + " * " + number(f.cubic) + ")";
+/// The parts of a sum in C, each in a variable of its own, so that the processor can work at them side by side.
+class Parts {
+ public:
+  /// Declares area and moment of one more part; `sign` is + or -.
+  void add(char sign, const std::string& area, const std::function<std::string(const std::string& area)>& moment) {
+    const std::string index = std::to_string(count_++);
+    text_ += "  const double a" + index + " = " + area + ";\n";
+    text_ += "  const double n" + index + " = " + moment("a" + index) + ";\n";
+    (sign == '+' ? plus_ : minus_).push_back(index);
   }
-  return out + ";\n";
+  void declare(const std::string& name, const std::string& value) {
+    text_ += "  const double " + name + " = " + value + ";\n";
+  }
+  std::size_t count() const { return count_; }
+
+  std::string text() const {
+    return text_ + "  *offset = (" + sum(plus_, "n") + rest("n") + ") / (" + sum(plus_, "a") + rest("a") + ");\n";
+  }
+
+ private:
+  std::string rest(const std::string& letter) const {
+    return minus_.empty() ? std::string() : " - " + sum(minus_, letter);
+  }
+
+  /// A balanced tree of additions.
+  static std::string sum(std::span<const std::string> indices, const std::string& letter) {
+    if (indices.size() == 1) return letter + indices.front();
+    const std::size_t half = indices.size() / 2;
+    return "(" + sum(indices.first(half), letter) + " + " + sum(indices.subspan(half), letter) + ")";
+  }
+
+  std::string text_;
+  std::size_t count_ = 0;
+  std::vector<std::string> plus_;
+  std::vector<std::string> minus_;
+};
+
+/// Area and moment of a trapezoid that is clipped at `t`.
+void addClipped(const std::string& t, const Polynomial& f, char sign, Parts& parts) {
+  parts.add(sign, t + " * (" + number(f.width) + " - " + t + " * " + number(f.half_taper) + ")",
+            [&](const std::string& area) {
+              std::string moment = area + " * " + number(f.middle);
+              if (f.linear == 0 && f.cubic == 0) return moment;
+              return moment + " + " + t + " * " + t + " * (" + number(f.linear) + " - " + t + " * " + number(f.cubic) +
+                     ")";
+            });
 }
 
-std::string clippedOverlap(const ClosedForm::Pair& pair, const std::string& left, const std::string& right,
-                           const std::vector<std::string>& between) {
-  std::string out = "  common = lower(lower(" + left + ", " + right + "), " + number(pair.overlap.peak) + ");\n";
-  out += addClipped("common", pair.overlap.shape, '-');
-  if (between.empty()) return out;
+void addClippedOverlap(const ClosedForm::Pair& pair, const std::string& left, const std::string& right,
+                       const std::vector<std::string>& between, Parts& parts) {
+  const std::string common = "t" + std::to_string(parts.count());
+  std::string least = "lower(" + left + ", " + right + ")";
+  // The common part of two trapezoids reaches 1 only where their cores meet.
+  if (pair.overlap.peak < 1) least = "lower(" + least + ", " + number(pair.overlap.peak) + ")";
+  parts.declare(common, least);
+  addClipped(common, pair.overlap.shape, '-', parts);
+  if (between.empty()) return;
   // Below the strength of the strongest term between, terms between cover the whole overlap.
-  out += "  hidden = 0.0;\n";
-  for (const std::string& one : between) out += "  hidden = larger(hidden, " + one + ");\n";
-  out += "  hidden = lower(hidden, common);\n";
-  return out + addClipped("hidden", pair.overlap.shape, '+');
+  const std::string hidden = "t" + std::to_string(parts.count());
+  parts.declare(hidden, "lower(" + common + ", " + tree(between, "larger") + ")");
+  addClipped(hidden, pair.overlap.shape, '+', parts);
 }
 
-std::string scaledOverlap(const ClosedForm::Pair& pair, const std::string& left, const std::string& right) {
+void addScaledOverlap(const ClosedForm::Pair& pair, const std::string& left, const std::string& right, Parts& parts) {
   const auto& overlap = pair.overlap;
   const double width = overlap.shape.width;
-  return "  fall = " + left + " * " + number(overlap.inverse_fall) + ";\n  rise = " + right + " * " +
-         number(overlap.inverse_rise) +
-         ";\n  common = fall / (fall + rise > 0.0 ? fall + rise : 1.0);\n  part = rise * common * " +
-         number(width * width * 0.5) + ";\n  area -= part;\n  moment -= part * ((common + 1.0) * " + number(width / 3) +
-         " + " + number(overlap.start) + ");\n";
+  const std::string index = std::to_string(parts.count());
+  const std::string sum = "fall" + index + " + rise" + index;
+  parts.declare("fall" + index, left + " * " + number(overlap.inverse_fall));
+  parts.declare("rise" + index, right + " * " + number(overlap.inverse_rise));
+  parts.declare("t" + index, "fall" + index + " / (" + sum + " > 0.0 ? " + sum + " : 1.0)");
+  parts.add('-', "rise" + index + " * t" + index + " * " + number(width * width * 0.5), [&](const std::string& area) {
+    return area + " * ((t" + index + " + 1.0) * " + number(width / 3) + " + " + number(overlap.start) + ")";
+  });
 }
 
 /// The strengths may be so small that their squares vanish. Ratios alone count there.
@@ -56,9 +101,9 @@ std::string liftText(const std::vector<std::size_t>& reached) {
 }
 
 std::string largestText(const std::vector<std::size_t>& reached) {
-  std::string out;
-  for (const std::size_t term : reached) out += "  largest = larger(largest, " + strength(term) + ");\n";
-  return out + "  if (!(largest > 0.0)) return 0;\n";
+  std::vector<std::string> strengths;
+  for (const std::size_t term : reached) strengths.push_back(strength(term));
+  return "  const double largest = " + tree(strengths, "larger") + ";\n  if (!(largest > 0.0)) return 0;\n";
 }
 
 std::string orderedCode(const ExpertView& view, const ClosedForm& form, const std::vector<std::size_t>& reached) {
@@ -68,15 +113,16 @@ std::string orderedCode(const ExpertView& view, const ClosedForm& form, const st
   for (std::size_t t = 0; t < form.lane_of.size(); ++t) term_of[form.lane_of[t]] = t;
   for (const std::size_t term : reached) live[form.lane_of[term]] = true;
 
-  std::string sums;
+  Parts parts;
   for (std::size_t lane = 0; lane < form.terms.size(); ++lane) {
     if (!live[lane]) continue;
     const std::string own = strength(term_of[lane]);
+    const Polynomial& whole = form.terms[lane];
     if (clips) {
-      sums += addClipped(own, form.terms[lane], '+');
+      addClipped(own, whole, '+', parts);
     } else {
-      sums += "  area += " + own + " * " + number(form.terms[lane].width) + ";\n  moment += " + own + " * " +
-              number(form.terms[lane].middle) + ";\n";
+      parts.add('+', own + " * " + number(whole.width),
+                [&](const std::string&) { return own + " * " + number(whole.middle); });
     }
     for (std::uint32_t p = form.first_pair[lane]; p < form.first_pair[lane + 1]; ++p) {
       const ClosedForm::Pair& pair = form.pairs[p];
@@ -86,15 +132,15 @@ std::string orderedCode(const ExpertView& view, const ClosedForm& form, const st
       for (std::size_t k = pair.left + 1U; k < lane; ++k) {
         if (live[k]) between.push_back(strength(term_of[k]));
       }
-      sums += clips ? clippedOverlap(pair, left, own, between) : scaledOverlap(pair, left, own);
+      if (clips) {
+        addClippedOverlap(pair, left, own, between, parts);
+      } else {
+        addScaledOverlap(pair, left, own, parts);
+      }
     }
   }
-  std::string locals = "  double largest = 0.0, area = 0.0, moment = 0.0;\n";
-  for (const char* const local : {"part", "common", "hidden", "fall", "rise"}) {
-    if (sums.find(std::string("  ") + local + " = ") != std::string::npos)
-      locals += "  double " + std::string(local) + ";\n";
-  }
-  return locals + largestText(reached) + liftText(reached) + sums + "  *offset = moment / area;\n  return 1;\n";
+  // Declarations stand after a statement, as C99 allows.
+  return largestText(reached) + liftText(reached) + parts.text() + "  return 1;\n";
 }
 
 std::string unorderedCode(const ExpertView& view, std::size_t index, const std::vector<std::size_t>& reached,
@@ -110,10 +156,10 @@ std::string unorderedCode(const ExpertView& view, std::size_t index, const std::
   tables += "};\n\n";
   const fuzzy::Variable& force = *view.output.variable;
   const std::string scales = view.model->implication == fuzzy::Implication::kScale ? "1" : "0";
-  return "  const double strengths[" + std::to_string(reached.size()) + "] = {" + strengths +
-         "};\n  double largest = 0.0;\n" + largestText(reached) + "  *offset = general_offset(" + table +
-         ", strengths, " + std::to_string(reached.size()) + ", largest, " + scales + ", " + number(force.min) + ", " +
-         number(force.max) + ");\n  return 1;\n";
+  return "  const double strengths[" + std::to_string(reached.size()) + "] = {" + strengths + "};\n" +
+         largestText(reached) + "  *offset = general_offset(" + table + ", strengths, " +
+         std::to_string(reached.size()) + ", largest, " + scales + ", " + number(force.min) + ", " + number(force.max) +
+         ");\n  return 1;\n";
 }
 
 }  // namespace

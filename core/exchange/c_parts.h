@@ -51,6 +51,10 @@ std::string centroidCode(const ExpertView& view, std::size_t index, const Streng
 /// The text of `general_offset`.
 std::string generalOffsetText();
 
+/// `parts` joined by calls of `function`, which takes two: a tree, because a chain would be deeper than compilers
+/// accept and slower. `parts` must not be empty.
+std::string tree(const std::vector<std::string>& parts, const std::string& function);
+
 /// Outside text for a C comment.
 std::string comment(std::string_view text);
 

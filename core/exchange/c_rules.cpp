@@ -44,17 +44,12 @@ bool isOddModel(const fuzzy::ForceModel& model) {
 
 using Premise = std::vector<std::size_t>;  ///< memberships, all of which must hold
 
-/// `parts` joined by `function`, as a tree: a chain would be deeper than compilers accept.
-std::string tree(const std::vector<std::string>& parts, const std::string& function, std::size_t first,
-                 std::size_t count) {
+std::string subtree(const std::vector<std::string>& parts, const std::string& function, std::size_t first,
+                    std::size_t count) {
   if (count == 1) return parts[first];
   const std::size_t half = count / 2;
-  return function + "(" + tree(parts, function, first, half) + ", " +
-         tree(parts, function, first + half, count - half) + ")";
-}
-
-std::string tree(const std::vector<std::string>& parts, const std::string& function) {
-  return tree(parts, function, 0, parts.size());
+  return function + "(" + subtree(parts, function, first, half) + ", " +
+         subtree(parts, function, first + half, count - half) + ")";
 }
 
 std::string membership(std::size_t index) { return "m[" + std::to_string(index) + "]"; }
@@ -91,6 +86,10 @@ std::string strongest(std::vector<Premise> premises) {
 }
 
 }  // namespace
+
+std::string tree(const std::vector<std::string>& parts, const std::string& function) {
+  return subtree(parts, function, 0, parts.size());
+}
 
 std::string comment(std::string_view text) {
   std::string out = base::oneLine(text);
@@ -166,7 +165,13 @@ std::string MembershipCode::function() const {
     out += "  nothing += " + from + " - " + from + ";  /* NaN where it is not finite */\n";
   }
   for (std::size_t i = 0; i < model_.inputs.size() && !odd_; ++i) {
-    // A vertex at 0: next to it, memberships would be too small for a double.
+    // A ramp that ends at 0: next to it, memberships would be too small for a double.
+    const auto ends_at_zero = [i](const auto& one) {
+      if (one.first != i || one.second.shape == fuzzy::Shape::kGaussian) return false;
+      const Corners f = cornersOf(one.second);
+      return (f.a == 0 && f.b > 0) || (f.d == 0 && f.c < 0);
+    };
+    if (std::none_of(terms_.begin(), terms_.end(), ends_at_zero)) continue;
     const std::string x = "x" + std::to_string(i);
     out += "  " + x + " = off_zero(" + x + ");\n";
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/exchange/c_parts.h"
@@ -47,26 +48,46 @@ std::string headerText(const fuzzy::ForceModel& model) {
   return out;
 }
 
-/// The smallest helpers: on common processors `lower` and `larger` are one instruction each.
-std::string helperText(bool odd) {
-  std::string out =
-      "static inline double lower(double a, double b) { return a < b ? a : b; }\n"
-      "static inline double larger(double a, double b) { return a > b ? a : b; }\n";
-  if (!odd) {
-    return out +
-           "/* Next to 0 a membership would be too small for a double; this far from it nothing changes. */\n"
-           "static inline double off_zero(double x) {\n"
-           "  return x > 0.0 ? larger(x, 1e-290) : x < 0.0 ? lower(x, -1e-290) : x;\n}\n\n";
+/// The helpers that `body` calls: on common processors `lower` and `larger` are one instruction each.
+std::string helperText(std::string_view body) {
+  constexpr std::pair<std::string_view, std::string_view> kHelpers[] = {
+      {"lower(", "static inline double lower(double a, double b) { return a < b ? a : b; }\n"},
+      {"larger(", "static inline double larger(double a, double b) { return a > b ? a : b; }\n"},
+      {"off_zero(",
+       "/* Next to 0 a membership would be too small for a double; this far from it nothing changes. */\n"
+       "static inline double off_zero(double x) {\n"
+       "  return x > 0.0 ? larger(x, 1e-290) : x < 0.0 ? lower(x, -1e-290) : x;\n}\n"},
+      {"kept(",
+       "/* A quotient of numbers above 0 stays above 0. */\n"
+       "static inline double kept(double way, double width) {\n"
+       "  return way > 0.0 ? larger(way / width, 4.9406564584124654e-324) : 0.0;\n}\n"},
+      {"kept_product(",
+       "/* So does a product. */\n"
+       "static inline double kept_product(double weight, double held) {\n"
+       "  return held > 0.0 ? larger(weight * held, 4.9406564584124654e-324) : 0.0;\n}\n"}};
+  std::string out;
+  for (const auto& [call, text] : kHelpers) {
+    // The first two are what the others are made of.
+    const bool always = call == "lower(" || call == "larger(";
+    if (always || body.find(call) != std::string_view::npos) out += text;
   }
-  return out +
-         "/* Quotients and products of numbers above 0 stay above 0. */\n"
-         "static inline double kept(double way, double width) {\n"
-         "  return way > 0.0 ? larger(way / width, 4.9406564584124654e-324) : 0.0;\n}\n"
-         "static inline double kept_product(double weight, double held) {\n"
-         "  return held > 0.0 ? larger(weight * held, 4.9406564584124654e-324) : 0.0;\n}\n\n";
+  return out + "\n";
+}
+
+/// The only expert that counts: its centroid is the mean.
+std::string onlyText(const fuzzy::ForceModel& model, std::size_t expert) {
+  return "double force_model(const double *inputs, int *fired) {\n  double m[kMemberships], offset;\n"
+         "  const double nothing = memberships(inputs, m);\n  if (fired != NULL) *fired = 0;\n"
+         "  if (nothing != 0.0) return nothing;\n  if (!expert_" +
+         std::to_string(expert) + "(m, &offset)) return " + number(model.default_force_n) +
+         ";\n  if (fired != NULL) *fired = 1;\n  return " + number(model.output.min) + " + offset;\n}\n\n";
 }
 
 std::string meanText(const fuzzy::ForceModel& model) {
+  const auto counts = [](const fuzzy::Expert& expert) { return expert.weight > 0; };
+  const auto first = std::find_if(model.experts.begin(), model.experts.end(), counts);
+  if (std::count_if(model.experts.begin(), model.experts.end(), counts) == 1)
+    return onlyText(model, static_cast<std::size_t>(first - model.experts.begin()));
   double total = 0;
   for (const fuzzy::Expert& expert : model.experts) total += expert.weight;
   std::string out =
@@ -117,11 +138,12 @@ base::Result<CSource> cSource(const fuzzy::ForceModel& model) {
       "/* " + comment(model.name) +
       ": see force_model.h. Written by Tactus; edit the model, not this file. */\n#include \"force_model.h\"\n\n";
   if (memberships.usesExp()) source += "#include <math.h>\n\n";
-  source += helperText(memberships.isOdd());
-  source += "enum { kMemberships = " + std::to_string(std::max<std::size_t>(memberships.count(), 1)) + " };\n\n";
-  source += memberships.function() + "\n";
-  if (general) source += generalOffsetText();
-  source += tables + experts + meanText(model) + expertText(model);
+  std::string body =
+      "enum { kMemberships = " + std::to_string(std::max<std::size_t>(memberships.count(), 1)) + " };\n\n";
+  body += memberships.function() + "\n";
+  if (general) body += generalOffsetText();
+  body += tables + experts + meanText(model) + expertText(model);
+  source += helperText(body) + body;
   return CSource{headerText(model), source};
 }
 

@@ -103,11 +103,19 @@ base::Result<BundleCheck> checkBundle(const std::string& folder) {
   const auto manifest = parseManifest(*text, path);
   if (!manifest) return tl::unexpected(manifest.error());
   BundleCheck out;
-  const std::string model_path = folder + "/" + manifest->model;
-  if (const auto below = base::requireBelow(folder, model_path); !below) return tl::unexpected(below.error());
-  auto read = readModel(model_path);
+  const auto own = std::find_if(manifest->files.begin(), manifest->files.end(),
+                                [&](const BundleFile& one) { return one.path == manifest->model; });
+  const auto bytes = unaltered(folder, *own);
+  if (!bytes) {
+    // Missing or altered: nothing can be evaluated, and the bundle is not what it says.
+    base::Error error = bytes.error();
+    error.code = base::ErrorCode::kMismatch;
+    return tl::unexpected(error);
+  }
+  auto read = parseModel(*bytes, folder + "/" + manifest->model);
   if (!read) return tl::unexpected(read.error());
   out.model = std::move(read->model);
+  out.generator = manifest->generator;
   for (const BundleFile& file : manifest->files) out.files.push_back(checked(out.model, folder, file));
   return out;
 }

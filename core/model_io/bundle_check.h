@@ -21,6 +21,7 @@ struct FileCheck {
 
 struct BundleCheck {
   fuzzy::ForceModel model;
+  std::string generator;         ///< that wrote the bundle
   std::vector<FileCheck> files;  ///< in the order of the manifest
 
   bool ok() const;
@@ -28,7 +29,8 @@ struct BundleCheck {
 
 /// Reads the bundle in `folder`. Every file must be there with its checksum. The model repeats its own checks, and the
 /// table of checks is evaluated again; the files for other programs are not read here. Refused: a folder without a
-/// manifest or with a broken one, and a model that cannot be read, because then nothing can be evaluated.
+/// manifest or with a broken one, and a model that cannot be read, because then nothing can be evaluated (kMismatch: it
+/// is missing, altered, or its checks fail).
 base::Result<BundleCheck> checkBundle(const std::string& folder);
 
 /// The largest difference between the forces of a table `id,…,force,fired` and those of `model`. `fired` must be equal.

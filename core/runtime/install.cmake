@@ -25,3 +25,5 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/tactus.pc" DESTINATION "${CMAKE_INSTA
 install(FILES languages/tactus.py languages/Tactus.cs DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/languages"
         COMPONENT libtactus-dev)
 install(DIRECTORY examples/ DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/examples" COMPONENT libtactus-dev)
+install(FILES "${PROJECT_SOURCE_DIR}/core/model_io/model_file.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus"
+        RENAME tactus-force-model.schema.json COMPONENT libtactus-dev)

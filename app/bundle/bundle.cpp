@@ -1,0 +1,179 @@
+#include "app/bundle/bundle.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/bundle/bundle_report.h"
+#include "app/bundle/check_points.h"
+#include "app/bundle/file_errors.h"
+#include "core/analysis/coverage.h"
+#include "core/base/files/sha256.h"
+#include "core/base/tables/csv.h"
+#include "core/base/text.h"
+#include "core/exchange/c_source.h"
+#include "core/fuzzy/validate.h"
+#include "core/model_io/model_file.h"
+
+namespace tactus::bundle {
+namespace {
+
+constexpr std::string_view kModelPath = "model.tactus.json";
+
+/// Takes the accepted names into the model. Refused: a hole that nobody accepted, a name that is no hole.
+base::Result<void> acceptHoles(fuzzy::ForceModel& model, const std::vector<std::string>& accept,
+                               std::vector<std::string>& warnings) {
+  std::vector<std::size_t> counted;
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    if (model.experts[e].weight > 0) counted.push_back(e);
+  }
+  const auto coverage = analysis::coverage(model, counted);
+  if (!coverage.complete)
+    warnings.emplace_back("the search for holes was cut off, because the model is too finely divided");
+  std::vector<std::string> holes;
+  for (const analysis::Hole& hole : coverage.holes) holes.push_back(describe(hole, model));
+  const auto among = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const std::string& name : accept) {
+    if (!among(holes, name)) {
+      return base::fail(
+          base::ErrorCode::kReference, "--accept-hole", base::quoted(name),
+          holes.empty() ? "no name, because the model has no hole" : "one of the holes: " + base::joined(holes, "; "));
+    }
+    if (!among(model.accepted_holes, name)) model.accepted_holes.push_back(name);
+  }
+  for (const std::string& hole : holes) {
+    if (among(model.accepted_holes, hole)) continue;
+    return base::fail(base::ErrorCode::kData, "coverage", "a hole at " + hole + ", where no rule of any expert fires",
+                      "a rule there, or --accept-hole " + base::quoted(hole));
+  }
+  return {};
+}
+
+/// Collects the files with their promises.
+class Collector {
+ public:
+  explicit Collector(Bundle& bundle) : bundle_(bundle) {}
+
+  void add(std::string path, std::string kind, std::string bytes, std::optional<model_io::Promise> promise = {},
+           std::string expert = {}) {
+    bundle_.manifest.files.push_back(
+        {path, base::sha256(bytes), std::move(kind), std::move(expert), std::move(promise)});
+    bundle_.files.emplace_back(std::move(path), std::move(bytes));
+  }
+
+  /// A text that may not be possible; then a warning says why.
+  void addOrWarn(std::string path, std::string kind, base::Result<std::string> bytes, model_io::Promise promise,
+                 std::string expert) {
+    if (bytes) return add(std::move(path), std::move(kind), std::move(*bytes), std::move(promise), std::move(expert));
+    bundle_.warnings.push_back(path + " is left out: " + bytes.error().message());
+  }
+
+ private:
+  Bundle& bundle_;
+};
+
+std::string checksText(const fuzzy::ForceModel& model, const std::vector<fuzzy::Check>& checks) {
+  std::vector<std::string> columns;
+  for (const fuzzy::Variable& input : model.inputs) columns.push_back(input.id);
+  columns.insert(columns.end(), {"force", "fired"});
+  base::CsvWriter csv(columns);
+  for (const fuzzy::Check& check : checks) {
+    for (const double value : check.in) csv.cell(value);
+    csv.cell(check.force).cell(check.fired ? 1 : 0).endRow();
+  }
+  return csv.text();
+}
+
+/// A file name from an expert's id, different from the others.
+std::string fileName(const std::string& id, std::vector<std::string>& taken) {
+  std::string name;
+  for (const char c : id) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
+    name += plain ? c : '_';
+  }
+  const std::string first = name;
+  const auto known = [&](const std::string& one) {
+    return std::find(taken.begin(), taken.end(), base::lowered(one)) != taken.end();
+  };
+  for (int copy = 2; known(name); ++copy) name = first + "_" + std::to_string(copy);
+  taken.push_back(base::lowered(name));
+  return name;
+}
+
+void addExperts(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+                const std::vector<std::vector<double>>& points, Collector& collector) {
+  const std::vector<std::string> names = expertFileNames(model);
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    const std::string& id = model.experts[e].id;
+    const std::string start = "experts/" + names[e];
+    for (const exchange::Dialect dialect : exchange::kDialects) {
+      collector.addOrWarn(start + std::string(suffix(dialect)), std::string(name(dialect)),
+                          exchange::format(model, e, dialect), promiseOf(dialect, compiled, e, points), id);
+    }
+  }
+}
+
+void addTable(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+              const std::vector<std::vector<double>>& points, Collector& collector) {
+  const ForceTable table = forceTable(model);
+  const model_io::Promise promise = promiseOf(table, compiled, points);
+  std::string lines;
+  for (std::size_t i = 0; i < table.lines.size(); ++i) {
+    lines += "  " + base::oneLine(model.inputs[i].id) + ": " + std::to_string(table.lines[i].size()) + " values from " +
+             base::formatNumber(table.lines[i].front()) + " to " + base::formatNumber(table.lines[i].back()) + " " +
+             base::oneLine(model.inputs[i].unit) + "\n";
+  }
+  collector.add("table/force_table.csv", "table", formatTable(model, table), promise);
+  collector.add("table/README.txt", "text",
+                "force_table.csv: the averaged force on a grid, one row per node, the last input running fastest.\n"
+                "Interpolate linearly in every input between the two nearest values, and clamp values outside.\n\n" +
+                    lines + "\nLargest error found at " + std::to_string(points.size()) +
+                    " points: " + base::formatNumber(promise.largest_error_n) + " N; tolerance " +
+                    base::formatNumber(promise.tolerance_n) +
+                    " N.\nWhere no rule fires the table holds the default force.\n"
+                    "Any other file of the bundle is more accurate: take the table where nothing else is possible.\n");
+}
+
+}  // namespace
+
+std::vector<std::string> expertFileNames(const fuzzy::ForceModel& model) {
+  std::vector<std::string> taken;
+  std::vector<std::string> names;
+  for (const fuzzy::Expert& expert : model.experts) names.push_back(fileName(expert.id, taken));
+  return names;
+}
+
+base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& settings) {
+  Bundle bundle;
+  if (const auto ok = fuzzy::validate(model); !ok) return tl::unexpected(ok.error());
+  if (const auto ok = acceptHoles(model, settings.accept_holes, bundle.warnings); !ok)
+    return tl::unexpected(ok.error());
+  model.checks = ownChecks(model);
+  bundle.model = std::move(model);
+  const fuzzy::ForceModel& made = bundle.model;
+  const auto compiled = fuzzy::compile(made);
+  if (!compiled) return tl::unexpected(compiled.error());
+
+  bundle.manifest = {std::string(kModelPath), settings.created_utc, settings.generator, {}};
+  Collector collector(bundle);
+  const std::string text = model_io::formatModel(made);
+  // What is written must read, with its checks.
+  if (const auto read = model_io::parseModel(text, std::string(kModelPath)); !read) return tl::unexpected(read.error());
+  collector.add(std::string(kModelPath), "model", text, exactPromise(made));
+  const auto points = checkPoints(made);
+  collector.add("checks.csv", "checks", checksText(made, checksAt(made, points)), exactPromise(made));
+  addExperts(made, *compiled, points, collector);
+  if (const auto source = exchange::cSource(made)) {
+    collector.add("c/force_model.h", "c", source->header);
+    collector.add("c/force_model.c", "c", source->source, sourcePromise(made));
+  } else {
+    bundle.warnings.push_back("c/force_model.c is left out: " + source.error().message());
+  }
+  addTable(made, *compiled, points, collector);
+  collector.add("report.html", "report", bundleReport(made, bundle.manifest));
+  bundle.files.emplace_back(std::string(model_io::kManifestName), model_io::formatManifest(bundle.manifest));
+  return bundle;
+}
+
+}  // namespace tactus::bundle

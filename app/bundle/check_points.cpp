@@ -1,0 +1,194 @@
+#include "app/bundle/check_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "app/bundle/wrong_readers.h"
+#include "core/analysis/coverage.h"
+#include "core/analysis/sample_points.h"
+#include "core/base/check.h"
+#include "core/base/random.h"
+
+namespace tactus::bundle {
+namespace {
+
+using Point = std::vector<double>;
+using Points = std::vector<Point>;
+
+constexpr std::size_t kMostKinks = 900;
+constexpr std::size_t kRandom = 1200;
+constexpr std::size_t kMostHoles = 40;
+constexpr std::size_t kMostRules = 600;
+constexpr std::size_t kPerMistake = 3;
+
+double within(double x, const fuzzy::Variable& variable) { return std::clamp(x, variable.min, variable.max); }
+
+/// A value at which the term is 1, or as near to it as the universe lets.
+double coreOf(const fuzzy::Term& term, const fuzzy::Variable& variable) {
+  const auto& p = term.points;
+  if (term.shape == fuzzy::Shape::kTrapezoid)
+    return within((within(p[1], variable) + within(p[2], variable)) / 2, variable);
+  return within(term.shape == fuzzy::Shape::kTriangle ? p[1] : p[0], variable);
+}
+
+Point middleOf(const fuzzy::ForceModel& model) {
+  Point point;
+  for (const fuzzy::Variable& input : model.inputs) point.push_back((input.min + input.max) / 2);
+  return point;
+}
+
+/// One for each rule, the disabled ones included: all of its conditions hold fully.
+void addRules(const fuzzy::ForceModel& model, Points& points) {
+  std::size_t rules = 0;
+  for (const fuzzy::Expert& expert : model.experts) rules += expert.rules.size();
+  const std::size_t stride = std::max<std::size_t>(1, rules / kMostRules);
+  std::size_t number = 0;
+  for (const fuzzy::Expert& expert : model.experts) {
+    for (const fuzzy::Rule& rule : expert.rules) {
+      if (number++ % stride != 0) continue;
+      Point point = middleOf(model);
+      for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+        for (const fuzzy::Condition& condition : rule.conditions) {
+          if (condition.input != model.inputs[i].id) continue;
+          const auto& terms = fuzzy::termsFor(expert, model.inputs[i]);
+          point[i] = coreOf(*fuzzy::findTerm(terms, condition.term), model.inputs[i]);
+        }
+      }
+      points.push_back(std::move(point));
+    }
+  }
+}
+
+/// Beyond each end of each universe, near and far, from some places inside.
+void addOutside(const fuzzy::ForceModel& model, const Points& from, Points& points) {
+  const std::size_t stride = std::max<std::size_t>(1, from.size() / 4);
+  for (std::size_t start = 0; start < from.size(); start += stride) {
+    for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+      const fuzzy::Variable& input = model.inputs[i];
+      for (const double share : {-0.5, -0.02, 1.02, 1.5}) {
+        Point point = from[start];
+        point[i] = input.min + share * (input.max - input.min);
+        points.push_back(std::move(point));
+      }
+    }
+  }
+}
+
+/// The middle of each hole of the mean and of each expert, and both ends of each of its ranges.
+void addHoles(const fuzzy::ForceModel& model, Points& points) {
+  std::vector<std::size_t> every(model.experts.size());
+  std::iota(every.begin(), every.end(), std::size_t{0});
+  std::vector<std::vector<std::size_t>> groups = {every};
+  if (every.size() > 1) {
+    for (const std::size_t one : every) groups.push_back({one});
+  }
+  for (const auto& group : groups) {
+    const auto coverage = analysis::coverage(model, group);
+    for (std::size_t h = 0; h < std::min(coverage.holes.size(), kMostHoles); ++h) {
+      Point middle;
+      for (const analysis::InputRange& range : coverage.holes[h].ranges) middle.push_back((range.low + range.high) / 2);
+      points.push_back(middle);
+      for (std::size_t i = 0; i < middle.size(); ++i) {
+        if (coverage.holes[h].ranges[i].whole_universe) continue;
+        for (const double end : {coverage.holes[h].ranges[i].low, coverage.holes[h].ranges[i].high}) {
+          Point edge = middle;
+          edge[i] = end;
+          points.push_back(std::move(edge));
+        }
+      }
+    }
+  }
+}
+
+void addKinks(const fuzzy::ForceModel& model, Points& points) {
+  const auto kinks = analysis::kinkPoints(model, kMostKinks);
+  for (std::size_t i = 0; i < kinks.size(); ++i) points.push_back(kinks[i]);
+}
+
+void addRandom(const fuzzy::ForceModel& model, std::size_t count, Points& points) {
+  base::Random random(1);
+  for (std::size_t p = 0; p < count; ++p) {
+    Point point;
+    for (const fuzzy::Variable& input : model.inputs) point.push_back(random.uniform(input.min, input.max));
+    points.push_back(std::move(point));
+  }
+}
+
+/// The points among `candidates` at which each wrong reader is furthest off.
+Points pointsOfMistakes(const fuzzy::ForceModel& model, const Points& candidates) {
+  const auto compiled = fuzzy::compile(model);
+  TACTUS_CHECK(compiled);
+  Points out;
+  for (const WrongReader& reader : wrongReaders(model)) {
+    std::vector<std::pair<double, std::size_t>> off;
+    for (std::size_t p = 0; p < candidates.size(); ++p) {
+      const auto right = compiled->evaluate(candidates[p]);
+      const auto wrong = reader.force(candidates[p]);
+      const double difference = std::abs(right.force_n - wrong.force_n);
+      if (difference > 0 || right.fired != wrong.fired) off.emplace_back(difference, p);
+    }
+    const auto end = off.begin() + static_cast<std::ptrdiff_t>(std::min(off.size(), kPerMistake));
+    std::partial_sort(off.begin(), end, off.end(), std::greater<>());
+    for (auto at = off.begin(); at != end; ++at) out.push_back(candidates[at->second]);
+  }
+  return out;
+}
+
+Points withoutTwins(Points points) {
+  std::set<Point> seen;
+  Points out;
+  for (Point& point : points) {
+    if (seen.insert(point).second) out.push_back(std::move(point));
+  }
+  return out;
+}
+
+/// Rules, holes and universes.
+Points structured(const fuzzy::ForceModel& model) {
+  Points points;
+  addRules(model, points);
+  Points starts = points;
+  starts.push_back(middleOf(model));
+  addOutside(model, starts, points);
+  addHoles(model, points);
+  return points;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> checkPoints(const fuzzy::ForceModel& model) {
+  Points points = structured(model);
+  addKinks(model, points);
+  addRandom(model, kRandom, points);
+  points = withoutTwins(std::move(points));
+  if (points.size() < kLeastChecks) addRandom(model, 2 * kLeastChecks, points);
+  return withoutTwins(std::move(points));
+}
+
+std::vector<fuzzy::Check> checksAt(const fuzzy::ForceModel& model, const std::vector<std::vector<double>>& points) {
+  const auto compiled = fuzzy::compile(model);
+  TACTUS_CHECK(compiled);
+  std::vector<fuzzy::Check> checks;
+  for (const Point& point : points) {
+    const auto force = compiled->evaluate(point);
+    checks.push_back({point, force.force_n, force.fired});
+  }
+  return checks;
+}
+
+std::vector<fuzzy::Check> ownChecks(const fuzzy::ForceModel& model, std::size_t most) {
+  Points points = pointsOfMistakes(model, checkPoints(model));
+  const std::size_t kept = points.size();
+  Points others = structured(model);
+  // Evenly, where there are more than fit.
+  const std::size_t room = most > kept ? most - kept : 0;
+  const std::size_t stride = room > 0 ? std::max<std::size_t>(1, (others.size() + room - 1) / room) : others.size();
+  for (std::size_t p = 0; p < others.size() && points.size() < most; p += stride) points.push_back(others[p]);
+  return checksAt(model, withoutTwins(std::move(points)));
+}
+
+}  // namespace tactus::bundle

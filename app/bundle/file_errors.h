@@ -1,0 +1,28 @@
+// How far the forces of a bundle's files are from the model's.
+#pragma once
+
+#include <vector>
+
+#include "app/bundle/force_table.h"
+#include "core/exchange/dialect.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/model_io/bundle_manifest.h"
+
+namespace tactus::bundle {
+
+/// What a program gets that reads expert `expert` from a file of this dialect, compared with the model at `points`.
+/// The tolerance is the dialect's, or above the error found where that is larger.
+model_io::Promise promiseOf(exchange::Dialect dialect, const fuzzy::CompiledModel& model, std::size_t expert,
+                            const std::vector<std::vector<double>>& points);
+
+/// The same for the look-up table and the averaged force.
+model_io::Promise promiseOf(const ForceTable& table, const fuzzy::CompiledModel& model,
+                            const std::vector<std::vector<double>>& points);
+
+/// A file that holds the exact forces: 1e-12 of the output's range is left for rounding.
+model_io::Promise exactPromise(const fuzzy::ForceModel& model);
+
+/// The C source, which is not run here: the bound that its tests hold stands for the error.
+model_io::Promise sourcePromise(const fuzzy::ForceModel& model);
+
+}  // namespace tactus::bundle

@@ -1,0 +1,187 @@
+#include "app/bundle/force_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/analysis/sample_points.h"
+#include "core/base/check.h"
+#include "core/base/tables/csv.h"
+#include "core/base/text.h"
+#include "core/fuzzy/compiled_model.h"
+
+namespace tactus::bundle {
+namespace {
+
+using Lines = std::vector<std::vector<double>>;
+
+std::size_t nodesOf(const Lines& lines) {
+  std::size_t nodes = 1;
+  for (const auto& one : lines) {
+    if (one.size() > kMostNodes || nodes > kMostNodes) return kMostNodes + 1;
+    nodes *= one.size();
+  }
+  return nodes;
+}
+
+/// The ends of each universe and the vertices between.
+Lines vertexLines(const fuzzy::ForceModel& model) {
+  Lines lines = analysis::sortedVertices(model);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    lines[i].insert(lines[i].end(), {model.inputs[i].min, model.inputs[i].max});
+    std::sort(lines[i].begin(), lines[i].end());
+    lines[i].erase(std::unique(lines[i].begin(), lines[i].end()), lines[i].end());
+  }
+  return lines;
+}
+
+Lines divided(const Lines& lines, std::size_t parts) {
+  Lines out;
+  for (const auto& one : lines) {
+    std::vector<double> finer;
+    for (std::size_t k = 0; k + 1 < one.size(); ++k) {
+      for (std::size_t p = 0; p < parts; ++p) {
+        finer.push_back(one[k] + (one[k + 1] - one[k]) * static_cast<double>(p) / static_cast<double>(parts));
+      }
+    }
+    finer.push_back(one.back());
+    finer.erase(std::unique(finer.begin(), finer.end()), finer.end());
+    out.push_back(std::move(finer));
+  }
+  return out;
+}
+
+/// Drops every second inner line of the input with the most lines, until the grid fits.
+Lines thinned(Lines lines, std::size_t most_nodes) {
+  while (nodesOf(lines) > most_nodes) {
+    auto& longest =
+        *std::max_element(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    if (longest.size() <= 2) break;
+    std::vector<double> kept;
+    for (std::size_t k = 0; k < longest.size(); ++k) {
+      if (k % 2 == 0 || k + 1 == longest.size()) kept.push_back(longest[k]);
+    }
+    longest = std::move(kept);
+  }
+  return lines;
+}
+
+/// Calls `visit(point)` for every node in order.
+template <class Visit>
+void forEachNode(const Lines& lines, Visit&& visit) {
+  std::vector<std::size_t> index(lines.size(), 0);
+  std::vector<double> point(lines.size());
+  for (bool more = true; more;) {
+    for (std::size_t i = 0; i < lines.size(); ++i) point[i] = lines[i][index[i]];
+    visit(point);
+    more = false;
+    for (std::size_t i = lines.size(); i-- > 0 && !more;) {
+      more = ++index[i] < lines[i].size();
+      if (!more) index[i] = 0;
+    }
+  }
+}
+
+}  // namespace
+
+double ForceTable::force(std::span<const double> point) const {
+  std::array<std::size_t, fuzzy::kMostInputs> low{};
+  std::array<double, fuzzy::kMostInputs> share{};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& line = lines[i];
+    const double x = std::clamp(point[i], line.front(), line.back());
+    const auto above = std::upper_bound(line.begin() + 1, line.end() - 1, x);
+    low[i] = static_cast<std::size_t>(above - line.begin()) - 1;
+    share[i] = (x - line[low[i]]) / (line[low[i] + 1] - line[low[i]]);
+  }
+  double sum = 0;
+  for (std::size_t corner = 0; corner < (std::size_t{1} << lines.size()); ++corner) {
+    double weight = 1;
+    std::size_t node = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const bool upper = (corner >> i & 1U) != 0;
+      weight *= upper ? share[i] : 1 - share[i];
+      node = node * lines[i].size() + low[i] + (upper ? 1 : 0);
+    }
+    if (weight != 0) sum += weight * force_n[node];
+  }
+  return sum;
+}
+
+ForceTable forceTable(const fuzzy::ForceModel& model, std::size_t most_nodes) {
+  const auto compiled = fuzzy::compile(model);
+  TACTUS_CHECK(compiled);
+  ForceTable table;
+  table.lines = thinned(vertexLines(model), most_nodes);
+  const Lines vertices = table.lines;
+  for (std::size_t parts = 2;; ++parts) {
+    Lines finer = divided(vertices, parts);
+    if (nodesOf(finer) > most_nodes) break;
+    table.lines = std::move(finer);
+  }
+  table.force_n.reserve(nodesOf(table.lines));
+  forEachNode(table.lines,
+              [&](const std::vector<double>& point) { table.force_n.push_back(compiled->evaluate(point).force_n); });
+  return table;
+}
+
+std::string formatTable(const fuzzy::ForceModel& model, const ForceTable& table) {
+  std::vector<std::string> columns;
+  for (const fuzzy::Variable& input : model.inputs) columns.push_back(input.id);
+  columns.emplace_back("force");
+  base::CsvWriter csv(columns);
+  std::size_t node = 0;
+  forEachNode(table.lines, [&](const std::vector<double>& point) {
+    for (const double value : point) csv.cell(value);
+    csv.cell(table.force_n[node++]).endRow();
+  });
+  return csv.text();
+}
+
+base::Result<ForceTable> parseTable(const fuzzy::ForceModel& model, std::string text, const std::string& file) {
+  const auto csv = base::CsvTable::parse(std::move(text), file);
+  if (!csv) return tl::unexpected(csv.error());
+  std::vector<std::size_t> columns;
+  for (const fuzzy::Variable& input : model.inputs) {
+    const auto column = csv->require(input.id);
+    if (!column) return tl::unexpected(column.error());
+    columns.push_back(*column);
+  }
+  const auto force = csv->require("force");
+  if (!force) return tl::unexpected(force.error());
+  columns.push_back(*force);
+
+  ForceTable table;
+  table.lines.resize(model.inputs.size());
+  std::vector<std::vector<double>> rows(csv->rowCount());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (const std::size_t column : columns) {
+      const auto value = csv->number(r, column);
+      if (!value) return tl::unexpected(value.error());
+      rows[r].push_back(*value);
+    }
+    for (std::size_t i = 0; i < table.lines.size(); ++i) table.lines[i].push_back(rows[r][i]);
+    table.force_n.push_back(rows[r].back());
+  }
+  for (auto& line : table.lines) {
+    std::sort(line.begin(), line.end());
+    line.erase(std::unique(line.begin(), line.end()), line.end());
+  }
+  const bool plain = std::all_of(table.lines.begin(), table.lines.end(), [](const auto& l) { return l.size() >= 2; });
+  std::size_t wrong = 0;
+  std::size_t node = 0;
+  if (plain && nodesOf(table.lines) == rows.size()) {
+    forEachNode(table.lines, [&](const std::vector<double>& point) {
+      wrong += std::equal(point.begin(), point.end(), rows[node].begin()) ? 0 : 1;
+      ++node;
+    });
+    if (wrong == 0) return table;
+  }
+  return tl::unexpected(base::Error{base::ErrorCode::kData,
+                                    file,
+                                    {},
+                                    "rows that are no grid",
+                                    "every node of a grid once, the last input running fastest"});
+}
+
+}  // namespace tactus::bundle

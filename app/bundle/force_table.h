@@ -1,0 +1,34 @@
+// A look-up table of a model: forces on a grid, linear between its lines in every input.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::bundle {
+
+struct ForceTable {
+  std::vector<std::vector<double>> lines;  ///< of each input, ascending; the last input runs fastest
+  std::vector<double> force_n;             ///< one per node
+
+  /// The interpolated force; values outside the grid are clamped.
+  double force(std::span<const double> point) const;
+};
+
+inline constexpr std::size_t kMostNodes = 100'000;
+
+/// The finest grid of at most `most_nodes` nodes that holds every vertex of the model's terms, with the same number of
+/// parts between neighbors. Coarser, without some vertices, where even these are too many. Where no rule fires: the
+/// default force.
+ForceTable forceTable(const fuzzy::ForceModel& model, std::size_t most_nodes = kMostNodes);
+
+/// `id,…,force`, one row per node.
+std::string formatTable(const fuzzy::ForceModel& model, const ForceTable& table);
+/// Reads the text back. Refused: a node missing, doubled or out of order.
+base::Result<ForceTable> parseTable(const fuzzy::ForceModel& model, std::string text, const std::string& file);
+
+}  // namespace tactus::bundle

@@ -1,0 +1,104 @@
+#include "app/bundle/verify_bundle.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/bundle/check_points.h"
+#include "app/bundle/file_errors.h"
+#include "core/base/files/file.h"
+#include "core/base/text.h"
+#include "core/exchange/c_source.h"
+
+namespace tactus::bundle {
+namespace {
+
+using model_io::FileCheck;
+
+constexpr std::size_t kMostFileBytes = std::size_t{256} << 20U;
+
+class Verifier {
+ public:
+  Verifier(const fuzzy::ForceModel& model, fuzzy::CompiledModel compiled, std::string folder, bool same_program)
+      : model_(model),
+        compiled_(std::move(compiled)),
+        folder_(std::move(folder)),
+        same_program_(same_program),
+        points_(checkPoints(model)) {}
+
+  void look(FileCheck& check) {
+    const std::string path = folder_ + "/" + check.file.path;
+    auto bytes = base::readFile(path, kMostFileBytes);
+    if (!bytes) return fail(check, bytes.error().message());
+    if (check.file.kind == "table") {
+      const auto table = parseTable(model_, std::move(*bytes), path);
+      if (!table) return fail(check, table.error().message());
+      return take(check, promiseOf(*table, compiled_, points_));
+    }
+    if (check.file.kind == "c") return compare(check, *bytes, cText(check.file.path));
+    for (const exchange::Dialect dialect : exchange::kDialects) {
+      if (check.file.kind == name(dialect)) return lookAtExpert(check, *bytes, dialect);
+    }
+  }
+
+ private:
+  void lookAtExpert(FileCheck& check, const std::string& bytes, exchange::Dialect dialect) {
+    const auto expert = std::find_if(model_.experts.begin(), model_.experts.end(),
+                                     [&](const fuzzy::Expert& one) { return one.id == check.file.expert; });
+    if (expert == model_.experts.end())
+      return fail(check, check.file.path + ": found the expert " + base::quoted(check.file.expert) +
+                             ", wanted one of the model");
+    const auto index = static_cast<std::size_t>(expert - model_.experts.begin());
+    const auto text = exchange::format(model_, index, dialect);
+    compare(check, bytes, text ? std::optional(*text) : std::nullopt);
+    if (check.ok) take(check, promiseOf(dialect, compiled_, index, points_));
+  }
+
+  std::optional<std::string> cText(const std::string& path) const {
+    const auto source = exchange::cSource(model_);
+    if (!source) return std::nullopt;
+    return path.ends_with(".h") ? source->header : source->source;
+  }
+
+  void compare(FileCheck& check, const std::string& bytes, const std::optional<std::string>& wanted) const {
+    if (!same_program_ || (wanted && *wanted == bytes)) return;
+    fail(check, check.file.path + ": found another text than this program writes for the model, wanted the same");
+  }
+
+  /// The error of now takes the place of the promised one.
+  static void take(FileCheck& check, const model_io::Promise& now) {
+    check.evaluated = true;
+    check.largest_error_n = now.largest_error_n;
+    if (!check.file.promise || now.largest_error_n <= check.file.promise->tolerance_n) return;
+    fail(check, check.file.path + ": found an error of " + base::formatNumber(now.largest_error_n) +
+                    " N, wanted at most " + base::formatNumber(check.file.promise->tolerance_n) + " N");
+  }
+
+  static void fail(FileCheck& check, std::string sentence) {
+    check.ok = false;
+    check.wrong = std::move(sentence);
+  }
+
+  const fuzzy::ForceModel& model_;
+  fuzzy::CompiledModel compiled_;
+  std::string folder_;
+  bool same_program_;
+  std::vector<std::vector<double>> points_;
+};
+
+}  // namespace
+
+base::Result<model_io::BundleCheck> verifyBundle(const std::string& folder, std::string_view generator) {
+  auto bundle = model_io::checkBundle(folder);
+  if (!bundle) return bundle;
+  auto compiled = fuzzy::compile(bundle->model);
+  if (!compiled) return tl::unexpected(compiled.error());
+  Verifier verifier(bundle->model, std::move(*compiled), folder, bundle->generator == generator);
+  for (FileCheck& check : bundle->files) {
+    if (check.ok && !check.evaluated) verifier.look(check);
+  }
+  return bundle;
+}
+
+}  // namespace tactus::bundle

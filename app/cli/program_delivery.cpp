@@ -1,0 +1,38 @@
+// The commands that hand a model to other programs.
+#include "app/cli/command_line.h"
+
+namespace tactus::cli {
+
+void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
+  addCommand(app, chosen, "bundle", "Everything that a simulator team needs of a model, with what each file promises",
+             bundle, [](CLI::App& command, BundleOptions& o) {
+               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               command.add_option("--out", o.out, "Folder to write: a new one, or one with an earlier bundle")
+                   ->required()
+                   ->check(notEmpty());
+               command.add_option("--accept-hole", o.accept_holes, "Name of a hole that may stay; as often as needed")
+                   ->check(notEmpty());
+               addJson(command, o.json);
+             });
+  addCommand(app, chosen, "verify", "Reads a bundle back: nothing missing, altered or beyond its tolerance", verify,
+             [](CLI::App& command, VerifyOptions& o) {
+               command.add_option("DIR", o.folder, "Folder of the bundle")->required()->check(notEmpty());
+               addJson(command, o.json);
+             });
+  addCommand(app, chosen, "convert", "A model for other fuzzy programs, one file per expert, or as C source", convert,
+             [](CLI::App& command, ConvertOptions& o) {
+               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               command.add_option("--to", o.to, "Format")
+                   ->required()
+                   ->check(oneOf({"fll", "fcl", "fcl-fuzzylite", "fis", "fml", "c"}));
+               command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
+             });
+  addCommand(app, chosen, "diff", "What differs between two models: terms, rules, settings, newtons", diff,
+             [](CLI::App& command, DiffOptions& o) {
+               command.add_option("A", o.first, "Model file")->required()->check(notEmpty());
+               command.add_option("B", o.second, "Model file")->required()->check(notEmpty());
+               addJson(command, o.json);
+             });
+}
+
+}  // namespace tactus::cli

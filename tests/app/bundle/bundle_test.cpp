@@ -1,0 +1,241 @@
+// A bundle is written whole, read back, and every harm to it is found.
+#include "app/bundle/bundle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "app/bundle/check_points.h"
+#include "app/bundle/force_table.h"
+#include "app/bundle/verify_bundle.h"
+#include "core/base/files/file.h"
+#include "core/base/tables/csv.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/model_io/model_file.h"
+#include "tactus/tactus.h"
+
+#include "tests/support/ngt_model.h"
+#include "tests/support/temp_folder.h"
+
+namespace tactus::bundle {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kProgram = "tactus test";
+
+/// S4 with five regions covers every place but one that the tests accept.
+Bundle ngtBundle() {
+  BundleSettings settings{{}, "2026-11-22T08:00:00Z", std::string(kProgram)};
+  auto made = makeBundle(support::s4FiveRegions(), settings);
+  EXPECT_TRUE(made) << made.error().message();
+  return std::move(*made);
+}
+
+class BundleTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    static const Bundle bundle = ngtBundle();
+    made_ = &bundle;
+    ASSERT_TRUE(writeBundle(bundle, path_));
+  }
+
+  std::string contents(const std::string& name) const {
+    return base::readFile(path_ + "/" + name, std::size_t{1} << 28U).value();
+  }
+  void write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path_ + "/" + name, std::ios::binary) << bytes;
+  }
+  tactus_status library(double* error_n = nullptr) {
+    return tactus_verify(path_.c_str(), error_n, message_, sizeof message_);
+  }
+
+  support::TempFolder folder_;
+  const std::string path_ = folder_.file("bundle");
+  const Bundle* made_ = nullptr;
+  char message_[500] = {};
+};
+
+TEST_F(BundleTest, HoldsEveryFileOfTheContract) {
+  for (const char* const name :
+       {"manifest.json", "model.tactus.json", "checks.csv", "experts/S4.fll", "experts/S4.iec.fcl",
+        "experts/S4.fuzzylite.fcl", "experts/S4.fis", "experts/S4.fml", "c/force_model.h", "c/force_model.c",
+        "table/force_table.csv", "table/README.txt", "report.html"}) {
+    EXPECT_TRUE(fs::exists(path_ + "/" + name)) << name;
+  }
+  EXPECT_TRUE(made_->warnings.empty());
+  const auto manifest = model_io::parseManifest(contents("manifest.json"), "manifest.json");
+  ASSERT_TRUE(manifest) << manifest.error().message();
+  EXPECT_EQ(*manifest, made_->manifest);
+  for (const auto& file : manifest->files) {
+    if (file.promise) {
+      EXPECT_LE(file.promise->largest_error_n, file.promise->tolerance_n) << file.path;
+    }
+    EXPECT_EQ(file.expert.empty(), !file.path.starts_with("experts/")) << file.path;
+  }
+}
+
+TEST_F(BundleTest, IsVerifiedByTheProgramAndByTheLibrary) {
+  const auto check = verifyBundle(path_, kProgram);
+  ASSERT_TRUE(check) << check.error().message();
+  EXPECT_TRUE(check->ok());
+  for (const auto& file : check->files) EXPECT_TRUE(file.ok) << file.wrong;
+  double error_n = 7;
+  EXPECT_EQ(library(&error_n), TACTUS_OK) << message_;
+  EXPECT_EQ(error_n, 0);
+}
+
+TEST_F(BundleTest, ItsChecksAreManyAndExact) {
+  const auto table = base::CsvTable::read(path_ + "/checks.csv");
+  ASSERT_TRUE(table);
+  EXPECT_GE(table->rowCount(), kLeastChecks);
+  const auto compiled = fuzzy::compile(made_->model);
+  std::set<bool> outside;
+  for (std::size_t r = 0; r < table->rowCount(); ++r) {
+    std::vector<double> point;
+    bool any_outside = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      point.push_back(table->number(r, i).value());
+      any_outside = any_outside || point[i] < made_->model.inputs[i].min || point[i] > made_->model.inputs[i].max;
+    }
+    outside.insert(any_outside);
+    EXPECT_EQ(table->number(r, 4).value(), compiled->evaluate(point).force_n);
+  }
+  EXPECT_EQ(outside.size(), 2U);
+}
+
+TEST_F(BundleTest, EveryHarmIsFound) {
+  for (const auto& file : made_->manifest.files) {
+    SCOPED_TRACE(file.path);
+    const std::string before = contents(file.path);
+    // One digit or letter is another one.
+    std::string after = before;
+    const auto at = after.find_last_of("0123456789abcdefghij");
+    after[at] = after[at] == '1' ? '2' : '1';
+    write(file.path, after);
+    const auto altered = verifyBundle(path_, kProgram);
+    EXPECT_TRUE(!altered || !altered->ok());
+    EXPECT_EQ(library(), TACTUS_NOT_VERIFIED) << message_;
+    fs::remove(path_ + "/" + file.path);
+    const auto missing = verifyBundle(path_, kProgram);
+    EXPECT_TRUE(!missing || !missing->ok());
+    EXPECT_EQ(library(), TACTUS_NOT_VERIFIED) << message_;
+    write(file.path, before);
+  }
+  EXPECT_EQ(library(), TACTUS_OK);
+}
+
+/// The manifest says again that the file is right.
+void forge(const std::string& folder, const Bundle& made, const std::string& path, const std::string& bytes) {
+  Bundle forged = made;
+  for (auto& file : forged.manifest.files) {
+    if (file.path != path) continue;
+    const std::string name = folder + "/" + path;
+    std::ofstream(name, std::ios::binary) << bytes;
+    file.sha256 = base::fileSha256(name).value();
+  }
+  std::ofstream(folder + "/manifest.json", std::ios::binary) << model_io::formatManifest(forged.manifest);
+}
+
+TEST_F(BundleTest, AForceThatIsWrongIsFoundBehindARightChecksum) {
+  std::string checks = contents("checks.csv");
+  const auto row = checks.find('\n', 40);
+  const auto comma = checks.rfind(',', checks.find('\n', row + 1));
+  checks.replace(checks.rfind(',', comma - 1) + 1, 3, "0.9");
+  forge(path_, *made_, "checks.csv", checks);
+  double error_n = 0;
+  EXPECT_EQ(library(&error_n), TACTUS_NOT_VERIFIED);
+  EXPECT_GT(error_n, 0);
+  EXPECT_NE(std::string(message_).find("checks.csv: found an error of"), std::string::npos) << message_;
+
+  forge(path_, *made_, "checks.csv", contents("table/force_table.csv"));
+  EXPECT_EQ(library(), TACTUS_NOT_VERIFIED);
+  EXPECT_NE(std::string(message_).find("fired"), std::string::npos) << message_;
+}
+
+TEST_F(BundleTest, ATextOfAnotherModelIsFoundBehindARightChecksum) {
+  std::string fll = contents("experts/S4.fll");
+  fll.replace(fll.find("Trapezoid"), 9, "Triangle");
+  forge(path_, *made_, "experts/S4.fll", fll);
+  const auto check = verifyBundle(path_, kProgram);
+  ASSERT_TRUE(check);
+  EXPECT_FALSE(check->ok());
+  // Another version of the program may write the same model in other words.
+  const auto later = verifyBundle(path_, "tactus 9.9.9");
+  ASSERT_TRUE(later);
+  EXPECT_TRUE(later->ok());
+}
+
+TEST_F(BundleTest, APathOutOfTheFolderIsRefused) {
+  for (const char* const path : {"../secret", "/etc/passwd", "a/../../b", "a//b", "a\\b", "./a"}) {
+    Bundle forged = *made_;
+    forged.manifest.files[1].path = path;
+    write("manifest.json", model_io::formatManifest(forged.manifest));
+    EXPECT_EQ(library(), TACTUS_BAD_FILE) << path;
+    EXPECT_NE(std::string(message_).find("/files/1/path"), std::string::npos) << message_;
+  }
+}
+
+TEST_F(BundleTest, ANewOneTakesThePlaceOfAnEarlierOneAndOfNothingElse) {
+  EXPECT_TRUE(writeBundle(*made_, path_ + "/"));
+  write("notes.txt", "mine");
+  const auto refused = writeBundle(*made_, path_);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("notes.txt"), std::string::npos);
+  EXPECT_TRUE(fs::exists(path_ + "/notes.txt"));
+  fs::create_directory(folder_.file("other"));
+  std::ofstream(folder_.file("other") + "/thesis.txt") << "mine";
+  EXPECT_FALSE(writeBundle(*made_, folder_.file("other")));
+  // Nothing unfinished stays.
+  EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path_).parent_path()), fs::directory_iterator()), 2);
+}
+
+TEST(MakeBundle, AHoleIsRefusedByNameAndAcceptedByName) {
+  // S4's rules as printed name no force in the oropharynx (facts of the paper).
+  const auto model = support::s4AsPrinted();
+  const auto refused = makeBundle(model, {});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("--accept-hole"), std::string::npos) << refused.error().message();
+  const std::string wanted = refused.error().wanted;
+  const std::string name = wanted.substr(wanted.find('\'') + 1, wanted.rfind('\'') - wanted.find('\'') - 1);
+  const auto accepted = makeBundle(model, {{name}, "", ""});
+  ASSERT_TRUE(accepted) << accepted.error().message();
+  EXPECT_EQ(accepted->model.accepted_holes, std::vector<std::string>{name});
+  const auto unknown = makeBundle(model, {{"depth 1 to 2 mm"}, "", ""});
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, base::ErrorCode::kReference);
+}
+
+TEST(ForceTableTest, IsExactAtItsNodesAndLinearBetween) {
+  fuzzy::ForceModel model;
+  model.inputs.push_back({"x", "", "mm", 0, 1, {{"all", "", fuzzy::Shape::kTrapezoid, {0, 0, 1, 1}}}});
+  model.output = {"force", "", "N", 0, 1, {{"half", "", fuzzy::Shape::kTriangle, {0, 0.5, 1}}}};
+  fuzzy::Expert expert;
+  expert.id = "E";
+  expert.rules.push_back({{{"x", "all"}}, "half"});
+  model.experts.push_back(expert);
+  const ForceTable table = forceTable(model, 11);
+  EXPECT_EQ(table.lines[0].size(), 11U);
+  EXPECT_NEAR(table.force(std::vector{0.333}), 0.5, 1e-15);
+  EXPECT_NEAR(table.force(std::vector{-4.0}), 0.5, 1e-15);
+
+  const auto ngt = support::s4FiveRegions();
+  const ForceTable grid = forceTable(ngt);
+  EXPECT_LE(grid.force_n.size(), kMostNodes);
+  const auto again = parseTable(ngt, formatTable(ngt, grid), "table.csv");
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_EQ(again->force_n, grid.force_n);
+  EXPECT_EQ(again->lines, grid.lines);
+  const auto compiled = fuzzy::compile(ngt);
+  for (std::size_t i = 0; i < 50; ++i) {
+    std::vector<double> node;
+    for (const auto& line : grid.lines) node.push_back(line[i * 7 % line.size()]);
+    EXPECT_NEAR(grid.force(node), compiled->evaluate(node).force_n, 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace tactus::bundle

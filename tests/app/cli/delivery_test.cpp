@@ -1,0 +1,115 @@
+// `bundle`, `verify`, `convert` and `diff` on the command line.
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/model_io/model_file.h"
+
+#include "tests/app/cli/run_program.h"
+#include "tests/support/ngt_model.h"
+#include "tests/support/temp_folder.h"
+
+namespace tactus::cli {
+namespace {
+
+using nlohmann::json;
+
+class DeliveryTest : public testing::Test {
+ protected:
+  std::string modelFile(const std::string& name, const fuzzy::ForceModel& model) const {
+    const std::string path = folder_.file(name);
+    EXPECT_TRUE(model_io::writeModel(model, path));
+    return path;
+  }
+
+  support::TempFolder folder_;
+};
+
+TEST_F(DeliveryTest, ABundleIsWrittenAndVerified) {
+  const std::string model = modelFile("m.json", support::s4FiveRegions());
+  const std::string out = folder_.file("bundle");
+  const ProgramRun made({"bundle", model, "--out", out});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.out.find("experts/S4.fis  linspace:101, largest error"), std::string::npos) << made.out;
+  const ProgramRun verified({"verify", out, "--json"});
+  ASSERT_EQ(verified.status, 0) << verified.err;
+  const json result = json::parse(verified.out);
+  EXPECT_EQ(result["ok"], true);
+  for (const json& file : result["files"]) {
+    EXPECT_EQ(file["ok"], true) << file;
+    EXPECT_TRUE(file.contains("path") && file.contains("largest_error_n") && file.contains("tolerance_n"));
+    if (!file["tolerance_n"].is_null()) {
+      EXPECT_LE(file["largest_error_n"], file["tolerance_n"]);
+    }
+  }
+}
+
+TEST_F(DeliveryTest, AnAlteredFileIsExitOneWithItsName) {
+  const std::string out = folder_.file("bundle");
+  ASSERT_EQ(ProgramRun({"bundle", modelFile("m.json", support::s4FiveRegions()), "--out", out}).status, 0);
+  writeText(out + "/experts/S4.fll", readText(out + "/experts/S4.fll") + "#\n");
+  const ProgramRun verified({"verify", out, "--json"});
+  EXPECT_EQ(verified.status, 1);
+  EXPECT_NE(verified.err.find("experts/S4.fll"), std::string::npos) << verified.err;
+  EXPECT_EQ(json::parse(verified.out)["ok"], false);
+  const ProgramRun none({"verify", folder_.file("nowhere")});
+  EXPECT_EQ(none.status, 1);
+  EXPECT_NE(none.err.find("manifest.json"), std::string::npos);
+}
+
+TEST_F(DeliveryTest, AHoleStopsABundleUntilItIsAccepted) {
+  const std::string model = modelFile("m.json", support::s4AsPrinted());
+  const ProgramRun refused({"bundle", model, "--out", folder_.file("bundle")});
+  EXPECT_EQ(refused.status, 1);
+  const auto open = refused.err.find("--accept-hole '");
+  ASSERT_NE(open, std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("bundle")));
+  const std::string name = refused.err.substr(open + 15, refused.err.rfind('\'') - open - 15);
+  const ProgramRun made({"bundle", model, "--out", folder_.file("bundle"), "--accept-hole", name});
+  EXPECT_EQ(made.status, 0) << made.err;
+}
+
+TEST_F(DeliveryTest, ConvertsToEachFormat) {
+  const std::string model = modelFile("m.json", support::s4Shifted());
+  for (const auto& [to, file] : {std::pair{"fll", "S4.fll"},
+                                 {"fcl", "S4.iec.fcl"},
+                                 {"fcl-fuzzylite", "S4.fuzzylite.fcl"},
+                                 {"fis", "S4.fis"},
+                                 {"fml", "S4.fml"},
+                                 {"c", "force_model.c"}}) {
+    const ProgramRun made({"convert", model, "--to", to, "--out", folder_.file("out")});
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_NE(made.out.find(file), std::string::npos) << made.out;
+    EXPECT_FALSE(readText(folder_.file("out") + "/" + file).empty());
+  }
+  EXPECT_EQ(ProgramRun({"convert", model, "--to", "xls", "--out", folder_.file("out")}).status, 2);
+}
+
+TEST_F(DeliveryTest, DiffNamesTermsRulesAndNewtons) {
+  const auto first = support::s4Shifted();
+  auto second = first;
+  second.experts[0].rules[0].then = "very_large";
+  second.inputs[0].terms[0].points[3] = 0.5;
+  const std::string a = modelFile("a.json", first);
+  const std::string b = modelFile("b.json", second);
+  const ProgramRun same({"diff", a, a});
+  EXPECT_EQ(same.status, 0);
+  EXPECT_NE(same.out.find("no term, rule or setting differs"), std::string::npos);
+  const ProgramRun differ({"diff", a, b, "--json"});
+  EXPECT_EQ(differ.status, 0) << differ.err;  // differences are results, not failures
+  const json result = json::parse(differ.out);
+  EXPECT_EQ(result["changes"].size(), 2U);
+  EXPECT_GT(result["force"]["largest_n"], 0.1);
+  EXPECT_EQ(result["force"]["at"].size(), 4U);
+  const ProgramRun text({"diff", a, b});
+  EXPECT_NE(text.out.find("changed  term 'poor' of 'lubrication': trapezoid 0 0 0.2 0.4 -> trapezoid 0 0 0.2 0.5\n"),
+            std::string::npos)
+      << text.out;
+  auto other = first;
+  std::swap(other.inputs[0], other.inputs[1]);
+  const ProgramRun refused({"diff", a, modelFile("c.json", other)});
+  EXPECT_EQ(refused.status, 1);
+}
+
+}  // namespace
+}  // namespace tactus::cli
