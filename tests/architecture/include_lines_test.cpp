@@ -120,7 +120,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/understand/map", room(shared, true)},
       {"app/workbench/understand/here", room(shared, true)},
       {"app/workbench/device", room({"base"})},
-      {"app/workbench/feel", room({"base", "kit", "model", "plot", "device"}, true)},
+      {"app/workbench/feel", room({"base", "anatomy", "kit", "model", "plot", "device"}, true)},
       {"app/workbench/feel/recordings",
        room({"base", "kit", "model", "plot", "device", "feel", "study/connection"}, true)},
       {"app/workbench/study/connection", room({"base"})},

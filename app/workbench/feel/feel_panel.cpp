@@ -20,9 +20,9 @@
 #include "app/workbench/feel/placement_card.h"
 #include "app/workbench/feel/procedure.h"
 #include "app/workbench/feel/procedure_panel.h"
-#include "app/workbench/feel/sagittal_view.h"
 #include "app/workbench/feel/trace_table.h"
 #include "app/workbench/feel/tube_pad.h"
+#include "app/workbench/feel/tube_picture.h"
 #include "app/workbench/kit/card.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/model/patient.h"
@@ -74,7 +74,7 @@ FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* pare
       follow_(new QCheckBox(tr("Plots follow"), this)),
       legend_(new QLabel(this)),
       trace_(new ForceTracePlot(this)),
-      sagittal_(new SagittalView(this)),
+      tube_(new TubePicture(this)),
       procedure_(new ProcedurePanel(ngtProcedure(), this)),
       placement_(new PlacementCard(this)) {
   build();
@@ -128,7 +128,7 @@ void FeelPanel::build() {
 
   picture_ = new QBoxLayout(QBoxLayout::TopToBottom);
   picture_->setSpacing(theme::kGrid);
-  picture_->addWidget(sagittal_, 3);
+  picture_->addWidget(tube_, 3);
   picture_->addWidget(procedure_, 0);
   auto* patient = new QVBoxLayout;
   patient->setSpacing(4);
@@ -212,7 +212,7 @@ void FeelPanel::connectAll() {
   connect(&feel_, &FeelController::stateChanged, this, &FeelPanel::showState);
   connect(&feel_, &FeelController::advanced, this, &FeelPanel::showFelt);
   connect(&feel_, &FeelController::failed, device_, &DeviceBar::showFailure);
-  connect(&feel_, &FeelController::neckChanged, this, [this] { sagittal_->setNeckFlexed(feel_.isNeckFlexed()); });
+  connect(&feel_, &FeelController::neckChanged, this, [this] { tube_->setNeckFlexed(feel_.isNeckFlexed()); });
   connect(&feel_, &FeelController::placementEnded, this, [this] { placement_->setSummary(feel_.lastPlacement()); });
   connect(&scene_, &SceneController::modelChanged, this, &FeelPanel::adoptModel);
   connect(&scene_, &SceneController::modelEdited, this, &FeelPanel::showRegions);
@@ -223,11 +223,11 @@ void FeelPanel::showRegions() {
   const auto input = inputNamed(model, kDepthId);
   const auto depth = input ? std::optional(model.inputs[*input]) : std::nullopt;
   // What counts as flexed follows from the terms.
-  sagittal_->setNeckFlexed(feel_.isNeckFlexed());
+  tube_->setNeckFlexed(feel_.isNeckFlexed());
   if (depth == depth_) return;
   depth_ = depth;
-  sagittal_->setRegions(depth ? depthRegions(*depth) : std::vector<DepthRegion>());
-  placement_->setProgress(feel_.strokes(), feel_.depthMm(), sagittal_->regionText());
+  tube_->setRegions(depth ? depthRegions(*depth) : std::vector<DepthRegion>());
+  placement_->setProgress(feel_.strokes(), feel_.depthMm(), tube_->regionText());
 }
 
 void FeelPanel::adoptModel() {
@@ -273,9 +273,9 @@ void FeelPanel::showFelt() {
   reading.armed = armed_;
   reading.recorded_s = recorded_s_;
   pad_->setReading(reading);
-  sagittal_->setDepth(depth_mm);
+  tube_->setTip(depth_mm);
   procedure_->setDepth(depth_mm);
-  placement_->setProgress(feel_.strokes(), depth_mm, sagittal_->regionText());
+  placement_->setProgress(feel_.strokes(), depth_mm, tube_->regionText());
   device_->showProgress();
   trace_due_ = !trace_due_;
   if (trace_due_ || !feel_.isRunning()) trace_->setHistory(feel_.history());

@@ -22,7 +22,7 @@ class ForceTracePlot;
 class PatientControls;
 class PlacementCard;
 class ProcedurePanel;
-class SagittalView;
+class TubePicture;
 class SceneController;
 class TubePad;
 
@@ -83,7 +83,7 @@ class FeelPanel : public QWidget {
   bool armed_ = false;
   std::optional<int> recorded_s_;
   std::optional<haptics::DeviceInfo> traced_on_;  ///< the device of the trace
-  SagittalView* sagittal_;
+  TubePicture* tube_;
   ProcedurePanel* procedure_;
   PlacementCard* placement_;
   QBoxLayout* halves_ = nullptr;          ///< hand and patient

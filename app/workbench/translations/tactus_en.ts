@@ -3187,17 +3187,6 @@ felt on the model %2</source>
     </message>
 </context>
 <context>
-    <name>tactus::workbench::SagittalView</name>
-    <message>
-        <source>Schematic of the way of the tube</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Schematic, not to scale</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>tactus::workbench::SessionProxy</name>
     <message>
         <source>No study is open, so no session can begin.</source>
@@ -3708,6 +3697,13 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::TubePicture</name>
+    <message>
+        <source>The tube in nose, throat and esophagus, from the side</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

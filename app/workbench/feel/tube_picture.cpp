@@ -1,0 +1,48 @@
+#include "app/workbench/feel/tube_picture.h"
+
+#include "app/workbench/base/theme.h"
+
+namespace tactus::workbench {
+namespace {
+
+// Deeper than the upper sphincter the tip leaves the picture of head and neck.
+constexpr double kNeckEndMm = 215;
+
+}  // namespace
+
+TubePicture::TubePicture(QWidget* parent) : AnatomyView(parent) {
+  setAccessibleName(tr("The tube in nose, throat and esophagus, from the side"));
+  setFont(theme::smallFont());
+  showTip();
+}
+
+void TubePicture::setRegions(std::vector<DepthRegion> regions) {
+  regions_ = std::move(regions);
+  showTip();
+}
+
+void TubePicture::setTip(double depth_mm) {
+  depth_mm_ = depth_mm;
+  showTip();
+}
+
+QString TubePicture::regionText() const {
+  const auto region = depth_mm_ > 0 ? regionAt(regions_, depth_mm_) : std::nullopt;
+  return region ? regions_[*region].label : QString();
+}
+
+void TubePicture::setNeckFlexed(bool flexed) {
+  setPosture(flexed ? anatomy::Posture::kChinOnChest : anatomy::Posture::kUpright, placed_);
+  placed_ = true;
+}
+
+void TubePicture::showTip() {
+  setDepth(depth_mm_);
+  setFraming(depth_mm_ > kNeckEndMm ? anatomy::Framing::kWhole : anatomy::Framing::kHeadAndNeck);
+  const auto region = depth_mm_ > 0 ? regionAt(regions_, depth_mm_) : std::nullopt;
+  std::optional<anatomy::LitRange> lit;
+  if (region) lit = {regions_[*region].from_mm, regions_[*region].to_mm, regions_[*region].label};
+  light(lit);
+}
+
+}  // namespace tactus::workbench
