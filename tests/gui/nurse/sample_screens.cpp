@@ -38,6 +38,7 @@ WelcomeState welcome(WelcomeStep step) {
   state.code = QStringLiteral("thunderstorm marmalade");
   state.kept_answers = 27;
   state.code_unknown = true;
+  state.meant = QStringLiteral("thunderstorm marmalade");
   return state;
 }
 
@@ -133,10 +134,10 @@ std::vector<SampleScreen> sampleScreens() {
     if (number % 2 == 1) state.chosen = answersTo(each).front().id;
     all.push_back(sample<AboutYouScreen>(QStringLiteral("about_you_%1").arg(++number), state));
   }
-  all.push_back(sample<DeviceCheckScreen>("device_hold", DeviceCheckState{DeviceStep::kHold, true, true}));
-  all.push_back(sample<DeviceCheckScreen>("device_ready", DeviceCheckState{DeviceStep::kReady, false, false}));
-  all.push_back(sample<DeviceCheckScreen>("device_wrong", DeviceCheckState{DeviceStep::kWrong, false, false}));
-  all.push_back(sample<DeviceCheckScreen>("device_lost", DeviceCheckState{DeviceStep::kLost, false, false}));
+  all.push_back(sample<DeviceCheckScreen>("device_hold", DeviceCheckState{DeviceStep::kHold, true, false, true}));
+  all.push_back(sample<DeviceCheckScreen>("device_ready", DeviceCheckState{DeviceStep::kReady, false, true, false}));
+  all.push_back(sample<DeviceCheckScreen>("device_wrong", DeviceCheckState{DeviceStep::kWrong, false, true, false}));
+  all.push_back(sample<DeviceCheckScreen>("device_lost", DeviceCheckState{DeviceStep::kLost, false, false, false}));
 
   StrokeState stroke;
   stroke.practice = true;

@@ -47,6 +47,12 @@ void AnswerCard::follow() {
 
 QFont AnswerCard::font(bool bold) const { return look_.font(answer_.language.value_or(look_.language()), 1, bold); }
 
+void AnswerCard::setLit(bool lit) {
+  if (lit == lit_) return;
+  lit_ = lit;
+  update();
+}
+
 QSize AnswerCard::sizeHint() const {
   const double text_width = QFontMetricsF(font(true)).horizontalAdvance(text());
   const int padding = look_.mm(kPaddingMm) + (answer_.apart ? look_.mm(kTickMm) : 0);
@@ -107,7 +113,7 @@ void AnswerCard::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(Qt::white);
     drawTick(painter, badge, tick / 8);
   }
-  if (hasFocus()) drawRing(painter, face, corner);
+  if (hasFocus() || lit_) drawRing(painter, face, corner);
 }
 
 }  // namespace tactus::workbench::nurse

@@ -26,6 +26,8 @@ class AnswerCard : public QAbstractButton {
   AnswerCard(const Look& look, Answer answer, int place, int count, QWidget* parent = nullptr);
 
   const QString& id() const { return answer_.id; }
+  /// The device's button would choose it: a ring, as around what has the keyboard.
+  void setLit(bool lit);
   bool isApart() const { return answer_.apart; }
 
   QSize sizeHint() const override;
@@ -45,6 +47,7 @@ class AnswerCard : public QAbstractButton {
   Answer answer_;
   int place_;
   int count_;
+  bool lit_ = false;
 };
 
 }  // namespace tactus::workbench::nurse

@@ -68,6 +68,10 @@ void Choices::choose(const QString& id) {
   }
 }
 
+void Choices::light(const QString& id) {
+  for (AnswerCard* card : cards_) card->setLit(card->id() == id);
+}
+
 QString Choices::chosen() const {
   const auto found =
       std::find_if(cards_.begin(), cards_.end(), [](const AnswerCard* card) { return card->isChecked(); });

@@ -21,6 +21,8 @@ class Choices : public QWidget {
   /// Shows `id` as chosen; empty or unknown: none.
   void choose(const QString& id);
   QString chosen() const;
+  /// Marks `id` as the one that the device's button would choose; empty: none.
+  void light(const QString& id);
   /// The id of answer `place` on the scale, from 1; empty if there is none.
   QString onScale(int place) const;
   bool offers(const QString& id) const;

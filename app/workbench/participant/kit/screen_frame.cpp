@@ -59,6 +59,11 @@ void ScreenFrame::setFreeHandLeft(bool left) {
   arrange();
 }
 
+void ScreenFrame::setMayGoBack(bool may) {
+  back_->setVisible(may);
+  arrange();
+}
+
 void ScreenFrame::setTitle(const Phrase& title) {
   title_->setPhrase(title);
   setAccessibleName(title_->text());

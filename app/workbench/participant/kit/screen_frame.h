@@ -31,6 +31,8 @@ class ScreenFrame : public QWidget {
   void setSimulated(bool simulated);
   /// The primary button stands at the hand that does not hold the device.
   void setFreeHandLeft(bool left);
+  /// Back is there, or not. Screens of several pages keep it for their own.
+  virtual void setMayGoBack(bool may);
 
  signals:
   void back();

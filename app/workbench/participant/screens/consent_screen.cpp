@@ -39,7 +39,13 @@ void ConsentScreen::setState(const ConsentState& state) {
 
 void ConsentScreen::showPage() {
   const bool last = text_->page() + 1 >= text_->pages();
+  setMayGoBack(may_leave_);
   primaryButton().setPhrase(phrase(last ? QStringLiteral("con.agree") : QStringLiteral("nav.next")));
+}
+
+void ConsentScreen::setMayGoBack(bool may) {
+  may_leave_ = may;
+  ScreenFrame::setMayGoBack(may || text_->page() > 0);
 }
 
 }  // namespace tactus::workbench::nurse

@@ -19,6 +19,8 @@ class ConsentScreen : public ScreenFrame {
 
   void setState(const ConsentState& state);
 
+  void setMayGoBack(bool may) override;
+
  signals:
   void agreed();
   void declined();
@@ -28,6 +30,7 @@ class ConsentScreen : public ScreenFrame {
   void showPage();
 
   PagedText* text_;
+  bool may_leave_ = true;  ///< Back from the first page
 };
 
 }  // namespace tactus::workbench::nurse

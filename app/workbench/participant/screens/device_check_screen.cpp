@@ -62,7 +62,8 @@ void DeviceCheckScreen::setState(const DeviceCheckState& state) {
   virtual_->setVisible(state.virtual_device);
   light_->setLight(lightOf(state.step));
   light_->setAccessibleName(lead_->text());
-  primaryButton().setVisible(ready);
+  primaryButton().setVisible(ready || state.may_go_on);
+  primaryButton().setPhrase(phrase(ready ? QStringLiteral("nav.next") : QStringLiteral("nav.repeat")));
   setSimulated(state.simulated);
 }
 

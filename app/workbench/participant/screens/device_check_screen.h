@@ -12,6 +12,7 @@ enum class DeviceStep { kWait, kHold, kStill, kPush, kPress, kRelease, kWarm, kR
 struct DeviceCheckState {
   DeviceStep step = DeviceStep::kWait;
   bool virtual_device = false;  ///< forces are drawn, not felt
+  bool may_go_on = false;       ///< Next, or once more if something is wrong
   bool simulated = false;
 };
 

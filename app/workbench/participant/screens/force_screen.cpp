@@ -40,25 +40,32 @@ ForceScreen::ForceScreen(const Look& look, QWidget* parent)
 void ForceScreen::setState(const ForceState& state) {
   state_ = state;
   const bool answering = state.step == ForceStep::kAnswer;
+  // In the practice she felt it and asks for the next one.
+  const bool between = answering && !state.asks;
   setTitle(phrase(state.practice ? QStringLiteral("pra.title") : QStringLiteral("for.title")));
-  practice_->setVisible(state.practice);
+  practice_->setVisible(state.practice && !between);
   QString sentence = QStringLiteral("for.ask");
-  if (state.step == ForceStep::kPause) sentence = QStringLiteral("for.pause");
+  if (state.step == ForceStep::kPause) sentence = state.warm ? QStringLiteral("dev.warm") : QStringLiteral("for.pause");
+  if (between) sentence = QStringLiteral("pra.line");
   if (state.step == ForceStep::kFeel) sentence = state.again ? QStringLiteral("for.again") : QStringLiteral("for.do");
   lead_->setPhrase(phrase(sentence));
   push_->setVisible(state.step == ForceStep::kFeel);
   hint_->setVisible(state.step == ForceStep::kFeel && state.practice);
-  choices_->setVisible(answering);
+  choices_->setVisible(answering && state.asks);
   choices_->choose(state.chosen);
+  choices_->light(state.lit);
   feel_again_->setVisible(answering && state.may_feel_again);
   primaryButton().setVisible(answering);
-  primaryButton().waitFor(state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose"))) : std::nullopt);
+  primaryButton().setPhrase(phrase(state.asks ? QStringLiteral("nav.confirm") : QStringLiteral("nav.next")));
+  primaryButton().waitFor(state.asks && state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose")))
+                                                               : std::nullopt);
   setFreeHandLeft(!state.left_handed);
   setSimulated(state.simulated);
 }
 
 void ForceScreen::keyPressEvent(QKeyEvent* event) {
-  if (state_.step != ForceStep::kAnswer || event->isAutoRepeat()) return ScreenFrame::keyPressEvent(event);
+  if (state_.step != ForceStep::kAnswer || !state_.asks || event->isAutoRepeat())
+    return ScreenFrame::keyPressEvent(event);
   QString word;
   if (event->key() >= Qt::Key_1 && event->key() <= Qt::Key_5) word = choices_->onScale(event->key() - Qt::Key_0);
   if (event->key() == Qt::Key_0) word = QStringLiteral("not_felt");

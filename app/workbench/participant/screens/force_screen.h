@@ -18,7 +18,10 @@ enum class ForceStep {
 struct ForceState {
   bool practice = false;
   ForceStep step = ForceStep::kFeel;
+  bool asks = true;    ///< for a word; not in the practice
   bool again = false;  ///< the force was not delivered in full: once more
+  bool warm = false;   ///< the pause is long because the device rests
+  QString lit;         ///< the word that the device's button would choose
   QString chosen;      ///< very_small … very_large, not_felt, beyond_practice; empty: none
   bool may_feel_again = true;
   bool left_handed = false;

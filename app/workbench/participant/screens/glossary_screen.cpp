@@ -51,6 +51,14 @@ GlossaryScreen::GlossaryScreen(const Look& look, QWidget* parent)
   });
 }
 
-void GlossaryScreen::setPage(int page) { pages_->setCurrentIndex(std::clamp(page, 0, pages() - 1)); }
+void GlossaryScreen::setPage(int page) {
+  pages_->setCurrentIndex(std::clamp(page, 0, pages() - 1));
+  setMayGoBack(may_leave_);
+}
+
+void GlossaryScreen::setMayGoBack(bool may) {
+  may_leave_ = may;
+  ScreenFrame::setMayGoBack(may || pages_->currentIndex() > 0);
+}
 
 }  // namespace tactus::workbench::nurse

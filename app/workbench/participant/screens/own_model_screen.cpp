@@ -13,10 +13,13 @@ OwnModelScreen::OwnModelScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent),
       texts_(new TextBlock(look, this)),
       region_(texts_->add(TextRole::kLead, plain(QStringLiteral(" ")))),
+      do_(nullptr),
+      line_(nullptr),
+      mark_(nullptr),
       choices_(new Choices(look, this)),
       picture_(new anatomy::AnatomyView(this)) {
-  texts_->add(TextRole::kBody, phrase(QStringLiteral("for.do")));
-  texts_->add(TextRole::kBody, phrase(QStringLiteral("own.line")));
+  do_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("for.do")));
+  line_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("own.line")));
   texts_->center();
   setTitle(phrase(QStringLiteral("own.title")));
   setMain(texts_, picture_, kPictureShare);
@@ -25,10 +28,10 @@ OwnModelScreen::OwnModelScreen(const Look& look, QWidget* parent)
   for (const char* id : {"lighter", "right", "heavier"})
     answers.push_back({QString::fromLatin1(id), phrase(QStringLiteral("own.") + QString::fromLatin1(id))});
   choices_->setAnswers(std::move(answers));
-  auto* mark = new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("own.mark")), this);
-  addExtra(mark);
+  mark_ = new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("own.mark")), this);
+  addExtra(mark_);
   primaryButton().reserve(phrase(QStringLiteral("err.choose")));
-  connect(mark, &QAbstractButton::clicked, this, &OwnModelScreen::marked);
+  connect(mark_, &QAbstractButton::clicked, this, &OwnModelScreen::marked);
   connect(choices_, &Choices::picked, this, &OwnModelScreen::picked);
   connect(this, &ScreenFrame::primary, this, [this] { emit confirmed(state_.region); });
   connect(&look, &Look::changed, this, &OwnModelScreen::show);
@@ -37,7 +40,11 @@ OwnModelScreen::OwnModelScreen(const Look& look, QWidget* parent)
 void OwnModelScreen::setState(const OwnModelState& state) {
   state_ = state;
   choices_->choose(state.chosen);
-  primaryButton().waitFor(state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose"))) : std::nullopt);
+  const bool feels = state.ready && !state.unavailable;
+  for (QWidget* widget : std::initializer_list<QWidget*>{do_, line_, choices_, mark_}) widget->setVisible(feels);
+  primaryButton().setVisible(feels || state.unavailable);
+  primaryButton().waitFor(feels && state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose")))
+                                                          : std::nullopt);
   picture_->setMirrored(state.left_handed);
   setFreeHandLeft(!state.left_handed);
   setSimulated(state.simulated);
@@ -47,6 +54,11 @@ void OwnModelScreen::setState(const OwnModelState& state) {
 void OwnModelScreen::setDepth(std::optional<double> depth_mm) { picture_->setDepth(depth_mm); }
 
 void OwnModelScreen::show() {
+  if (state_.unavailable || !state_.ready) {
+    region_->setPhrase(phrase(state_.unavailable ? QStringLiteral("own.none") : QStringLiteral("dev.wait")));
+    picture_->light(std::nullopt);
+    return;
+  }
   const auto region = anatomy::regionWithId(state_.region.toStdString());
   if (!region) return;
   region_->setPhrase(phrase(QStringLiteral("a.") + state_.region));

@@ -12,8 +12,10 @@
 namespace tactus::workbench::nurse {
 
 struct OwnModelState {
-  QString region;  ///< `nasal_cavity` … `esophagus`
-  QString chosen;  ///< lighter, right, heavier; empty: none
+  QString region;            ///< `nasal_cavity` … `esophagus`
+  bool ready = true;         ///< the force is in the device
+  bool unavailable = false;  ///< no model follows from her answers
+  QString chosen;            ///< lighter, right, heavier; empty: none
   bool left_handed = false;
   bool simulated = false;
 };
@@ -42,6 +44,9 @@ class OwnModelScreen : public ScreenFrame {
   OwnModelState state_;
   TextBlock* texts_;
   Label* region_;
+  Label* do_;
+  Label* line_;
+  Button* mark_;
   Choices* choices_;
   anatomy::AnatomyView* picture_;
 };

@@ -66,7 +66,7 @@ void ReviewScreen::press() {
 void ReviewScreen::build() {
   const bool last = page_ + 1 == kPages;
   setHint(state_.sealed ? Phrase{} : phrase(QStringLiteral("rev.tap")));
-  backButton().setVisible(!state_.sealed);
+  ScreenFrame::setMayGoBack(!state_.sealed && (may_leave_ || page_ > 0));
   primaryButton().setPhrase(phrase(last && !state_.sealed ? QStringLiteral("nav.seal") : QStringLiteral("nav.next")));
   const bool waits = last && !state_.sealed && gaps() > 0;
   primaryButton().waitFor(waits ? std::optional(counted(QStringLiteral("rev.gaps"), gaps())) : std::nullopt);
@@ -110,6 +110,11 @@ void ReviewScreen::build() {
   }
   setMain(page_widget_);
   page_widget_->show();
+}
+
+void ReviewScreen::setMayGoBack(bool may) {
+  may_leave_ = may;
+  ScreenFrame::setMayGoBack(may || page_ > 0);
 }
 
 }  // namespace tactus::workbench::nurse

@@ -33,6 +33,9 @@ class ReviewScreen : public ScreenFrame {
   void setState(const ReviewState& state);
   /// Which grid: 0 lubrication, 1 neck flexion, 2 speed.
   void setPage(int page);
+  int page() const { return page_; }
+
+  void setMayGoBack(bool may) override;
 
  signals:
   void cellPicked(int item);
@@ -48,6 +51,7 @@ class ReviewScreen : public ScreenFrame {
   ReviewState state_;
   int page_ = 0;
   QWidget* page_widget_ = nullptr;
+  bool may_leave_ = true;  ///< Back from the first page
 };
 
 }  // namespace tactus::workbench::nurse

@@ -9,6 +9,8 @@ Phrase sentenceOf(const StoppedState& state) {
       return phrase(QStringLiteral("off.stop_kept"), {state.code});
     case StopReason::kWithdrawn:
       return phrase(QStringLiteral("off.deleted"));
+    case StopReason::kNoConsent:
+      return phrase(QStringLiteral("con.declined"));
     case StopReason::kPaused:
       return phrase(QStringLiteral("err.paused"));
     case StopReason::kNotSaved:
@@ -33,7 +35,8 @@ StoppedScreen::StoppedScreen(const Look& look, QWidget* parent)
 }
 
 void StoppedScreen::setState(const StoppedState& state) {
-  const bool over = state.reason == StopReason::kForToday || state.reason == StopReason::kWithdrawn;
+  const bool over = state.reason == StopReason::kForToday || state.reason == StopReason::kWithdrawn ||
+                    state.reason == StopReason::kNoConsent;
   setTitle(over ? phrase(QStringLiteral("thx.title")) : Phrase{});
   lead_->setPhrase(sentenceOf(state));
   primaryButton().setVisible(state.may_go_on);

@@ -6,7 +6,7 @@
 
 namespace tactus::workbench::nurse {
 
-enum class StopReason { kForToday, kWithdrawn, kPaused, kNotSaved, kDeviceLost };
+enum class StopReason { kForToday, kWithdrawn, kNoConsent, kPaused, kNotSaved, kDeviceLost };
 
 struct StoppedState {
   StopReason reason = StopReason::kForToday;

@@ -34,6 +34,7 @@ WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
       lead_(nullptr),
       field_(new CodeField(look, texts_)),
       unknown_(nullptr),
+      meant_(nullptr),
       have_code_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("code.have")), this)) {
   setTitle(phrase(QStringLiteral("wel.title")));
   texts_->add(languages_);
@@ -42,6 +43,7 @@ WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
   lead_ = texts_->add(TextRole::kLead, phrase(QStringLiteral("code.enter")));
   texts_->add(field_);
   unknown_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("code.unknown")));
+  meant_ = texts_->add(TextRole::kBody, plain(QStringLiteral(" ")));
   texts_->center();
   setMain(texts_);
   addExtra(have_code_);
@@ -77,6 +79,9 @@ void WelcomeScreen::setState(const WelcomeState& state) {
     lead_->setPhrase(counted(QStringLiteral("code.back"), state.kept_answers));
   field_->setVisible(state.step == WelcomeStep::kEnterCode);
   unknown_->setVisible(state.step == WelcomeStep::kEnterCode && state.code_unknown);
+  showOrHide(*meant_, state.meant.isEmpty() || unknown_->isHidden()
+                          ? Phrase{}
+                          : phrase(QStringLiteral("code.meant"), {state.meant}));
   backButton().setVisible(!start);
   primaryButton().setPhrase(phrase(start ? QStringLiteral("code.new") : QStringLiteral("nav.next")));
   setSimulated(state.simulated);

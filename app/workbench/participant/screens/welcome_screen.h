@@ -20,6 +20,7 @@ struct WelcomeState {
   QString code;
   int kept_answers = 0;
   bool code_unknown = false;
+  QString meant;  ///< a code that she may have meant; may be empty
   bool simulated = false;
 };
 
@@ -53,6 +54,7 @@ class WelcomeScreen : public ScreenFrame {
   Label* lead_;
   CodeField* field_;
   Label* unknown_;
+  Label* meant_;
   Button* have_code_;
 };
 
