@@ -7,6 +7,7 @@
 
 #include "app/session/simulated_study.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/participant_pictures.h"
 #include "app/workbench/picture_album.h"
 #include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
@@ -85,6 +86,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
     return added;
   }
   sheet.hide();
+  if (auto added = addParticipantPictures(album, wanted.language, wanted.size); !added) return added;
   return album.finish();
 }
 

@@ -50,6 +50,8 @@ constexpr Exception kExceptions[] = {
     {"feel/feel_panel.cpp", "<span style=\\\"color:%1\\\">■</span> %2", "marks without a word"},
     {"feel/feel_panel.cpp", "<br>", "markup"},
     {"workbench/main.cpp", "Tactus", "the folder of the settings"},
+    {"participant/participant_window.cpp", "Tactus", "the name of the program"},
+    {"screens/sample_screens.cpp", "thunderstorm marmalade", "a code"},
     {"workbench/main.cpp", "tactus-workbench: %s\\n", "the command line"},
     {"workbench/main.cpp", "Tactus Workbench", "the name of the program"},
     {"plot/picture_export.cpp", "PNG", "the name of a format"},

@@ -125,13 +125,16 @@ const std::map<std::string, Permission>& permissions() {
        room({"base", "kit", "model", "plot", "device", "feel", "study/connection"}, true)},
       {"app/workbench/study/connection", room({"base"})},
       {"app/workbench/study", room({"base", "kit", "model", "study/connection"})},
+      {"app/workbench/participant",
+       room({"base", "device", "study/connection", "participant/kit", "participant/screens"})},
       {"app/workbench/shell", room({"base", "kit", "model"})},
       {"app/workbench/participant/kit", room({"base", "anatomy"})},
       {"app/workbench/participant/screens", room({"base", "anatomy", "participant/kit"})},
       // The root composes them.
       {"app/workbench", room({"base", "kit", "model", "plot", "tune/terms", "tune/rules", "tune/findings",
                               "tune/history", "understand/curves", "understand/map", "understand/here", "device",
-                              "feel", "feel/recordings", "study/connection", "study", "shell"})},
+                              "feel", "feel/recordings", "study/connection", "study", "shell", "participant",
+                              "participant/kit", "participant/screens"})},
       {"app", {{}, {}}},
   };
   return table;

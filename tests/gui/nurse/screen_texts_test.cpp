@@ -10,8 +10,8 @@
 #include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/ring.h"
 #include "app/workbench/participant/kit/screen_frame.h"
+#include "app/workbench/participant/screens/sample_screens.h"
 
-#include "tests/gui/nurse/sample_screens.h"
 #include "tests/gui/nurse/text_recorder.h"
 
 namespace tactus::workbench::tests {
@@ -47,7 +47,7 @@ class NurseScreens : public testing::TestWithParam<Setting> {
     look.setScreen(kDotsPerInch, GetParam().size);
   }
 
-  std::unique_ptr<QWidget> shown(const SampleScreen& sample) const {
+  std::unique_ptr<QWidget> shown(const nurse::SampleScreen& sample) const {
     std::unique_ptr<QWidget> screen = sample.make(look);
     screen->resize(GetParam().size);
     screen->show();
@@ -60,7 +60,7 @@ class NurseScreens : public testing::TestWithParam<Setting> {
 };
 
 TEST_P(NurseScreens, NothingIsCutOrElidedOrTooSmall) {
-  for (const SampleScreen& sample : sampleScreens()) {
+  for (const nurse::SampleScreen& sample : nurse::sampleScreens()) {
     const auto screen = shown(sample);
     const QString name = sample.name;
     const std::vector<WrittenText> texts = textsOf(*screen);
@@ -83,7 +83,7 @@ TEST_P(NurseScreens, NothingIsCutOrElidedOrTooSmall) {
 }
 
 TEST_P(NurseScreens, NothingOverlaps) {
-  for (const SampleScreen& sample : sampleScreens()) {
+  for (const nurse::SampleScreen& sample : nurse::sampleScreens()) {
     const auto screen = shown(sample);
     std::vector<WrittenText> texts = textsOf(*screen);
     // Where the red button of the window stands, at the top right.
@@ -120,7 +120,7 @@ TEST_P(NurseScreens, NothingOverlaps) {
 }
 
 TEST_P(NurseScreens, EveryTextGetsItsRoom) {
-  for (const SampleScreen& sample : sampleScreens()) {
+  for (const nurse::SampleScreen& sample : nurse::sampleScreens()) {
     const auto screen = shown(sample);
     for (const nurse::Label* label : screen->findChildren<nurse::Label*>()) {
       if (!label->isVisible() || label->text().isEmpty()) continue;

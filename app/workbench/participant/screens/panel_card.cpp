@@ -39,6 +39,11 @@ Button* PanelCard::addButton(ButtonKind kind, const Phrase& text) {
   return button;
 }
 
+void PanelCard::addWidget(QWidget* widget) {
+  widget->setParent(card_);
+  column_->addWidget(widget);
+}
+
 bool PanelCard::event(QEvent* event) {
   if (event->type() == QEvent::LayoutRequest) arrange();
   return QWidget::event(event);

@@ -20,6 +20,8 @@ class PanelCard : public QWidget {
   const Look& look() const { return look_; }
   Label* addText(TextRole role, const Phrase& text);
   Button* addButton(ButtonKind kind, const Phrase& text);
+  /// Below what was added before; belongs to the card from now on.
+  void addWidget(QWidget* widget);
 
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;

@@ -1,4 +1,4 @@
-// Every screen of the nurse in each of its states, with its longest values: for the test of the texts and for looking.
+// Every screen of the nurse in each of its states, with its longest values: for pictures and for the test of the texts.
 #pragma once
 
 #include <QString>
@@ -9,13 +9,13 @@
 
 #include "app/workbench/participant/kit/look.h"
 
-namespace tactus::workbench::tests {
+namespace tactus::workbench::nurse {
 
 struct SampleScreen {
   QString name;  ///< `question_neck`
-  std::function<std::unique_ptr<QWidget>(const nurse::Look&)> make;
+  std::function<std::unique_ptr<QWidget>(const Look&)> make;
 };
 
 std::vector<SampleScreen> sampleScreens();
 
-}  // namespace tactus::workbench::tests
+}  // namespace tactus::workbench::nurse

@@ -1,4 +1,4 @@
-#include "tests/gui/nurse/sample_screens.h"
+#include "app/workbench/participant/screens/sample_screens.h"
 
 #include <cmath>
 
@@ -18,10 +18,8 @@
 #include "app/workbench/participant/screens/welcome_screen.h"
 #include "app/workbench/participant/screens/withdraw_panel.h"
 
-namespace tactus::workbench::tests {
+namespace tactus::workbench::nurse {
 namespace {
-
-using namespace nurse;
 
 template <class Screen, class State>
 SampleScreen sample(const QString& name, const State& state) {
@@ -42,7 +40,7 @@ WelcomeState welcome(WelcomeStep step) {
   return state;
 }
 
-QuestionState question(const char* condition, const char* term, const char* region, const char* chosen) {
+QuestionState asked(const char* condition, const char* term, const char* region, const char* chosen) {
   QuestionState state;
   state.number = 12;
   state.condition = QString::fromLatin1(condition);
@@ -170,11 +168,10 @@ std::vector<SampleScreen> sampleScreens() {
 
   all.push_back(panel<RestScreen>("rest"));
   for (int page = 0; page < 6; ++page) all.push_back(glossary(page));
-  all.push_back(
-      sample<QuestionScreen>("question_lubrication", question("lubrication", "medium", "laryngopharynx", "")));
-  all.push_back(sample<QuestionScreen>("question_neck", question("neck_flexion", "large", "oropharynx", "large")));
-  all.push_back(sample<QuestionScreen>("question_speed", question("speed", "medium", "nasopharynx", "cant_tell")));
-  QuestionState chest = question("lubrication", "well", "esophagus", "very_small");
+  all.push_back(sample<QuestionScreen>("question_lubrication", asked("lubrication", "medium", "laryngopharynx", "")));
+  all.push_back(sample<QuestionScreen>("question_neck", asked("neck_flexion", "large", "oropharynx", "large")));
+  all.push_back(sample<QuestionScreen>("question_speed", asked("speed", "medium", "nasopharynx", "cant_tell")));
+  QuestionState chest = asked("lubrication", "well", "esophagus", "very_small");
   chest.left_handed = true;
   all.push_back(sample<QuestionScreen>("question_left_handed", chest));
   all.push_back(reviewPage("review_lubrication", review(true, false), 0));
@@ -214,4 +211,4 @@ std::vector<SampleScreen> sampleScreens() {
   return all;
 }
 
-}  // namespace tactus::workbench::tests
+}  // namespace tactus::workbench::nurse
