@@ -25,7 +25,7 @@ QStringList idsOf(AboutQuestion question) {
       return {QStringLiteral("years_1"), QStringLiteral("years_2"), QStringLiteral("years_3"),
               QStringLiteral("years_4")};
     case AboutQuestion::kHand:
-      return {QStringLiteral("hand_left"), QStringLiteral("hand_right"), QStringLiteral("hand_both")};
+      return {QStringLiteral("left"), QStringLiteral("right"), QStringLiteral("both")};
     case AboutQuestion::kHaptic:
       return {QStringLiteral("haptic_0"), QStringLiteral("haptic_1"), QStringLiteral("haptic_2")};
     case AboutQuestion::kGloves:
@@ -39,7 +39,8 @@ QStringList idsOf(AboutQuestion question) {
 
 std::vector<Answer> answersTo(AboutQuestion question) {
   std::vector<Answer> answers;
-  for (const QString& id : idsOf(question)) answers.push_back({id, phrase(QStringLiteral("you.") + id)});
+  const QString prefix = question == AboutQuestion::kHand ? QStringLiteral("you.hand_") : QStringLiteral("you.");
+  for (const QString& id : idsOf(question)) answers.push_back({id, phrase(prefix + id)});
   // Which hand guides the tube must be known: the picture and the device follow it.
   if (question != AboutQuestion::kHand)
     answers.push_back({QStringLiteral("not_say"), phrase(QStringLiteral("you.not_say")), {}, true});
