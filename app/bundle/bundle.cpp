@@ -4,8 +4,8 @@
 #include <cctype>
 
 #include "app/bundle/bundle_report.h"
-#include "app/bundle/check_points.h"
 #include "app/bundle/file_errors.h"
+#include "core/analysis/check_points.h"
 #include "core/analysis/coverage.h"
 #include "core/base/files/sha256.h"
 #include "core/base/tables/csv.h"
@@ -149,7 +149,7 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   if (const auto ok = fuzzy::validate(model); !ok) return tl::unexpected(ok.error());
   if (const auto ok = acceptHoles(model, settings.accept_holes, bundle.warnings); !ok)
     return tl::unexpected(ok.error());
-  model.checks = ownChecks(model);
+  model.checks = analysis::ownChecks(model);
   bundle.model = std::move(model);
   const fuzzy::ForceModel& made = bundle.model;
   const auto compiled = fuzzy::compile(made);
@@ -161,8 +161,8 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   // What is written must read, with its checks.
   if (const auto read = model_io::parseModel(text, std::string(kModelPath)); !read) return tl::unexpected(read.error());
   collector.add(std::string(kModelPath), "model", text, exactPromise(made));
-  const auto points = checkPoints(made);
-  collector.add("checks.csv", "checks", checksText(made, checksAt(made, points)), exactPromise(made));
+  const auto points = analysis::checkPoints(made);
+  collector.add("checks.csv", "checks", checksText(made, analysis::checksAt(made, points)), exactPromise(made));
   addExperts(made, *compiled, points, collector);
   if (const auto source = exchange::cSource(made)) {
     collector.add("c/force_model.h", "c", source->header);

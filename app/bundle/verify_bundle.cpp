@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/bundle/check_points.h"
 #include "app/bundle/file_errors.h"
+#include "core/analysis/check_points.h"
 #include "core/base/files/file.h"
 #include "core/base/text.h"
 #include "core/exchange/c_source.h"
@@ -25,7 +25,7 @@ class Verifier {
         compiled_(std::move(compiled)),
         folder_(std::move(folder)),
         same_program_(same_program),
-        points_(checkPoints(model)) {}
+        points_(analysis::checkPoints(model)) {}
 
   void look(FileCheck& check) {
     const std::string path = folder_ + "/" + check.file.path;

@@ -151,7 +151,7 @@ std::string MembershipCode::expression(std::size_t input, const fuzzy::Term& ter
 
 std::string MembershipCode::function() const {
   std::string out =
-      "static double memberships(const double *inputs, double *m) {\n"
+      "PART double memberships(const double *inputs, double *m) {\n"
       "  double nothing = 0.0;\n";
   for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
     const fuzzy::Variable& input = model_.inputs[i];

@@ -27,3 +27,5 @@ install(FILES languages/tactus.py languages/Tactus.cs DESTINATION "${CMAKE_INSTA
 install(DIRECTORY examples/ DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/examples" COMPONENT libtactus-dev)
 install(FILES "${PROJECT_SOURCE_DIR}/core/model_io/model_file.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus"
         RENAME tactus-force-model.schema.json COMPONENT libtactus-dev)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/conformance" DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus"
+        COMPONENT libtactus-dev)

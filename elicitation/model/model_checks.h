@@ -6,8 +6,8 @@
 
 namespace tactus::elicitation {
 
-/// Replaces the checks of `model` by 36 points spread evenly over the universes of its inputs (Halton 1960), rounded to
-/// three decimals, with their forces. Returns the error of `fuzzy::compile`.
+/// Replaces the checks of `model` by at most 120 points with their forces, chosen so that the ordinary mistakes of a
+/// program that reads the file show (core/analysis/check_points.h). Returns the error of `fuzzy::validate`.
 base::Result<void> setChecks(fuzzy::ForceModel& model);
 
 }  // namespace tactus::elicitation

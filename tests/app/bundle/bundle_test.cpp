@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "app/bundle/check_points.h"
 #include "app/bundle/force_table.h"
 #include "app/bundle/verify_bundle.h"
+#include "core/analysis/check_points.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 #include "core/fuzzy/compiled_model.h"
@@ -91,7 +91,7 @@ TEST_F(BundleTest, IsVerifiedByTheProgramAndByTheLibrary) {
 TEST_F(BundleTest, ItsChecksAreManyAndExact) {
   const auto table = base::CsvTable::read(path_ + "/checks.csv");
   ASSERT_TRUE(table);
-  EXPECT_GE(table->rowCount(), kLeastChecks);
+  EXPECT_GE(table->rowCount(), analysis::kLeastChecks);
   const auto compiled = fuzzy::compile(made_->model);
   std::set<bool> outside;
   for (std::size_t r = 0; r < table->rowCount(); ++r) {

@@ -32,9 +32,8 @@ class CompiledSource {
     }
     std::ofstream(folder_.file("force_model.h")) << source->header;
     std::ofstream(folder_.file("force_model.c")) << source->source;
-    const std::string command = TACTUS_CC " -std=c99 -pedantic -Wall -Wextra -Werror " + options +
-                                " -shared -fPIC " + folder_.file("force_model.c") + " -o " +
-                                folder_.file("force_model.so");
+    const std::string command = TACTUS_CC " -std=c99 -pedantic -Wall -Wextra -Werror " + options + " -shared -fPIC " +
+                                folder_.file("force_model.c") + " -o " + folder_.file("force_model.so");
     EXPECT_EQ(std::system(command.c_str()), 0) << source->source;
     library_ = dlopen(folder_.file("force_model.so").c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library_ == nullptr) return;

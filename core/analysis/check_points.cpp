@@ -1,4 +1,4 @@
-#include "app/bundle/check_points.h"
+#include "core/analysis/check_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,13 @@
 #include <set>
 #include <utility>
 
-#include "app/bundle/wrong_readers.h"
 #include "core/analysis/coverage.h"
 #include "core/analysis/sample_points.h"
+#include "core/analysis/wrong_readers.h"
 #include "core/base/check.h"
 #include "core/base/random.h"
 
-namespace tactus::bundle {
+namespace tactus::analysis {
 namespace {
 
 using Point = std::vector<double>;
@@ -87,14 +87,14 @@ void addHoles(const fuzzy::ForceModel& model, Points& points) {
     for (const std::size_t one : every) groups.push_back({one});
   }
   for (const auto& group : groups) {
-    const auto coverage = analysis::coverage(model, group);
-    for (std::size_t h = 0; h < std::min(coverage.holes.size(), kMostHoles); ++h) {
+    const Coverage found = coverage(model, group);
+    for (std::size_t h = 0; h < std::min(found.holes.size(), kMostHoles); ++h) {
       Point middle;
-      for (const analysis::InputRange& range : coverage.holes[h].ranges) middle.push_back((range.low + range.high) / 2);
+      for (const InputRange& range : found.holes[h].ranges) middle.push_back((range.low + range.high) / 2);
       points.push_back(middle);
       for (std::size_t i = 0; i < middle.size(); ++i) {
-        if (coverage.holes[h].ranges[i].whole_universe) continue;
-        for (const double end : {coverage.holes[h].ranges[i].low, coverage.holes[h].ranges[i].high}) {
+        if (found.holes[h].ranges[i].whole_universe) continue;
+        for (const double end : {found.holes[h].ranges[i].low, found.holes[h].ranges[i].high}) {
           Point edge = middle;
           edge[i] = end;
           points.push_back(std::move(edge));
@@ -105,7 +105,7 @@ void addHoles(const fuzzy::ForceModel& model, Points& points) {
 }
 
 void addKinks(const fuzzy::ForceModel& model, Points& points) {
-  const auto kinks = analysis::kinkPoints(model, kMostKinks);
+  const auto kinks = kinkPoints(model, kMostKinks);
   for (std::size_t i = 0; i < kinks.size(); ++i) points.push_back(kinks[i]);
 }
 
@@ -191,4 +191,4 @@ std::vector<fuzzy::Check> ownChecks(const fuzzy::ForceModel& model, std::size_t 
   return checksAt(model, withoutTwins(std::move(points)));
 }
 
-}  // namespace tactus::bundle
+}  // namespace tactus::analysis

@@ -1,11 +1,11 @@
-#include "app/bundle/wrong_readers.h"
+#include "core/analysis/wrong_readers.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/base/check.h"
 
-namespace tactus::bundle {
+namespace tactus::analysis {
 namespace {
 
 fuzzy::CompiledModel compiled(const fuzzy::ForceModel& model) {
@@ -85,4 +85,4 @@ std::vector<WrongReader> wrongReaders(const fuzzy::ForceModel& model) {
   return readers;
 }
 
-}  // namespace tactus::bundle
+}  // namespace tactus::analysis

@@ -1,4 +1,4 @@
-// The points at which a bundle states forces: enough to catch a reader that gets something wrong.
+// The points at which a model states its forces: enough to catch a reader that gets something wrong.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 #include "core/fuzzy/force_model.h"
 
-namespace tactus::bundle {
+namespace tactus::analysis {
 
 inline constexpr std::size_t kLeastChecks = 2000;
 
@@ -22,4 +22,4 @@ std::vector<fuzzy::Check> checksAt(const fuzzy::ForceModel& model, const std::ve
 /// The few that the model file itself carries: those of rules, holes, universes and mistakes, at most `most`.
 std::vector<fuzzy::Check> ownChecks(const fuzzy::ForceModel& model, std::size_t most = 400);
 
-}  // namespace tactus::bundle
+}  // namespace tactus::analysis

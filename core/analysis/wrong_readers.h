@@ -1,4 +1,5 @@
-// Six ordinary mistakes of programs that read a model file, as functions. A bundle carries points at which they show.
+// Six ordinary mistakes of programs that read a model file, as functions. The checks of a model hold points at which
+// they show.
 #pragma once
 
 #include <functional>
@@ -9,7 +10,7 @@
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 
-namespace tactus::bundle {
+namespace tactus::analysis {
 
 /// A reader with one mistake.
 struct WrongReader {
@@ -22,4 +23,4 @@ struct WrongReader {
 /// `model` must be valid and outlives them.
 std::vector<WrongReader> wrongReaders(const fuzzy::ForceModel& model);
 
-}  // namespace tactus::bundle
+}  // namespace tactus::analysis
