@@ -46,6 +46,11 @@ function(sameAsProgram points found)
   endif()
 endfunction()
 
+# bundle(FOLDER): a small bundle, to be verified by the library.
+function(bundle folder)
+  run(ignored "${TACTUS}" bundle "${SOURCE}/docs/conformance/scale.tactus.json" --out "${folder}")
+endfunction()
+
 file(GLOB library_folders "${PREFIX}/lib" "${PREFIX}/lib64" "${PREFIX}/lib/*-linux-gnu*")
 list(JOIN library_folders ":" library_path)
 set(ENV{LD_LIBRARY_PATH} "${library_path}:$ENV{LD_LIBRARY_PATH}")

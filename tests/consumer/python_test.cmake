@@ -6,8 +6,9 @@ if(NOT PYTHON)
 endif()
 unset(ENV{LD_LIBRARY_PATH})  # it finds the library of its prefix by itself
 points("${WORK}/points.csv" 2000)
+bundle("${WORK}/bundle")
 run(said "${PYTHON}" "${SOURCE}/tests/consumer/outside/table.py" "${PREFIX}/share/tactus/languages" "${MODEL}"
-    "${WORK}/points.csv" "${WORK}/python.csv")
+    "${WORK}/points.csv" "${WORK}/python.csv" "${WORK}/bundle")
 message("${said}")
 sameAsProgram("${WORK}/points.csv" "${WORK}/python.csv")
 run(force "${PYTHON}" "${PREFIX}/share/tactus/examples/force.py" "${MODEL}" 1 45 30 30)

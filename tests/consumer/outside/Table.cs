@@ -1,4 +1,4 @@
-// The forces of a table that table.c wrote as bits, once more by Tactus.cs: Table MODEL BITS.csv.
+// The forces of a table that table.c wrote as bits, once more by Tactus.cs: Table MODEL BITS.csv BUNDLE.
 using System;
 using System.Collections.Generic;
 using System.Globalization;
@@ -50,6 +50,7 @@ public static class Table
                 Want(feel.Phase == 2 && feel.ForceN > 0 && feel.Stroke == 1, "the tube does not slide");
                 tube.Scene(scene);
             }
+            Want(Tactus.Bundle.Verify(arguments[2]) == 0, "a bundle with an error");
             try
             {
                 Tactus.Model.Read("{}");

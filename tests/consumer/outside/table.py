@@ -1,4 +1,4 @@
-"""The table that `tactus eval` writes, by tactus.py: table.py FOLDER_OF_TACTUS_PY MODEL POINTS.csv OUT.csv."""
+"""The table that `tactus eval` writes, by tactus.py: table.py FOLDER_OF_TACTUS_PY MODEL POINTS.csv OUT.csv BUNDLE."""
 import csv
 import sys
 
@@ -37,7 +37,8 @@ tube.place(10)
 feel = [tube.step(0.05 * i, True, 0.001) for i in range(400)][-1]
 assert feel.phase == 2 and feel.force_n > 0 and feel.stroke == 1, feel
 tube.scene(model.scene(lubrication=0.3, neck_flexion=80))
-for wrong in (lambda: model.force([1, 2]), lambda: model.scene(swallow=1), lambda: tactus.Model.read("{}"),
+assert tactus.verify(sys.argv[5]) == 0
+for wrong in (lambda: tactus.verify("/no/bundle"), lambda: model.force([1, 2]), lambda: model.scene(swallow=1), lambda: tactus.Model.read("{}"),
               lambda: tactus.Tube(model.scene(lubrication=1))):
     try:
         wrong()
