@@ -8,19 +8,19 @@
 
 #include "app/workbench/workbench.h"
 
+#include "tests/gui/quiet.h"
 #include "tests/gui/sample_models.h"
 
 namespace tactus::tests {
 
-inline constexpr int kSettled = 60;       // ms, some frames of the screen
 inline constexpr int kPatience = 10'000;  // ms, for a busy machine
 
-/// Until nothing in `window` changes any more.
+/// Until nothing in `window` is to be done any more and its picture stays the same.
 inline void settle(QWidget& window) {
   QImage last;
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
-        QTest::qWait(kSettled);
+        if (!isQuiet(window)) return false;
         const QImage now = window.grab().toImage();
         return std::exchange(last, now) == now;
       },

@@ -124,9 +124,9 @@ class EditController : public QObject {
   VersionReader read_version_;
   QString author_;
   QString stopped_;
-  QTimer frame_;      ///< runs for 16 ms after a model was sent
-  bool due_ = false;  ///< a newer model waits for the end of `frame_`
-  QTimer report_;
+  QTimer frame_{this};  ///< runs for 16 ms after a model was sent
+  bool due_ = false;    ///< a newer model waits for the end of `frame_`
+  QTimer report_{this};
 };
 
 }  // namespace tactus::workbench

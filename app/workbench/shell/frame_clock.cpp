@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QWidget>
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/workbench/base/refresh.h"
@@ -21,10 +22,15 @@ constexpr int kAfterPainting = Qt::LowEventPriority - 1;
 
 }  // namespace
 
-FrameClock::FrameClock(const QWidget& root, QObject* parent) : QObject(parent), root_(root) {}
+FrameClock::FrameClock(const QWidget& root, QObject* parent, Now now)
+    : QObject(parent), root_(root), now_(std::move(now)) {}
+
+FrameClock::Now FrameClock::steadyTime() {
+  return [] { return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count(); };
+}
 
 void FrameClock::begin() {
-  if (!clock_.isValid() || coarse_ || !isWaiting()) clock_.start();
+  if (!begun_ns_ || coarse_ || !isWaiting()) begun_ns_ = now_();
   coarse_ = false;
 }
 
@@ -34,7 +40,7 @@ bool FrameClock::isWaiting() const {
 }
 
 void FrameClock::sent() {
-  if (!clock_.isValid()) return;
+  if (!begun_ns_) return;
   watched_.clear();
   for (Refresh* refresh : root_.findChildren<Refresh*>()) watched_ << refresh;
   lookLater();
@@ -49,7 +55,7 @@ void FrameClock::lookLater() {
 bool FrameClock::event(QEvent* event) {
   if (event->type() != lookEvent()) return QObject::event(event);
   looking_ = false;
-  if (clock_.isValid()) look();
+  if (begun_ns_) look();
   return true;
 }
 
@@ -68,7 +74,7 @@ void FrameClock::look() {
     connect(refresh.data(), &Refresh::done, this, &FrameClock::lookLater, Qt::UniqueConnection);
   }
   if (due) return;
-  const double passed_ms = static_cast<double>(clock_.nsecsElapsed()) / 1e6;
+  const double passed_ms = static_cast<double>(now_() - *begun_ns_) / 1e6;
   if (!coarse_) painted_ms_.push_back(passed_ms);
   if (refining) {
     coarse_ = true;
@@ -80,7 +86,7 @@ void FrameClock::look() {
 }
 
 void FrameClock::stop() {
-  clock_.invalidate();
+  begun_ns_.reset();
   coarse_ = false;
   for (const QPointer<Refresh>& refresh : std::as_const(watched_)) {
     if (refresh) disconnect(refresh.data(), nullptr, this, nullptr);

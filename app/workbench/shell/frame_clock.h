@@ -1,11 +1,12 @@
 // Measures the time from an edit to its display.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QList>
 #include <QObject>
 #include <QPointer>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -31,8 +32,11 @@ class FrameClock : public QObject {
     std::size_t edits = 0;
   };
 
+  /// The time in ns since any fixed moment; never goes back.
+  using Now = std::function<std::int64_t()>;
+
   /// `root`: the part of the window whose panels count. It outlives this.
-  explicit FrameClock(const QWidget& root, QObject* parent = nullptr);
+  explicit FrameClock(const QWidget& root, QObject* parent = nullptr, Now now = steadyTime());
 
   /// The time until all plots were painted. A surface or map that refines in slices counts from its coarse picture on.
   /// Nothing before the first edit.
@@ -57,12 +61,14 @@ class FrameClock : public QObject {
   void lookLater();
   void look();
   void stop();
+  static Now steadyTime();
   static std::optional<Times> timesOf(const std::vector<double>& all_ms);
 
   const QWidget& root_;
-  QElapsedTimer clock_;               ///< valid while an edit is not on the screen yet
-  QList<QPointer<Refresh>> watched_;  ///< of the panels, while an edit is not on the screen yet
-  bool coarse_ = false;               ///< painted coarsely; panels still refine
+  Now now_;
+  std::optional<std::int64_t> begun_ns_;  ///< when an edit began that is not on the screen yet
+  QList<QPointer<Refresh>> watched_;      ///< of the panels, while an edit is not on the screen yet
+  bool coarse_ = false;                   ///< painted coarsely; panels still refine
   bool looking_ = false;
   std::vector<double> painted_ms_;
   std::vector<double> finest_ms_;

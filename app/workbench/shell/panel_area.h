@@ -57,7 +57,7 @@ class PanelArea : public QMainWindow {
   QList<Panel*> panels_;
   QHash<int, std::vector<PanelPlace>> places_;
   std::optional<Stage> stage_;
-  QTimer titles_;  ///< one update after any number of moved panels
+  QTimer titles_{this};  ///< one update after any number of moved panels
 };
 
 }  // namespace tactus::workbench

@@ -135,7 +135,7 @@ class KeyboardTest : public tests::ShownBench, public testing::WithParamInterfac
 TEST_P(KeyboardTest, TabGoesThroughEveryPanelAndComesBack) {
   for (QDockWidget* front : panels) {
     front->raise();
-    QTest::qWait(20);
+    settle();
     ASSERT_FALSE(readingOrder(bench.window).isEmpty());
     // Of buttons that exclude each other only the one with the keyboard is a stop from then on; arrow keys do the rest.
     readingOrder(bench.window).front()->setFocus();
@@ -163,7 +163,7 @@ TEST_P(KeyboardTest, TabGoesThroughEveryPanelAndComesBack) {
 TEST_P(KeyboardTest, WhatTakesTheKeyboardHasAName) {
   for (QDockWidget* front : panels) {
     front->raise();
-    QTest::qWait(20);
+    settle();
     for (QWidget* stop : readingOrder(bench.window)) {
       // On Linux a box of choices tells its choice in the place of its name; its own one counts here.
       const bool choice = qobject_cast<QComboBox*>(stop) != nullptr;

@@ -28,6 +28,7 @@
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/sample_models.h"
+#include "tests/gui/shown_bench.h"
 
 namespace tactus::workbench {
 namespace {
@@ -54,7 +55,7 @@ class MainWindowTest : public testing::Test {
   }
 
   QImage curves() {
-    QTest::qWait(40);  // two frames of the screen
+    tests::settle(window);
     return window.findChild<CurvePlot*>()->grab().toImage();
   }
 

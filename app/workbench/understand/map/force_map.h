@@ -113,7 +113,7 @@ class ForceMapController : public QObject {
   ForceMap growing_;
   std::vector<double> xs_;
   std::vector<double> ys_;
-  QTimer slices_;
+  QTimer slices_{this};
 };
 
 }  // namespace tactus::workbench

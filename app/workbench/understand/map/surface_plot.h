@@ -72,8 +72,8 @@ class SurfacePlot : public QWidget, public MapView {
   std::size_t cells_shown_ = 0;
   double cell_ns_ = 700;  ///< measured, of a quick picture
   std::unique_ptr<SurfaceImage> finest_;
-  QTimer rest_;
-  QTimer slices_;
+  QTimer rest_{this};
+  QTimer slices_{this};
   std::optional<QPointF> grabbed_;
 
   struct Point {

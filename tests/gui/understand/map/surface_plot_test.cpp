@@ -11,6 +11,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/understand/map/force_colors.h"
 
+#include "tests/gui/quiet.h"
 #include "tests/gui/understand/map/sample_maps.h"
 
 namespace tactus::workbench {
@@ -126,7 +127,7 @@ TEST_F(SurfacePlotTest, RefinesWhenItRestsAndNotWhileHidden) {
   plot.grab();
   EXPECT_LE(plot.cellsShown(), 200U);
   plot.hide();
-  QTest::qWait(2 * SurfacePlot::kRestMs);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return tests::isQuiet(plot); }, kPatience));
   EXPECT_FALSE(plot.isRested());
   plot.show();
   EXPECT_TRUE(rest());

@@ -1,0 +1,20 @@
+// What is still to come from the timers of a window, so that no test waits for a clock.
+#pragma once
+
+#include <QTimer>
+#include <algorithm>
+
+namespace tactus::tests {
+
+/// Whether no object below `root` is about to work: no timer of a frame, of a slice of work, or of a rest is running.
+/// Longer ones, such as that of a message, only take something away.
+inline bool isQuiet(const QObject& root) {
+  constexpr int kLongest = 500;  // ms
+  const QList<QTimer*> timers = root.findChildren<QTimer*>();
+  return std::none_of(timers.begin(), timers.end(), [](const QTimer* timer) {
+    const bool ends = timer->isSingleShot() || timer->interval() == 0;
+    return timer->isActive() && ends && timer->interval() < kLongest;
+  });
+}
+
+}  // namespace tactus::tests
