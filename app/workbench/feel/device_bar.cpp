@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/device/device_search.h"
 #include "app/workbench/feel/feel_controller.h"
@@ -21,12 +22,6 @@
 
 namespace tactus::workbench {
 namespace {
-
-void setInk(QLabel* label, const QColor& ink) {
-  QPalette colors = label->palette();
-  colors.setColor(QPalette::WindowText, ink);
-  label->setPalette(colors);
-}
 
 constexpr double kFarthestZoneMm = -100;
 constexpr double kNearestZoneMm = -5;  // nearer, the end of a stroke would let go
@@ -72,7 +67,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   bold.setBold(true);
   simulated_->setFont(bold);
   simulated_->setToolTip(tr("No hardware: hand, device and force are calculated"));
-  setInk(simulated_, theme::warningInk());
+  setInk(*simulated_, theme::warningInk());
   state_->setFont(theme::smallFont());
 
   auto* message_row = new QHBoxLayout(message_card_);
@@ -215,7 +210,7 @@ void DeviceBar::setMessage(const QString& sentence, bool bad) {
   fitMessage();
   message_card_->setColors(bad ? theme::errorFill() : theme::warningFill(),
                            bad ? theme::errorFill() : theme::warningFill());
-  setInk(message_, bad ? theme::errorInk() : theme::warningInk());
+  setInk(*message_, bad ? theme::errorInk() : theme::warningInk());
 }
 
 // Where there is little room.

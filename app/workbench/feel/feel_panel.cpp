@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/device/device_search.h"
 #include "app/workbench/feel/depth_regions.h"
@@ -95,9 +96,7 @@ void FeelPanel::build() {
   // It must not make the panel wider than its place.
   legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   limits_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  QPalette warning = limits_->palette();
-  warning.setColor(QPalette::WindowText, theme::warningInk());
-  limits_->setPalette(warning);
+  setInk(*limits_, theme::warningInk());
   for (QCheckBox* box : {split_, follow_}) {
     box->setFocusPolicy(Qt::TabFocus);
     box->setFont(theme::smallFont());

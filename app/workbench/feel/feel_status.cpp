@@ -1,6 +1,7 @@
 #include "app/workbench/feel/feel_status.h"
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
 
@@ -17,9 +18,7 @@ FeelStatus::FeelStatus(const FeelController& feel, QWidget* parent) : QLabel(par
 void FeelStatus::showState() {
   const auto device = feel_.device();
   const bool tripped = device && feel_.session().trip();
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, tripped ? theme::errorInk() : theme::mutedInk());
-  setPalette(colors);
+  setInk(*this, tripped ? theme::errorInk() : theme::mutedInk());
   if (!device) {
     setText(feel_.state() == FeelController::State::kOpening    ? tr("Feel: starting…")
             : feel_.state() == FeelController::State::kStopping ? tr("Feel: stopping…")

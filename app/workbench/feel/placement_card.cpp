@@ -5,21 +5,16 @@
 #include <QPushButton>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kOneLine = 500;  // px: below it the summary has a line of its own
+constexpr int kSummaryBeside = 500;  // px: below it the summary has a line of its own
 
 QString strokesText(unsigned strokes) { return PlacementCard::tr("%n stroke(s)", nullptr, static_cast<int>(strokes)); }
-
-void setInk(QLabel* label) {
-  QPalette muted = label->palette();
-  muted.setColor(QPalette::WindowText, theme::mutedInk());
-  label->setPalette(muted);
-}
 
 }  // namespace
 
@@ -31,7 +26,7 @@ PlacementCard::PlacementCard(QWidget* parent)
   progress_->setTextFormat(Qt::PlainText);
   progress_->setFont(theme::headingFont());
   summary_->setFont(theme::smallFont());
-  setInk(summary_);
+  setInk(*summary_, theme::mutedInk());
   next_->setToolTip(tr("Take the tube out and begin again"));
   next_->setMinimumWidth(next_->sizeHint().width() + 2 * theme::kGrid);
   next_->setFocusPolicy(Qt::TabFocus);
@@ -53,7 +48,7 @@ PlacementCard::PlacementCard(QWidget* parent)
 
 void PlacementCard::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const bool below = width() < kOneLine;
+  const bool below = width() < kSummaryBeside;
   if (below == below_) return;
   below_ = below;
   layout_->removeWidget(summary_);

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/wrapped_label.h"
 
@@ -12,12 +13,6 @@ namespace {
 
 constexpr int kLines = 5;
 constexpr int kCompactLines = 3;
-
-void setInk(QLabel* label, const QColor& ink) {
-  QPalette colors = label->palette();
-  colors.setColor(QPalette::WindowText, ink);
-  label->setPalette(colors);
-}
 
 }  // namespace
 
@@ -51,7 +46,7 @@ ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent
   layout->addWidget(text_, 1);
   head_->setFont(theme::headingFont());
   head_->setTextFormat(Qt::PlainText);
-  setInk(head_, theme::accent());
+  setInk(*head_, theme::accent());
   setCompact(false);
   setDepth(0);
 }
@@ -76,7 +71,7 @@ void ProcedurePanel::show(std::size_t step) {
     font.setBold(i == step);
     for (QLabel* label : {rows_[i].number, rows_[i].title}) {
       label->setFont(font);
-      setInk(label, i == step ? theme::accent() : i < step ? theme::ink() : theme::mutedInk());
+      setInk(*label, i == step ? theme::accent() : i < step ? theme::ink() : theme::mutedInk());
     }
   }
   head_->setText(tr("%1 of %2: %3").arg(step + 1).arg(steps_.size()).arg(steps_[step].title));

@@ -3,6 +3,7 @@
 #include <QEvent>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/shell/frame_clock.h"
 
@@ -21,10 +22,7 @@ QString seriesText(const FrameClock::Times& times) {
 
 FrameStatus::FrameStatus(const FrameClock& clock, QWidget* parent) : QLabel(parent), clock_(clock) {
   setTextFormat(Qt::PlainText);
-  setFont(theme::smallFont());
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, theme::mutedInk());
-  setPalette(colors);
+  setMuted(*this);
   // Numbers that change with every frame can be neither read nor had for nothing.
   calm_.setSingleShot(true);
   calm_.setInterval(kCalmMs);

@@ -9,6 +9,7 @@
 #include <QMenuBar>
 #include <utility>
 
+#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 
 namespace tactus::workbench {
@@ -38,9 +39,7 @@ QGridLayout* makeSection(const QString& title, const QList<Line>& lines, QWidget
   for (const Line& line : lines) {
     const int row = grid->rowCount();
     auto* keys = new QLabel(line.second, parent);
-    QPalette colors = keys->palette();
-    colors.setColor(QPalette::WindowText, theme::mutedInk());
-    keys->setPalette(colors);
+    setInk(*keys, theme::mutedInk());
     grid->addWidget(new QLabel(line.first, parent), row, 0);
     grid->addWidget(keys, row, 1, Qt::AlignRight);
   }

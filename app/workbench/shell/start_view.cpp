@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/shell/recent_files.h"
 
@@ -21,9 +22,7 @@ constexpr int kRecentShown = 4;   // more stand in the menu
 QLabel* makeLabel(const QString& text, const QFont& font, const QColor& color, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setFont(font);
-  QPalette colors = label->palette();
-  colors.setColor(QPalette::WindowText, color);
-  label->setPalette(colors);
+  setInk(*label, color);
   return label;
 }
 

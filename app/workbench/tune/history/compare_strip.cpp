@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/tune/history/compare_controller.h"
@@ -44,11 +45,7 @@ void CompareStrip::showState() {
   setVisible(side.has_value());
   if (!side) return;
   setColors(theme::accent(), theme::accent());
-  for (ElidedLabel* label : {shown_, other_}) {
-    QPalette colors = label->palette();
-    colors.setColor(QPalette::WindowText, Qt::white);
-    label->setPalette(colors);
-  }
+  for (ElidedLabel* label : {shown_, other_}) setInk(*label, Qt::white);
   const bool is_a = *side == CompareSide::kA;
   const QString letter = is_a ? QStringLiteral("A") : QStringLiteral("B");
   const QString name = compare_.nameOf(compare_.choice(*side));

@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/tune/history/recovery_controller.h"
 
@@ -42,9 +43,7 @@ void RecoveryStrip::showOffer() {
   setVisible(offer.has_value());
   if (!offer) return;
   setColors(theme::warningFill(), theme::warningInk());
-  QPalette colors = label_->palette();
-  colors.setColor(QPalette::WindowText, theme::warningInk());
-  label_->setPalette(colors);
+  setInk(*label_, theme::warningInk());
   const QString name = shownFileName(offer->document);
   const QString when = offer->last.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
   QString sentence =

@@ -15,6 +15,7 @@
 #include "app/editing/edit_steps.h"
 #include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/lock_button.h"
 #include "app/workbench/kit/number_box.h"
@@ -143,10 +144,7 @@ void TermTable::buildHeads(QGridLayout& grid) {
                                            {kFirstPoint + 3, unit.isEmpty() ? tr("Foot") : tr("Foot (%1)").arg(unit)}};
   for (const auto& [column, head] : heads) {
     auto* label = new QLabel(head);
-    label->setFont(theme::smallFont());
-    QPalette muted = label->palette();
-    muted.setColor(QPalette::WindowText, theme::mutedInk());
-    label->setPalette(muted);
+    setMuted(*label);
     label->setAlignment(column >= kFirstPoint ? Qt::AlignHCenter | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
     grid.addWidget(label, 0, column);
   }

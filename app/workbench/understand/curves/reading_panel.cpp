@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/scene_controller.h"
@@ -22,11 +23,8 @@ ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings,
   place_->setFont(theme::headingFont());
   place_->setTextFormat(Qt::PlainText);
   place_->setWordWrap(true);
-  hint_->setFont(theme::smallFont());
   hint_->setWordWrap(true);
-  QPalette muted = hint_->palette();
-  muted.setColor(QPalette::WindowText, theme::mutedInk());
-  hint_->setPalette(muted);
+  setMuted(*hint_);
 
   table_->setModel(&readings);
   table_->setFrameShape(QFrame::NoFrame);
