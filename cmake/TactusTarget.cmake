@@ -25,10 +25,19 @@ if(TACTUS_SANITIZE)
   target_link_options(tactus_common INTERFACE -fsanitize=${TACTUS_SANITIZE})
 endif()
 
-# tactus_library(NAME [RUNTIME] SOURCES ... LINK ...): a static library whose LINK list is its place in the layering.
+# Several files at once (TACTUS_UNITY): half the time of a build from nothing, because headers and templates are compiled
+# once for all of them. What is local to one of them must not have the name of what is local to another.
+function(tactus_unity target)
+  if(TACTUS_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${TACTUS_UNITY_FILES})
+  endif()
+endfunction()
+
+# tactus_library(NAME [RUNTIME] [UNITY] SOURCES ... LINK ...): a static library whose LINK list is its place in the layering.
 # RUNTIME: a part of libtactus (core/runtime), which exports none of it and leaves out what it does not use.
+# UNITY: its sources may be compiled several at once.
 function(tactus_library name)
-  cmake_parse_arguments(ARG "RUNTIME" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "RUNTIME;UNITY" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   if(ARG_RUNTIME)
@@ -36,4 +45,7 @@ function(tactus_library name)
     target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
   endif()
   target_link_libraries(${name} PUBLIC tactus_common ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  if(ARG_UNITY)
+    tactus_unity(${name})
+  endif()
 endfunction()

@@ -10,7 +10,7 @@
 namespace tactus::experiments {
 namespace {
 
-using Kind = study::ForceJudgement::Kind;
+using Answer = study::ForceJudgement::Kind;
 
 constexpr double kSameForceN = 1e-9;
 constexpr const char* kStandStill = "Once more, please: push forward while you feel the force.";
@@ -23,9 +23,9 @@ bool isOf(const study::JudgementRecord& record, const ForceStep& step) {
 std::vector<ForceAnswerOption> allAnswers(const std::vector<std::string>& terms) {
   std::vector<ForceAnswerOption> answers;
   answers.reserve(terms.size() + 2);
-  for (const auto& term : terms) answers.push_back({Kind::kTerm, term, false});
-  answers.push_back({Kind::kNotFelt, "not_felt", true});
-  answers.push_back({Kind::kBeyondPractice, "beyond_practice", true});
+  for (const auto& term : terms) answers.push_back({Answer::kTerm, term, false});
+  answers.push_back({Answer::kNotFelt, "not_felt", true});
+  answers.push_back({Answer::kBeyondPractice, "beyond_practice", true});
   return answers;
 }
 
@@ -105,9 +105,9 @@ base::Result<study::JudgementRecord> ForceProtocol::record(const ForceAnswer& an
     return base::fail(base::ErrorCode::kValue, std::move(place), std::move(found), std::move(wanted));
   };
   const auto& offered = plan.question.answers;
-  const bool known = answer.kind == Kind::kNoAnswer ||
+  const bool known = answer.kind == Answer::kNoAnswer ||
                      std::any_of(offered.begin(), offered.end(), [&](const ForceAnswerOption& option) {
-                       return option.kind == answer.kind && (answer.kind != Kind::kTerm || option.id == answer.term);
+                       return option.kind == answer.kind && (answer.kind != Answer::kTerm || option.id == answer.term);
                      });
   if (!known) return refuse("answer", base::quoted(answer.term), "one of the answers that were offered");
   if (!isAmount(answer.forward_mm)) return refuse("forward_mm", base::formatNumber(answer.forward_mm), "0 or more");
@@ -132,7 +132,7 @@ base::Result<study::JudgementRecord> ForceProtocol::record(const ForceAnswer& an
   const bool felt = delivered && movedForward(record);
   if (settings_.device_friction_n && felt) record.felt_n = plan.step.force_n + *settings_.device_friction_n;
   record.kind = answer.kind;
-  if (answer.kind == Kind::kTerm) record.term = answer.term;
+  if (answer.kind == Answer::kTerm) record.term = answer.term;
   record.scored = felt && plan.step.series != kFamiliarisation;
   record.catch_trial = plan.step.catch_trial;
   record.feel_again = answer.feel_again;
@@ -147,7 +147,7 @@ base::Result<void> ForceProtocol::add(const study::JudgementRecord& record) {
   };
   const std::string found = described(record.series, record.step, record.attempt, record.commanded_n);
   const auto& terms = settings_.terms;
-  if (record.kind == Kind::kTerm && std::find(terms.begin(), terms.end(), record.term) == terms.end()) {
+  if (record.kind == Answer::kTerm && std::find(terms.begin(), terms.end(), record.term) == terms.end()) {
     return refuse("the term " + base::quoted(record.term), "a term of the settings");
   }
   if (record.entry.supersedes) {
@@ -195,7 +195,7 @@ std::vector<ForceStep> ForceProtocol::ascendingSteps() const {
   if (!settings_.ascending) return {};
   auto series = ascendingSeries(settings_);
   for (const auto& judgement : judgements_) {
-    const bool ends = judgement.series == kAscending && judgement.scored && judgement.kind == Kind::kBeyondPractice;
+    const bool ends = judgement.series == kAscending && judgement.scored && judgement.kind == Answer::kBeyondPractice;
     if (ends && static_cast<std::size_t>(judgement.step) < series.size()) {
       series.resize(static_cast<std::size_t>(judgement.step));
     }

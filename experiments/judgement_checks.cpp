@@ -15,9 +15,9 @@
 namespace tactus::experiments {
 namespace {
 
-using Kind = study::ForceJudgement::Kind;
+using Answer = study::ForceJudgement::Kind;
 
-constexpr double kSameForceN = 1e-9;
+constexpr double kSameStepN = 1e-9;
 constexpr std::size_t kFewestForOutliers = 8;
 constexpr double kTukey = 1.5;
 
@@ -33,7 +33,7 @@ struct Judged {
 };
 
 bool sameForce(const Judged& a, const Judged& b) {
-  return std::abs(a.record->commanded_n - b.record->commanded_n) < kSameForceN;
+  return std::abs(a.record->commanded_n - b.record->commanded_n) < kSameStepN;
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
@@ -54,7 +54,7 @@ class Checker {
       if (corrected.contains(records[i].entry.id)) continue;
       live_.push_back(i);
       const auto term = std::find(terms.begin(), terms.end(), records[i].term);
-      if (records[i].scored && records[i].kind == Kind::kTerm && term != terms.end()) {
+      if (records[i].scored && records[i].kind == Answer::kTerm && term != terms.end()) {
         judged_.push_back({&records[i], static_cast<std::size_t>(term - terms.begin())});
       }
     }
@@ -165,9 +165,9 @@ class Checker {
     auto& check = result_.blanks;
     for (const std::size_t i : live_) {
       const auto& record = records_[i];
-      if (!record.scored || record.commanded_n != 0 || record.kind == Kind::kNoAnswer) continue;
+      if (!record.scored || record.commanded_n != 0 || record.kind == Answer::kNoAnswer) continue;
       ++check.blanks;
-      if (record.kind != Kind::kNotFelt) ++check.false_alarms;
+      if (record.kind != Answer::kNotFelt) ++check.false_alarms;
     }
     if (check.blanks == 0) return;
     say("blanks", 2 * check.false_alarms > check.blanks,

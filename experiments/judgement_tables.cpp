@@ -22,7 +22,7 @@ using study::ForceJudgement;
 using Answer = ForceJudgement::Kind;
 using Kind = DataFinding::Kind;
 using Severity = DataFinding::Severity;
-using Judged = std::vector<const ForceJudgement*>;
+using JudgementRows = std::vector<const ForceJudgement*>;
 
 constexpr std::size_t kFewestForOneWord = 5;
 constexpr std::size_t kFewestForReversed = 4;
@@ -44,7 +44,8 @@ double clearlyMore(double force_n) { return 2.5 * std::hypot(0.04, 0.12 * force_
 /// All judgements of one participant.
 class OneParticipant {
  public:
-  OneParticipant(Judged judged, std::span<const std::string> terms) : judged_(std::move(judged)), terms_(terms) {}
+  OneParticipant(JudgementRows judged, std::span<const std::string> terms)
+      : judged_(std::move(judged)), terms_(terms) {}
 
   std::vector<DataFinding> findings() {
     checkSeries();
@@ -161,8 +162,8 @@ class OneParticipant {
                                      " pairs: the scale the other way round?"));
   }
 
-  std::map<std::string, Judged> bySeries() const {
-    std::map<std::string, Judged> series;
+  std::map<std::string, JudgementRows> bySeries() const {
+    std::map<std::string, JudgementRows> series;
     for (const auto* row : judged_) series[row->series].push_back(row);
     for (auto& [name, rows] : series) {
       std::stable_sort(rows.begin(), rows.end(), [](const auto* a, const auto* b) { return a->step < b->step; });
@@ -259,7 +260,7 @@ class OneParticipant {
     }
   }
 
-  Judged judged_;
+  JudgementRows judged_;
   std::span<const std::string> terms_;
   bool reversed_ = false;
   std::vector<DataFinding> out_;
@@ -267,7 +268,7 @@ class OneParticipant {
 
 using Words = std::map<std::pair<std::string_view, int>, std::pair<Answer, std::string_view>>;
 
-Words wordsOf(const Judged& judged) {
+Words wordsOf(const JudgementRows& judged) {
   Words words;
   for (const auto* row : judged) words[{row->series, row->step}] = {row->kind, row->term};
   return words;
@@ -285,7 +286,7 @@ bool sayEnough(const Words& words) {
 
 std::vector<DataFinding> judgementFindings(std::span<const ForceJudgement> judgements,
                                            std::span<const std::string> terms) {
-  std::vector<Judged> participants;
+  std::vector<JudgementRows> participants;
   std::unordered_map<std::string_view, std::size_t> places;
   for (const auto& row : judgements) {
     const auto [place, is_new] = places.try_emplace(row.participant, participants.size());

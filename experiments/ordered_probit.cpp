@@ -12,7 +12,7 @@ namespace tactus::experiments {
 namespace {
 
 constexpr double kLeastSigmaN = 1e-3;
-constexpr int kMostSteps = 100;
+constexpr int kMostIterations = 100;
 constexpr double kConverged = 1e-12;  // of the Newton decrement: the thresholds then hold to about a micronewton
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -148,7 +148,7 @@ Vector startOf(const Used& used) {
 std::optional<Vector> maximise(const Used& used) {
   Vector at = startOf(used);
   Likelihood here = likelihoodAt(at, used);
-  for (int round = 0; round < kMostSteps; ++round) {
+  for (int round = 0; round < kMostIterations; ++round) {
     const Vector step = solved(here.information, here.gradient);
     if (step.empty()) return std::nullopt;
     double decrement = 0;

@@ -19,7 +19,7 @@ constexpr std::size_t kFewestShifted = 2;
 constexpr std::size_t kFewestNoisy = 6;
 constexpr double kNearMean = 0.05;  // of a mean speed: rows left out change it by less
 
-using Group = std::vector<StrokeNumbers>;
+using StrokeGroup = std::vector<StrokeNumbers>;
 
 /// Two strokes that are the same, the original first.
 struct Pair {
@@ -44,7 +44,7 @@ std::string ofWhom(const TableStroke& stroke) { return stroke.name() + " of " + 
 using Pairs = std::map<std::string_view, std::vector<Pair>>;
 
 /// Strokes with the same speeds row for row, whoever's and wherever they are. The others go into `rest`.
-Pairs samePairs(const std::vector<Group>& groups, std::vector<const StrokeNumbers*>& rest) {
+Pairs samePairs(const std::vector<StrokeGroup>& groups, std::vector<const StrokeNumbers*>& rest) {
   std::unordered_map<std::size_t, std::vector<const StrokeNumbers*>> by_hash;
   Pairs out;
   for (const auto& group : groups) {
@@ -91,7 +91,7 @@ Likeness likeness(const StrokeNumbers& a, const StrokeNumbers& b) {
 }
 
 /// The first strokes of two participants whose strokes are alike wherever both have one of a level and number.
-std::optional<Pair> likeAll(const Group& original, const Group& copy) {
+std::optional<Pair> likeAll(const StrokeGroup& original, const StrokeGroup& copy) {
   std::size_t both = 0;
   Likeness least = Likeness::kSame;
   for (const auto& numbers : copy) {
@@ -111,9 +111,9 @@ std::optional<Pair> likeAll(const Group& original, const Group& copy) {
 }  // namespace
 
 std::vector<DataFinding> strokeCopyFindings(std::span<const TableStroke> strokes) {
-  std::vector<Group> groups;
+  std::vector<StrokeGroup> groups;
   for (const auto& of_one : byParticipant(strokes)) {
-    Group group;
+    StrokeGroup group;
     for (const auto* stroke : of_one) {
       if (auto numbers = numbersOf(*stroke)) group.push_back(std::move(*numbers));
     }

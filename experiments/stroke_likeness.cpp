@@ -8,7 +8,7 @@
 namespace tactus::experiments {
 namespace {
 
-constexpr std::size_t kFewestRows = 8;
+constexpr std::size_t kFewestAlike = 8;
 constexpr std::size_t kFewestValues = 5;
 constexpr double kRounding = 2e-3;  // of the spread: what rounding a shifted column leaves
 constexpr double kNoise = 0.03;     // of the spread
@@ -115,7 +115,7 @@ bool isSameWithLag(const StrokeNumbers& a, const StrokeNumbers& b, double lag_s,
 }  // namespace
 
 std::optional<StrokeNumbers> numbersOf(const TableStroke& stroke) {
-  if (stroke.rows.size() < kFewestRows) return std::nullopt;
+  if (stroke.rows.size() < kFewestAlike) return std::nullopt;
   StrokeNumbers out;
   out.stroke = &stroke;
   out.in_time = true;

@@ -20,7 +20,7 @@ using Severity = DataFinding::Severity;
 using Strokes = std::vector<const TableStroke*>;
 
 constexpr double kOutlier = 5;  // times the 95 % quantile; a plateau with ramps has 1.5 at most
-constexpr std::size_t kFewestRows = 5;
+constexpr std::size_t kFewestRowsJudged = 5;
 constexpr double kBackMm = 5;
 constexpr double kBackMmS = -10;
 constexpr double kSpikeMm = 50;     // between rows a few ms apart
@@ -42,14 +42,14 @@ std::map<std::string_view, Strokes> byLevel(std::span<const TableStroke* const> 
 
 bool constantSpeed(const TableStroke& stroke) {
   const auto& rows = stroke.rows;
-  return rows.size() >= kFewestRows && std::all_of(rows.begin(), rows.end(), [&rows](const auto* row) {
+  return rows.size() >= kFewestRowsJudged && std::all_of(rows.begin(), rows.end(), [&rows](const auto* row) {
            return row->speed_mm_s == rows.front()->speed_mm_s;
          });
 }
 
 bool constantDepth(const TableStroke& stroke) {
   const auto& rows = stroke.rows;
-  return rows.size() >= kFewestRows && std::all_of(rows.begin(), rows.end(), [&rows](const auto* row) {
+  return rows.size() >= kFewestRowsJudged && std::all_of(rows.begin(), rows.end(), [&rows](const auto* row) {
            return row->depth_mm == rows.front()->depth_mm;
          });
 }
@@ -84,7 +84,7 @@ bool goesBack(const TableStroke& stroke) {
     back_mm = std::max(back_mm, deepest_mm - row->depth_mm);
   }
   const bool came_from_less = deepest_mm - rows.front()->depth_mm > kBackMm;
-  const bool runs_back = longest >= kFewestRows && 20 * longest >= rows.size();
+  const bool runs_back = longest >= kFewestRowsJudged && 20 * longest >= rows.size();
   // Where nearly all speeds are below 0, the sign is wrong (stroke_units.h).
   return 5 * below <= 4 * rows.size() && (runs_back || (back_mm > kBackMm && came_from_less));
 }
@@ -109,7 +109,7 @@ std::vector<const study::SpeedSample*> outliersOf(const Strokes& strokes, double
   }
   usual_mm_s = base::quantile(speeds, 0.95);
   std::vector<const study::SpeedSample*> out;
-  if (speeds.size() < 4 * kFewestRows || usual_mm_s <= 0) return out;
+  if (speeds.size() < 4 * kFewestRowsJudged || usual_mm_s <= 0) return out;
   for (const auto* stroke : strokes) {
     for (const auto* row : stroke->rows) {
       const double speed = std::abs(row->speed_mm_s);
@@ -188,7 +188,7 @@ double lengthOf(const TableStroke& stroke) {
 /// Whether samples are missing in the middle: a step much longer than the others.
 bool hasGap(const TableStroke& stroke) {
   const auto& rows = stroke.in_time;
-  if (rows.size() < 2 * kFewestRows) return false;
+  if (rows.size() < 2 * kFewestRowsJudged) return false;
   std::vector<double> steps_s;
   for (std::size_t i = 1; i < rows.size(); ++i) steps_s.push_back(rows[i]->time_s - rows[i - 1]->time_s);
   const double longest_s = *std::max_element(steps_s.begin(), steps_s.end());

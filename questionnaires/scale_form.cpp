@@ -12,14 +12,14 @@ namespace {
 using base::JsonMembers;
 using base::required;
 
-constexpr base::NumberRange kFromOne{1, 1'000'000};
+constexpr base::NumberRange kScaleNumbers{1, 1'000'000};
 constexpr base::NumberRange kPoints{2, 101};
 
 void readItems(JsonMembers& json, std::vector<ScaleItem>& items, std::optional<base::Error>& error) {
   for (const base::JsonValue value : json.elements(required("items"))) {
     JsonMembers members(value, error);
     ScaleItem item;
-    members.integer(required("number"), item.number, kFromOne);
+    members.integer(required("number"), item.number, kScaleNumbers);
     members.text(required("text"), item.text);
     members.refuseOthers();
     for (const auto& earlier : items) {
@@ -47,7 +47,7 @@ base::Result<ScaleForm> parseScaleForm(std::string_view text, const std::string&
     json.text(required("source"), form.source);
     json.text(required("low"), form.low);
     json.text(required("high"), form.high);
-    json.integer(required("version"), form.version, kFromOne);
+    json.integer(required("version"), form.version, kScaleNumbers);
     json.integer(required("points"), form.points, kPoints);
     readItems(json, form.items, error);
     json.refuseOthers();

@@ -12,7 +12,7 @@ using base::JsonMembers;
 using base::JsonValue;
 using base::required;
 
-constexpr base::NumberRange kFromOne{1, 1'000'000};
+constexpr base::NumberRange kWordingNumbers{1, 1'000'000};
 
 void readPhrases(const JsonValue& phrases, Wording& wording, std::optional<base::Error>& error) {
   JsonMembers inputs(phrases, error);
@@ -27,7 +27,7 @@ void readItems(JsonMembers& json, Wording& wording, std::optional<base::Error>& 
   for (const JsonValue value : json.elements("items")) {
     JsonMembers members(value, error);
     Wording::Item item;
-    members.integer(required("number"), item.number, kFromOne);
+    members.integer(required("number"), item.number, kWordingNumbers);
     members.text(required("text"), item.text);
     members.refuseOthers();
     if (wording.item(item.number) != nullptr) {
@@ -44,7 +44,7 @@ Wording readWording(JsonMembers& json, std::optional<base::Error>& error) {
   json.text(required("language"), wording.language);
   json.text(required("title"), wording.title);
   json.text(required("instructions"), wording.instructions);
-  json.integer(required("form_version"), wording.version, kFromOne);
+  json.integer(required("form_version"), wording.version, kWordingNumbers);
   json.text("remark", wording.remark);
   json.text("question", wording.question);
   if (const auto phrases = json.object("phrases")) readPhrases(*phrases, wording, error);

@@ -76,12 +76,6 @@ Result<Rated> readRated(const AgreementOptions& options) {
   return rated;
 }
 
-std::string padded(const std::string& text, std::size_t width) {
-  std::string cell = base::oneLine(text);
-  cell.resize(std::max(width, cell.size() + 1), ' ');
-  return cell;
-}
-
 /// p values as people read them.
 std::string probability(double p) { return p < 0.0001 ? "below 0.0001" : base::formatFixed(p, 4); }
 

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/wrapped_text.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
@@ -70,23 +71,17 @@ std::string asJson(const elicitation::FcmResult& result, const elicitation::FcmV
   return json.text();
 }
 
-std::string padded(const std::string& text, std::size_t width) {
-  std::string cell = base::oneLine(text);
-  cell.resize(std::max(width, cell.size() + 2), ' ');
-  return cell;
-}
-
 /// `column` is empty for a file without a header.
 std::string asText(const elicitation::FcmResult& result, const elicitation::FcmValidity& validity,
                    const std::string& column) {
   const std::string centre = column.empty() ? "centre" : base::oneLine("centre (" + column + ")");
   std::size_t samples = 0;
   for (const std::size_t size : validity.sizes) samples += size;
-  std::string text = "cluster  " + padded(centre, 12) + "nearest samples\n";
+  std::string text = "cluster  " + padded(centre, 12, 2) + "nearest samples\n";
   for (std::size_t k = 0; k < result.centres.size(); ++k) {
     const double percent = 100 * static_cast<double>(validity.sizes[k]) / static_cast<double>(samples);
-    text += padded(std::to_string(k + 1), 9) +
-            padded(base::formatFixed(result.centres[k], 3), std::max<std::size_t>(12, centre.size() + 2)) +
+    text += padded(std::to_string(k + 1), 9, 2) +
+            padded(base::formatFixed(result.centres[k], 3), std::max<std::size_t>(12, centre.size() + 2), 2) +
             std::to_string(validity.sizes[k]) + " (" + base::formatFixed(percent, 1) + " %)\n";
   }
   return text + std::to_string(samples) + " samples; " + std::string(name(result.stop)) + " after " +

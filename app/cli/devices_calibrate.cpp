@@ -19,9 +19,9 @@
 namespace tactus::cli {
 namespace {
 
-class TerminalGuide final : public devices::CalibrationGuide {
+class CalibrationPrompt final : public devices::CalibrationGuide {
  public:
-  explicit TerminalGuide(const Terminal& terminal) : terminal_(terminal), lines_(*terminal.in) {}
+  explicit CalibrationPrompt(const Terminal& terminal) : terminal_(terminal), lines_(*terminal.in) {}
 
   void instruct(const std::string& sentence) override { say(wrapped(sentence, "> ", 2)); }
   void refuse(const std::string& sentence) override { say(wrapped(sentence, "! ", 2)); }
@@ -49,7 +49,7 @@ base::Result<void> makeFolderOf(const std::string& file) {
 }
 
 base::Result<Output> byDriver(const DeviceCalibrateOptions& options, const devices::DeviceSettings& settings) {
-  TerminalGuide guide(options.terminal);
+  CalibrationPrompt guide(options.terminal);
   const auto opened = devices::open(options.id, settings);
   if (!opened) return tl::unexpected(opened.error());
   if (const auto done = devices::calibrateByDriver(*opened->device, guide); !done) return tl::unexpected(done.error());
@@ -102,7 +102,7 @@ base::Result<Output> calibrateDevice(const DeviceCalibrateOptions& options) {
 
   auto plan = haptics::planFor(opened->device->info());
   if (options.method == "weight") plan.method = haptics::ScaleMethod::kKnownWeight;
-  TerminalGuide guide(options.terminal);
+  CalibrationPrompt guide(options.terminal);
   guide.say(wrapped("Press Enter to continue, type a number where one is asked for, or stop.", "", 0));
   const std::string now = base::formatUtc(std::chrono::system_clock::now());
   const auto calibration = devices::runCalibration(*opened->device, plan, now, guide);

@@ -20,9 +20,9 @@ using devices::Felt;
 using devices::SelfTest;
 
 /// The conversation, line by line.
-class TerminalGuide final : public devices::SelfTestGuide {
+class SelfTestPrompt final : public devices::SelfTestGuide {
  public:
-  explicit TerminalGuide(const Terminal& terminal) : terminal_(terminal), lines_(*terminal.in) {}
+  explicit SelfTestPrompt(const Terminal& terminal) : terminal_(terminal), lines_(*terminal.in) {}
 
   void instruct(const std::string& sentence) override { say(wrapped(sentence, "> ", 2)); }
 
@@ -82,7 +82,7 @@ std::string asJson(const haptics::DeviceInfo& info, const SelfTest& test) {
   return json.endArray().endObject().text();
 }
 
-base::Result<SelfTest> run(const devices::OpenedDevice& opened, TerminalGuide& guide) {
+base::Result<SelfTest> run(const devices::OpenedDevice& opened, SelfTestPrompt& guide) {
   auto settings = devices::settingsFor(opened.device->info());
   settings.axis = opened.axis;
   settings.axis_advice = opened.axis_advice;
@@ -103,7 +103,7 @@ base::Result<Output> testDevice(const DeviceTestOptions& options) {
   if (!opened) return tl::unexpected(opened.error());
   const auto& info = opened->device->info();
 
-  TerminalGuide guide(options.terminal);
+  SelfTestPrompt guide(options.terminal);
   guide.say(wrapped(info.id + ": " + info.name, "Self-test of ", 2));
   const auto test = run(*opened, guide);
   if (!test) return tl::unexpected(test.error());

@@ -22,7 +22,7 @@ std::string withInterval(double value, const Interval* interval) {
   return fixed1(value) + " [" + fixed1(interval->low) + ", " + fixed1(interval->high) + "]";
 }
 
-std::string probability(double p) { return formatFixed(p, p < 0.001 ? 6 : 3); }
+std::string shortProbability(double p) { return formatFixed(p, p < 0.001 ? 6 : 3); }
 
 std::string participantAsText(const ParticipantSpeeds& one, const SpeedIntervals* intervals) {
   const auto& found = one.diagnostics;
@@ -42,7 +42,7 @@ std::string participantAsText(const ParticipantSpeeds& one, const SpeedIntervals
   }
   if (found.trend) {
     text += "  order of the levels: Jonckheere-Terpstra J " + base::formatNumber(found.trend->j) + " of " +
-            base::formatNumber(found.trend->most_j) + ", p " + probability(found.trend->p) +
+            base::formatNumber(found.trend->most_j) + ", p " + shortProbability(found.trend->p) +
             (found.trend->exact ? " (exact)\n" : " (normal approximation)\n");
   }
   return text + "  nearest centre against level: adjusted Rand index " +

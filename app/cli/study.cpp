@@ -20,10 +20,6 @@ using base::ErrorCode;
 using base::Result;
 using Layout = base::JsonWriter::Layout;
 
-std::string utcText(std::int64_t utc_ms) {
-  return base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(utc_ms)));
-}
-
 std::string infoAsText(const std::string& file, const store::StudyInfo& info) {
   std::string text = base::oneLine(file + ": " + info.name) + "\n  made " + utcText(info.created_utc_ms) + " with " +
                      base::oneLine(info.program) + "\n  version of the file " + std::to_string(info.version) +

@@ -15,10 +15,6 @@ namespace {
 using base::ErrorCode;
 using base::Result;
 
-std::string utcText(std::int64_t utc_ms) {
-  return base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(utc_ms)));
-}
-
 /// Where the workbench keeps what a crash must not lose (app/workbench/tune/history/autosave_folder.h).
 std::vector<std::string> autosaveFolders() {
   namespace fs = std::filesystem;

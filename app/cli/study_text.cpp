@@ -3,12 +3,17 @@
 #include <chrono>
 
 #include "app/version.h"
+#include "core/base/clock.h"
 
 namespace tactus::cli {
 
 std::int64_t utcNowMs() {
   using namespace std::chrono;
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+std::string utcText(std::int64_t utc_ms) {
+  return base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(utc_ms)));
 }
 
 base::Result<store::StudyFile> newStudy(const std::string& path, const std::string& name) {

@@ -14,6 +14,8 @@ namespace tactus::cli {
 
 /// Wall clock, milliseconds since 1970-01-01 UTC.
 std::int64_t utcNowMs();
+/// As `2026-11-21T08:00:00Z`.
+std::string utcText(std::int64_t utc_ms);
 
 /// Creates the study file `path` and opens it.
 base::Result<store::StudyFile> newStudy(const std::string& path, const std::string& name);

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "app/cli/commands.h"
+#include "app/cli/wrapped_text.h"
 #include "app/session/table_words.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/rounded_number.h"
@@ -85,12 +86,6 @@ std::string votesText(const VoteStep& step) {
   std::vector<std::string> counts;
   for (const int votes : step.votes) counts.push_back(std::to_string(votes));
   return base::joined(counts, " ");
-}
-
-std::string padded(const std::string& text, std::size_t width) {
-  std::string cell = base::oneLine(text);
-  cell.resize(std::max(width, cell.size() + 1), ' ');
-  return cell;
 }
 
 std::string termsText(const std::vector<fuzzy::Term>& terms) {

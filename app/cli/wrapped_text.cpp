@@ -39,4 +39,10 @@ std::string wrapped(std::string_view sentence, std::string_view first, std::size
   return out + '\n';
 }
 
+std::string padded(const std::string& text, std::size_t width, std::size_t gap) {
+  std::string cell = base::oneLine(text);
+  cell.resize(std::max(width, cell.size() + gap), ' ');
+  return cell;
+}
+
 }  // namespace tactus::cli

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "app/editing/edit_impact.h"
+#include "app/editing/rules_of_term.h"
 #include "core/fuzzy/support.h"
 
 namespace tactus::editing {
@@ -26,8 +27,6 @@ Span supportOf(const Term& term, const Variable& variable) {
 }
 
 bool sameFunction(const Term& one, const Term& other) { return one.shape == other.shape && one.points == other.points; }
-
-bool counts(const Rule& rule) { return rule.enabled && rule.weight > 0; }
 
 class Region {
  public:
@@ -108,10 +107,10 @@ void addRules(const Expert& before, const Expert& after, Region& region) {
   const auto add_missing = [&](const Expert& from, const Expert& in) {
     std::set<RuleKey> known;
     for (const Rule& rule : in.rules) {
-      if (counts(rule)) known.insert(keyOf(rule));
+      if (takesPart(rule)) known.insert(keyOf(rule));
     }
     for (const Rule& rule : from.rules) {
-      if (counts(rule) && !known.contains(keyOf(rule))) region.addRule(from, rule);
+      if (takesPart(rule) && !known.contains(keyOf(rule))) region.addRule(from, rule);
     }
   };
   add_missing(before, after);

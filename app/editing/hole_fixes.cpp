@@ -54,9 +54,8 @@ bool overlap(const Hole& one, const Hole& other) {
 }
 
 bool isUsed(const ForceModel& model, const Expert& expert, const fuzzy::Variable& input, const std::string& term) {
-  return std::any_of(expert.rules.begin(), expert.rules.end(), [&](const fuzzy::Rule& rule) {
-    return rule.enabled && rule.weight > 0 && names(rule, model, input, term);
-  });
+  return std::any_of(expert.rules.begin(), expert.rules.end(),
+                     [&](const fuzzy::Rule& rule) { return takesPart(rule) && names(rule, model, input, term); });
 }
 
 /// Terms in use on both sides of a gap; null where there is none. A Gaussian has no edge that could be stretched.

@@ -14,16 +14,16 @@ namespace {
 
 constexpr double kRounding = 1e-12;  // share of a force; less is no difference of the models
 
-struct Forces {
+struct GhostForces {
   std::vector<double> force_n;
   std::vector<std::uint8_t> fired;
 };
 
-base::Result<Forces> along(const fuzzy::CompiledModel& model, const std::vector<std::optional<double>>& fixed,
-                           std::span<const double> places) {
+base::Result<GhostForces> along(const fuzzy::CompiledModel& model, const std::vector<std::optional<double>>& fixed,
+                                std::span<const double> places) {
   const auto scene = fuzzy::Scene::specialise(model, fixed);
   if (!scene) return tl::unexpected(scene.error());
-  Forces out{std::vector<double>(places.size()), std::vector<std::uint8_t>(places.size())};
+  GhostForces out{std::vector<double>(places.size()), std::vector<std::uint8_t>(places.size())};
   scene->evaluateBatch(std::span(&places, 1), {out.force_n, out.fired});
   return out;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/editing/edit_text.h"
+#include "app/editing/rules_of_term.h"
 #include "app/editing/term_list.h"
 #include "core/base/text.h"
 
@@ -99,7 +100,7 @@ std::vector<std::size_t> conflictingRules(const Expert& expert) {
   std::map<std::vector<std::pair<std::string, std::string>>, std::vector<std::size_t>> alike;
   for (std::size_t r = 0; r < expert.rules.size(); ++r) {
     const Rule& rule = expert.rules[r];
-    if (rule.enabled && rule.weight > 0) alike[sortedConditions(rule)].push_back(r);
+    if (takesPart(rule)) alike[sortedConditions(rule)].push_back(r);
   }
   std::vector<std::size_t> out;
   for (const auto& same : alike) {

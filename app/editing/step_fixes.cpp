@@ -22,7 +22,7 @@ using fuzzy::Term;
 // In step widths, so in mm of a depth.
 constexpr double kWidths[] = {5, 10, 20, 40};
 // Rules looked at for each width: some hundredths of a second.
-constexpr std::size_t kAllowance = 20'000'000;
+constexpr std::size_t kStepAllowance = 20'000'000;
 
 /// One flank of a term: between a foot and a shoulder.
 struct Flank {
@@ -93,9 +93,8 @@ class Widening {
   }
 
   bool isUsed(const fuzzy::Expert& expert, const std::string& term) const {
-    return std::any_of(expert.rules.begin(), expert.rules.end(), [&](const fuzzy::Rule& rule) {
-      return rule.enabled && rule.weight > 0 && names(rule, model_, input_, term);
-    });
+    return std::any_of(expert.rules.begin(), expert.rules.end(),
+                       [&](const fuzzy::Rule& rule) { return takesPart(rule) && names(rule, model_, input_, term); });
   }
 
   bool footIsHere(const Flank& flank) const { return flank.foot() >= low_ && flank.foot() <= high_; }
@@ -157,8 +156,8 @@ std::vector<std::pair<std::string, Result<Edit>>> widenStep(const ForceModel& mo
   /// Whether these experts still have a step around the old one, at some setting of the other inputs.
   const auto is_left = [&](const Edit& edit, double around) {
     auto all = analysis::forceStepsAlong(edit.model, edit.compiled, step.input, step.from, limits);
-    analysis::ForceProbe probe(edit.model, edit.compiled, kAllowance, stop);
-    const auto further = analysis::forceSteps(probe, limits, kAllowance / (2 * probe.costOfMean()), step.input);
+    analysis::ForceProbe probe(edit.model, edit.compiled, kStepAllowance, stop);
+    const auto further = analysis::forceSteps(probe, limits, kStepAllowance / (2 * probe.costOfMean()), step.input);
     all.insert(all.end(), further.begin(), further.end());
     return std::any_of(all.begin(), all.end(), [&](const analysis::ForceStep& one) {
       const bool theirs =

@@ -28,6 +28,8 @@ void addOrigin(HtmlPage& page, const ReportContext& context);
 // sections_speed.cpp
 void addSpeeds(HtmlPage& page, const ReportContext& context);
 void addClusters(HtmlPage& page, const ReportContext& context);
+/// The input `speed` of the built model.
+const fuzzy::Variable& speedVariable(const ReportContext& context);
 // sections_levels.cpp: the tables of addClusters
 void addClusterTables(HtmlPage& page, const ReportContext& context);
 // sections_votes.cpp

@@ -13,11 +13,6 @@ namespace {
 constexpr int kBins = 36;
 constexpr int kCurvePoints = 200;
 
-const fuzzy::Variable& speedVariable(const ReportContext& context) {
-  const auto& inputs = context.in.built.model.inputs;
-  return *std::find_if(inputs.begin(), inputs.end(), [](const auto& input) { return input.id == "speed"; });
-}
-
 std::string termLabel(const fuzzy::Variable& speed, std::size_t index) {
   return index < speed.terms.size() ? speed.terms[index].label : "Cluster " + std::to_string(index + 1);
 }
@@ -129,6 +124,11 @@ std::string rampPlot(const ReportContext& context) {
 }
 
 }  // namespace
+
+const fuzzy::Variable& speedVariable(const ReportContext& context) {
+  const auto& inputs = context.in.built.model.inputs;
+  return *std::find_if(inputs.begin(), inputs.end(), [](const auto& input) { return input.id == "speed"; });
+}
 
 void addClusters(HtmlPage& page, const ReportContext& context) {
   if (context.in.built.speeds.empty()) return;

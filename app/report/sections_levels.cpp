@@ -16,11 +16,6 @@ using elicitation::ParticipantSpeeds;
 
 constexpr std::size_t kValues = 7;  // three centres and the four ends of two ramps
 
-const fuzzy::Variable& speedVariable(const ReportContext& context) {
-  const auto& inputs = context.in.built.model.inputs;
-  return *std::find_if(inputs.begin(), inputs.end(), [](const auto& input) { return input.id == "speed"; });
-}
-
 bool hasThreeTerms(const ParticipantSpeeds& subject) {
   return subject.centres.size() == 3 && subject.ramps.size() == 2;
 }

@@ -13,7 +13,7 @@ namespace {
 
 // A drawn trace needs no more points than this; the report stays small.
 constexpr std::size_t kMostTracePoints = 300;
-constexpr std::array<Dash, 4> kDashes = {Dash::kSolid, Dash::kDashed, Dash::kDashDot, Dash::kDotted};
+constexpr std::array<Dash, 4> kLevelDashes = {Dash::kSolid, Dash::kDashed, Dash::kDashDot, Dash::kDotted};
 
 std::string signedFixed(double value, int decimals) {
   const std::string text = base::formatFixed(std::abs(value), decimals);
@@ -52,7 +52,7 @@ std::string tracePlot(const std::string& participant, const std::vector<Series>&
                 .x = {.label = "Time from the start of the stroke (s)", .min = 0, .max = end_s > 0 ? end_s : 1},
                 .y = {.label = "Speed (mm/s)", .min = 0, .max = speed_max_mm_s}});
   for (std::size_t i = 0; i < strokes.size(); ++i) {
-    plot.line(strokes[i], {.color = color, .width = 1.6, .dash = kDashes[i % kDashes.size()]},
+    plot.line(strokes[i], {.color = color, .width = 1.6, .dash = kLevelDashes[i % kLevelDashes.size()]},
               "Stroke " + std::to_string(i + 1));
   }
   return plot.svg();

@@ -22,7 +22,7 @@ constexpr double kXLength = 1.85, kYLength = 1.1, kZLength = 0.8;
 // Margins in pixels: texts of the axes left and below, colour scale on the right.
 constexpr double kLeft = 66, kRight = 104, kTop = 14, kBottom = 50;
 constexpr double kScaleWidth = 16;
-constexpr double kTickLength = 6;
+constexpr double kEdgeTick = 6;
 // Mesh lines on the surface, about this many along each input.
 constexpr std::size_t kMeshX = 30, kMeshY = 12;
 
@@ -111,7 +111,7 @@ std::string axes(const View& view, const SurfaceFrame& frame) {
   std::string out;
   const auto tick_mark = [&](BoxPoint at, SvgPoint direction, const std::string& text, TextAnchor anchor) {
     const SvgPoint from = view(at);
-    const SvgPoint to = {from.x + direction.x * kTickLength, from.y + direction.y * kTickLength};
+    const SvgPoint to = {from.x + direction.x * kEdgeTick, from.y + direction.y * kEdgeTick};
     out += svgLine(from, to, kMuted, 1);
     out += svgText({to.x + direction.x * 4, to.y + direction.y * 4 + (direction.y > 0 ? 9 : 4.5)}, text,
                    {.anchor = anchor, .color = kMuted});

@@ -6,14 +6,14 @@
 namespace tactus::session {
 namespace {
 
-using Kind = store::ColumnKind;
+using store::ColumnKind;
 using store::RecordColumn;
 using store::RecordTable;
 
 constexpr std::string_view kTitleOfAll = "Full export of a study";
 constexpr std::string_view kTitleOfShareable = "Export of a study for sharing";
 
-const RecordColumn kParticipant{"participant", Kind::kText, "", "Code of the participant"};
+const RecordColumn kParticipant{"participant", ColumnKind::kText, "", "Code of the participant"};
 
 /// `text` as a cell of a Markdown table.
 std::string inCell(std::string_view text) {
@@ -36,18 +36,19 @@ std::string row(const RecordColumn& column) {
 }  // namespace
 
 std::vector<RecordTable> viewTables(const std::vector<std::string>& input_ids, bool shareable) {
-  RecordTable participants{study::kParticipantsTable,
-                           study::kParticipantsTable,
-                           "A participant",
-                           "",
-                           {kParticipant,
-                            {"years_experience", Kind::kNumber, "years", "Experience", "", true},
-                            {"category", Kind::kText, "", "For example beginner, intermediate, expert", "", true},
-                            {"handedness", Kind::kText, "", "left, right or both", "", true},
-                            {"weight", Kind::kNumber, "", "Weight in the mean of the experts", "", true},
-                            {"simulated", Kind::kFlag, "", "1 where a program made all data of this participant"}}};
+  RecordTable participants{
+      study::kParticipantsTable,
+      study::kParticipantsTable,
+      "A participant",
+      "",
+      {kParticipant,
+       {"years_experience", ColumnKind::kNumber, "years", "Experience", "", true},
+       {"category", ColumnKind::kText, "", "For example beginner, intermediate, expert", "", true},
+       {"handedness", ColumnKind::kText, "", "left, right or both", "", true},
+       {"weight", ColumnKind::kNumber, "", "Weight in the mean of the experts", "", true},
+       {"simulated", ColumnKind::kFlag, "", "1 where a program made all data of this participant"}}};
   if (shareable) {
-    participants.columns.push_back({"years_experience_band", Kind::kText, "years",
+    participants.columns.push_back({"years_experience_band", ColumnKind::kText, "years",
                                     "Experience: <5, 5-10 (below 10), 10-15 (15 too) or >15", "", true});
   }
   RecordTable rules{
@@ -55,42 +56,42 @@ std::vector<RecordTable> viewTables(const std::vector<std::string>& input_ids, b
       study::kRulesTable,
       "A rule given directly instead of through answers",
       "",
-      {kParticipant, {"form", Kind::kText, "", "Form or reading whose depth terms the rule uses", "", true}}};
+      {kParticipant, {"form", ColumnKind::kText, "", "Form or reading whose depth terms the rule uses", "", true}}};
   for (const auto& input : input_ids) {
-    rules.columns.push_back(
-        {input, Kind::kText, "", "Term of this input that the rule asks for; empty where it asks for none", "", true});
+    rules.columns.push_back({input, ColumnKind::kText, "",
+                             "Term of this input that the rule asks for; empty where it asks for none", "", true});
   }
-  rules.columns.push_back({"then", Kind::kText, "", "Term of the force"});
-  rules.columns.push_back({"weight", Kind::kNumber, "", "Weight of the rule"});
+  rules.columns.push_back({"then", ColumnKind::kText, "", "Term of the force"});
+  rules.columns.push_back({"weight", ColumnKind::kNumber, "", "Weight of the rule"});
   return {std::move(participants),
           {study::kSpeedsTable,
            study::kSpeedsTable,
            "A sample of an accepted stroke",
            "",
            {kParticipant,
-            {"level", Kind::kText, "", "The speed that was asked for"},
-            {"stroke", Kind::kInteger, "", "Number of the stroke within participant and level, from 1"},
-            {"time_s", Kind::kNumber, "s", "From the start of the stroke"},
-            {"depth_mm", Kind::kNumber, "mm", "Depth"},
-            {"speed_mm_s", Kind::kNumber, "mm/s", "Speed, from the positions"}}},
+            {"level", ColumnKind::kText, "", "The speed that was asked for"},
+            {"stroke", ColumnKind::kInteger, "", "Number of the stroke within participant and level, from 1"},
+            {"time_s", ColumnKind::kNumber, "s", "From the start of the stroke"},
+            {"depth_mm", ColumnKind::kNumber, "mm", "Depth"},
+            {"speed_mm_s", ColumnKind::kNumber, "mm/s", "Speed, from the positions"}}},
           {study::kJudgementsTable,
            study::kJudgementsTable,
            "A force that a participant judged",
            "",
            {kParticipant,
-            {"series", Kind::kText, "", "ascending, descending or random"},
-            {"step", Kind::kInteger, "", "Place in the series, from 1"},
-            {"force_n", Kind::kNumber, "N", "Commanded force"},
-            {"term", Kind::kText, "", "Term, not_felt, beyond_practice, empty: no answer", "", true}}},
+            {"series", ColumnKind::kText, "", "ascending, descending or random"},
+            {"step", ColumnKind::kInteger, "", "Place in the series, from 1"},
+            {"force_n", ColumnKind::kNumber, "N", "Commanded force"},
+            {"term", ColumnKind::kText, "", "Term, not_felt, beyond_practice, empty: no answer", "", true}}},
           {study::kAnswersTable,
            study::kAnswersTable,
            "The last answer to an item of a form",
            "",
            {kParticipant,
-            {"form", Kind::kText, "", "Id of the form"},
-            {"item", Kind::kInteger, "", "The form's number of the item"},
-            {"term", Kind::kText, "", "The answer; empty unless answered", "", true},
-            {"status", Kind::kText, "", "answered, skipped, cant_tell or cleared"}}},
+            {"form", ColumnKind::kText, "", "Id of the form"},
+            {"item", ColumnKind::kInteger, "", "The form's number of the item"},
+            {"term", ColumnKind::kText, "", "The answer; empty unless answered", "", true},
+            {"status", ColumnKind::kText, "", "answered, skipped, cant_tell or cleared"}}},
           std::move(rules)};
 }
 

@@ -16,7 +16,7 @@ namespace tactus::session {
 namespace {
 
 using base::Result;
-using Kind = ElicitedBlock::Kind;
+using BlockKind = ElicitedBlock::Kind;
 
 /// The series in the order of the force experiment, or a place behind all of them.
 std::size_t placeOf(const std::string& series) {
@@ -62,13 +62,13 @@ std::string sessionText(const BlockInSession& one) {
 
 std::string text(const ElicitedBlock& block) {
   switch (block.kind) {
-    case Kind::kSpeedLevel:
+    case BlockKind::kSpeedLevel:
       return "the speed " + base::quoted(block.id);
-    case Kind::kForceSeries:
+    case BlockKind::kForceSeries:
       return "the series " + base::quoted(block.id);
-    case Kind::kForm:
+    case BlockKind::kForm:
       return "the form " + base::quoted(block.id);
-    case Kind::kRules:
+    case BlockKind::kRules:
       return "the rules";
   }
   return {};
@@ -76,17 +76,17 @@ std::string text(const ElicitedBlock& block) {
 
 Result<bool> isComplete(const store::StudyFile& file, const study::SessionRecord& session, const ElicitedBlock& block,
                         std::size_t scored) {
-  if (session.kind == study::SessionKind::kImport || block.kind == Kind::kRules) return true;
+  if (session.kind == study::SessionKind::kImport || block.kind == BlockKind::kRules) return true;
   const auto settings = parseSessionSettings(session.settings);
   if (!settings || session.settings.empty()) return false;
   switch (block.kind) {
-    case Kind::kSpeedLevel:
+    case BlockKind::kSpeedLevel:
       return scored >= static_cast<std::size_t>(std::max(settings->speed.strokes, 0));
-    case Kind::kForceSeries:
+    case BlockKind::kForceSeries:
       return isSeriesDone(file, session, *settings, block.id);
-    case Kind::kForm:
+    case BlockKind::kForm:
       return isFormDone(file, session, block.id);
-    case Kind::kRules:
+    case BlockKind::kRules:
       break;
   }
   return true;

@@ -18,16 +18,14 @@ using base::fail;
 using base::Result;
 using experiments::PositionSample;
 
-constexpr double kRateHz = 1000;
-constexpr double kTremorMm = 0.1;
 constexpr double kTremorHz = 9;
 
 /// A hand that moves at `speed_mm_s` for `length_s` while it feels a force; one that rests trembles only.
 experiments::ForwardMotion motionOf(double speed_mm_s, double length_s, double least_mm_s) {
   experiments::ForwardMotion motion(least_mm_s);
-  const int ticks = static_cast<int>(length_s * kRateHz);
+  const int ticks = static_cast<int>(length_s * kSimulatedRateHz);
   for (int i = 0; i < ticks; ++i) {
-    const double time_s = i / kRateHz;
+    const double time_s = i / kSimulatedRateHz;
     motion.add({time_s, speed_mm_s * time_s + kTremorMm * std::sin(2 * std::numbers::pi * kTremorHz * time_s)});
   }
   return motion;

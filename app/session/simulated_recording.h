@@ -8,6 +8,9 @@
 
 namespace tactus::session {
 
+inline constexpr double kSimulatedRateHz = 1000;  ///< of the samples: the rate of the servo
+inline constexpr double kTremorMm = 0.1;          ///< amplitude, the low end of physiological tremor
+
 /// The random part of a recording. Two recordings of one movement differ only in it.
 struct RecordingNoise {
   std::vector<double> tremor_mm;  ///< one per tick: physiological tremor, a sine of 8 to 12 Hz

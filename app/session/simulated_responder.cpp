@@ -11,7 +11,7 @@
 namespace tactus::session {
 namespace {
 
-using Kind = study::ForceJudgement::Kind;
+using JudgementKind = study::ForceJudgement::Kind;
 
 constexpr double kAbsoluteN = 0.04;
 constexpr double kWeber = 0.12;
@@ -21,7 +21,7 @@ constexpr double kWeber = 0.12;
 double thresholdAfter(std::size_t term, const std::string& code, const std::vector<std::string>& terms) {
   double last_n = 0;
   for (const auto& judgement : simulatedJudgements()) {
-    if (judgement.participant != code || judgement.kind != Kind::kTerm) continue;
+    if (judgement.participant != code || judgement.kind != JudgementKind::kTerm) continue;
     const auto place = static_cast<std::size_t>(std::find(terms.begin(), terms.end(), judgement.term) - terms.begin());
     if (place > term) return (last_n + judgement.force_n) / 2;
     last_n = judgement.force_n;
@@ -67,13 +67,13 @@ Response SimulatedResponder::judge(double felt_n, base::Random& random) {
   if (before_n_) percept_n += traits_.assimilation * (*before_n_ - percept_n);
   before_n_ = percept_n;
 
-  Response response{Kind::kTerm, {}, percept_n};
+  Response response{JudgementKind::kTerm, {}, percept_n};
   if (lapses) {
     response.term = terms_[random_term];
   } else if (percept_n < traits_.felt_from_n) {
-    response.kind = Kind::kNotFelt;
+    response.kind = JudgementKind::kNotFelt;
   } else if (percept_n >= traits_.beyond_from_n) {
-    response.kind = Kind::kBeyondPractice;
+    response.kind = JudgementKind::kBeyondPractice;
   } else {
     const auto above = std::upper_bound(traits_.threshold_n.begin(), traits_.threshold_n.end(), percept_n);
     response.term = terms_[static_cast<std::size_t>(above - traits_.threshold_n.begin())];

@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::size_t kStrokes = 4;       // paper, Section 3.1.4: "consecutively four times"
 constexpr double kStrokeLengthMm = 60;    // within the reach of a desktop device; a longer one only lasts longer
-constexpr double kRateHz = 1000;          // the servo's rate
 constexpr double kBetweenStrokes = 0.35;  // variation between strokes as a share of all; the rest lies within strokes
 constexpr double kWander = 0.03;          // amplitude of the wander as a share of the speed
 constexpr double kWanderHz = 1.5;         // slow against a stroke, as a hand that is not a machine
@@ -53,7 +52,7 @@ constexpr double kLongestRamp = 0.5;
 /// Minimum-jerk step from 0 to 1 for u in [0, 1] (Flash and Hogan 1985).
 double step(double u) { return u * u * u * (10 + u * (-15 + 6 * u)); }
 
-constexpr std::size_t ticks(double seconds) { return static_cast<std::size_t>(seconds * kRateHz + 0.5); }
+constexpr std::size_t ticks(double seconds) { return static_cast<std::size_t>(seconds * kSimulatedRateHz + 0.5); }
 constexpr std::size_t kTicksAround = 3 * ticks(kRestS) + ticks(kReturnS);
 
 StrokePlan planStroke(std::size_t stroke_ticks, base::Random& random) {
@@ -61,7 +60,8 @@ StrokePlan planStroke(std::size_t stroke_ticks, base::Random& random) {
   const double phase = random.uniform(0, 2 * std::numbers::pi);
   plan.gain.resize(stroke_ticks);
   for (std::size_t i = 0; i < stroke_ticks; ++i) {
-    plan.gain[i] = 1 + kWander * std::sin(phase + 2 * std::numbers::pi * kWanderHz * static_cast<double>(i) / kRateHz);
+    plan.gain[i] =
+        1 + kWander * std::sin(phase + 2 * std::numbers::pi * kWanderHz * static_cast<double>(i) / kSimulatedRateHz);
   }
   plan.noise = RecordingNoise::of(stroke_ticks + kTicksAround, random);
   return plan;
@@ -93,7 +93,7 @@ std::vector<double> strokeSpeeds(const std::vector<double>& gain, const StrokeSh
   for (std::size_t i = 0; i <= intervals; ++i) {
     const double nearest_end = static_cast<double>(std::min(i, intervals - i)) / static_cast<double>(intervals);
     speeds[i] = gain[i] * (nearest_end < shape.ramp ? step(nearest_end / shape.ramp) : 1);
-    unscaled_mm += speeds[i] / kRateHz;
+    unscaled_mm += speeds[i] / kSimulatedRateHz;
   }
   for (double& speed : speeds) speed *= shape.length_mm / unscaled_mm;
   return speeds;
@@ -106,7 +106,7 @@ std::vector<double> handSpeeds(const std::vector<double>& gain, const StrokeShap
   speeds.insert(speeds.end(), stroke.begin(), stroke.end());
   speeds.resize(speeds.size() + ticks(kRestS));
   for (std::size_t i = 0; i < ticks(kReturnS); ++i) {
-    const double u = static_cast<double>(i) / (kReturnS * kRateHz);
+    const double u = static_cast<double>(i) / (kReturnS * kSimulatedRateHz);
     speeds.push_back(-30 * u * u * (1 - u) * (1 - u) * shape.length_mm / kReturnS);
   }
   speeds.resize(speeds.size() + ticks(kRestS));

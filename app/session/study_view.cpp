@@ -30,18 +30,18 @@ struct Visit {
 /// Sessions that elicitation reads.
 using Visits = std::map<RecordId, Visit>;
 
-class Reader {
+class StudyReader {
  public:
-  explicit Reader(const store::StudyFile& file) : file_(file) {}
+  explicit StudyReader(const store::StudyFile& file) : file_(file) {}
 
   Result<StudyView> read() {
     if (auto distinct = store::requireDistinctCodes(file_); !distinct) return tl::unexpected(distinct.error());
     const auto info = store::studyInfo(file_);
     if (!info) return tl::unexpected(info.error());
     view_.study.name = info->name;
-    using Step = Result<void> (Reader::*)();
-    for (const Step step : {&Reader::addParticipants, &Reader::addSpeeds, &Reader::addJudgements, &Reader::addAnswers,
-                            &Reader::addRules}) {
+    using Step = Result<void> (StudyReader::*)();
+    for (const Step step : {&StudyReader::addParticipants, &StudyReader::addSpeeds, &StudyReader::addJudgements,
+                            &StudyReader::addAnswers, &StudyReader::addRules}) {
       if (auto ok = (this->*step)(); !ok) return tl::unexpected(base::inFile(ok.error(), file_.path()));
     }
     return std::move(view_);
@@ -244,6 +244,6 @@ Result<std::vector<study::SpeedSample>> speedSamples(const study::StrokeRecord& 
   return samples;
 }
 
-Result<StudyView> studyForElicitation(const store::StudyFile& file) { return Reader(file).read(); }
+Result<StudyView> studyForElicitation(const store::StudyFile& file) { return StudyReader(file).read(); }
 
 }  // namespace tactus::session

@@ -15,7 +15,7 @@
 namespace tactus::session {
 namespace {
 
-using Kind = study::ForceJudgement::Kind;
+using JudgementKind = study::ForceJudgement::Kind;
 
 /// Ids of one kind, and the words that stood for them.
 class Words {
@@ -94,16 +94,16 @@ void readJudgements(study::Study& study, std::vector<std::string>& notes) {
   terms.add("beyond_practice");
   for (auto& row : study.judgements) {
     row.series = series.read(row.series);
-    if (row.kind != Kind::kTerm) continue;
+    if (row.kind != JudgementKind::kTerm) continue;
     if (terms.isMissing(row.term)) {
-      row.kind = Kind::kNoAnswer;
+      row.kind = JudgementKind::kNoAnswer;
       row.term.clear();
       continue;
     }
     row.term = terms.read(row.term);
-    if (row.term == "not_felt") row.kind = Kind::kNotFelt;
-    if (row.term == "beyond_practice") row.kind = Kind::kBeyondPractice;
-    if (row.kind != Kind::kTerm) row.term.clear();
+    if (row.term == "not_felt") row.kind = JudgementKind::kNotFelt;
+    if (row.term == "beyond_practice") row.kind = JudgementKind::kBeyondPractice;
+    if (row.kind != JudgementKind::kTerm) row.term.clear();
   }
   series.addNotes(notes);
   terms.addNotes(notes);

@@ -18,7 +18,7 @@ constexpr long long kRoomBytes = 8LL << 20;
 constexpr long long kSpareBytes = 2LL << 20;
 /// As many pages as SQLite waits for by itself.
 constexpr int kCheckpointFrames = 1000;
-constexpr long long kFrameHeaderBytes = 24;
+constexpr long long kWalFrameHeaderBytes = 24;
 
 [[noreturn]] void refuseGone(const std::string& found) {
   refuse(ErrorCode::kIo, {}, found,
@@ -111,7 +111,7 @@ void Opening::countCommit() {
 
 int Opening::afterCommit(void* self, sqlite3* database, const char* schema, int frames) {
   auto* opening = static_cast<Opening*>(self);
-  opening->frames_end_ = frames * (kFrameHeaderBytes + opening->page_bytes_);
+  opening->frames_end_ = frames * (kWalFrameHeaderBytes + opening->page_bytes_);
   if (frames >= kCheckpointFrames) {
     // Where it fails, the journal just grows on; the commit is safe in it.
     sqlite3_wal_checkpoint_v2(database, schema, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);

@@ -15,7 +15,7 @@ namespace {
 using base::ErrorCode;
 using base::Result;
 
-constexpr std::string_view kMagic = "TREC";
+constexpr std::string_view kRecordingMagic = "TREC";
 constexpr std::uint64_t kLayout = 1;
 constexpr std::size_t kChecksumBytes = 4;
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
@@ -101,7 +101,7 @@ tl::unexpected<base::Error> damaged(std::string found) {
 
 Result<std::string> encodeRecording(const study::Recording& recording) {
   if (auto storable = requireStorable(recording); !storable) return tl::unexpected(storable.error());
-  std::string out(kMagic);
+  std::string out(kRecordingMagic);
   putNumber(out, kLayout, 2);
   putNumber(out, recording.channels.size(), 2);
   putNumber(out, recording.size(), 4);
@@ -127,7 +127,7 @@ Result<study::Recording> decodeRecording(std::string_view bytes) {
     return damaged("bytes with another checksum");
   }
   Reader reader(body);
-  if (reader.take(kMagic.size()) != kMagic) return damaged("another beginning");
+  if (reader.take(kRecordingMagic.size()) != kRecordingMagic) return damaged("another beginning");
   if (const auto layout = reader.number(2); layout != kLayout) {
     return base::fail(ErrorCode::kVersion, "recording", "layout " + std::to_string(layout), "layout 1");
   }

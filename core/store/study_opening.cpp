@@ -25,7 +25,7 @@ using base::ErrorCode;
 using base::Result;
 using Mode = Connection::Mode;
 
-tl::unexpected<Error> ioError(const std::string& path, std::string found, std::string wanted) {
+tl::unexpected<Error> fileError(const std::string& path, std::string found, std::string wanted) {
   return tl::unexpected(Error{ErrorCode::kIo, path, {}, std::move(found), std::move(wanted)});
 }
 
@@ -43,22 +43,22 @@ Result<void> requireFile(const std::string& path) {
   } else if (error) {
     found = error.message();
   }
-  return ioError(path, std::move(found), "a Tactus study file");
+  return fileError(path, std::move(found), "a Tactus study file");
 }
 
 /// SQLite would play such a journal back into the study; Tactus never leaves one beside it.
 Result<void> requireNoRollbackJournal(const std::string& path) {
   const std::string journal = path + "-journal";
   if (identityOf(journal).bytes <= 0) return {};
-  return ioError(path, "the journal of another program beside the study (" + base::quoted(journal) + ")",
-                 "the study without it; move that file away");
+  return fileError(path, "the journal of another program beside the study (" + base::quoted(journal) + ")",
+                   "the study without it; move that file away");
 }
 
 /// For reading only: as usual where the journal can be opened too, without locks where nothing can be written.
 Result<Mode> readingMode(const std::string& path) {
   if (whyNotWritable(path).found.empty()) return Mode::kQueryOnly;
   if (identityOf(journalOf(path)).bytes <= 0) return Mode::kImmutable;
-  return ioError(
+  return fileError(
       path, "a journal beside the study that was not worked in after a crash, in a place that cannot be written to",
       "both files together in a folder that can be written to");
 }
@@ -233,14 +233,14 @@ Result<OpenedStudy> openAs(const std::string& path, const OpenOptions& options, 
       const std::string kept = freeNameFor(path);
       std::error_code error;
       fs::copy_file(journalOf(path), kept, error);
-      if (error) return ioError(kept, error.message(), "a place in which the damaged journal can be kept");
+      if (error) return fileError(kept, error.message(), "a place in which the damaged journal can be kept");
       if (incident) incident->detail += "; the journal is kept as " + fs::path(kept).filename().string();
     }
     if (findings.is_behind) {
-      if (!isIntactAlone(path)) return ioError(path, "a damaged file", "an intact study file; restore a backup");
+      if (!isIntactAlone(path)) return fileError(path, "a damaged file", "an intact study file; restore a backup");
       if (mode != Mode::kReadWrite) {
-        return ioError(path, "a damaged journal beside the study",
-                       "a study that was opened for writing once since then");
+        return fileError(path, "a damaged journal beside the study",
+                         "a study that was opened for writing once since then");
       }
       study.connection.reset();
       fs::remove(journalOf(path));
@@ -255,9 +255,9 @@ Result<OpenedStudy> openAs(const std::string& path, const OpenOptions& options, 
   });
   if (!version) {
     if (journal.commits == 0 || !isIntactAlone(path)) return tl::unexpected(version.error());
-    return ioError(path,
-                   "a damaged journal (" + base::quoted(journalOf(path)) + ") beside a study that is intact without it",
-                   "an intact journal; move it away, and keep it, to open the study without what was saved last");
+    return fileError(
+        path, "a damaged journal (" + base::quoted(journalOf(path)) + ") beside a study that is intact without it",
+        "an intact journal; move it away, and keep it, to open the study without what was saved last");
   }
   study.version = *version;
   if (mode == Mode::kReadWrite) {

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kMostKinkPoints = 200'000;
 constexpr std::size_t kSpreadPoints = 8'192;
 /// Rules and pairs looked at in all, so that a study of a thousand experts ends in seconds.
-constexpr std::size_t kAllowance = 400'000'000;
-constexpr std::size_t kBlock = 1'024;
+constexpr std::size_t kInfluenceAllowance = 400'000'000;
+constexpr std::size_t kPointsAtOnce = 1'024;
 
 /// The forces of all experts at one point.
 struct PointForces {
@@ -48,13 +48,13 @@ base::Result<std::vector<fuzzy::CompiledModel>> compileEach(const fuzzy::ForceMo
 template <class Visit>
 void forEachPoint(const std::vector<fuzzy::CompiledModel>& experts, const analysis::SamplePoints& points,
                   std::size_t inputs, Visit visit) {
-  std::vector<std::vector<double>> columns(inputs, std::vector<double>(kBlock));
-  std::vector<std::vector<double>> forces_n(experts.size(), std::vector<double>(kBlock));
-  std::vector<std::vector<std::uint8_t>> fired(experts.size(), std::vector<std::uint8_t>(kBlock));
+  std::vector<std::vector<double>> columns(inputs, std::vector<double>(kPointsAtOnce));
+  std::vector<std::vector<double>> forces_n(experts.size(), std::vector<double>(kPointsAtOnce));
+  std::vector<std::vector<std::uint8_t>> fired(experts.size(), std::vector<std::uint8_t>(kPointsAtOnce));
   std::vector<std::vector<double>> block;
   PointForces at{std::vector<double>(experts.size()), std::vector<std::uint8_t>(experts.size())};
-  for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
-    const std::size_t count = std::min(kBlock, points.size() - begin);
+  for (std::size_t begin = 0; begin < points.size(); begin += kPointsAtOnce) {
+    const std::size_t count = std::min(kPointsAtOnce, points.size() - begin);
     block.clear();
     for (std::size_t i = 0; i < count; ++i) {
       block.push_back(points[begin + i]);
@@ -209,7 +209,7 @@ std::size_t costOf(const fuzzy::ForceModel& model) {
 base::Result<ExpertInfluences> expertInfluence(const fuzzy::ForceModel& model) {
   const auto experts = compileEach(model);
   if (!experts) return tl::unexpected(experts.error());
-  const std::size_t affordable = std::max<std::size_t>(64, kAllowance / costOf(model));
+  const std::size_t affordable = std::max<std::size_t>(64, kInfluenceAllowance / costOf(model));
   Comparison comparison(model);
   const std::size_t inputs = model.inputs.size();
   forEachPoint(*experts, analysis::kinkPoints(model, std::min(kMostKinkPoints, affordable)), inputs,

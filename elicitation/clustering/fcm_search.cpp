@@ -18,9 +18,9 @@ constexpr std::size_t kMostForStarts = 512;  // more entries are made coarser fo
 constexpr std::size_t kCoarse = 256;
 constexpr std::size_t kMostRefined = 8;   // minima that are followed beyond the starts
 constexpr double kRoughTolerance = 1e-7;  // for starts on coarse entries, far below what coarseness costs
-constexpr double kSmoothM = 3;            // above it J has minima at single samples
+constexpr double kMinimaApartM = 3;       // above it J has minima at single samples
 constexpr std::size_t kFewEntries = 64;
-constexpr int kStartsFactor = 4;      // beyond kSmoothM
+constexpr int kStartsFactor = 4;      // beyond kMinimaApartM
 constexpr int kMostRelocations = 12;  // of few entries; of more, which have smoother J and cost time, the next
 constexpr int kMostRelocationsOfMany = 3;
 constexpr std::size_t kRelocatedMinima = 6;
@@ -107,7 +107,7 @@ class Search {
     const FcmData data = entries.view();
     base::Random random(settings_.seed);
     std::vector<FcmDescent> found;
-    const bool more = settings_.starts > 1 && (settings_.m > kSmoothM || entries.size() <= kFewEntries);
+    const bool more = settings_.starts > 1 && (settings_.m > kMinimaApartM || entries.size() <= kFewEntries);
     const int starts = more ? kStartsFactor * settings_.starts : settings_.starts;
     for (int start = 0; start < std::max(starts, 1) && !out_.cancelled; ++start) {
       std::vector<double> centres = startNumber(start, entries, random);
@@ -124,7 +124,7 @@ class Search {
 
   /// Few values, many clusters or much fuzziness: so many minima that starts alone miss the lowest.
   bool isRugged(const FcmEntries& entries) const {
-    return entries.size() <= kFewEntries || settings_.clusters > 4 || settings_.m > kSmoothM;
+    return entries.size() <= kFewEntries || settings_.clusters > 4 || settings_.m > kMinimaApartM;
   }
 
   /// The lowest minimum whose relocations were not tried yet, in turn, until the lowest few were.
@@ -160,7 +160,7 @@ class Search {
         break;
     }
     std::vector<double> centres = spreadStart(entries, settings_.clusters, random);
-    if (settings_.m > kSmoothM) {  // a centre on a sample would stay there
+    if (settings_.m > kMinimaApartM) {  // a centre on a sample would stay there
       for (std::size_t k = 1; k < centres.size(); ++k) {
         centres[k - 1] += random.uniform(0, 0.3) * (centres[k] - centres[k - 1]);
       }

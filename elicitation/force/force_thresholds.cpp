@@ -13,9 +13,9 @@ namespace {
 
 using study::ForceJudgement;
 
-constexpr double kMicro = 1e6;  // thresholds are rounded to a micronewton, as the ends of the frequency curve
+constexpr double kPerMicronewton = 1e6;  // thresholds are rounded to a micronewton, as the ends of the frequency curve
 
-double rounded(double force_n) { return std::round(force_n * kMicro) / kMicro; }
+double rounded(double force_n) { return std::round(force_n * kPerMicronewton) / kPerMicronewton; }
 
 /// A judged force and its place on the scale: 0 for "not felt", k + 1 for term k, one more than all terms for "beyond".
 struct Answer {

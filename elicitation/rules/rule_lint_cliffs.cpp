@@ -11,7 +11,7 @@ namespace tactus::elicitation {
 namespace {
 
 // Rules looked at for all of them: some hundredths of a second.
-constexpr std::size_t kAllowance = 40'000'000;
+constexpr std::size_t kCliffAllowance = 40'000'000;
 constexpr std::size_t kFewestForces = 1000;
 
 std::string trimmedNumber(double value, int decimals) {
@@ -43,7 +43,7 @@ std::vector<RuleFinding> findingsOfCliffs(const RuleContext& context, analysis::
   std::vector<RuleFinding> out;
   if (context.model.output.unit != "N") return out;
   const auto limits = forceStepLimits(context.model);
-  const std::size_t forces = std::max(kFewestForces, kAllowance / (2 * probe.costOfMean()));
+  const std::size_t forces = std::max(kFewestForces, kCliffAllowance / (2 * probe.costOfMean()));
   for (const auto& step : analysis::forceSteps(probe, limits, forces)) {
     const fuzzy::Variable& input = context.model.inputs[step.input];
     auto& finding = out.emplace_back();

@@ -12,7 +12,7 @@ namespace {
 // Points at which experts are compared: most combinations of the vertices of four inputs.
 constexpr std::size_t kMostComparisons = 20000;
 // Rules looked at for all of them.
-constexpr std::size_t kAllowance = 25'000'000;
+constexpr std::size_t kExpertAllowance = 25'000'000;
 
 /// The rule of each of the two that is strongest at the point, the first of equals.
 std::vector<RuleFinding::Source> strongestRules(const RuleContext& context, const analysis::ExpertSpread& spread) {
@@ -45,7 +45,7 @@ std::string notAsked(const RuleContext& context, const analysis::ExpertSpread& s
 std::vector<RuleFinding> findingsOfExperts(const RuleContext& context, analysis::ForceProbe& probe) {
   std::vector<RuleFinding> out;
   if (context.model.output.unit != "N") return out;
-  const std::size_t samples = std::clamp<std::size_t>(kAllowance / probe.costOfMean(), 1, kMostComparisons);
+  const std::size_t samples = std::clamp<std::size_t>(kExpertAllowance / probe.costOfMean(), 1, kMostComparisons);
   for (const auto& spread : analysis::expertsApart(probe, context.region_input, justNoticeableDifference,
                                                    context.settings.noticeable_times, samples)) {
     const std::string& low = context.model.experts[spread.low].id;

@@ -8,8 +8,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kWidth = 16;   // px
-constexpr int kHeight = 24;  // px
+constexpr int kLockWidth = 16;  // px
+constexpr int kHeight = 24;     // px
 
 }  // namespace
 
@@ -19,7 +19,7 @@ LockButton::LockButton(QWidget* parent) : QAbstractButton(parent) {
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
-QSize LockButton::sizeHint() const { return {kWidth, kHeight}; }
+QSize LockButton::sizeHint() const { return {kLockWidth, kHeight}; }
 
 void LockButton::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);

@@ -13,7 +13,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kWidth = 40 * theme::kGrid;  // px
+constexpr int kFormWidth = 40 * theme::kGrid;  // px
 
 }  // namespace
 
@@ -25,7 +25,7 @@ PopupForm::PopupForm(const QString& title, const QString& accept, QWidget* paren
   setAttribute(Qt::WA_DeleteOnClose);
   setFrameShape(QFrame::StyledPanel);
   setBackgroundRole(QPalette::Base);
-  setFixedWidth(kWidth);
+  setFixedWidth(kFormWidth);
   auto* head = new QLabel(title, this);
   head->setFont(theme::headingFont());
   head->setTextFormat(Qt::PlainText);

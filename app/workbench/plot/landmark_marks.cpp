@@ -10,10 +10,10 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kRows = 2;
-constexpr double kGap = 8;     // px between two names in a row
-constexpr double kBar = 3;     // px
-constexpr double kLeader = 3;  // px from the bars to the lowest row
+constexpr int kNameRows = 2;
+constexpr double kNameGap = 8;         // px between two names in a row
+constexpr double kLandmarkBar = 3;     // px
+constexpr double kLandmarkLeader = 3;  // px from the bars to the lowest row
 
 }  // namespace
 
@@ -41,7 +41,9 @@ QString LandmarkMarks::explanation() const {
 
 int LandmarkMarks::height() const {
   if (landmarks_.empty()) return 0;
-  return static_cast<int>(named_ ? kBar + kLeader + kRows * QFontMetricsF(font_).height() : kBar) + 1;
+  return static_cast<int>(named_ ? kLandmarkBar + kLandmarkLeader + kNameRows * QFontMetricsF(font_).height()
+                                 : kLandmarkBar) +
+         1;
 }
 
 void LandmarkMarks::applyDefaultAntialiasingHint(QCPPainter* painter) const { painter->setAntialiasing(true); }
@@ -56,31 +58,31 @@ void LandmarkMarks::draw(QCPPainter* painter) {
   const QFontMetricsF metrics(font_);
   // The edge on which the bars stand; under the upper one they hang.
   const bool hang = place_ == Place::kUnder;
-  const double edge = place_ == Place::kAbove ? area->top() - 1.0 : hang ? area->top() + kBar : area->bottom();
+  const double edge = place_ == Place::kAbove ? area->top() - 1.0 : hang ? area->top() + kLandmarkBar : area->bottom();
   std::vector<Label> labels;
   painter->setPen(Qt::NoPen);
   painter->setBrush(theme::mutedInk());
   for (const Landmark& mark : landmarks_) {
     const double left = axis->coordToPixel(mark.from_mm);
     const double right = axis->coordToPixel(mark.to_mm);
-    painter->drawRect(QRectF(left - 0.75, edge - kBar, std::max(1.5, right - left), kBar));
+    painter->drawRect(QRectF(left - 0.75, edge - kLandmarkBar, std::max(1.5, right - left), kLandmarkBar));
     labels.push_back({(left + right) / 2, metrics.horizontalAdvance(mark.name)});
   }
   if (!named_) return;
 
   const QRect room = place_ == Place::kAbove ? mParentPlot->viewport() : area->rect();
   // Names that hang end above the membership 1.
-  const double free = area->axis(QCPAxis::atLeft)->coordToPixel(1) - 2 * kLeader - edge - kLeader;
-  const int rows = hang ? std::clamp(static_cast<int>(free / metrics.height()), 0, kRows) : kRows;
-  const auto places = placeLabels(labels, rows, room.left() + 2.0, room.right() - 2.0, kGap);
+  const double free = area->axis(QCPAxis::atLeft)->coordToPixel(1) - 2 * kLandmarkLeader - edge - kLandmarkLeader;
+  const int rows = hang ? std::clamp(static_cast<int>(free / metrics.height()), 0, kNameRows) : kNameRows;
+  const auto places = placeLabels(labels, rows, room.left() + 2.0, room.right() - 2.0, kNameGap);
   painter->setFont(font_);
   for (std::size_t i = 0; i < landmarks_.size(); ++i) {
     if (!places[i]) continue;
-    const double away = kLeader + places[i]->row * metrics.height();
-    const double base = hang ? edge + away + metrics.height() : edge - kBar - away;
+    const double away = kLandmarkLeader + places[i]->row * metrics.height();
+    const double base = hang ? edge + away + metrics.height() : edge - kLandmarkBar - away;
     painter->setPen(QPen(theme::mutedInk(), 0.8));
     painter->drawLine(QLineF(lineStart(labels[i], *places[i]), hang ? edge + away : base, labels[i].center,
-                             hang ? edge : edge - kBar));
+                             hang ? edge : edge - kLandmarkBar));
     QColor halo = theme::card();
     halo.setAlphaF(0.75F);
     painter->fillRect(QRectF(places[i]->left - 2, base - metrics.height(), labels[i].width + 4, metrics.height()),
@@ -101,7 +103,7 @@ void LandmarkMarks::drawBeside(QCPPainter& painter) const {
   for (auto mark = landmarks_.rbegin(); mark != landmarks_.rend(); ++mark) {
     const double low = axis->coordToPixel(mark->from_mm);
     const double high = axis->coordToPixel(mark->to_mm);
-    painter.drawRect(QRectF(area->left(), high - 0.75, kBar, std::max(1.5, low - high)));
+    painter.drawRect(QRectF(area->left(), high - 0.75, kLandmarkBar, std::max(1.5, low - high)));
     labels.push_back({(low + high) / 2, metrics.height()});
   }
   const auto places = placeLabels(labels, 1, area->top(), area->bottom(), 0);
@@ -111,10 +113,10 @@ void LandmarkMarks::drawBeside(QCPPainter& painter) const {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!places[i]) continue;
     const QString& name = landmarks_[landmarks_.size() - 1 - i].name;
-    const double left = area->left() + kBar + 3 * kLeader;
+    const double left = area->left() + kLandmarkBar + 3 * kLandmarkLeader;
     const double top = places[i]->left;
     painter.setPen(QPen(theme::ink(), 0.8));
-    painter.drawLine(QLineF(area->left() + kBar, labels[i].center, left - 2, top + metrics.height() / 2));
+    painter.drawLine(QLineF(area->left() + kLandmarkBar, labels[i].center, left - 2, top + metrics.height() / 2));
     painter.fillRect(QRectF(left - 2, top, metrics.horizontalAdvance(name) + 4, metrics.height()), halo);
     painter.setPen(theme::ink());
     painter.drawText(QPointF(left, top + metrics.ascent()), name);

@@ -13,11 +13,11 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr double kLine = 50;     // px, height of an expert
-constexpr double kDot = 10;      // px
-constexpr double kForces = 120;  // px, width of force and share
+constexpr double kExpertHeight = 50;  // px, height of an expert
+constexpr double kDot = 10;           // px
+constexpr double kForces = 120;       // px, width of force and share
 constexpr double kNarrowestSketch = 90;
-constexpr int kNarrowest = 340;  // px, of all
+constexpr int kNarrowestFlow = 340;  // px, of all
 
 }  // namespace
 
@@ -34,37 +34,38 @@ void ExpertFlow::set(std::shared_ptr<const OpenModel> open, analysis::Explanatio
 }
 
 QSize ExpertFlow::sizeHint() const {
-  return {640, static_cast<int>(kLine * static_cast<double>(explanation_.experts.size()))};
+  return {640, static_cast<int>(kExpertHeight * static_cast<double>(explanation_.experts.size()))};
 }
 
-QSize ExpertFlow::minimumSizeHint() const { return {kNarrowest, sizeHint().height()}; }
+QSize ExpertFlow::minimumSizeHint() const { return {kNarrowestFlow, sizeHint().height()}; }
 
 void ExpertFlow::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   // Of many experts only those in sight.
-  const auto first = static_cast<std::size_t>(std::max(0.0, event->rect().top() / kLine));
-  const auto last = static_cast<std::size_t>(std::max(0.0, event->rect().bottom() / kLine));
+  const auto first = static_cast<std::size_t>(std::max(0.0, event->rect().top() / kExpertHeight));
+  const auto last = static_cast<std::size_t>(std::max(0.0, event->rect().bottom() / kExpertHeight));
   for (std::size_t expert = first; expert < explanation_.experts.size() && expert <= last; ++expert) {
     paintLine(painter, expert);
   }
 }
 
 void ExpertFlow::mousePressEvent(QMouseEvent* event) {
-  const auto line = static_cast<std::size_t>(std::max(0.0, event->position().y()) / kLine);
+  const auto line = static_cast<std::size_t>(std::max(0.0, event->position().y()) / kExpertHeight);
   if (event->button() == Qt::LeftButton && line < explanation_.experts.size()) emit chosen(line);
 }
 
 void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
   const analysis::ExplainedExpert& explained = explanation_.experts[expert];
-  const QRectF line(0, kLine * static_cast<double>(expert), width(), kLine);
+  const QRectF line(0, kExpertHeight * static_cast<double>(expert), width(), kExpertHeight);
   if (expert % 2 == 0) painter.fillRect(line, theme::window());
   painter.setPen(Qt::NoPen);
   painter.setBrush(theme::expert(expert));
   painter.drawEllipse(QRectF(4, line.center().y() - kDot / 2, kDot, kDot));
 
   const double sketch_width = std::max(kNarrowestSketch, (width() - kForces) * 0.25);
-  const QRectF words(4 + kDot + theme::kGrid, line.top() + 5, width() - kForces - sketch_width - kDot - 28, kLine - 10);
+  const QRectF words(4 + kDot + theme::kGrid, line.top() + 5, width() - kForces - sketch_width - kDot - 28,
+                     kExpertHeight - 10);
   painter.setPen(theme::ink());
   painter.setFont(theme::headingFont());
   painter.drawText(words, Qt::AlignLeft | Qt::AlignTop,
@@ -76,8 +77,8 @@ void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
       words, Qt::AlignLeft | Qt::AlignBottom,
       painter.fontMetrics().elidedText(strongestRule(expert), Qt::ElideRight, static_cast<int>(words.width())));
 
-  const QRectF forces(line.right() - kForces, line.top() + 5, kForces - theme::kGrid, kLine - 10);
-  SetSketch sketch(painter, QRectF(forces.left() - sketch_width, line.top() + 4, sketch_width - 8, kLine - 9),
+  const QRectF forces(line.right() - kForces, line.top() + 5, kForces - theme::kGrid, kExpertHeight - 10);
+  SetSketch sketch(painter, QRectF(forces.left() - sketch_width, line.top() + 4, sketch_width - 8, kExpertHeight - 9),
                    open_->model.output);
   sketch.ground();
   if (explained.abstains) {

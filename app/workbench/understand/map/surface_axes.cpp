@@ -31,10 +31,6 @@ enum Axis : std::size_t { kX, kY, kZ };
 
 double& coordinate(BoxPoint& point, std::size_t axis) { return axis == kX ? point.x : axis == kY ? point.y : point.z; }
 
-double shareOf(const fuzzy::Variable& variable, double value) {
-  return (value - variable.min) / (variable.max - variable.min);
-}
-
 /// An edge of the box that is parallel to an axis.
 struct Edge {
   std::size_t axis = kX;
@@ -303,6 +299,10 @@ class Builder {
 };
 
 }  // namespace
+
+double shareOf(const fuzzy::Variable& variable, double value) {
+  return (value - variable.min) / (variable.max - variable.min);
+}
 
 SurfaceAxes surfaceAxes(const SurfaceProjection& seen, const fuzzy::Variable& x, const fuzzy::Variable& y,
                         const fuzzy::Variable& z, const QFont& font, const QRectF& bounds) {

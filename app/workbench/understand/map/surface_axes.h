@@ -18,6 +18,9 @@
 
 namespace tactus::workbench {
 
+/// Where `value` lies in the universe: 0 at its beginning, 1 at its end.
+double shareOf(const fuzzy::Variable& variable, double value);
+
 struct SurfaceText {
   QString text;
   TurnedBox box;

@@ -26,10 +26,6 @@ constexpr double kNearest = 4;
 constexpr std::size_t kPictureCells = 100;  // along each input, of a picture
 constexpr double kNotch = 120;              // of a wheel, in the unit of Qt
 
-double shareOf(const fuzzy::Variable& variable, double value) {
-  return (value - variable.min) / (variable.max - variable.min);
-}
-
 }  // namespace
 
 SurfacePlot::SurfacePlot(QWidget* parent) : QWidget(parent) {
