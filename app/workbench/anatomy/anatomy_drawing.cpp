@@ -8,6 +8,7 @@
 #include <array>
 #include <string_view>
 
+#include "app/workbench/anatomy/neck_rig.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench::anatomy {
@@ -75,10 +76,28 @@ QPainterPath readPath(const QString& d) {
   return path;
 }
 
+// Around the tip of the nose, the roof of its cavity, the chin, the back of the spine and the upper sphincter.
+QRectF throatIn(Posture posture) {
+  constexpr double kMarginMm = 12;
+  constexpr struct {
+    QPointF at;
+    Part part;
+  } kCorners[] = {{{-16, -3}, Part::kHead},
+                  {{26, -46}, Part::kHead},
+                  {{8, 66}, Part::kHead},
+                  {{116, 60}, Part::kSoft},
+                  {{104, 114}, Part::kSoft}};
+  QPolygonF corners;
+  for (const auto& corner : kCorners) corners << posed(corner.at, corner.part, drawnFlexionDeg(posture));
+  return corners.boundingRect().adjusted(-kMarginMm, -kMarginMm, kMarginMm, kMarginMm);
+}
+
 }  // namespace
 
 QRectF frameOf(Framing framing, Posture posture, const QSizeF& size) {
-  QRectF frame = framing == Framing::kWhole ? kWhole : kHeadAndNeck[static_cast<std::size_t>(posture)];
+  QRectF frame = kHeadAndNeck[static_cast<std::size_t>(posture)];
+  if (framing == Framing::kWhole) frame = kWhole;
+  if (framing == Framing::kThroat) frame = throatIn(posture);
   const double wide = frame.height() * size.width() / size.height() - frame.width();
   const double high = frame.width() * size.height() / size.width() - frame.height();
   if (wide > 0) return frame.adjusted(-wide / 2, 0, wide / 2, 0);

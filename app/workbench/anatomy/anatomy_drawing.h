@@ -16,7 +16,11 @@
 namespace tactus::workbench::anatomy {
 
 /// The part of the drawing to show.
-enum class Framing { kHeadAndNeck, kWhole };
+enum class Framing {
+  kThroat,  ///< nose to upper sphincter: as large as the first four regions can be
+  kHeadAndNeck,
+  kWhole,
+};
 
 /// The frame for `framing` in a picture of `size`: the part, extended on two sides to the shape of the picture, mm.
 QRectF frameOf(Framing framing, Posture posture, const QSizeF& size);

@@ -215,7 +215,7 @@ std::vector<PlateName> AnatomyView::plateNames(const QTransform& to_widget) cons
   if (lit_ && !lit_->name.isEmpty() && turned_ == 1) {
     const auto region = regionAtDepth((lit_->from_mm + std::min(lit_->to_mm, kEndMm)) / 2);
     // Below the chin, where nothing is drawn.
-    const double least_y = framing_ == Framing::kHeadAndNeck ? height() * kChinShare : 0;
+    const double least_y = framing_ == Framing::kWhole ? 0 : height() * kChinShare;
     if (region) plates.push_back({lit_->name, placeOf(structureOf(*region)), !mirrored_, true, least_y});
   }
   for (const NamedStructure& named : names_) {

@@ -86,6 +86,16 @@ TEST(AnatomyView, TheFrameHoldsTheWholePartInEveryShape) {
   }
 }
 
+TEST(AnatomyView, TheThroatFillsItsFrameInEveryPosture) {
+  for (const Posture posture : {Posture::kUpright, Posture::kHalfFlexed, Posture::kChinOnChest}) {
+    const QRectF frame = frameOf(Framing::kThroat, posture, {400, 300});
+    const TubeWay way(drawnFlexionDeg(posture));
+    for (const double depth_mm : {0.0, 35.0, 92.0, 132.0, 175.0, 200.0})
+      EXPECT_TRUE(frame.contains(way.placeAt(depth_mm))) << depth_mm << ' ' << static_cast<int>(posture);
+    EXPECT_LT(frame.height(), 215);  // mm; head and neck take 250
+  }
+}
+
 TEST(AnatomyDrawing, KeepsItsPixmaps) {
   AnatomyDrawing drawing;
   const QPixmap first = drawing.pixmap(Posture::kUpright, Framing::kWhole, {200, 300}, 2);

@@ -63,8 +63,7 @@ void OwnModelScreen::show() {
   if (!region) return;
   region_->setPhrase(phrase(QStringLiteral("a.") + state_.region));
   picture_->setFont(look().font());
-  picture_->setFraming(*region == anatomy::Region::kEsophagus ? anatomy::Framing::kWhole
-                                                              : anatomy::Framing::kHeadAndNeck);
+  picture_->setFraming(*region == anatomy::Region::kEsophagus ? anatomy::Framing::kWhole : anatomy::Framing::kThroat);
   picture_->light(*region, region_->text());
   picture_->setAccessibleName(look().say(phrase(QStringLiteral("acc.way"))));
 }

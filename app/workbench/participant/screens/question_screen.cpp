@@ -79,7 +79,7 @@ void QuestionScreen::show() {
   const auto next = static_cast<std::size_t>(*region) + 1;
   const bool chest = *region == anatomy::Region::kEsophagus;
   picture_->setFont(look().font());
-  picture_->setFraming(chest ? anatomy::Framing::kWhole : anatomy::Framing::kHeadAndNeck);
+  picture_->setFraming(chest ? anatomy::Framing::kWhole : anatomy::Framing::kThroat);
   picture_->setDepth((anatomy::beginMm(*region) + anatomy::beginMm(anatomy::kRegions[next])) / 2);
   picture_->light(*region, look().say(phrase(QStringLiteral("a.") + state_.region)));
   picture_->setAccessibleName(situation_->text());
