@@ -106,6 +106,15 @@ bool QuestionnaireRun::forward() {
   return true;
 }
 
+bool QuestionnaireRun::goTo(int number) {
+  for (std::size_t place = 0; place < order_.size() && place <= furthest_; ++place) {
+    if (form_.questions[order_[place]].number != number) continue;
+    at_ = place;
+    return true;
+  }
+  return false;
+}
+
 bool QuestionnaireRun::goToFirstOpen() {
   const auto it = std::find_if(order_.begin(), order_.end(), [this](std::size_t place) { return needsReply(place); });
   if (it == order_.end()) return false;

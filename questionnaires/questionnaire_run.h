@@ -70,6 +70,12 @@ class QuestionnaireRun {
   /// whether the page changed.
   bool forward();
 
+  /// Opens the page of item `number`. Returns false for an item that the form lacks, or beyond the page that is asked
+  /// next.
+  bool goTo(int number);
+  /// Opens the page after the last page with a reply: after `back` or `goTo`, where the participant went back from.
+  void goOn() { at_ = furthest_; }
+
   Progress progress() const;
   /// Whether every question has an answer, a skip or a "can't tell".
   bool isComplete() const { return progress().open == 0 && progress().cleared == 0; }

@@ -227,6 +227,18 @@ void Session::back() {
 bool Session::forward() { return state_->form && state_->form->forward(); }
 bool Session::goToFirstOpen() { return state_->form && state_->form->goToFirstOpen(); }
 
+bool Session::goTo(int number) { return state_->form && state_->form->goTo(number); }
+void Session::goOn() {
+  if (state_->form) state_->form->goOn();
+}
+
+Result<void> Session::closeBlock() {
+  if (part() != SessionPart::kRating) return notNow("the end of a block", part());
+  const Block block = *state_->block();
+  const study::EventRecord event{state_->entry(), kBlockClosed, detail("block", name(block))};
+  return state_->store(event, [&] { state_->rated.insert(block); });
+}
+
 Result<void> Session::rate(int effort, int comfort) {
   if (part() != SessionPart::kRating) return notNow("a rating", part());
   for (const int rating : {effort, comfort}) {

@@ -113,11 +113,17 @@ class Session {
   void back();
   bool forward();
   bool goToFirstOpen();
+  /// Moves to the item `number`, or on to where the participant went back from.
+  bool goTo(int number);
+  void goOn();
   /// Stores the rating, 1 to 7 each, and ends the block.
   base::Result<void> rate(int effort, int comfort);
 
+  /// Ends the block that is done without a rating. Its answers are sealed: no way leads back to them.
+  base::Result<void> closeBlock();
   /// Adds a line to the log, in every part of the session, also after its end. Refused: a kind that steers the session.
   base::Result<void> note(const Note& note);
+
   base::Result<void> pause(const std::string& reason);
   base::Result<void> unpause();
   /// Skips the rest of the block.

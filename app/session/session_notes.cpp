@@ -170,8 +170,8 @@ Result<std::optional<OwnModelLine>> ownModelIn(const study::EventRecord& event) 
 }
 
 bool steersSession(std::string_view kind) noexcept {
-  constexpr std::array<std::string_view, 7> kSteering = {kBegan,    kResumed,      kStageEntered, kPaused,
-                                                         kUnpaused, kBlockSkipped, kAborted};
+  constexpr std::array<std::string_view, 8> kSteering = {kBegan,    kResumed,      kStageEntered, kPaused,
+                                                         kUnpaused, kBlockSkipped, kBlockClosed,  kAborted};
   return std::find(kSteering.begin(), kSteering.end(), kind) != kSteering.end();
 }
 

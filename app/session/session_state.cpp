@@ -140,7 +140,9 @@ Result<void> SessionState::readBack() {
       if (rating.block == name(block)) rated.insert(block);
     }
     for (const auto& event : *events) {
-      if (event.kind == kBlockSkipped && event.detail == detail("block", name(block))) skipped.insert(block);
+      if (event.detail != detail("block", name(block))) continue;
+      if (event.kind == kBlockSkipped) skipped.insert(block);
+      if (event.kind == kBlockClosed) rated.insert(block);
     }
   }
   for (const auto& event : *events) {

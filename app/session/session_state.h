@@ -20,6 +20,7 @@ inline constexpr const char* kStageEntered = "stage_entered";
 inline constexpr const char* kPaused = "paused";
 inline constexpr const char* kUnpaused = "unpaused";
 inline constexpr const char* kBlockSkipped = "block_skipped";
+inline constexpr const char* kBlockClosed = "block_closed";
 inline constexpr const char* kAborted = "aborted";
 
 /// `{"key":"value"}`, the detail of an event.

@@ -39,6 +39,8 @@ class SteppedFeel {
     moveTo(feel.session(), position_mm, speed_mm_s);
   }
 
+  /// The virtual time of all devices.
+  std::int64_t nowNs() const { return now_ns_; }
   /// Ticks of all loops so far.
   std::uint64_t ticks() const { return ticks_; }
   /// Loops that are there now.

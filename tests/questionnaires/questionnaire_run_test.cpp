@@ -121,6 +121,21 @@ TEST(QuestionnaireRun, ForwardPassesOnlyWhatWasAnswered) {
   EXPECT_FALSE(desk.run.forward());
 }
 
+TEST(QuestionnaireRun, GoesToAnItemThatWasShownAndOnFromThere) {
+  Desk desk;
+  for (const char* value : {"a", "b"}) ASSERT_TRUE(desk.say(value));
+  EXPECT_FALSE(desk.run.goTo(4)) << "item 3 is asked first";
+  EXPECT_FALSE(desk.run.goTo(9)) << "no such item";
+  EXPECT_EQ(desk.shown(), 3);
+  ASSERT_TRUE(desk.run.goTo(1));
+  EXPECT_EQ(desk.shown(), 1);
+  desk.run.goOn();
+  EXPECT_EQ(desk.shown(), 3);
+  ASSERT_TRUE(desk.run.goTo(1));
+  ASSERT_TRUE(desk.say("b"));
+  EXPECT_EQ(desk.shown(), 3) << "a correction leads back";
+}
+
 TEST(QuestionnaireRun, WhatWasClearedIsFoundAgain) {
   Desk desk;
   for (int i = 0; i < 4; ++i) EXPECT_TRUE(desk.say("a"));

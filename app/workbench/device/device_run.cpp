@@ -36,7 +36,9 @@ DeviceRun::DeviceRun(devices::OpenedDevice opened, const MakeServoLoop& make_loo
       loop_(make_loop(*servo_)),
       drained_(kMostDrained) {
   orders_.axis = opened.axis;
+  const bool guard_velocity = orders_.limits.guard_velocity;
   orders_.limits = haptics::LimitSettings::forDevice(device_->info());
+  orders_.limits.guard_velocity = guard_velocity;
 }
 
 DeviceRun::~DeviceRun() { end(); }

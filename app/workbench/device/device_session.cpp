@@ -24,6 +24,9 @@ void addTo(haptics::ServoOrders& orders, ForceOrders force) {
   orders.source = force.source;
   orders.scene = std::move(force.scene);
   orders.placement = force.placement;
+  orders.start_depth_mm = force.start_depth_mm;
+  // Without force a fast hand is no danger: the speed experiment asks for it.
+  orders.limits.guard_velocity = force.source != haptics::ForceSource::kFree;
   orders.stimulus = force.stimulus;
 }
 
@@ -65,8 +68,7 @@ void DeviceSession::start(const QString& id, ForceOrders force, const QObject* u
           std::move(force), user);
 }
 
-void DeviceSession::startReplay(std::unique_ptr<haptics::HapticDevice> device, ForceOrders force,
-                                const QObject* user) {
+void DeviceSession::startReplay(std::unique_ptr<haptics::HapticDevice> device, ForceOrders force, const QObject* user) {
   // A function can be copied, a device cannot.
   const auto opened = std::make_shared<devices::OpenedDevice>();
   opened->device = std::move(device);
@@ -114,6 +116,7 @@ void DeviceSession::begin(base::Result<std::unique_ptr<DeviceRun>> run, bool rep
   ++runs_;
   latest_ = {};
   loop_watch_ = {};
+  thermal_ = haptics::ThermalFollower(access_.thermal->of(run_->info().id));
   trip_.reset();
   held_ = false;
   target_mm_ = 0;
@@ -231,7 +234,10 @@ void DeviceSession::beat() {
   if (any) emit advanced();
 }
 
+haptics::LimitSettings DeviceSession::limits() const { return run_ ? run_->orders().limits : haptics::LimitSettings(); }
+
 void DeviceSession::take(std::span<const haptics::Sample> samples) {
+  for (const haptics::Sample& sample : samples) thermal_.add(sample, run_->orders().limits);
   if (samples.empty()) return;
   latest_ = samples.back();
   emit sampled(samples);

@@ -17,9 +17,12 @@
 #include "app/workbench/device/device_access.h"
 #include "app/workbench/device/device_grip.h"
 #include "core/haptics/device/device.h"
+#include "core/haptics/safety/limit_settings.h"
+#include "core/haptics/safety/thermal_budget.h"
 #include "core/haptics/servo/loop_statistics.h"
 #include "core/haptics/servo/loop_watch.h"
 #include "core/haptics/servo/sample.h"
+#include "core/haptics/servo/thermal_follower.h"
 #include "core/haptics/sources/force_source.h"
 #include "core/haptics/sources/servo_scene.h"
 
@@ -32,6 +35,7 @@ struct ForceOrders {
   haptics::ForceSource source = haptics::ForceSource::kFree;
   std::shared_ptr<const haptics::ServoScene> scene;  ///< for kInsertion
   std::uint64_t placement = 0;                       ///< for kInsertion: another number begins another placement
+  double start_depth_mm = 0;                         ///< for kInsertion: of the tube when a placement begins
   haptics::Stimulus stimulus;                        ///< for kStimulus: another number begins another stimulus
 };
 
@@ -85,6 +89,13 @@ class DeviceSession : public QObject {
   std::uint64_t ticks() const;
   /// The number of runs so far, from 1.
   std::uint64_t runs() const { return runs_; }
+
+  /// A number that no stimulus and no placement of this session had before.
+  std::uint64_t newNumber() { return ++numbers_; }
+  /// The heat of the motors of the current run at its newest sample: how long they must rest before a force.
+  const haptics::ThermalBudget& thermal() const { return thermal_.budget(); }
+  /// Of the current run; the defaults while stopped.
+  haptics::LimitSettings limits() const;
 
   /// Starts on the device `id` of the list of devices. Ends with `stateChanged` or `failed`. A current run is stopped
   /// first. Refused: a start or a stop is in progress. `user`: who gives the force during this run.
@@ -163,7 +174,9 @@ class DeviceSession : public QObject {
   bool replay_ = false;
   std::uint64_t runs_ = 0;
   std::uint64_t arming_ = 0;  ///< while re-arming: number of the orders that disarm, then of the orders that arm
+  std::uint64_t numbers_ = std::uint64_t{1} << 32U;  ///< those that are counted by hand are far below
   haptics::LoopWatch loop_watch_;
+  haptics::ThermalFollower thermal_;  ///< of the current run
 };
 
 }  // namespace tactus::workbench

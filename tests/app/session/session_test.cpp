@@ -368,6 +368,21 @@ TEST_F(SessionTest, ABlockCanBeLeftOut) {
   EXPECT_EQ(session_->blocksDone(), 2U);
 }
 
+TEST_F(SessionTest, ABlockIsClosedWithoutARatingAndStaysClosed) {
+  auto settings = shortSession();
+  settings.blocks = {Block::kForce, Block::kForm};
+  begin(start(settings));
+  EXPECT_FALSE(session_->closeBlock()) << "it is not done";
+  base::Random random(3);
+  while (session_->part() != SessionPart::kRating) doNext(random);
+  ASSERT_TRUE(session_->closeBlock());
+  EXPECT_EQ(session_->part(), SessionPart::kForm);
+  EXPECT_EQ(session_->blocksDone(), 1U);
+  restart();
+  EXPECT_EQ(session_->part(), SessionPart::kForm);
+  EXPECT_TRUE(store::ratings(*file_, {{}, session_->record().id, true})->empty());
+}
+
 TEST_F(SessionTest, PausesAndEndsAreKept) {
   begin(start());
   ASSERT_TRUE(session_->pause("telephone"));

@@ -1,5 +1,6 @@
 #include "app/workbench/study/connection/session_proxy.h"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <gtest/gtest.h>
@@ -236,6 +237,44 @@ TEST_F(SessionProxyTest, InstructionsWaitForTheirTurnAndKeepTheStep) {
   proxy->unpause();
   ASSERT_TRUE(answered());
   EXPECT_TRUE(refused.contains(QStringLiteral("the end of a pause"))) << refused.toStdString();
+}
+
+TEST_F(SessionProxyTest, AnEventIsNoAnswerAndHoldsNoneUp) {
+  begin({session::Block::kForm});
+  const auto disk = hangDisk();
+  proxy->note(session::textSizeChosen(125));
+  EXPECT_TRUE(proxy->isSaving());
+  EXPECT_FALSE(proxy->isMovingOn());
+  EXPECT_TRUE(proxy->reply(step(), term("small"), 1));
+  EXPECT_TRUE(proxy->isMovingOn());
+  disk->release();
+  ASSERT_TRUE(answered());
+  EXPECT_EQ(item(), 2);
+  proxy->note({"aborted", "{}"});  // a kind that steers the session
+  ASSERT_TRUE(answered());
+  EXPECT_FALSE(refused.isEmpty());
+  end();
+  const auto events = *store::events(tests::lookInto(path), {{}, {}, true});
+  const std::string kind = session::textSizeChosen(125).kind;
+  EXPECT_EQ(std::count_if(events.begin(), events.end(), [&](const auto& one) { return one.kind == kind; }), 1);
+}
+
+TEST_F(SessionProxyTest, ABlockIsClosedWithoutARating) {
+  begin({session::Block::kForm});
+  for (int i = 0; i < 45; ++i) ASSERT_TRUE(replied("large")) << i;
+  ASSERT_EQ(part(), SessionPart::kRating);
+  ASSERT_TRUE(proxy->goTo(step(), 7) && answered());
+  EXPECT_EQ(item(), 7);
+  ASSERT_TRUE(proxy->goOn(step()) && answered());
+  ASSERT_EQ(part(), SessionPart::kRating);
+  ASSERT_TRUE(proxy->closeBlock(step()) && answered());
+  EXPECT_EQ(part(), SessionPart::kFinished);
+  const auto session = proxy->snapshot()->record->id;
+  end();
+  openStudy();
+  proxy->resume(session);
+  ASSERT_TRUE(answered());
+  EXPECT_EQ(part(), SessionPart::kFinished);
 }
 
 TEST_F(SessionProxyTest, BackAndForwardShowWhatWasAnswered) {

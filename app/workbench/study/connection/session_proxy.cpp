@@ -53,15 +53,18 @@ void SessionProxy::resume(const study::RecordId& session) {
 
 void SessionProxy::leave() {
   if (!room_) return;
-  send(room_, [](Room& room, store::StudyFile&) -> Result<void> {
+  send(room_, Asks::kNext, [](Room& room, store::StudyFile&) -> Result<void> {
     room.session.reset();
     room.snapshot.reset();
     return {};
   });
 }
 
-bool SessionProxy::tell(SessionStep step, const study::ProfileRecord& profile) {
-  return answer(step, [profile](session::Session& session) { return session.tell(profile); });
+bool SessionProxy::tell(SessionStep step, const study::ProfileRecord& profile,
+                        std::optional<session::ExperienceBand> band) {
+  return answer(step, [profile, band](session::Session& session) {
+    return band ? session.tell(profile, *band) : session.tell(profile);
+  });
 }
 
 bool SessionProxy::addStroke(SessionStep step, session::CapturedStroke stroke) {
@@ -71,12 +74,17 @@ bool SessionProxy::addStroke(SessionStep step, session::CapturedStroke stroke) {
   });
 }
 
-bool SessionProxy::judge(SessionStep step, const experiments::ForceAnswer& given) {
-  return answer(step, [given](session::Session& session) { return session.judge(given); });
+bool SessionProxy::judge(SessionStep step, const experiments::ForceAnswer& given,
+                         std::optional<session::AnswerInput> input) {
+  return answer(step,
+                [given, input = std::move(input)](session::Session& session) { return session.judge(given, input); });
 }
 
-bool SessionProxy::reply(SessionStep step, const questionnaires::Reply& reply, double response_s) {
-  return answer(step, [reply, response_s](session::Session& session) { return session.reply(reply, response_s); });
+bool SessionProxy::reply(SessionStep step, const questionnaires::Reply& reply, double response_s,
+                         std::optional<session::AnswerInput> input) {
+  return answer(step, [reply, response_s, input = std::move(input)](session::Session& session) {
+    return session.reply(reply, response_s, input);
+  });
 }
 
 bool SessionProxy::rate(SessionStep step, int effort, int comfort) {
@@ -102,6 +110,24 @@ bool SessionProxy::goToFirstOpen(SessionStep step) {
     session.goToFirstOpen();
     return {};
   });
+}
+
+bool SessionProxy::goTo(SessionStep step, int item) {
+  return answer(step, [item](session::Session& session) -> Result<void> {
+    session.goTo(item);
+    return {};
+  });
+}
+
+bool SessionProxy::goOn(SessionStep step) {
+  return answer(step, [](session::Session& session) -> Result<void> {
+    session.goOn();
+    return {};
+  });
+}
+
+bool SessionProxy::closeBlock(SessionStep step) {
+  return answer(step, [](session::Session& session) { return session.closeBlock(); });
 }
 
 void SessionProxy::rejectStroke(const study::RecordId& stroke, const std::string& reason) {
@@ -132,6 +158,10 @@ void SessionProxy::setEnteredBy(study::EnteredBy who) {
   instruct(set, Asks::kSame);
 }
 
+void SessionProxy::note(session::Note note) {
+  instruct([note = std::move(note)](session::Session& session) { return session.note(note); }, Asks::kSame);
+}
+
 // Each session gets a room of its own, so that nothing that is late finds the wrong one.
 void SessionProxy::open(Opening opening) {
   if (!study_.takesOrders()) {
@@ -142,9 +172,9 @@ void SessionProxy::open(Opening opening) {
   if (room_) leave();
   room_ = room;
   snapshot_.reset();
-  unanswered_ = 0;  // what is still on its way for another room is not waited for
+  unanswered_ = moving_on_ = 0;  // what is still on its way for another room is not waited for
   study_.beforeClosing([room] { room->session.reset(); });
-  send(room, [opening = std::move(opening)](Room& its, store::StudyFile& file) -> Result<void> {
+  send(room, Asks::kNext, [opening = std::move(opening)](Room& its, store::StudyFile& file) -> Result<void> {
     session::SessionTools tools{[at = &its] { return at->now; }, study::RecordIds()};
     auto session = opening(file, std::move(tools));
     if (!session) return tl::unexpected(session.error());
@@ -156,7 +186,7 @@ void SessionProxy::open(Opening opening) {
 }
 
 bool SessionProxy::answer(SessionStep step, Call call) {
-  if (!snapshot_ || isSaving() || step != snapshot_->step || !study_.takesOrders()) return false;
+  if (!snapshot_ || isMovingOn() || step != snapshot_->step || !study_.takesOrders()) return false;
   order(std::move(call), Asks::kNext);
   return true;
 }
@@ -170,7 +200,7 @@ void SessionProxy::instruct(Call call, Asks asks) {
 }
 
 void SessionProxy::order(Call call, Asks asks) {
-  send(room_, [call = std::move(call), asks](Room& room, store::StudyFile&) -> Result<void> {
+  send(room_, asks, [call = std::move(call), asks](Room& room, store::StudyFile&) -> Result<void> {
     if (!room.session) {
       return base::fail(base::ErrorCode::kValue, "session", "none, it has ended or could not begin", "an open session");
     }
@@ -181,12 +211,15 @@ void SessionProxy::order(Call call, Asks asks) {
   });
 }
 
-void SessionProxy::send(std::shared_ptr<Room> room, std::function<Result<void>(Room&, store::StudyFile&)> work) {
+void SessionProxy::send(std::shared_ptr<Room> room, Asks asks,
+                        std::function<Result<void>(Room&, store::StudyFile&)> work) {
   ++unanswered_;
+  if (asks == Asks::kNext) ++moving_on_;
   const auto seen = std::make_shared<std::shared_ptr<const SessionSnapshot>>();
-  const auto told = [self = QPointer(this), room](const std::function<void()>& take) {
+  const auto told = [self = QPointer(this), room, asks](const std::function<void()>& take) {
     if (!self || self->room_ != room) return;
     --self->unanswered_;
+    if (asks == Asks::kNext) --self->moving_on_;
     take();
     emit self->changed();
   };
@@ -205,7 +238,7 @@ void SessionProxy::send(std::shared_ptr<Room> room, std::function<Result<void>(R
 void SessionProxy::letGo() {
   room_.reset();
   snapshot_.reset();
-  unanswered_ = 0;
+  unanswered_ = moving_on_ = 0;
   emit changed();
 }
 

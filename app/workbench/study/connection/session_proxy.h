@@ -2,8 +2,8 @@
 // last call that is stored.
 //
 // Two rules for a call while another one is not stored yet:
-//   an answer names the step that it answers, and is dropped unless that step is asked now and no call is unanswered:
-//     a double click, or a key that is held, never answers the next question;
+//   an answer names the step that it answers, and is dropped unless that step is asked now and no other answer is on
+//     its way: a double click, or a key that is held, never answers the next question;
 //   an instruction about the session itself (pause, skip, abort, …) is never dropped: it waits for its turn.
 #pragma once
 
@@ -35,6 +35,8 @@ class SessionProxy : public QObject {
   std::shared_ptr<const SessionSnapshot> snapshot() const { return snapshot_; }
   /// A call is not stored or refused yet.
   bool isSaving() const { return unanswered_ > 0; }
+  /// Such a call may ask something else: no answer is taken until it is stored or refused.
+  bool isMovingOn() const { return moving_on_ > 0; }
   /// That takes long enough to be said.
   bool isSlow() const { return isSaving() && study_.isSlow(); }
   /// What the disk says; empty if all is well.
@@ -47,16 +49,21 @@ class SessionProxy : public QObject {
   /// Forgets the session once everything is stored. Its records stay.
   void leave();
 
-  // Answers. Each returns whether it was taken: not if `step` is not what is asked now, or a call is unanswered.
-  bool tell(SessionStep step, const study::ProfileRecord& profile);
+  // Answers. Each returns whether it was taken: not if `step` is not what is asked now, or `isMovingOn`.
+  bool tell(SessionStep step, const study::ProfileRecord& profile, std::optional<session::ExperienceBand> band = {});
   bool addStroke(SessionStep step, session::CapturedStroke stroke);
-  bool judge(SessionStep step, const experiments::ForceAnswer& answer);
-  bool reply(SessionStep step, const questionnaires::Reply& reply, double response_s);
+  bool judge(SessionStep step, const experiments::ForceAnswer& answer, std::optional<session::AnswerInput> input = {});
+  bool reply(SessionStep step, const questionnaires::Reply& reply, double response_s,
+             std::optional<session::AnswerInput> input = {});
   bool rate(SessionStep step, int effort, int comfort);
   /// Moves in the form; where it does not move, the snapshot is the same with another step.
   bool back(SessionStep step);
   bool forward(SessionStep step);
   bool goToFirstOpen(SessionStep step);
+  bool goTo(SessionStep step, int item);
+  bool goOn(SessionStep step);
+  /// Ends the block without a rating.
+  bool closeBlock(SessionStep step);
 
   // Instructions. Without a session they are refused.
   void rejectStroke(const study::RecordId& stroke, const std::string& reason);
@@ -65,6 +72,8 @@ class SessionProxy : public QObject {
   void unpause();
   void abort(const std::string& reason);
   void setEnteredBy(study::EnteredBy who);
+  /// Adds a line to the log of the session.
+  void note(session::Note note);
 
  signals:
   /// One of the above changed.
@@ -82,7 +91,7 @@ class SessionProxy : public QObject {
   bool answer(SessionStep step, Call call);
   void instruct(Call call, Asks asks = Asks::kNext);
   void order(Call call, Asks asks);
-  void send(std::shared_ptr<Room> room, std::function<base::Result<void>(Room&, store::StudyFile&)> work);
+  void send(std::shared_ptr<Room> room, Asks asks, std::function<base::Result<void>(Room&, store::StudyFile&)> work);
   void letGo();
 
   StudyConnection& study_;
@@ -90,6 +99,7 @@ class SessionProxy : public QObject {
   std::shared_ptr<Room> room_;  ///< where the session lives; only the thread of the study looks into it
   std::shared_ptr<const SessionSnapshot> snapshot_;
   int unanswered_ = 0;
+  int moving_on_ = 0;  ///< those of them that may ask something else
 };
 
 }  // namespace tactus::workbench

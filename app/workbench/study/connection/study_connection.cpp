@@ -2,11 +2,13 @@
 
 #include <QFileInfo>
 #include <QPointer>
+#include <algorithm>
 #include <utility>
 
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/check.h"
+#include "core/store/persons.h"
 #include "core/store/withdrawal.h"
 
 namespace tactus::workbench {
@@ -66,6 +68,30 @@ void StudyConnection::readAlone(QObject& asker, std::function<Read()> prepare) {
       });
     });
   });
+}
+
+void StudyConnection::withdraw(const study::RecordId& person, StudyOrders::Done done, StudyOrders::Refused refused) {
+  const auto end = std::make_shared<ErasureEnd>();
+  order(
+      [end, person](store::StudyFile& file, study::RecordIds&) -> Result<void> {
+        const auto withdrawal = store::withdraw(file, person, utcNowMs());
+        const auto left = store::persons(file);
+        if (!left) return tl::unexpected(left.error());
+        const bool still_there =
+            std::any_of(left->begin(), left->end(), [&](const study::Person& one) { return one.id == person; });
+        // With the records gone, only the erasure may have failed, which the notices offer to finish.
+        if (!withdrawal && still_there) return tl::unexpected(withdrawal.error());
+        end->models_changed = !withdrawal || withdrawal->models > 0;
+        if (auto notices = readNotices(file)) end->notices = std::move(*notices);
+        return {};
+      },
+      [this, end, done = std::move(done)] {
+        if (end->notices) setNotices(std::move(*end->notices));
+        refresh();
+        if (end->models_changed) emit modelsErased();
+        if (done) done();
+      },
+      std::move(refused));
 }
 
 void StudyConnection::beforeClosing(std::function<void()> drop) {

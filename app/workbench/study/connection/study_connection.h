@@ -63,6 +63,9 @@ class StudyConnection : public QObject {
   /// The same as soon as everything is written, and `isOpening` until it is delivered. `prepare` makes the reader at
   /// that moment. If something cannot be written, emits `failed` and reads nothing.
   void readAlone(QObject& asker, std::function<Read()> prepare);
+  /// Deletes everything of `person` (store::withdraw); `done` or `refused` tells the end. Erasing what is left of it in
+  /// the file is part of that; where it is interrupted, `notices` offer to finish it.
+  void withdraw(const study::RecordId& person, StudyOrders::Done done, StudyOrders::Refused refused);
   /// `drop` runs in the thread of the study before the file that is open now is closed or exchanged: for what holds a
   /// reference to the file there.
   void beforeClosing(std::function<void()> drop);

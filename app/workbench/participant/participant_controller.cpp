@@ -1,0 +1,307 @@
+#include "app/workbench/participant/participant_controller.h"
+
+#include <random>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/participant/known_person.h"
+#include "app/workbench/participant/questions.h"
+
+namespace tactus::workbench {
+
+using Screen = ParticipantScreen;
+
+ParticipantController::ParticipantController(StudyConnection& study, DeviceSession& device, ParticipantPlan plan,
+                                             std::function<study::Moment()> now, QObject* parent)
+    : QObject(parent),
+      study_(study),
+      device_(device),
+      plan_(std::move(plan)),
+      now_(std::move(now)),
+      proxy_(study, nullptr, now_),
+      trial_(device) {
+  connect(&proxy_, &SessionProxy::changed, this, &ParticipantController::onProxy);
+  connect(&proxy_, &SessionProxy::refused, this, &ParticipantController::onRefused);
+  connect(&device_, &DeviceSession::stateChanged, this, &ParticipantController::onDevice);
+  connect(&device_, &DeviceSession::sampled, this, &ParticipantController::onSampled);
+  connect(&device_, &DeviceSession::advanced, this, [this] {
+    if (hasDevice()) emit handMoved(device_.latest().position_mm);
+  });
+  connect(&device_, &DeviceSession::failed, this, [this](const QString& sentence) {
+    if (device_.user() != this) return;
+    device_lost_ = true;
+    onDevice();
+    emit refused(sentence);
+  });
+  look();
+}
+
+ParticipantController::~ParticipantController() = default;
+
+void ParticipantController::painted(quint64 serial) {
+  if (serial == state_.serial) gate_.painted(now_().monotonic_ns);
+}
+
+void ParticipantController::setInputHeld(bool held) { gate_.held(held, now_().monotonic_ns); }
+
+void ParticipantController::usesMeans(session::InputMeans means) { means_ = means; }
+
+bool ParticipantController::takesInput() const {
+  return state_.overlay == ForceOffOverlay::kNone && !state_.paused && !proxy_.isMovingOn() &&
+         gate_.takesInput(now_().monotonic_ns);
+}
+
+bool ParticipantController::takesOverlay() const {
+  const bool asks = state_.overlay != ForceOffOverlay::kNone && state_.overlay != ForceOffOverlay::kLeaving;
+  return asks && gate_.takesInput(now_().monotonic_ns);
+}
+
+void ParticipantController::setLanguage(const QString& language) {
+  if (language == state_.language) return;
+  state_.language = language;
+  if (at() != nullptr) proxy_.note(session::languageChosen(language.toStdString()));
+  look();
+}
+
+void ParticipantController::setTextPercent(int percent) {
+  if (percent == state_.text_percent) return;
+  state_.text_percent = percent;
+  if (at() != nullptr) proxy_.note(session::textSizeChosen(percent));
+  look();
+}
+
+void ParticipantController::newHere() {
+  if (state_.screen != Screen::kWelcome || !takesInput()) return;
+  study_.read(*this, [this](const store::StudyFile& file) -> StudyConnection::Deliver {
+    const auto code = newCode(file);
+    return [this, code] {
+      if (!code) {
+        emit refused(text(code.error().message()));
+        return;
+      }
+      person_ = study::Person{ids_.next(), *code, plan_.simulated};
+      newcomer_ = true;
+      earlier_session_.reset();
+      state_.code = QString::fromStdString(*code);
+      state_.welcome = {WelcomeState::Step::kNewCode, 0, false, {}};
+      look();
+    };
+  });
+}
+
+void ParticipantController::enterCode(const QString& code) {
+  if (state_.screen != Screen::kWelcome || !takesInput()) return;
+  study_.read(*this, [this, typed = code.toStdString()](const store::StudyFile& file) -> StudyConnection::Deliver {
+    const auto found = knownPerson(file, typed);
+    return [this, found] {
+      if (!found) {
+        emit refused(text(found.error().message()));
+      } else if (!found->person) {
+        state_.welcome.code_unknown = true;
+        state_.welcome.meant = QString::fromStdString(found->meant);
+      } else {
+        person_ = found->person;
+        newcomer_ = false;
+        earlier_session_ = found->session;
+        state_.code = QString::fromStdString(found->person->code);
+        state_.welcome = {WelcomeState::Step::kWelcomeBack, found->answers, false, {}};
+      }
+      look();
+    };
+  });
+}
+
+void ParticipantController::decline() {
+  if (state_.screen != Screen::kConsent || !takesInput()) return;
+  passed_.stopped = true;
+  state_.stop = StopReason::kNoConsent;
+  look();
+}
+
+void ParticipantController::next() {
+  if (!takesInput() || !state_.can_go_on) return;
+  switch (state_.screen) {
+    case Screen::kWelcome:
+      if (earlier_session_) {
+        resumes_ = true;
+        proxy_.resume(*earlier_session_);
+      } else {
+        passed_.code = true;
+      }
+      break;
+    case Screen::kConsent:
+      beginSession();
+      break;
+    case Screen::kAboutYou:
+      if (about_.isLast()) {
+        tellProfile();
+      } else {
+        about_.next();
+      }
+      break;
+    case Screen::kDeviceCheck:
+      if (state_.device == DeviceStep::kReady) {
+        passed_.device = true;
+      } else {
+        startDevice();
+      }
+      break;
+    case Screen::kPractice:
+    case Screen::kForce:
+      judge();
+      break;
+    case Screen::kSpeed:
+      break;  // the hand does
+    case Screen::kRest:
+      endRest();
+      break;
+    case Screen::kGlossary:
+      passed_.glossary = true;
+      break;
+    case Screen::kQuestion:
+      answerQuestion();
+      break;
+    case Screen::kReview:
+      if (proxy_.closeBlock(at()->step)) proxy_.note({session::kAnswersSealed, {}});
+      break;
+    case Screen::kOwnModel:
+      goOnOwnModel();
+      break;
+    case Screen::kThanks:
+    case Screen::kStopped:
+      startAgain();
+      break;
+  }
+  look();
+}
+
+void ParticipantController::back() {
+  if (!takesInput() || !state_.can_go_back) return;
+  switch (state_.screen) {
+    case Screen::kWelcome:
+      person_.reset();
+      state_.code.clear();
+      state_.welcome = {};
+      break;
+    case Screen::kConsent:
+      passed_.code = false;
+      break;
+    case Screen::kAboutYou:
+      about_.back();
+      break;
+    case Screen::kQuestion:
+      from_review_ = false;
+      proxy_.back(at()->step);
+      break;
+    default:
+      break;
+  }
+  look();
+}
+
+void ParticipantController::choose(const QString& id) {
+  if (!takesInput()) return;
+  switch (state_.screen) {
+    case Screen::kAboutYou:
+      about_.choose(id);
+      break;
+    case Screen::kForce:
+      if (trial_.stage() == ForceTrial::Stage::kFelt && answerOf(id)) chosen_ = id;
+      break;
+    case Screen::kQuestion:
+      if (form_ && replyOf(*form_, id)) chosen_ = id;
+      break;
+    case Screen::kOwnModel:
+      if (id == QLatin1String("lighter") || id == QLatin1String("right") || id == QLatin1String("heavier"))
+        chosen_ = id;
+      break;
+    default:
+      break;
+  }
+  look();
+}
+
+void ParticipantController::feelAgain() {
+  if (!takesInput() || trial_.stage() != ForceTrial::Stage::kFelt) return;
+  trial_.feelAgain();
+  look();
+}
+
+void ParticipantController::lightNext() {
+  if (state_.screen != Screen::kForce || !takesInput() || trial_.stage() != ForceTrial::Stage::kFelt) return;
+  const auto& words = at()->force->question.answers;
+  if (words.empty()) return;
+  // From a fixed end the first word would be the cheapest answer: it begins with one drawn by chance.
+  if (lit_presses_ == 0) lit_first_ = std::uniform_int_distribution<std::size_t>(0, words.size() - 1)(chance_);
+  lit_ = QString::fromStdString(words[(lit_first_ + static_cast<std::size_t>(lit_presses_)) % words.size()].id);
+  ++lit_presses_;
+  look();
+}
+
+void ParticipantController::chooseLit() {
+  if (!lit_.isEmpty()) choose(lit_);
+}
+
+void ParticipantController::changeItem(int item) {
+  if (state_.screen != Screen::kReview || !takesInput()) return;
+  from_review_ = proxy_.goTo(at()->step, item);
+}
+
+void ParticipantController::mark() {
+  if (state_.screen != Screen::kOwnModel || !own_ || !takesInput()) return;
+  ++own_marks_;
+  proxy_.note(session::ownModelMark(ownModelPlace()));
+  look();
+}
+
+void ParticipantController::forceOff() {
+  giveNoForce();
+  capture_.close();
+  if (state_.overlay != ForceOffOverlay::kNone || state_.screen == Screen::kStopped) return;
+  state_.overlay = ForceOffOverlay::kForceOff;
+  if (at() != nullptr && !at()->paused && at()->part != session::SessionPart::kAborted) {
+    paused_by_her_ = true;
+    proxy_.pause(session::kForceOff);
+  }
+  if (at() != nullptr) proxy_.note({session::kForceOff, {}});
+  look();
+}
+
+void ParticipantController::resume() {
+  if (!takesOverlay()) return;
+  state_.overlay = ForceOffOverlay::kNone;
+  if (paused_by_her_) proxy_.unpause();
+  look();
+}
+
+void ParticipantController::callResearcher() {
+  if (!takesOverlay()) return;
+  state_.overlay = ForceOffOverlay::kCalled;
+  if (at() != nullptr) proxy_.note({session::kResearcherCalled, {}});
+  emit researcherCalled();
+  look();
+}
+
+void ParticipantController::stopForToday() {
+  if (!takesOverlay()) return;
+  leaveFor(StopReason::kForToday);
+}
+
+void ParticipantController::askWithdraw() {
+  if (!takesOverlay()) return;
+  state_.overlay = ForceOffOverlay::kWithdraw;
+  look();
+}
+
+void ParticipantController::keepData() {
+  if (!takesOverlay()) return;
+  state_.overlay = ForceOffOverlay::kForceOff;
+  look();
+}
+
+void ParticipantController::withdraw() {
+  if (!takesOverlay() || state_.overlay != ForceOffOverlay::kWithdraw) return;
+  leaveFor(StopReason::kWithdrawn);
+}
+
+}  // namespace tactus::workbench

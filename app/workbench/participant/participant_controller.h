@@ -1,0 +1,182 @@
+// The course of the nurse's screens, without any widget: which screen is shown, what may be done on it, and what is
+// stored. The views show `state()` and call the slots; the records are made by the session (app/session) in the thread
+// of the study, and the next screen opens on the acknowledged commit.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/workbench/device/device_session.h"
+#include "app/workbench/participant/about_you.h"
+#include "app/workbench/participant/device_check.h"
+#include "app/workbench/participant/force_trial.h"
+#include "app/workbench/participant/own_model.h"
+#include "app/workbench/participant/participant_course.h"
+#include "app/workbench/participant/participant_plan.h"
+#include "app/workbench/participant/participant_state.h"
+#include "app/workbench/participant/screen_gate.h"
+#include "app/workbench/participant/speed_capture.h"
+#include "app/workbench/study/connection/session_proxy.h"
+#include "app/workbench/study/connection/study_connection.h"
+
+namespace tactus::workbench {
+
+/// Thread: gui.
+class ParticipantController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// The study must be open. `study` and `device` outlive this. `now`: the clocks.
+  ParticipantController(StudyConnection& study, DeviceSession& device, ParticipantPlan plan,
+                        std::function<study::Moment()> now = session::systemTools().now, QObject* parent = nullptr);
+  ~ParticipantController() override;
+
+  const ParticipantState& state() const { return state_; }
+  /// The participant's session, for the researcher's window: what is answered, and a pause of the researcher's own.
+  SessionProxy& session() { return proxy_; }
+
+ public slots:
+  /// The first frame of `state().serial` is on the screen. Input counts 300 ms later.
+  void painted(quint64 serial);
+  /// A key, a button or a touch is down, or all are up.
+  void setInputHeld(bool held);
+  /// By what the next answer is given; stored with it.
+  void usesMeans(tactus::session::InputMeans means);
+
+  // kWelcome
+  void setLanguage(const QString& language);
+  void setTextPercent(int percent);
+  void newHere();
+  void enterCode(const QString& code);
+  // kConsent: `next` agrees
+  void decline();
+
+  // Every screen
+  /// The primary button.
+  void next();
+  void back();
+  /// A card: one of the ids that the state offers.
+  void choose(const QString& id);
+
+  // kForce
+  void feelAgain();
+  /// The device's second way to answer: a press lights one word after another, from one drawn by chance.
+  void lightNext();
+  void chooseLit();
+  // kReview
+  void changeItem(int item);
+  // kOwnModel
+  void mark();
+
+  /// Esc, the red button, the device's second button: always, at once, whatever is asked. The force falls to zero, then
+  /// the overlay opens.
+  void forceOff();
+  // On the overlay
+  void resume();
+  void callResearcher();
+  void stopForToday();
+  void askWithdraw();
+  void keepData();
+  void withdraw();
+
+ signals:
+  void changed();
+  /// Along the device's axis, mm: the tube of the picture follows it. At most 60 times a second.
+  void handMoved(double position_mm);
+  void researcherCalled();
+  /// One sentence for the researcher: what was refused, and why. Nothing is lost.
+  void refused(const QString& sentence);
+
+ private:
+  // participant_screens.cpp: what is shown.
+  void look();
+  std::string asked() const;
+  void fill();
+  void fillSpeed();
+  void fillForce();
+  void fillQuestion();
+  void fillOwnModel();
+  DeviceStep deviceStep() const;
+
+  // participant_steps.cpp: what happens by itself, and what an answer stores.
+  void onAsked();
+  void onProxy();
+  void onRefused(const QString& sentence);
+  void onDevice();
+  void onSampled(std::span<const haptics::Sample> samples);
+  void captureStroke(std::span<const haptics::Sample> samples);
+  void startDevice();
+  void stopDevice();
+  void beginSession();
+  void tellProfile();
+  std::optional<experiments::ForceAnswerOption> answerOf(const QString& id) const;
+  std::optional<session::AnswerInput> answerInput() const;
+  void judge();
+  void answerQuestion();
+  void endRest();
+  void feelOwnModel();
+  void readOwnModel();
+  session::OwnModelPlace ownModelPlace() const;
+  void goOnOwnModel();
+  void leaveFor(StopReason reason);
+  void finishLeaving();
+  void startAgain();
+
+  /// Features share the device; the runs of others are none of this one's.
+  bool hasDevice() const { return device_.isRunning() && device_.user() == this; }
+  void giveNoForce();
+  bool takesInput() const;
+  bool takesOverlay() const;
+  const SessionSnapshot* at() const { return proxy_.snapshot().get(); }
+
+  StudyConnection& study_;
+  DeviceSession& device_;
+  const ParticipantPlan plan_;
+  const std::function<study::Moment()> now_;
+  SessionProxy proxy_;
+  study::RecordIds ids_;
+  std::mt19937_64 chance_{std::random_device{}()};
+
+  ParticipantState state_;
+  std::string asked_;  ///< what the screen asks; another one closes the gate
+  ScreenGate gate_;
+  CoursePassed passed_;
+  std::optional<StopReason> leaving_;
+  bool paused_by_her_ = false;  ///< through the overlay; the researcher has a pause of their own
+
+  std::optional<study::Person> person_;
+  bool newcomer_ = false;
+  std::optional<study::RecordId> earlier_session_;
+  QString consent_language_;  ///< of the text that she agreed to, until that is noted
+  bool resumes_ = false;      ///< that session is being continued
+  AboutYou about_;
+  DeviceCheck check_;
+  bool device_lost_ = false;
+  std::uint32_t buttons_ = 0;  ///< of the last sample
+  SpeedCapture capture_;
+  SpeedState::Note capture_note_ = SpeedState::Note::kStart;
+  bool at_start_ = false;  ///< the handle is where an insertion begins
+  ForceTrial trial_;
+  std::optional<study::Form> form_;
+  QString chosen_;  ///< on the screen, not stored yet
+  std::optional<session::InputMeans> means_;
+  QString lit_;
+  int lit_presses_ = 0;
+  std::size_t lit_first_ = 0;  ///< index of the word that the first press lit
+  bool from_review_ = false;
+  bool own_asked_ = false;
+  std::shared_ptr<const OwnModel> own_;
+  QString own_refused_;
+  std::size_t own_region_ = 0;
+  int own_marks_ = 0;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,168 @@
+// What the nurse's screens show: the state of ParticipantController.
+#include <utility>
+
+#include "app/workbench/participant/participant_controller.h"
+#include "app/workbench/participant/questions.h"
+
+namespace tactus::workbench {
+
+using Screen = ParticipantScreen;
+
+void ParticipantController::look() {
+  state_.screen = screenOf(at(), passed_);
+  state_.paused = at() != nullptr && at()->paused && !paused_by_her_;
+  if (std::string now_asked = asked(); now_asked != asked_) {
+    asked_ = std::move(now_asked);
+    ++state_.serial;
+    gate_.close();
+    onAsked();
+  }
+  fill();
+  emit changed();
+}
+
+// Everything that makes another question of it. Not the stages of one force: the hand goes through them by itself.
+std::string ParticipantController::asked() const {
+  std::string out = std::to_string(static_cast<int>(state_.screen)) + '/' +
+                    std::to_string(static_cast<int>(state_.overlay)) + '/' +
+                    std::to_string(static_cast<int>(state_.welcome.step)) + (state_.paused ? "/paused" : "");
+  if (at() != nullptr) out += '/' + std::to_string(at()->step);
+  if (state_.screen == Screen::kAboutYou) out += '/' + std::to_string(static_cast<int>(about_.state().question));
+  if (state_.screen == Screen::kOwnModel) out += '/' + std::to_string(own_region_);
+  return out;
+}
+
+void ParticipantController::fill() {
+  state_.saving = proxy_.isSlow();
+  state_.failed = !proxy_.failure().isEmpty();
+  state_.simulated = plan_.simulated || (device_.device() && device_.device()->simulated);
+  state_.device = deviceStep();
+  state_.can_go_on = true;
+  state_.can_go_back = false;
+  switch (state_.screen) {
+    case Screen::kWelcome:
+      state_.can_go_on = state_.can_go_back = person_.has_value();
+      break;
+    case Screen::kConsent: {
+      const auto text = plan_.consent_texts.find(state_.language);
+      state_.consent = {plan_.consent_version, text == plan_.consent_texts.end() ? QString() : text->second};
+      state_.can_go_back = true;
+      break;
+    }
+    case Screen::kAboutYou:
+      state_.about = about_.state();
+      state_.can_go_on = about_.isAnswered();
+      state_.can_go_back = !about_.isFirst();
+      break;
+    case Screen::kDeviceCheck:
+      state_.can_go_on = state_.device == DeviceStep::kReady || state_.device == DeviceStep::kWrong ||
+                         state_.device == DeviceStep::kLost;
+      break;
+    case Screen::kPractice:
+    case Screen::kSpeed:
+    case Screen::kForce:
+      state_.feels_force = at()->part == session::SessionPart::kForce;
+      state_.feels_force ? fillForce() : fillSpeed();
+      break;
+    case Screen::kQuestion:
+      fillQuestion();
+      break;
+    case Screen::kReview:
+      if (form_) state_.review = reviewState(*form_, at()->replies);
+      state_.can_go_on = at()->part == session::SessionPart::kRating;
+      break;
+    case Screen::kOwnModel:
+      fillOwnModel();
+      break;
+    case Screen::kThanks:
+      state_.thanks.curve = own_ ? own_->curve : std::vector<QPointF>();
+      break;
+    case Screen::kRest:
+    case Screen::kGlossary:
+    case Screen::kStopped:
+      break;
+  }
+  // While an answer is being stored nothing else is answered.
+  if (proxy_.isMovingOn() || state_.paused) state_.can_go_on = state_.can_go_back = false;
+}
+
+DeviceStep ParticipantController::deviceStep() const {
+  using State = DeviceSession::State;
+  if (device_lost_) return DeviceStep::kLost;
+  if (device_.user() != this) return DeviceStep::kWait;
+  switch (device_.state()) {
+    case State::kTripped:
+      return DeviceStep::kWrong;
+    case State::kRearming:
+      return DeviceStep::kRelease;
+    case State::kRunning:
+      return check_.step();
+    case State::kStopped:
+      return DeviceStep::kLost;
+    case State::kOpening:
+    case State::kStopping:
+      break;
+  }
+  return DeviceStep::kWait;
+}
+
+void ParticipantController::fillSpeed() {
+  using Note = SpeedState::Note;
+  const experiments::SpeedPlan& plan = *at()->speed;
+  state_.speed.level = QString::fromStdString(plan.level);
+  state_.speed.recorded = plan.number - 1;
+  state_.speed.wanted = plan.count;
+  state_.speed.note = !at_start_ && capture_note_ == Note::kStart ? Note::kReturn : capture_note_;
+  state_.can_go_on = false;  // the hand does
+}
+
+void ParticipantController::fillForce() {
+  ForceState out;
+  out.asks = !at()->force->question.answers.empty();
+  out.chosen = chosen_;
+  out.lit = lit_;
+  out.again = at()->force->attempt > 1;
+  switch (trial_.stage()) {
+    case ForceTrial::Stage::kNone:
+    case ForceTrial::Stage::kPause:
+      out.stage = ForceState::Stage::kPause;
+      out.warm = trial_.isWarm();
+      break;
+    case ForceTrial::Stage::kWait:
+    case ForceTrial::Stage::kRise:
+      out.stage = ForceState::Stage::kFeel;
+      break;
+    case ForceTrial::Stage::kFelt:
+      out.stage = ForceState::Stage::kAnswer;
+      break;
+  }
+  state_.can_go_on = out.stage == ForceState::Stage::kAnswer && (!out.asks || !chosen_.isEmpty());
+  state_.force = std::move(out);
+}
+
+void ParticipantController::fillQuestion() {
+  const ItemPage& page = *at()->page;
+  if (form_) state_.question = questionState(*form_, page, chosen_);
+  state_.question.from_review = from_review_;
+  state_.can_go_on = !chosen_.isEmpty();
+  state_.can_go_back = page.position > 1;
+}
+
+void ParticipantController::fillOwnModel() {
+  OwnModelState out;
+  out.unavailable = own_refused_;
+  out.marks = own_marks_;
+  out.chosen = chosen_;
+  out.ready = own_ != nullptr && hasDevice();
+  if (own_ != nullptr) {
+    const OwnRegion& region = own_->regions[own_region_];
+    out.region = QString::fromStdString(region.id);
+    out.from_mm = region.from_mm;
+    out.number = static_cast<int>(own_region_) + 1;
+    out.count = static_cast<int>(own_->regions.size());
+  }
+  state_.can_go_on = !out.unavailable.isEmpty() || (out.ready && !chosen_.isEmpty());
+  state_.own = std::move(out);
+}
+
+}  // namespace tactus::workbench

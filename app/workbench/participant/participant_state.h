@@ -1,0 +1,161 @@
+// What the nurse's screens show at one moment: one screen, what may be chosen on it, and what is chosen. No screen gets
+// a number that she must not see.
+#pragma once
+
+#include <QPointF>
+#include <QString>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tactus::workbench {
+
+enum class ParticipantScreen {
+  kWelcome,      ///< language, text size, code
+  kConsent,      ///< the study's text; agree or not
+  kAboutYou,     ///< one question after another
+  kDeviceCheck,  ///< hold still, push gently
+  kPractice,     ///< of the speed or the force part; not counted
+  kSpeed,        ///< part 1: insertions at a named speed
+  kForce,        ///< part 2: feel, then choose a word
+  kRest,         ///< the force is off, as long as she likes
+  kGlossary,     ///< the words of the questions
+  kQuestion,     ///< part 3: one of the questions
+  kReview,       ///< her answers as grids
+  kOwnModel,     ///< feels the force of her own answers
+  kThanks,       ///< the end, with her own curve
+  kStopped,      ///< stopped for today, withdrawn, or no consent
+};
+
+/// What lies over the screen while the force is off. The force stays off until kNone.
+enum class ForceOffOverlay {
+  kNone,
+  kForceOff,  ///< continue, call the researcher, stop, withdraw
+  kCalled,    ///< the same, and the researcher was called
+  kWithdraw,  ///< withdraw or keep the data
+  kLeaving,   ///< the last answer is being stored, or the data are being deleted
+};
+
+struct WelcomeState {
+  enum class Step {
+    kStart,
+    kNewCode,      ///< `code` was made just now: she writes it down
+    kWelcomeBack,  ///< `code` is known
+  };
+  Step step = Step::kStart;
+  int kept_answers = 0;       ///< of earlier, with a known code
+  bool code_unknown = false;  ///< what she typed is no code of this study
+  QString meant;              ///< a code of this study that she may have meant; may be empty
+};
+
+struct ConsentState {
+  QString version;
+  QString text;  ///< the study's own; may be empty
+};
+
+struct AboutYouState {
+  enum class Question { kYears, kHand, kGloves, kHaptic, kComfort };
+  Question question = Question::kYears;
+  QString chosen;  ///< `years_1` … `years_4`; left, right, both; haptic_0 … haptic_2; yes, no; not_say; empty: none
+  bool is_first = true;
+};
+
+/// The device, as far as she must know.
+enum class DeviceStep { kWait, kHold, kStill, kPush, kRelease, kReady, kWrong, kLost };
+
+struct SpeedState {
+  enum class Note { kStart, kReturn, kRecorded, kTooShort, kNotRecorded, kBackwards, kOutOfRange };
+  QString level;     ///< term id: `slow`
+  int recorded = 0;  ///< of `wanted` dots
+  int wanted = 0;
+  Note note = Note::kStart;  ///< about the last insertion, until the handle is back at the start
+};
+
+struct ForceState {
+  enum class Stage {
+    kPause,   ///< without force; the handle goes back to the start
+    kFeel,    ///< the force waits for the hand, or rises
+    kAnswer,  ///< felt: a word may be chosen, or she feels it again
+  };
+  Stage stage = Stage::kPause;
+  bool asks = true;    ///< for a word; not in the practice
+  QString chosen;      ///< a term id, `not_felt`, `beyond_practice`; empty: none
+  QString lit;         ///< the word that the button of the device would choose; may be empty
+  bool again = false;  ///< the step came again: once more, please
+  bool warm = false;   ///< the pause is long because the device rests
+};
+
+struct QuestionState {
+  int item = 0;      ///< the form's item number
+  int position = 1;  ///< of `count`, in the order of this session
+  int count = 0;
+  QString condition;         ///< `lubrication`, `neck_flexion`, `speed`
+  QString term;              ///< of the condition
+  QString region;            ///< term id of the depth
+  QString chosen;            ///< a term id, `cant_tell`; empty: none
+  bool from_review = false;  ///< it is changed from the review and leads back to it
+};
+
+struct ReviewAnswer {
+  int item = 0;
+  QString condition;
+  QString term;
+  QString region;
+  QString word;  ///< as QuestionState::chosen; empty: open
+};
+
+struct ReviewState {
+  std::vector<ReviewAnswer> answers;  ///< in the order of the form
+  int gaps = 0;                       ///< answers that are still open
+};
+
+struct OwnModelState {
+  bool ready = false;   ///< the model is built, and in the device
+  QString unavailable;  ///< one sentence why there is none; empty: there is, or it is being built
+  QString region;       ///< term id of the region that is felt
+  int number = 1;       ///< of `count` regions
+  int count = 0;
+  double from_mm = 0;  ///< depth at which the region begins
+  QString chosen;      ///< lighter, right, heavier; empty: none
+  int marks = 0;       ///< moments that she marked in this region
+};
+
+struct ThanksState {
+  std::vector<QPointF> curve;  ///< depth in mm, share of the largest force: her own; empty: none
+};
+
+enum class StopReason { kForToday, kWithdrawn, kNoConsent };
+
+struct ParticipantState {
+  /// Rises whenever something else is asked. A view reports its first painted frame of each number.
+  std::uint64_t serial = 0;
+  ParticipantScreen screen = ParticipantScreen::kWelcome;
+  ForceOffOverlay overlay = ForceOffOverlay::kNone;
+
+  QString language = QStringLiteral("en");  ///< `en`, `zh-Hant`, `zh-Hans`
+  int text_percent = 100;                   ///< 100, 125, 150
+  QString code;                             ///< of the participant; empty: not known yet
+  bool left_handed = false;
+  bool simulated = false;  ///< no device is connected, or a program is the participant
+
+  bool can_go_on = false;  ///< the primary button acts
+  bool can_go_back = false;
+  bool saving = false;  ///< slow enough to be said
+  bool failed = false;  ///< the disk refuses
+  bool paused = false;  ///< by the researcher: nothing is taken
+
+  WelcomeState welcome;
+  ConsentState consent;
+  AboutYouState about;
+  DeviceStep device = DeviceStep::kWait;
+  SpeedState speed;          ///< of kSpeed, and of kPractice without `feels_force`
+  ForceState force;          ///< of kForce, and of kPractice with `feels_force`
+  bool feels_force = false;  ///< the practice is one of the force part
+  QuestionState question;
+  ReviewState review;
+  OwnModelState own;
+  ThanksState thanks;
+  StopReason stop = StopReason::kForToday;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,86 @@
+#include "app/workbench/participant/questions.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/session/known_forms.h"
+
+namespace tactus::workbench {
+namespace {
+
+using Status = study::Answer::Status;
+
+constexpr auto kDepth = "depth";
+constexpr auto kCantTell = "cant_tell";
+
+/// What an item is about: one condition, and the region of the tip.
+struct Situation {
+  QString condition;
+  QString term;
+  QString region;
+};
+
+Situation situationOf(const study::Form& form, int number) {
+  Situation out;
+  const auto item = std::find_if(form.items.begin(), form.items.end(),
+                                 [number](const study::FormItem& one) { return one.number == number; });
+  if (item == form.items.end()) return out;
+  for (const study::ItemCondition& condition : item->conditions) {
+    const QString term = QString::fromStdString(condition.term);
+    if (condition.input == kDepth) {
+      out.region = term;
+    } else {
+      out.condition = QString::fromStdString(condition.input);
+      out.term = term;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<study::Form> formWithConditions(const std::string& form) {
+  for (study::Form& known : session::knownForms()) {
+    if (known.id == form && !known.items.empty()) return std::move(known);
+  }
+  return std::nullopt;
+}
+
+QuestionState questionState(const study::Form& form, const ItemPage& page, const QString& chosen) {
+  const Situation situation = situationOf(form, page.item);
+  QuestionState out;
+  out.item = page.item;
+  out.position = static_cast<int>(page.position);
+  out.count = static_cast<int>(page.count);
+  out.condition = situation.condition;
+  out.term = situation.term;
+  out.region = situation.region;
+  out.chosen = chosen;
+  return out;
+}
+
+ReviewState reviewState(const study::Form& form, const std::vector<ItemReply>& replies) {
+  ReviewState out;
+  for (const ItemReply& reply : replies) {
+    const Situation situation = situationOf(form, reply.item);
+    out.answers.push_back({reply.item, situation.condition, situation.term, situation.region, wordOf(reply.reply)});
+    if (reply.isOpen()) ++out.gaps;
+  }
+  return out;
+}
+
+QString wordOf(const std::optional<questionnaires::Reply>& reply) {
+  if (!reply) return {};
+  if (reply->status == Status::kCantTell) return QLatin1String(kCantTell);
+  return reply->status == Status::kAnswered ? QString::fromStdString(reply->value) : QString();
+}
+
+std::optional<questionnaires::Reply> replyOf(const study::Form& form, const QString& word) {
+  if (word == QLatin1String(kCantTell)) return questionnaires::Reply{Status::kCantTell, {}};
+  for (const study::AnswerWord& answer : form.answers) {
+    if (word == QString::fromStdString(answer.term)) return questionnaires::Reply{Status::kAnswered, answer.term};
+  }
+  return std::nullopt;
+}
+
+}  // namespace tactus::workbench
