@@ -5,10 +5,12 @@
 #include <QSettings>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 
 #include "app/version.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/program_options.h"
+#include "app/workbench/take_part_start.h"
 #include "app/workbench/translation.h"
 #include "app/workbench/workbench.h"
 
@@ -34,6 +36,29 @@ int takePictures(QApplication& application, const PictureSettings& pictures) {
   theme::apply(application, theme::Look::kLight);
   const auto written = writeScreenPictures(pictures);
   return written ? 0 : fail(written.error());
+}
+
+/// The screens of the participants, and the research mode once the researcher has left them.
+int takePart(const QString& study, QSettings& settings) {
+  // The window of the one mode closes before that of the other opens.
+  QApplication::setQuitOnLastWindowClosed(false);
+  std::optional<Workbench> workbench;
+  TakePartStart start;
+  QObject::connect(&start, &TakePartStart::left, &start, [&](const QString& path) {
+    workbench.emplace(settings);
+    workbench->window.show();
+    QApplication::setQuitOnLastWindowClosed(true);
+    workbench->files.open(path);
+  });
+  QObject::connect(
+      &start, &TakePartStart::failed, &start,
+      [](const QString& sentence) {
+        std::fprintf(stderr, "tactus-workbench: %s\n", qPrintable(sentence));
+        QApplication::exit(1);
+      },
+      Qt::QueuedConnection);
+  start.open(study);
+  return QApplication::exec();
 }
 
 QStringList argumentsOf(int argc, char** argv) {
@@ -67,6 +92,7 @@ int main(int argc, char** argv) {
 
   QSettings settings;
   theme::apply(application, theme::storedLook(settings));
+  if (!read->take_part.isEmpty()) return takePart(read->take_part, settings);
   Workbench workbench(settings);
   workbench.window.show();
   if (!read->file.isEmpty()) workbench.files.open(read->file);

@@ -13,6 +13,7 @@ struct OptionText {
   Q_DECLARE_TR_FUNCTIONS(OptionText)
 };
 
+constexpr auto kTakePart = "take-part";
 constexpr auto kScreens = "screens";
 constexpr auto kSize = "size";
 constexpr auto kScale = "scale";
@@ -67,6 +68,8 @@ void describeOptions(QCommandLineParser& parser) {
   const auto option = [&parser](const char* name, const QString& help, const QString& value) {
     parser.addOption({QLatin1String(name), help, value});
   };
+  option(kTakePart, OptionText::tr("Show the screens of the participants of <study>, and nothing else."),
+         OptionText::tr("study"));
   option(kScreens,
          OptionText::tr("Save a picture of every screen in <folder>, from the demo study, without a display."),
          OptionText::tr("folder"));
@@ -82,6 +85,7 @@ void describeOptions(QCommandLineParser& parser) {
 base::Result<ProgramOptions> readOptions(const QCommandLineParser& parser) {
   ProgramOptions options;
   if (const QStringList files = parser.positionalArguments(); !files.isEmpty()) options.file = files.first();
+  options.take_part = parser.value(QLatin1String(kTakePart));
   if (parser.isSet(QLatin1String(kScreens))) {
     auto pictures = picturesOf(parser);
     if (!pictures) return tl::unexpected(pictures.error());

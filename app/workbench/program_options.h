@@ -14,6 +14,7 @@ namespace tactus::workbench {
 struct ProgramOptions {
   QString file;                             ///< a model or a study; empty: none
   std::optional<PictureSettings> pictures;  ///< --screens
+  QString take_part;                        ///< the study of --take-part; empty: none
 };
 
 /// Options, arguments and their help texts. Needs no QApplication.

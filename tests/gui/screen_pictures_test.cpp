@@ -71,6 +71,13 @@ TEST(ProgramOptions, SayWhatPicturesAreWanted) {
   EXPECT_FALSE(optionsOf({QStringLiteral("study.tactus")})->pictures);
 }
 
+TEST(ProgramOptions, NameTheStudyOfTheParticipants) {
+  const auto options = optionsOf({QStringLiteral("--take-part"), QStringLiteral("ngt.tactus")});
+  ASSERT_TRUE(options);
+  EXPECT_EQ(options->take_part, QStringLiteral("ngt.tactus"));
+  EXPECT_TRUE(options->file.isEmpty());
+}
+
 TEST(ProgramOptions, ThatCannotBeMeantAreASentence) {
   for (const char* bad : {"1280", "1280x", "x720", "12x720", "1280x99999", "1280x720x2", "-1280x720"}) {
     const auto options =

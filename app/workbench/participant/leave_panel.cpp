@@ -13,6 +13,7 @@ LeavePanel::LeavePanel(const nurse::Look& look, QWidget* parent)
   addText(TextRole::kLead, phrase(QStringLiteral("leave.ask")));
   passphrase_->setEchoMode(QLineEdit::Password);
   addWidget(passphrase_);
+  setFocusProxy(passphrase_);
   wrong_ = addText(TextRole::kBody, phrase(QStringLiteral("leave.wrong")));
   wrong_->hide();
   const nurse::Button* leave = addButton(ButtonKind::kPlain, phrase(QStringLiteral("leave.button")));
@@ -27,18 +28,15 @@ LeavePanel::LeavePanel(const nurse::Look& look, QWidget* parent)
 }
 
 void LeavePanel::followLook() {
+  constexpr double kFieldMm = 14;
   passphrase_->setFont(look().font());
+  passphrase_->setMinimumHeight(look().mm(kFieldMm));
   passphrase_->setAccessibleName(look().say(phrase(QStringLiteral("leave.ask"))));
 }
 
 void LeavePanel::refuse() {
   passphrase_->clear();
   wrong_->show();
-}
-
-void LeavePanel::showEvent(QShowEvent* event) {
-  PanelCard::showEvent(event);
-  passphrase_->setFocus();
 }
 
 }  // namespace tactus::workbench

@@ -21,9 +21,6 @@ class LeavePanel : public nurse::PanelCard {
   /// Back to the participant.
   void stay();
 
- protected:
-  void showEvent(QShowEvent* event) override;
-
  private:
   void followLook();
 

@@ -535,6 +535,14 @@
         <source>A model (*.tactus.json) or a study (*.tactus).</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Show the screens of the participants of &lt;study&gt;, and nothing else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>study</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PictureParts</name>

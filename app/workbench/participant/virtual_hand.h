@@ -1,0 +1,47 @@
+// Mouse, touch and keyboard in the place of a hand on the virtual device. A drag over the free area of the screen holds
+// the handle and moves it, forward to the right; letting go takes it back to the start. Space holds, the arrows move.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+class QKeyEvent;
+class QMouseEvent;
+
+namespace tactus::workbench {
+
+namespace nurse {
+class Look;
+}
+
+class DeviceSession;
+class ParticipantWindow;
+
+class VirtualHand : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Does nothing while another device than the virtual one runs. All outlive this.
+  VirtualHand(ParticipantWindow& window, const nurse::Look& look, DeviceSession& device);
+
+  /// Whether the screen asks for the hand: only then are Space and the arrows the hand's.
+  void setWanted(bool wanted);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool press(const QMouseEvent& event);
+  void drag(const QMouseEvent& event);
+  void letGo();
+  bool key(const QKeyEvent& event, bool down);
+  void moveTo(double position_mm);
+
+  ParticipantWindow& window_;
+  const nurse::Look& look_;
+  DeviceSession& device_;
+  bool wanted_ = false;
+  std::optional<double> from_px_;  ///< where a drag began
+};
+
+}  // namespace tactus::workbench

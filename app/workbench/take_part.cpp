@@ -1,0 +1,56 @@
+#include "app/workbench/take_part.h"
+
+#include <QPointer>
+
+#include "app/workbench/participant/leave_panel.h"
+#include "core/store/research_key.h"
+
+namespace tactus::workbench {
+
+TakePart::TakePart(StudyConnection& study, DeviceSession& device, const ParticipantPlan& plan)
+    : study_(study),
+      course_(study, device, plan),
+      window_(look_, [&device] { device.setForce({}); }),
+      views_(course_, look_, window_),
+      hand_(window_, look_, device) {
+  connect(&course_, &ParticipantController::changed, this, &TakePart::giveHand);
+  connect(&window_, &ParticipantWindow::forceOff, &course_, &ParticipantController::forceOff);
+  connect(&window_, &ParticipantWindow::leaveAsked, this, &TakePart::askForPassphrase);
+}
+
+void TakePart::begin(QScreen& screen) { window_.showOn(screen); }
+
+// Where she pushes and feels; elsewhere the keys choose and go on.
+void TakePart::giveHand() {
+  const ParticipantState& state = course_.state();
+  using Screen = ParticipantScreen;
+  const bool pushes = state.screen == Screen::kSpeed || state.screen == Screen::kOwnModel ||
+                      (state.screen == Screen::kPractice && !state.feels_force) ||
+                      (state.screen == Screen::kDeviceCheck && state.device != DeviceStep::kReady);
+  const bool feels = (state.screen == Screen::kForce || state.screen == Screen::kPractice) && state.feels_force &&
+                     state.force.stage != ForceState::Stage::kAnswer;
+  hand_.setWanted(state.overlay == ForceOffOverlay::kNone && (pushes || feels));
+}
+
+void TakePart::askForPassphrase() {
+  auto* panel = new LeavePanel(look_);
+  connect(panel, &LeavePanel::stay, &window_, &ParticipantWindow::endQuestion);
+  connect(panel, &LeavePanel::entered, this, [this, panel](const QString& passphrase) { check(*panel, passphrase); });
+  window_.askResearcher(panel);
+}
+
+void TakePart::check(LeavePanel& asked, const QString& passphrase) {
+  study_.read(*this, [this, panel = QPointer(&asked), typed = passphrase.toStdString()](const store::StudyFile& file) {
+    const auto opens = store::opensResearch(file, typed);
+    return [this, panel, right = opens && *opens] {
+      if (right) {
+        window_.leave();
+        emit left();
+      } else if (panel) {
+        panel->refuse();
+      }
+    };
+  });
+}
+
+}  // namespace tactus::workbench
