@@ -22,6 +22,7 @@ RecoveryParts::RecoveryParts(MainWindow& window, ModelFiles& files, AutosaveCont
   QObject::connect(&recovery, &RecoveryController::restored, &edits, &EditController::reported);
   QObject::connect(&recovery, &RecoveryController::failed, &window.banner(), &MessageBanner::showError);
   QObject::connect(&autosave, &AutosaveController::failed, &window.banner(), &MessageBanner::showError);
+  QObject::connect(&autosave, &AutosaveController::said, &window.banner(), &MessageBanner::showNote);
 }
 
 }  // namespace tactus::workbench

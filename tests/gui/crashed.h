@@ -5,7 +5,8 @@
 
 namespace tactus::tests {
 
-/// A copy of the autosave folder `folder` beside it, as if its process had died: its lock names a process that is gone.
-QString crashedCopy(const QString& folder);
+/// A copy of the autosave folder `root` beside it, as if the process that writes there had died: history files with
+/// their journals.
+QString crashedCopy(const QString& root);
 
 }  // namespace tactus::tests

@@ -1,4 +1,5 @@
 // kill -9 while a study is edited, and while a session is answered: nothing that was acknowledged is lost.
+#include <QSignalSpy>
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -9,6 +10,9 @@
 #include <unistd.h>
 
 #include "app/editing/history_versions.h"
+#include "app/workbench/model/edit_controller.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/tune/history/autosave_controller.h"
 #include "core/base/random.h"
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
@@ -26,14 +30,18 @@ constexpr int kRounds = 5;
 // Lets the program work on the study until it has acknowledged something and `milliseconds` more, kills it, and returns
 // what it acknowledged, each as `Word`.
 template <class Word>
-std::vector<Word> acknowledged(const char* program, const QString& path, int milliseconds) {
+std::vector<Word> acknowledged(const char* program, const QString& path, int milliseconds,
+                               const QString& autosaves = {}) {
   int ends[2] = {};
   EXPECT_EQ(::pipe2(ends, O_CLOEXEC), 0);
   const std::string study = path.toStdString();
+  const std::string root = autosaves.toStdString();
   const pid_t process = ::fork();
   if (process == 0) {
     ::dup2(ends[1], STDOUT_FILENO);
-    ::execl(program, program, study.c_str(), static_cast<char*>(nullptr));
+    // Without a folder the list of arguments ends before it.
+    const char* const folder = root.empty() ? nullptr : root.c_str();
+    ::execl(program, program, study.c_str(), folder, static_cast<char*>(nullptr));
     ::_exit(127);
   }
   ::close(ends[1]);
@@ -96,6 +104,30 @@ TEST(StudyKilled, NoAcknowledgedAnswerIsLostAndTheSessionContinues) {
     EXPECT_TRUE(store::checkStudy(*file)->empty());
   }
   RecordProperty("acknowledged", static_cast<int>(told));
+}
+
+TEST(StudyKilled, TheHistoryOfAModelOpenedAloneIsOfferedWithEveryAcknowledgedVersion) {
+  tests::ModelFolder folder;
+  const QString path = folder.write(tests::twoExperts());
+  const QString root = folder.path(QStringLiteral("autosave"));
+  base::Random random(13);
+  for (int round = 0; round < kRounds; ++round) {
+    const auto ids = acknowledged<study::RecordId>(TACTUS_HISTORY_KILL_CHILD, path, 1 + random.below(150), root);
+    ASSERT_FALSE(ids.empty());
+    EXPECT_EQ(HistoryFile::leftByCrash(root).size(), 1);
+    ModelController models;
+    EditController edits(models);
+    AutosaveController autosave(models, edits, root);
+    QSignalSpy looked_up(&autosave, &AutosaveController::lookedUp);
+    models.open(path);
+    ASSERT_TRUE(looked_up.count() > 0 || looked_up.wait(10'000));
+    ASSERT_TRUE(autosave.lost());
+    EXPECT_FALSE(models.isModified());
+    const auto& events = edits.history().events();
+    for (const study::RecordId& id : ids) {
+      EXPECT_TRUE(std::any_of(events.begin(), events.end(), [&](const auto& one) { return one.id == id; }));
+    }
+  }
 }
 
 }  // namespace

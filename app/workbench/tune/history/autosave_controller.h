@@ -1,21 +1,33 @@
-// Autosaves the edits that a crash would lose. A worker writes them to a separate file within a second of an edit. The
-// file is deleted when the edits are stored or the document is closed.
+// Keeps the history of the open model in a history file (history_file.h), within a second of an edit, and lets the
+// history go on when the model is opened again. A worker reads and writes; the window waits for neither.
 #pragma once
 
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/workbench/base/call_queue.h"
 #include "app/workbench/base/worker.h"
-#include "app/workbench/tune/history/autosave_folder.h"
+#include "app/workbench/tune/history/history_file.h"
 
 namespace tactus::workbench {
 
 class EditController;
 class ModelController;
+
+/// Edits of the open model that its file lacks, because the program ended before they were saved or given up.
+struct LostEdits {
+  editing::StateId state = 0;  ///< with the edits
+  std::optional<editing::Unfinished> drag;
+  int edits = 0;
+  std::int64_t last_utc_ms = 0;
+};
 
 class AutosaveController : public QObject {
   Q_OBJECT
@@ -28,29 +40,58 @@ class AutosaveController : public QObject {
     int after_failure_ms = 5000;  ///< before the next attempt
   };
 
-  /// Writes into a new folder below `root`.
+  /// Writes below `root`.
   AutosaveController(ModelController& models, EditController& edits, QString root, Times times,
                      QObject* parent = nullptr);
   AutosaveController(ModelController& models, EditController& edits, QString root, QObject* parent = nullptr)
       : AutosaveController(models, edits, std::move(root), Times(), parent) {}
-  /// Deletes the autosave: at a normal end the user has already decided about unsaved changes.
+  /// Ends the history in order: where edits were given up, with a return to the model of the file.
   ~AutosaveController() override;
+
+  /// What the history of the open model holds beyond its file.
+  const std::optional<LostEdits>& lost() const { return lost_; }
+  /// The offer was answered. The history ends with the state that is shown now, so that it is not made again.
+  void settleLost();
+
+  /// Runs `task` in the worker's thread, which alone uses history files, after all tasks before.
+  void post(std::function<void(HistoryFile& own)> task);
+  /// Waits until all posted tasks are done.
+  void wait();
 
   /// Writes pending changes now, and waits until all is written. Returns the number of the write that holds the current
   /// state; `written` reports success.
   quint64 flush();
-  /// The autosave folder; empty if there is none. Waits for the worker.
-  QString folder();
+  /// The file that keeps the history; empty if there is none. Waits for the worker.
+  QString file();
 
  signals:
   /// The write of this number, and all earlier ones of the same document, are on disk.
   void written(quint64 number);
+  /// The earlier history of the document that was opened was looked for; `lost` is set.
+  void lookedUp(const QString& document);
+  /// One or two sentences.
+  void said(const QString& sentence);
   /// One sentence; emitted once per series of failures. The write is retried anyway.
   void failed(const QString& sentence);
 
  private:
+  /// The result of the worker's look at the history file.
+  struct Found {
+    std::optional<editing::EarlierHistory> history;
+    bool merged = false;
+    QString failure;
+    QString aside;  ///< the file of a history that does not fit the model
+  };
   void onChange();
   void onReset();
+  void onSaved();
+  void takeOver();
+  void lookUp();
+  static Found lookUp(HistoryFile& file, const QString& document, const editing::EditHistory& fresh,
+                      const std::string& changed_label, const editing::Stamp& stamp);
+  void adopt(const QString& document, Found found);
+  void leave();
+  bool needsWriting() const;
   void write();
   void finish(quint64 number, const QString& failure);
   void writeWithin(int delay_ms);
@@ -58,7 +99,15 @@ class AutosaveController : public QObject {
   ModelController& models_;
   EditController& edits_;
   const Times times_;
-  std::shared_ptr<AutosaveFolder> folder_;
+  std::shared_ptr<HistoryFile> file_;
+  QString document_;  ///< whose history it is; empty: none is open
+  bool in_study_ = false;
+  std::shared_ptr<const editing::EditHistory> history_;  ///< the newest, a gesture in progress excepted
+  std::size_t kept_ = 0;                                 ///< events that need no write before another one follows
+  std::optional<editing::StateId> saved_;                ///< the state of the document's file
+  std::optional<LostEdits> lost_;
+  bool adopting_ = false;
+  bool drag_kept_ = false;  ///< the file has a gesture that may have ended without an entry
   QTimer due_;
   bool busy_ = false;   ///< the worker is writing
   bool again_ = false;  ///< the model changed after the write began

@@ -1,7 +1,10 @@
 #include "app/workbench/tune/history/recovery_controller.h"
 
+#include <QFileInfo>
 #include <QTimer>
 #include <algorithm>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "app/editing/same_bits.h"
@@ -11,104 +14,204 @@
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
 #include "core/base/check.h"
+#include "core/base/files/sha256.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::workbench {
+namespace {
+
+using Where = LostWork::Where;
+
+/// The SHA-256 of the model in the file `path`, as versions have it; empty if there is none.
+std::string modelSha256(const QString& path) {
+  const auto read = model_io::readModel(path.toStdString());
+  return read ? base::sha256(model_io::formatModel(read->model)) : std::string();
+}
+
+/// What the history at `path` has beyond the file of its document; nothing if that is up to date, or if another program
+/// has the history open.
+std::optional<LostWork> lostIn(const QString& path) {
+  const auto work = HistoryFile::read(path, false);
+  if (!work || work->kept.versions.empty()) return std::nullopt;
+  const auto& versions = work->kept.versions;
+  LostWork out{Where::kHistoryFile, path, work->document, 0, QDateTime::fromMSecsSinceEpoch(versions.back().utc_ms)};
+  const std::string in_file = isStudyPath(work->document) ? std::string() : modelSha256(work->document);
+  const auto same =
+      std::find_if(versions.rbegin(), versions.rend(), [&](const auto& version) { return version.sha256 == in_file; });
+  if (same == versions.rbegin()) return std::nullopt;
+  const auto later = static_cast<std::size_t>(same - versions.rbegin());
+  out.edits =
+      static_cast<int>(editing::editsIn(std::span(versions).last(later))) + (editing::isDrag(versions.back()) ? 1 : 0);
+  return out;
+}
+
+/// All that crashes left below `root`, newest first. `own`: the history file of this program.
+std::vector<LostWork> scanned(const QString& root, const QString& own) {
+  std::vector<LostWork> out;
+  for (const QString& path : HistoryFile::leftByCrash(root)) {
+    if (path == own) continue;
+    if (auto work = lostIn(path)) out.push_back(std::move(*work));
+  }
+  for (const OldAutosave& old : oldAutosaves(root)) {
+    out.push_back({Where::kOldAutosave, old.folder, old.document, old.edits, old.last});
+  }
+  std::sort(out.begin(), out.end(), [](const LostWork& a, const LostWork& b) { return a.last > b.last; });
+  return out;
+}
+
+std::string recoveredLabel(const editing::Unfinished& drag) {
+  return RecoveryController::tr("%1 (recovered)").arg(text(drag.label)).toStdString();
+}
+
+}  // namespace
 
 RecoveryController::RecoveryController(ModelController& models, EditController& edits, AutosaveController& autosave,
                                        QString root, QObject* parent)
     : QObject(parent), models_(models), edits_(edits), autosave_(autosave), root_(std::move(root)) {
   connect(&models_, &ModelController::opened, this, &RecoveryController::onOpened);
+  connect(&autosave_, &AutosaveController::lookedUp, this, &RecoveryController::onLookedUp);
   connect(&autosave_, &AutosaveController::written, this, &RecoveryController::onWritten);
   // A document that was left before its autosave was written: the files keep what it had, free for the next scan.
   connect(&edits_, &EditController::modelReset, this, [this] { replaced_.clear(); });
   scan();
 }
 
+// The worker answers to this.
+RecoveryController::~RecoveryController() { autosave_.wait(); }
+
 std::optional<LostWork> RecoveryController::offered() const {
   return offered_.empty() ? std::nullopt : std::optional(offered_.front());
 }
 
 void RecoveryController::scan() {
-  offered_ = lostWork(root_);
-  std::erase_if(offered_, [&](const LostWork& work) { return put_off_.contains(work.folder); });
-  // What belongs to the open document comes first.
-  if (models_.current()) {
-    std::stable_partition(offered_.begin(), offered_.end(),
-                          [&](const LostWork& work) { return work.document == models_.current()->path; });
+  autosave_.post([this, root = root_](const HistoryFile& own) {
+    answers_.post([this, found = scanned(root, own.path())] { show(found); });
+  });
+}
+
+void RecoveryController::show(std::vector<LostWork> found) {
+  if (busy_) return;
+  offered_ = std::move(found);
+  const auto open = models_.current();
+  const auto is_open = [&](const LostWork& work) { return open && work.document == open->path; };
+  // The history of the open model file is that of AutosaveController.
+  std::erase_if(offered_, [&](const LostWork& work) {
+    const auto postponed = [&](const LostWork& other) { return other.source == work.source; };
+    return std::any_of(put_off_.begin(), put_off_.end(), postponed) ||
+           (is_open(work) && !open->in_study && work.where == Where::kHistoryFile);
+  });
+  std::stable_partition(offered_.begin(), offered_.end(), is_open);
+  if (const auto& lost = autosave_.lost()) {
+    offered_.insert(offered_.begin(), {Where::kOpenDocument, open->path, open->path, lost->edits,
+                                       QDateTime::fromMSecsSinceEpoch(lost->last_utc_ms)});
   }
   emit offerChanged();
 }
 
 void RecoveryController::onOpened() {
   if (busy_) return;
-  const QString& path = models_.current()->path;
-  for (const LostWork& work : lostWork(root_)) {
-    if (work.document == path) put_off_.removeAll(work.folder);
-  }
+  const auto open = models_.current();
+  std::erase_if(put_off_, [&](const LostWork& work) { return work.document == open->path; });
   scan();
   // The history of the study follows the model.
-  if (wanted_ == path) QTimer::singleShot(0, this, &RecoveryController::restore);
+  if (open->in_study && wanted_ && wanted_->document == open->path) {
+    QTimer::singleShot(0, this, [this, work = *std::exchange(wanted_, std::nullopt)] { restoreWork(work); });
+  }
+}
+
+void RecoveryController::onLookedUp(const QString& document) {
+  if (busy_) return;
+  scan();
+  if (!wanted_ || wanted_->document != document) return;
+  const LostWork work = *std::exchange(wanted_, std::nullopt);
+  if (autosave_.lost()) {
+    restoreOpen(work);
+  } else {
+    emit failed(
+        tr("The edits of %1 cannot be restored, because another window has them.").arg(shownFileName(work.document)));
+  }
 }
 
 void RecoveryController::restore() {
-  if (busy_ || offered_.empty()) return;
-  const LostWork& work = offered_.front();
+  if (!busy_ && !offered_.empty()) restoreWork(offered_.front());
+}
+
+void RecoveryController::restoreWork(const LostWork& work) {
+  wanted_.reset();
+  if (work.where == Where::kOpenDocument) return restoreOpen(work);
   // A study file keeps the history of its models itself.
   const bool in_study = isStudyPath(work.document);
-  if (in_study && (!models_.current() || models_.current()->path != work.document)) {
-    wanted_ = work.document;
+  const bool is_open = models_.current() && models_.current()->path == work.document;
+  if (in_study && !is_open) {
+    wanted_ = work;
     emit studyNeeded(work.document);
     return;
   }
-  wanted_.clear();
-  auto taken = TakenWork::take(work);
-  if (!taken) {
-    drop();
-    emit failed(text(taken.error().message()));
-    return;
+  if (!in_study && work.where == Where::kHistoryFile) {
+    if (auto open = readOpenModel(work.document)) {
+      wanted_ = work;
+      models_.openRead(std::move(*open));
+      return;
+    }
+  }
+  std::shared_ptr<TakenAutosave> taken;
+  if (work.where == Where::kOldAutosave) {
+    auto found = TakenAutosave::take(work.source);
+    if (!found) {
+      drop(work);
+      emit failed(text(found.error().message()));
+      return;
+    }
+    taken = std::move(*found);
   }
   busy_ = true;
-  taken_ = std::move(*taken);
   emit offerChanged();
-  worker_.post([this, taken = taken_, stamp = edits_.stamp(), in_study] {
-    const auto found = std::make_shared<base::Result<Found>>(read(*taken, stamp, in_study));
-    answers_.post([this, found] { adopt(std::move(*found)); });
+  autosave_.post([this, work, taken, stamp = edits_.stamp()](HistoryFile&) {
+    const auto found = std::make_shared<base::Result<Found>>(read(work, taken.get(), stamp));
+    answers_.post([this, work, taken, found] { adopt(work, taken, std::move(*found)); });
   });
 }
 
-base::Result<RecoveryController::Found> RecoveryController::read(const TakenWork& taken, const editing::Stamp& stamp,
-                                                                 bool in_study) {
-  auto autosave = taken.read();
-  if (!autosave) return tl::unexpected(autosave.error());
-  Found out{std::move(*autosave), {}};
-  if (in_study) return out;
-  auto history = editing::recovered({}, out.autosave, study::RecordIds(), stamp);
+void RecoveryController::restoreOpen(const LostWork& work) {
+  if (!autosave_.lost()) return drop(work);
+  const LostEdits lost = *autosave_.lost();
+  edits_.returnTo(lost.state);
+  if (lost.drag) edits_.apply(editing::finished(lost.drag->model, recoveredLabel(*lost.drag)));
+  autosave_.settleLost();
+  drop(work);
+  say(work);
+}
+
+base::Result<RecoveryController::Found> RecoveryController::read(const LostWork& work, const TakenAutosave* taken,
+                                                                 const editing::Stamp& stamp) {
+  auto kept = taken != nullptr ? taken->read() : HistoryFile::read(work.source, true);
+  if (!kept) return tl::unexpected(kept.error());
+  Found out{std::move(kept->kept), {}};
+  if (isStudyPath(work.document)) return out;
+  auto history = editing::wholeHistory(out.kept, study::RecordIds(), stamp);
   if (!history) return tl::unexpected(history.error());
   out.history = std::move(*history);
   return out;
 }
 
-void RecoveryController::adopt(base::Result<Found> found) {
-  const LostWork work = offered_.front();
-  const auto taken = std::exchange(taken_, nullptr);
+void RecoveryController::adopt(const LostWork& work, const std::shared_ptr<TakenAutosave>& taken,
+                               base::Result<Found> found) {
+  busy_ = false;
   if (!found) {
-    busy_ = false;
-    put_off_.append(work.folder);
-    drop();
-    emit failed(tr("The edits of %1 cannot be restored and stay where they are: %2")
+    put_off_.push_back(work);
+    drop(work);
+    emit failed(tr("The edits of %1 cannot be restored. Their files stay in place: %2")
                     .arg(shownFileName(work.document), text(found.error().message())));
     return;
   }
   if (found->history) {
     begin(work, std::move(*found->history));
   } else {
-    goOn(found->autosave);
+    goOn(found->kept);
   }
-  replaced_.push_back({taken, autosave_.flush()});
-  busy_ = false;
-  drop();
-  emit restored(tr("Restored: %1, edits: %2, with their history.").arg(shownFileName(work.document)).arg(work.edits));
+  replaced_.push_back({work, taken, autosave_.flush()});
+  drop(work);
+  say(work);
 }
 
 void RecoveryController::begin(const LostWork& work, editing::EditHistory history) {
@@ -127,17 +230,17 @@ void RecoveryController::begin(const LostWork& work, editing::EditHistory histor
 }
 
 // The study has everything but the last moments, which follow as edits of what it has.
-void RecoveryController::goOn(const editing::Autosave& autosave) {
+void RecoveryController::goOn(const editing::KeptVersions& kept) {
   const auto show = [&](const fuzzy::ForceModel& model, const std::string& label) {
     if (!editing::sameBits(model, edits_.model())) edits_.apply(editing::finished(model, label));
   };
   const auto known = edits_.history().events();
-  for (const study::ModelVersion& version : autosave.versions) {
+  for (const study::ModelVersion& version : kept.versions) {
     const bool stored =
         std::any_of(known.begin(), known.end(), [&](const editing::Event& event) { return event.id == version.id; });
     if (stored) continue;
     const auto model = model_io::parseModel(version.text, "autosave");
-    TACTUS_CHECK(model.has_value());  // parseAutosave read it
+    TACTUS_CHECK(model.has_value());  // its SHA-256 fits, and it was a model when it was written
     const auto colon = version.label.find(": ");
     const std::string kind = version.label.substr(0, colon);
     const std::string label = colon == std::string::npos ? version.label : version.label.substr(colon + 2);
@@ -145,36 +248,57 @@ void RecoveryController::goOn(const editing::Autosave& autosave) {
     if (kind == editing::name(editing::EventKind::kSnapshot)) edits_.snapshot(text(label));
     if (kind == editing::name(editing::EventKind::kSignOff)) edits_.signOff(text(version.author));
   }
-  if (autosave.unfinished)
-    show(autosave.unfinished->model, tr("%1 (recovered)").arg(text(autosave.unfinished->label)).toStdString());
+  if (kept.unfinished) show(kept.unfinished->model, recoveredLabel(*kept.unfinished));
 }
 
 // An autosave that was begun before the work was restored does not hold it.
 void RecoveryController::onWritten(quint64 number) {
   for (const Replaced& replaced : replaced_) {
-    if (replaced.number <= number) replaced.work->discard();
+    if (replaced.number > number) continue;
+    if (replaced.taken) {
+      replaced.taken->discard();
+    } else if (isStudyPath(replaced.work.document)) {
+      autosave_.post([path = replaced.work.source](HistoryFile&) { HistoryFile::discard(path); });
+    }
   }
   std::erase_if(replaced_, [number](const Replaced& replaced) { return replaced.number <= number; });
 }
 
 void RecoveryController::discard() {
   if (busy_ || offered_.empty()) return;
-  auto taken = TakenWork::take(offered_.front());
-  if (taken) (*taken)->discard();
-  const QString failure = taken ? QString() : text(taken.error().message());
-  drop();
-  if (!failure.isEmpty()) emit failed(failure);
+  const LostWork work = offered_.front();
+  drop(work);
+  if (work.where == Where::kOpenDocument) return autosave_.settleLost();
+  const auto fail = [this](const base::Error& error) {
+    answers_.post([this, sentence = text(error.message())] { emit failed(sentence); });
+  };
+  autosave_.post([work, fail, stamp = edits_.stamp()](HistoryFile&) {
+    if (work.where == Where::kOldAutosave) {
+      const auto taken = TakenAutosave::take(work.source);
+      if (!taken) return fail(taken.error());
+      (*taken)->discard();
+    } else if (isStudyPath(work.document) || !QFileInfo::exists(work.document)) {
+      HistoryFile::discard(work.source);
+    } else if (const auto settled = HistoryFile::settle(work.source, modelSha256(work.document), stamp); !settled) {
+      fail(settled.error());
+    }
+  });
 }
 
 void RecoveryController::later() {
   if (busy_ || offered_.empty()) return;
-  put_off_.append(offered_.front().folder);
-  drop();
+  const LostWork work = offered_.front();
+  put_off_.push_back(work);
+  drop(work);
 }
 
-void RecoveryController::drop() {
-  offered_.erase(offered_.begin());
+void RecoveryController::drop(const LostWork& work) {
+  std::erase_if(offered_, [&](const LostWork& other) { return other.source == work.source || other == work; });
   emit offerChanged();
+}
+
+void RecoveryController::say(const LostWork& work) {
+  emit restored(tr("Restored: %1, edits: %2, with their history.").arg(shownFileName(work.document)).arg(work.edits));
 }
 
 }  // namespace tactus::workbench

@@ -1,16 +1,17 @@
-// Recovery after a crash: finds unstored work and, as the user decides, restores it with its history or deletes it.
+// Recovery after a crash: finds edits that the model's file lacks and, as the user decides, shows them again or gives
+// them up.
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
-#include <QStringList>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "app/workbench/base/call_queue.h"
-#include "app/workbench/base/worker.h"
-#include "app/workbench/tune/history/autosave_folder.h"
+#include "app/workbench/tune/history/history_file.h"
+#include "app/workbench/tune/history/old_autosave.h"
 
 namespace tactus::workbench {
 
@@ -18,13 +19,30 @@ class AutosaveController;
 class EditController;
 class ModelController;
 
+/// Edits that a crash left.
+struct LostWork {
+  enum class Where {
+    kOpenDocument,  ///< in the history of the open document (AutosaveController::lost)
+    kHistoryFile,   ///< in the history file of a document that is not open
+    kOldAutosave,   ///< in a folder of an older program
+  };
+  Where where = Where::kHistoryFile;
+  QString source;  ///< file or folder
+  QString document;
+  int edits = 0;
+  QDateTime last;  ///< time of the last write
+
+  bool operator==(const LostWork&) const = default;
+};
+
 class RecoveryController : public QObject {
   Q_OBJECT
 
  public:
-  /// Looks into `root` at once, and again whenever a document is opened.
+  /// Looks into `root` at once, and again whenever a document is opened. `offerChanged` tells the result.
   RecoveryController(ModelController& models, EditController& edits, AutosaveController& autosave, QString root,
                      QObject* parent = nullptr);
+  ~RecoveryController() override;
 
   /// The work offered now; nothing if there is none or the user postponed it.
   std::optional<LostWork> offered() const;
@@ -33,11 +51,10 @@ class RecoveryController : public QObject {
   bool isBusy() const { return busy_; }
 
  public slots:
-  /// Opens the document of the offered work, if it is not open, and continues its history. The work is deleted after
-  /// the restored state is autosaved; if the document is closed before, the work stays and is offered again. Ends with
-  /// `restored` or `failed`. Changes of the open model are replaced.
+  /// Opens the document of the offered work, if it is not open, and shows its last state, with the whole history. Ends
+  /// with `restored` or `failed`. Changes of the open model are replaced.
   void restore();
-  /// Deletes the offered work.
+  /// Gives up the offered work. What is in the history of a model file stays there.
   void discard();
   /// Postpones the offer until the document is opened again or until the next start.
   void later();
@@ -52,36 +69,40 @@ class RecoveryController : public QObject {
 
  private:
   void scan();
+  void show(std::vector<LostWork> found);
   void onOpened();
+  void onLookedUp(const QString& document);
+  void restoreWork(const LostWork& work);
+  void restoreOpen(const LostWork& work);
   /// The result of the worker's read.
   struct Found {
-    editing::Autosave autosave;
+    editing::KeptVersions kept;
     std::optional<editing::EditHistory> history;  ///< nothing if the beginning of the history is in a study
   };
-  static base::Result<Found> read(const TakenWork& taken, const editing::Stamp& stamp, bool in_study);
-  void adopt(base::Result<Found> found);
+  static base::Result<Found> read(const LostWork& work, const TakenAutosave* taken, const editing::Stamp& stamp);
+  void adopt(const LostWork& work, const std::shared_ptr<TakenAutosave>& taken, base::Result<Found> found);
   void begin(const LostWork& work, editing::EditHistory history);
-  void goOn(const editing::Autosave& autosave);
+  void goOn(const editing::KeptVersions& kept);
   void onWritten(quint64 number);
-  void drop();
+  void drop(const LostWork& work);
+  void say(const LostWork& work);
 
   ModelController& models_;
   EditController& edits_;
   AutosaveController& autosave_;
   const QString root_;
   std::vector<LostWork> offered_;
-  QStringList put_off_;               ///< folders of postponed work
-  std::shared_ptr<TakenWork> taken_;  ///< the work being restored
+  std::vector<LostWork> put_off_;  ///< postponed
   /// Work restored into the open document.
   struct Replaced {
-    std::shared_ptr<TakenWork> work;
+    LostWork work;
+    std::shared_ptr<TakenAutosave> taken;
     quint64 number = 0;  ///< number of the first autosave that contains it
   };
   std::vector<Replaced> replaced_;  ///< to be deleted after that write
   bool busy_ = false;
-  QString wanted_;  ///< the study that has to be opened first
+  std::optional<LostWork> wanted_;  ///< its document has to be opened first
   CallQueue answers_;
-  Worker worker_;  ///< last: it waits for its end before the rest is gone
 };
 
 }  // namespace tactus::workbench

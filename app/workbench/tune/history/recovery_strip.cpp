@@ -20,9 +20,9 @@ RecoveryStrip::RecoveryStrip(RecoveryController& recovery, QWidget* parent)
       later_(new QPushButton(tr("Later"), this)) {
   label_->setWordWrap(true);
   label_->setTextFormat(Qt::PlainText);
-  restore_->setToolTip(tr("Opens the model as it was, with its history: every edit can be undone"));
-  discard_->setToolTip(tr("Deletes these edits for good"));
-  later_->setToolTip(tr("Asks again when this model is opened, and at the next start"));
+  restore_->setToolTip(tr("Shows the last state of the model. Every edit can be undone"));
+  discard_->setToolTip(tr("Keeps the model as its file has it. The edits stay in the history of the file"));
+  later_->setToolTip(tr("Asks again when you open this model"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid);
@@ -46,12 +46,7 @@ void RecoveryStrip::showOffer() {
   setInk(*label_, theme::warningInk());
   const QString name = shownFileName(offer->document);
   const QString when = offer->last.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
-  QString sentence =
-      offer->saved ? tr("The workbench ended unexpectedly at %1. %2 was saved; the history of its edits (%3) can be "
-                        "brought back.")
-                         .arg(when, name)
-                         .arg(offer->edits)
-                   : tr("The workbench ended unexpectedly at %1 with changes of %2 that were not saved (edits: %3).")
+  QString sentence = tr("The workbench ended unexpectedly at %1 with changes of %2 that were not saved (edits: %3).")
                          .arg(when, name)
                          .arg(offer->edits);
   if (recovery_.isBusy()) sentence += QLatin1Char(' ') + tr("Restoring…");

@@ -12,6 +12,7 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
+#include "core/base/json/json_writer.h"
 
 #include "tests/gui/crashed.h"
 #include "tests/gui/sample_models.h"
@@ -22,23 +23,51 @@ namespace {
 const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
 constexpr int kPatience = 10'000;  // ms, for a busy machine
 
-/// One run of the program.
+/// One run of the program. It has looked for lost work when it is made.
 struct Program {
-  explicit Program(const QString& root) : root_(root) {}
+  explicit Program(const QString& root) : autosave(models, edits, root), recovery(models, edits, autosave, root) {
+    settle();
+  }
 
-  QString root_;
+  /// Lets the worker and the window finish what they do.
+  void settle() {
+    for (int i = 0; i < 3; ++i) {
+      autosave.wait();
+      QCoreApplication::processEvents();
+    }
+  }
+  void open(const QString& path) {
+    models.open(path);
+    settle();
+  }
+  /// Restores what is offered, and waits for the end.
+  void restore() {
+    QSignalSpy restored(&recovery, &RecoveryController::restored);
+    recovery.restore();
+    EXPECT_TRUE(restored.count() > 0 || restored.wait(kPatience));
+    settle();
+  }
+  double shoulder() const { return edits.model().inputs[1].terms[0].points[2]; }
+
   ModelController models;
   EditController edits{models};
-  AutosaveController autosave{models, edits, root_};
-  RecoveryController recovery{models, edits, autosave, root_};
+  AutosaveController autosave;
+  RecoveryController recovery;
 };
 
 class RecoveryControllerTest : public testing::Test {
  protected:
-  /// Two edits, one undone, another one, a snapshot, and a drag that goes on when the process dies.
+  /// Two edits, one undone, another one, a snapshot, and a drag that is in progress when the process dies.
   void crash() {
     Program run(root);
-    run.models.open(path);
+    run.open(path);
+    edit(run);
+    at_the_end = run.edits.model();
+    history = run.edits.history();
+    run.autosave.flush();
+    left = tests::crashedCopy(root);
+  }
+  static void edit(Program& run) {
     const auto edit = [&](double to) { run.edits.apply(editing::moveVertex(run.edits.model(), kNearShoulder, to)); };
     edit(3);
     edit(2);
@@ -47,121 +76,162 @@ class RecoveryControllerTest : public testing::Test {
     run.edits.snapshot(QStringLiteral("short"));
     run.edits.begin();
     run.edits.update(editing::moveVertex(run.edits.base(), kNearShoulder, 0.5));
-    at_the_end = run.edits.model();
-    run.autosave.flush();
-    left = tests::crashedCopy(run.autosave.folder());
+  }
+  void expectRestored(Program& next) const {
+    EXPECT_FALSE(next.recovery.offered());
+    EXPECT_TRUE(editing::sameBits(next.models.current()->model, at_the_end));
+    EXPECT_EQ(next.models.current()->path, path);
+    EXPECT_TRUE(next.models.isModified());
+    EXPECT_TRUE(next.edits.undoText().endsWith(QStringLiteral("(recovered)"))) << next.edits.undoText().toStdString();
+    // The branch that was left is there too.
+    EXPECT_EQ(next.edits.history().states().size(), 5U);
+    next.edits.returnTo(2);
+    EXPECT_EQ(next.shoulder(), 2);
+    next.edits.undo();
+    next.edits.undo();
+    EXPECT_TRUE(editing::sameBits(next.models.current()->model, tests::twoExperts()));
+    EXPECT_FALSE(next.edits.canUndo());
+  }
+  /// The folder that a program before history files left.
+  QString oldAutosave() const {
+    const QString old = QDir(root).filePath(QStringLiteral("0123"));
+    base::JsonWriter json;
+    json.beginObject().key("format").value("tactus-autosave").key("version").value(1);
+    json.key("document").value(path.toStdString()).key("versions").beginArray();
+    for (const auto& version : editing::unstoredVersions(history)) {
+      json.beginObject().key("id").value(study::toText(version.id));
+      if (version.parent) json.key("parent").value(study::toText(*version.parent));
+      json.key("utc_ms").value(static_cast<long long>(version.utc_ms));
+      json.key("author").value(version.author).key("label").value(version.label);
+      json.key("sha256").value(version.sha256).key("text").value(version.text).endObject();
+    }
+    study::RecordIds ids;
+    json.endArray().key("unfinished").beginObject().key("label").value(history.gestureLabel());
+    json.key("text").value(editing::dragVersion(history, ids, 0).text).endObject().endObject();
+    QDir().mkpath(old);
+    folder.writeText(QByteArray::fromStdString(json.text()), QStringLiteral("autosave/0123/part-00000.json"));
+    folder.writeText("{\"document\": \"" + path.toUtf8() + "\", \"edits\": 4, \"saved\": false}",
+                     QStringLiteral("autosave/0123/facts.json"));
+    return old;
   }
 
   tests::ModelFolder folder;
   const QString root = folder.path(QStringLiteral("autosave"));
   const QString path = folder.write(tests::twoExperts());
   fuzzy::ForceModel at_the_end;
-  QString left;
+  editing::EditHistory history = editing::EditHistory::open(tests::twoExperts(), "", {}, study::RecordIds()).value();
+  QString left;  ///< the folder that the crash left
 };
 
 TEST_F(RecoveryControllerTest, BringsBackEveryBitAndEveryStep) {
   crash();
-  Program next(root);
+  Program next(left);
   const auto offer = next.recovery.offered();
   ASSERT_TRUE(offer);
   EXPECT_EQ(offer->document, path);
   EXPECT_EQ(offer->edits, 4);
-  EXPECT_FALSE(offer->saved);
-  QSignalSpy restored(&next.recovery, &RecoveryController::restored);
-  next.recovery.restore();
-  ASSERT_TRUE(restored.wait(kPatience));
-  EXPECT_FALSE(next.recovery.offered());
-  EXPECT_TRUE(editing::sameBits(next.models.current()->model, at_the_end));
-  EXPECT_EQ(next.models.current()->path, path);
-  EXPECT_TRUE(next.models.isModified());
-  EXPECT_TRUE(next.edits.undoText().endsWith(QStringLiteral("(recovered)")));
-  // The branch that was left is there too.
-  EXPECT_EQ(next.edits.history().states().size(), 5U);
-  next.edits.returnTo(2);
-  EXPECT_EQ(next.models.current()->model.inputs[1].terms[0].points[2], 2);
-  next.edits.undo();
-  next.edits.undo();
-  EXPECT_TRUE(editing::sameBits(next.models.current()->model, tests::twoExperts()));
-  EXPECT_FALSE(next.edits.canUndo());
-  // It is autosaved again before the old files go.
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(left); }, kPatience));
-  EXPECT_TRUE(QFileInfo::exists(next.autosave.folder()));
-  const QString again = tests::crashedCopy(next.autosave.folder());
-  EXPECT_EQ(lostWork(root).size(), 1U);
+  next.restore();
+  expectRestored(next);
 }
 
-TEST_F(RecoveryControllerTest, TheFilesStayUntilTheRestoredStateItselfIsWritten) {
+TEST_F(RecoveryControllerTest, TheSameWhereTheDocumentWasOpenedFirst) {
   crash();
-  // The disk of the autosaves is full: a file stands where the folder has to be.
-  const QString full = folder.path(QStringLiteral("full"));
-  folder.writeText("", QStringLiteral("full"));
-  ModelController models;
-  EditController edits{models};
-  AutosaveController autosave{models, edits, full};
-  RecoveryController recovery{models, edits, autosave, root};
-  QSignalSpy restored(&recovery, &RecoveryController::restored);
-  recovery.restore();
-  ASSERT_TRUE(restored.wait(kPatience));
-  QCoreApplication::processEvents();
-  EXPECT_TRUE(QFileInfo::exists(left));
-  // There is room again, but for another document: its autosave holds nothing of the restored work.
-  ASSERT_TRUE(QFile::remove(full));
-  models.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
-  QSignalSpy written(&autosave, &AutosaveController::written);
-  edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 3));
-  autosave.flush();
-  ASSERT_TRUE(written.count() > 0 || written.wait(kPatience));
-  EXPECT_TRUE(QFileInfo::exists(left));
-  ASSERT_EQ(lostWork(root).size(), 1U) << "and it is offered again";
+  Program next(left);
+  next.open(path);
+  const auto offer = next.recovery.offered();
+  ASSERT_TRUE(offer);
+  EXPECT_EQ(offer->edits, 4);
+  EXPECT_EQ(next.recovery.others(), 0);
+  EXPECT_TRUE(editing::sameBits(next.models.current()->model, tests::twoExperts()));
+  next.restore();
+  expectRestored(next);
+}
+
+TEST_F(RecoveryControllerTest, ASecondCrashLosesNothingEither) {
+  crash();
+  Program next(left);
+  next.restore();
+  next.autosave.flush();
+  const QString again = tests::crashedCopy(left);
+  Program third(again);
+  ASSERT_TRUE(third.recovery.offered());
+  third.restore();
+  EXPECT_TRUE(editing::sameBits(third.models.current()->model, at_the_end));
+}
+
+TEST_F(RecoveryControllerTest, WhatWasSavedNeedsNoOffer) {
+  {
+    Program run(root);
+    run.open(path);
+    run.edits.apply(editing::moveVertex(run.edits.model(), kNearShoulder, 3));
+    run.models.save();
+    run.autosave.flush();
+    left = tests::crashedCopy(root);
+  }
+  Program next(left);
+  EXPECT_FALSE(next.recovery.offered());
+  next.open(path);
+  EXPECT_FALSE(next.recovery.offered());
+  EXPECT_TRUE(next.edits.canUndo());
 }
 
 TEST_F(RecoveryControllerTest, LaterMeansWhenTheDocumentIsOpenedOrAtTheNextStart) {
   crash();
   {
-    Program next(root);
+    Program next(left);
     ASSERT_TRUE(next.recovery.offered());
     next.recovery.later();
     EXPECT_FALSE(next.recovery.offered());
-    next.models.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
+    next.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
     EXPECT_FALSE(next.recovery.offered());
-    next.models.open(path);
+  }
+  {
+    Program next(left);
+    ASSERT_TRUE(next.recovery.offered());
+    next.recovery.later();
+    next.open(path);
     EXPECT_TRUE(next.recovery.offered());
     next.recovery.later();
+    EXPECT_FALSE(next.recovery.offered());
   }
-  EXPECT_TRUE(QFileInfo::exists(left));
-  EXPECT_TRUE(Program(root).recovery.offered());
+  Program next(left);
+  next.open(path);
+  EXPECT_TRUE(next.recovery.offered());
 }
 
-TEST_F(RecoveryControllerTest, DiscardDeletesIt) {
+TEST_F(RecoveryControllerTest, DiscardKeepsTheFileAndLeavesTheEditsInItsHistory) {
   crash();
-  Program next(root);
-  next.recovery.discard();
+  {
+    Program next(left);
+    next.recovery.discard();
+    EXPECT_FALSE(next.recovery.offered());
+  }
+  Program next(left);
   EXPECT_FALSE(next.recovery.offered());
-  EXPECT_FALSE(QFileInfo::exists(left));
+  next.open(path);
+  EXPECT_FALSE(next.recovery.offered());
+  EXPECT_TRUE(editing::sameBits(next.models.current()->model, tests::twoExperts()));
+  EXPECT_EQ(next.edits.history().states().size(), 4U);
 }
 
-TEST_F(RecoveryControllerTest, OnlyOneWindowTakesIt) {
+TEST_F(RecoveryControllerTest, AWindowThatHasTheDocumentOpenKeepsItsWork) {
   crash();
-  Program one(root);
-  Program other(root);
+  Program one(left);
+  Program other(left);
   ASSERT_TRUE(one.recovery.offered());
   ASSERT_TRUE(other.recovery.offered());
-  one.recovery.restore();
+  one.restore();
   const QSignalSpy failed(&other.recovery, &RecoveryController::failed);
   other.recovery.restore();
+  other.settle();
   EXPECT_EQ(failed.count(), 1);
-  EXPECT_FALSE(other.recovery.offered());
-  QSignalSpy restored(&one.recovery, &RecoveryController::restored);
-  ASSERT_TRUE(restored.wait(kPatience));
 }
 
 TEST_F(RecoveryControllerTest, AModelWhoseFileIsGoneComesBackToo) {
   crash();
   ASSERT_TRUE(QFile::remove(path));
-  Program next(root);
-  QSignalSpy restored(&next.recovery, &RecoveryController::restored);
-  next.recovery.restore();
-  ASSERT_TRUE(restored.wait(kPatience));
+  Program next(left);
+  next.restore();
   EXPECT_EQ(next.models.current()->model, at_the_end);
   EXPECT_TRUE(next.models.isModified());
   // Not even the model that was opened is in a file.
@@ -170,13 +240,16 @@ TEST_F(RecoveryControllerTest, AModelWhoseFileIsGoneComesBackToo) {
   next.models.save();
   EXPECT_FALSE(next.models.isModified());
   EXPECT_TRUE(QFileInfo::exists(path));
+  next.autosave.flush();
+  EXPECT_EQ(QDir(left).entryList({QStringLiteral("*.tactus")}).size(), 1) << "the history goes on in its file";
 }
 
 TEST_F(RecoveryControllerTest, AStudyGoesOnWhereItsHistoryEnds) {
-  // A study has its history itself, and stores every edit; a drag that went on is all that can be lost.
+  // A study has its history itself, and stores every edit; a drag in progress is all that can be lost.
   const QString study = folder.path(QStringLiteral("ward.tactus"));
   OpenModel open = readOpenModel(path).value();
   open.path = study;
+  open.in_study = true;
   {
     Program run(root);
     run.models.openRead(open);
@@ -186,9 +259,9 @@ TEST_F(RecoveryControllerTest, AStudyGoesOnWhereItsHistoryEnds) {
     run.edits.begin();
     run.edits.update(editing::moveVertex(run.edits.base(), kNearShoulder, 2));
     run.autosave.flush();
-    left = tests::crashedCopy(run.autosave.folder());
+    left = tests::crashedCopy(root);
   }
-  Program next(root);
+  Program next(left);
   const QSignalSpy needed(&next.recovery, &RecoveryController::studyNeeded);
   QSignalSpy restored(&next.recovery, &RecoveryController::restored);
   next.recovery.restore();
@@ -196,29 +269,75 @@ TEST_F(RecoveryControllerTest, AStudyGoesOnWhereItsHistoryEnds) {
   EXPECT_EQ(needed[0][0].toString(), study);
   next.models.openRead(open);
   next.edits.apply(editing::moveVertex(next.edits.model(), kNearShoulder, 3));  // as the study has it
-  ASSERT_TRUE(restored.wait(kPatience));
-  EXPECT_EQ(next.models.current()->model.inputs[1].terms[0].points[2], 2);
+  ASSERT_TRUE(restored.count() > 0 || restored.wait(kPatience));
+  EXPECT_EQ(next.shoulder(), 2);
   EXPECT_EQ(next.models.current()->path, study);
   const auto& events = next.edits.history().events();
   ASSERT_EQ(events.size(), 4U);
   EXPECT_EQ(events[2].kind, editing::EventKind::kSnapshot);
   EXPECT_EQ(events[2].label, "not stored yet");
   next.edits.undo();
-  EXPECT_EQ(next.models.current()->model.inputs[1].terms[0].points[2], 3);
+  EXPECT_EQ(next.shoulder(), 3);
+}
+
+TEST_F(RecoveryControllerTest, AnAutosaveOfAnOlderProgramIsRestoredOnce) {
+  crash();
+  ASSERT_TRUE(QDir(root).removeRecursively());
+  const QString old = oldAutosave();
+  {
+    Program next(root);
+    const auto offer = next.recovery.offered();
+    ASSERT_TRUE(offer);
+    EXPECT_EQ(offer->document, path);
+    EXPECT_EQ(offer->edits, 4);
+    next.restore();
+    // It is kept again before the old files go.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(old); }, kPatience));
+    EXPECT_TRUE(QFileInfo::exists(next.autosave.file()));
+    expectRestored(next);
+  }
+  Program next(root);
+  EXPECT_FALSE(next.recovery.offered());
+}
+
+TEST_F(RecoveryControllerTest, TheOldFilesStayUntilTheRestoredStateItselfIsWritten) {
+  crash();
+  ASSERT_TRUE(QDir(root).removeRecursively());
+  const QString old = oldAutosave();
+  // The disk of the autosaves is full: a file stands where the folder has to be.
+  const QString full = folder.path(QStringLiteral("full"));
+  folder.writeText("", QStringLiteral("full"));
+  ModelController models;
+  EditController edits{models};
+  AutosaveController autosave{models, edits, full};
+  RecoveryController recovery{models, edits, autosave, root};
+  QSignalSpy restored(&recovery, &RecoveryController::restored);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return recovery.offered().has_value(); }, kPatience));
+  recovery.restore();
+  ASSERT_TRUE(restored.wait(kPatience));
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(QFileInfo::exists(old));
+  // There is room again, but for another document: its autosave holds nothing of the restored work.
+  ASSERT_TRUE(QFile::remove(full));
+  models.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
+  QSignalSpy written(&autosave, &AutosaveController::written);
+  edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 3));
+  autosave.flush();
+  ASSERT_TRUE(written.count() > 0 || written.wait(kPatience));
+  EXPECT_TRUE(QFileInfo::exists(old));
 }
 
 TEST_F(RecoveryControllerTest, WhatIsDamagedStaysWhereItIs) {
   crash();
-  QFile part(QDir(left).filePath(QStringLiteral("part-00000.json")));
-  ASSERT_TRUE(part.open(QIODevice::WriteOnly));
-  part.write("{}");
-  part.close();
+  ASSERT_TRUE(QDir(root).removeRecursively());
+  const QString old = oldAutosave();
+  folder.writeText("{}", QStringLiteral("autosave/0123/part-00000.json"));
   Program next(root);
   QSignalSpy failed(&next.recovery, &RecoveryController::failed);
   next.recovery.restore();
-  ASSERT_TRUE(failed.wait(kPatience));
+  ASSERT_TRUE(failed.count() > 0 || failed.wait(kPatience));
   EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("part-00000.json")));
-  EXPECT_TRUE(QFileInfo::exists(left));
+  EXPECT_TRUE(QFileInfo::exists(old));
   EXPECT_FALSE(next.models.current());
 }
 
