@@ -15,7 +15,7 @@ namespace {
 using base::ErrorCode;
 using base::Result;
 
-/// Where the workbench keeps what a crash must not lose (app/workbench/tune/history/autosave_folder.h).
+/// Where the workbench keeps what a crash must not lose (app/workbench/tune/history/history_file.h).
 std::vector<std::string> autosaveFolders() {
   namespace fs = std::filesystem;
   const char* const data = std::getenv("XDG_DATA_HOME");  // NOLINT(concurrency-mt-unsafe)

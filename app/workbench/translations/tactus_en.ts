@@ -646,6 +646,13 @@
     </message>
 </context>
 <context>
+    <name>RecoveryController</name>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ReviewNotes</name>
     <message>
         <source>These notes are of a build from the answers as they are now. The model of the study began as another one: built with other settings, from other answers, or put in from a file.</source>
@@ -937,7 +944,23 @@
 <context>
     <name>tactus::workbench::AutosaveController</name>
     <message>
-        <source>A crash would lose the changes of the model, because they cannot be kept: %1</source>
+        <source>The file was changed by another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The history of %1 does not go on: %2. It is kept in %3, which opens as a study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The history of %1 cannot be read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program changed %1 after %2. Undo leads back to the state before; History has all others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Autosave failed, so a crash would lose the changes of the model: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2735,15 +2758,15 @@ felt on the model %2</source>
 <context>
     <name>tactus::workbench::RecoveryController</name>
     <message>
-        <source>The edits of %1 cannot be restored and stay where they are: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Restored: %1, edits: %2, with their history.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 (recovered)</source>
+        <source>The edits of %1 cannot be restored, because another window has them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The edits of %1 cannot be restored. Their files stay in place: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2762,22 +2785,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opens the model as it was, with its history: every edit can be undone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Deletes these edits for good</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asks again when this model is opened, and at the next start</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The workbench ended unexpectedly at %1. %2 was saved; the history of its edits (%3) can be brought back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The workbench ended unexpectedly at %1 with changes of %2 that were not saved (edits: %3).</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2787,6 +2794,18 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Further ones: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the last state of the model. Every edit can be undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the model as its file has it. The edits stay in the history of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asks again when you open this model</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,4 +1,4 @@
-// kill -9 while a study is edited, and while a session is answered: nothing that was acknowledged is lost.
+// kill -9 while a study is edited, a session answered, or a model edited alone: nothing that was acknowledged is lost.
 #include <QSignalSpy>
 #include <algorithm>
 #include <chrono>
