@@ -29,7 +29,7 @@ void takeAnswer(CalibrationProcedure& procedure, CalibrationGuide& guide) {
 
 tl::unexpected<base::Error> interruption(const haptics::HapticDevice& device) {
   return base::fail(base::ErrorCode::kCancelled, device.info().id, "an interruption, and the device was stopped",
-                    "a calibration that goes on to its end");
+                    "a complete calibration");
 }
 
 /// Ticks until the procedure ends. The device has no force when this returns.

@@ -210,8 +210,7 @@ void SelfTest::pulseEnded() {
 
   const std::string passed = formatFixed(largest_force_n_, 3) + " N of " + formatNumber(settings_.pulse_n) + " N";
   if (largest_force_n_ < kEnoughShare * settings_.pulse_n)
-    return fail(Check::kPulse, "the limits let through only " + passed,
-                "look at the force cap and the continuous force");
+    return fail(Check::kPulse, "the limits let through only " + passed, "check the force cap and the continuous force");
   pass(Check::kPulse, passed + " reached the device");
   order(ForceSource::kFree);
   enter(Phase::kAsk);
@@ -245,7 +244,7 @@ void SelfTest::answer(Felt felt) {
   const std::string moved = "the hand moved by " + mm(std::abs(shift_mm)) + (shift_mm > 0 ? " inwards" : " outwards");
   if (felt == Felt::kNothing)
     return fail(Check::kDirection, "nothing was felt, " + moved,
-                "look at the supply of the device and at its switch for forces, then calibrate its force");
+                "check the device's power supply and its force switch, then calibrate its force");
   if (felt == Felt::kAway)
     return fail(Check::kDirection, "a push away from the person, " + moved,
                 "do not use it: turn the sign of its force around by calibrating it");

@@ -136,7 +136,7 @@ base::Result<SelfTest> runSelfTest(haptics::HapticDevice& device, const SelfTest
   device.stop();
   if (guide.interrupted())
     return base::fail(base::ErrorCode::kCancelled, device.info().id, "an interruption, and the device was stopped",
-                      "a self-test that goes on to its end");
+                      "a complete self-test");
   return test;
 }
 

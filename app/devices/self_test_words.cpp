@@ -62,7 +62,7 @@ void SelfTest::tripped(const haptics::Trip& trip) {
   if (fault && faultOf(trip) == DeviceFault::kNotCalibrated)
     return fail(Check::kCalibration, haptics::sentence(trip), settings_.calibration_advice);
   if (fault) return fail(current(), haptics::sentence(trip), std::string(faultAdvice(faultOf(trip))));
-  fail(current(), haptics::sentence(trip), "look at cable and supply of the device, then repeat the test");
+  fail(current(), haptics::sentence(trip), "check the cable and the power supply of the device, then repeat the test");
 }
 
 void SelfTest::lostPatience() {

@@ -74,17 +74,17 @@ Result<Edit> withdrawAcceptance(const ForceModel& model, const std::string& name
   }
   ForceModel out = model;
   drop(out.accepted_holes, {name});
-  return finished(std::move(out), "Acceptance taken back: " + name);
+  return finished(std::move(out), "Acceptance withdrawn: " + name);
 }
 
 Result<Edit> forgetLapsed(const ForceModel& model) {
   const Names lapsed = lapsedAcceptances(model);
   if (lapsed.empty()) {
-    return fail(ErrorCode::kValue, "accepted holes", "holes that are all there", "an acceptance whose hole is gone");
+    return fail(ErrorCode::kValue, "accepted holes", "no lapsed acceptance", "an acceptance whose hole is gone");
   }
   ForceModel out = model;
   drop(out.accepted_holes, lapsed);
-  return finished(std::move(out), "Acceptance of a hole that is gone removed: " + base::joined(lapsed, " and "));
+  return finished(std::move(out), "Lapsed acceptance removed: " + base::joined(lapsed, " and "));
 }
 
 }  // namespace tactus::editing

@@ -136,7 +136,7 @@ bool StudyParts::mayEnd() {
   }
   const auto answer =
       QMessageBox::warning(&window_, tr("Not stored"),
-                           tr("What was done last is not stored in %1: %2").arg(study_.fileName(), study_.failure()),
+                           tr("The last changes are not stored in %1: %2").arg(study_.fileName(), study_.failure()),
                            QMessageBox::Retry | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Retry);
   if (answer == QMessageBox::Discard) return true;
   if (answer == QMessageBox::Retry) {

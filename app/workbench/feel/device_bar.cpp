@@ -51,13 +51,13 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   look_->setToolTip(tr("Look for haptic devices on this computer"));
   start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Stopping…")) + 2 * theme::kGrid);
   start_->setFocusPolicy(Qt::TabFocus);
-  grip_->setAccessibleName(tr("How the hand takes the tube"));
+  grip_->setAccessibleName(tr("How to hold the tube"));
   grip_->setFocusPolicy(Qt::TabFocus);
   grip_->addItem(tr("Hold"));
   grip_->addItem(tr("Latch"));
   grip_->setItemData(0, tr("The tube is in the hand while the button of the device, the mouse button or Space is down"),
                      Qt::ToolTipRole);
-  grip_->setItemData(1, tr("One press takes the tube and the next one lets go: nothing has to be squeezed"),
+  grip_->setItemData(1, tr("Press once to hold the tube, press again to release it. No need to squeeze"),
                      Qt::ToolTipRole);
   zone_->setWhole();
   zone_->setFixedWidth(zone_->fontMetrics().horizontalAdvance(QStringLiteral("-100 mm")) + 2 * theme::kGrid);

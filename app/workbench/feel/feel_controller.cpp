@@ -187,7 +187,7 @@ bool FeelController::postScene(double fade_s) {
   conditions_new_ = false;
   auto servo_scene = servoScene(fade_s);
   if (!servo_scene) {
-    emit failed(tr("The edit is not felt: %1").arg(text(servo_scene.error().message())));
+    emit failed(tr("The device does not render the edit: %1").arg(text(servo_scene.error().message())));
     return false;
   }
   depth_offset_mm_ = (*servo_scene)->renderer().depth_offset_mm;

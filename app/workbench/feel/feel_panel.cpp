@@ -102,7 +102,7 @@ void FeelPanel::build() {
     box->setFont(theme::smallFont());
   }
   split_->setToolTip(tr("Show what makes up the force: fuzzy force, friction and limits"));
-  follow_->setToolTip(tr("Depth and speed of all plots are those of the tube in the hand"));
+  follow_->setToolTip(tr("Depth and speed of all plots follow the tube in the hand"));
   follow_->setChecked(feel_.followsHand());
   showLegend();
 

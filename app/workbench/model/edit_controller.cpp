@@ -109,7 +109,7 @@ bool EditController::apply(base::Result<editing::Edit> edit) {
     emit historyChanged();
     report_.start();
   }
-  if (!why.isEmpty()) emit refused(tr("It went as far as it can: stopped by %1.").arg(why));
+  if (!why.isEmpty()) emit refused(tr("The move stopped at its limit: %1.").arg(why));
   return true;
 }
 

@@ -93,7 +93,7 @@ TEST(SelfTestRun, AnInterruptionStopsTheDevice) {
   const auto test = runSelfTest(**made, settingsFor((*made)->info()), guide);
   ASSERT_FALSE(test);
   EXPECT_EQ(test.error().message(),
-            "virtual: found an interruption, and the device was stopped, wanted a self-test that goes on to its end");
+            "virtual: found an interruption, and the device was stopped, wanted a complete self-test");
   EXPECT_EQ((*made)->trueForceN(), 0);
   EXPECT_EQ(guide.questions, 0);
 }

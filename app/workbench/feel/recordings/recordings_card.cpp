@@ -98,7 +98,7 @@ void RecordingsCard::build() {
   auto* who_label = new QLabel(tr("Who feels"), content_);
   auto* list_label = new QLabel(tr("Recordings"), content_);
   who_->setAccessibleName(tr("Who feels"));
-  who_->setToolTip(tr("Placements and recordings are kept as theirs"));
+  who_->setToolTip(tr("Placements and recordings are stored for this person"));
   list_->setAccessibleName(tr("Recordings"));
   for (QComboBox* box : {who_, list_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -198,7 +198,7 @@ void RecordingsCard::showState() {
     record_->setToolTip(tr("End the recording"));
   } else {
     record_->setText(tr("Armed"));
-    record_->setToolTip(tr("Armed: the recording begins with Start; a click takes it back"));
+    record_->setToolTip(tr("Armed: the recording begins with Start. Click to cancel"));
   }
 }
 

@@ -56,7 +56,7 @@ class Words {
       case Kind::kDisagreement:
         return disagreement();
       case Kind::kRedundantRule:
-        return rule(tr("Another rule with fewer conditions already says %2: %1"));
+        return rule(tr("Redundant: a rule with fewer conditions already gives %2: %1"));
       case Kind::kUnreachableRule:
         return rule(tr("The conditions are never true together: %1"));
       case Kind::kUnreachableTerm:
@@ -187,7 +187,7 @@ class Words {
       distance = apart;
     }
     if (nearest == nullptr) return {};
-    return distance > noticeable ? tr("; nobody's force is near their mean")
+    return distance > noticeable ? tr("; no expert's force is near the mean")
                                  : tr("; the mean is near the force of %1").arg(labelOf(*nearest));
   }
 
@@ -254,7 +254,7 @@ class Words {
     const auto [variable, found] = termOfFinding(model_, finding_);
     if (found == nullptr) return text(finding_.text);
     if (variable == &model_.output) return tr("No rule concludes %1").arg(labelOf(*found));
-    return tr("%1 lies outside the universe of %2").arg(labelOf(*found), labelOf(*variable));
+    return tr("%1 is outside the universe of %2").arg(labelOf(*found), labelOf(*variable));
   }
 
   const ForceModel& model_;

@@ -32,9 +32,8 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   const ShownFinding& shown = findingAt(index.row());
   if (role == Qt::DisplayRole) return shown.sentence;
   if (role == Qt::ToolTipRole) {
-    return shown.finding.at_least
-               ? tr("%1\n≥: the largest force of the settings that were looked at").arg(shown.sentence)
-               : shown.sentence;
+    return shown.finding.at_least ? tr("%1\n≥: the largest force of the tested settings").arg(shown.sentence)
+                                  : shown.sentence;
   }
   // What a screen reader says.
   if (role == Qt::AccessibleTextRole) return QStringLiteral("%1, %2: %3").arg(shown.kind, shown.who, shown.sentence);

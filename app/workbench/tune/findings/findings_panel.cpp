@@ -181,7 +181,7 @@ QString FindingsPanel::stateText() const {
   if (!findings_.isCurrent()) return tr("Looking…");
   const auto* const lint = findings_.lint();
   if (!lint->model.coverage_complete) return tr("The search for holes was cut off: the model is too finely divided");
-  if (!lint->newtons_complete) return tr("Not every force was looked for: the model is very large");
+  if (!lint->newtons_complete) return tr("The model is very large, so only some forces were computed");
   return tr("Most newtons first");
 }
 

@@ -25,9 +25,9 @@ FixCard::FixCard(FindingsController& findings, QWidget* parent)
   sentence_->setWordWrap(true);
   sentence_->setTextFormat(Qt::PlainText);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  here_->setToolTip(tr("The operating point goes to where the force at stake was found"));
-  other_end_->setText(tr("Where it begins"));
-  other_end_->setToolTip(tr("The operating point goes to where the change of the force begins"));
+  here_->setToolTip(tr("Move the operating point to the place of this force"));
+  other_end_->setText(tr("Go to start"));
+  other_end_->setToolTip(tr("Move the operating point to the start of the change of force"));
   note_->setWordWrap(true);
   setMuted(*note_);
   grid_->setContentsMargins(0, 0, 0, 0);
@@ -62,7 +62,7 @@ void FixCard::showFinding() {
   const ShownFinding& shown = findings_.findings()[*chosen];
   sentence_->setText(shown.who + QStringLiteral(" · ") + shown.sentence);
   here_->setVisible(!shown.at.empty());
-  here_->setText(shown.other_end.empty() ? tr("Go there") : tr("Where it ends"));
+  here_->setText(shown.other_end.empty() ? tr("Go there") : tr("Go to end"));
   other_end_->setVisible(!shown.other_end.empty());
   showFixes();
 }

@@ -35,8 +35,8 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
     : QWidget(parent),
       compare_(compare),
       scene_(scene),
-      a_(choiceBox(tr("A: what is compared with"), this)),
-      b_(choiceBox(tr("B: what is compared"), this)),
+      a_(choiceBox(tr("A: the reference version"), this)),
+      b_(choiceBox(tr("B: the version to compare"), this)),
       result_(new QLabel(this)),
       place_(new QLabel(this)),
       go_(new QPushButton(tr("Go there"), this)),
@@ -51,7 +51,7 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
   }
   place_->setFont(theme::smallFont());
   go_->setAccessibleName(go_->text());
-  go_->setToolTip(tr("Set the operating point to where the difference is the largest"));
+  go_->setToolTip(tr("Move the operating point to the largest difference"));
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(theme::kGrid);

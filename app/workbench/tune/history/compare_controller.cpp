@@ -250,7 +250,9 @@ void CompareController::onEdited() {
     const QString name = nameOf(choice(*shown_));
     shown_.reset();
     emit shownChanged();
-    emit said(tr("The comparison has ended, because the open model was edited: it is felt again, not “%1”.").arg(name));
+    emit said(
+        tr("You edited the open model, so the comparison has ended. The device renders the open model again, not “%1”.")
+            .arg(name));
   }
   forget();
 }

@@ -49,7 +49,7 @@ void CompareStrip::showState() {
   const bool is_a = *side == CompareSide::kA;
   const QString letter = is_a ? QStringLiteral("A") : QStringLiteral("B");
   const QString name = compare_.nameOf(compare_.choice(*side));
-  shown_->setFullText(felt_ ? tr("Shown and felt is %1: %2").arg(letter, name)
+  shown_->setFullText(felt_ ? tr("On screen and device: %1, %2").arg(letter, name)
                             : tr("Shown is %1: %2").arg(letter, name));
   const CompareSide hidden = is_a ? CompareSide::kB : CompareSide::kA;
   other_->setFullText(

@@ -84,7 +84,7 @@ QString HistoryModel::tipOf(const editing::HistoryRow& row) const {
   }
   switch (row.place) {
     case Place::kCurrent:
-      lines.append(tr("The model as it is now"));
+      lines.append(tr("The current model"));
       break;
     case Place::kDone:
       lines.append(tr("A click goes back to it; nothing is lost"));
@@ -93,7 +93,7 @@ QString HistoryModel::tipOf(const editing::HistoryRow& row) const {
       lines.append(tr("Undone: a click brings it back"));
       break;
     case Place::kBranch:
-      lines.append(tr("A branch that was left: a click goes there"));
+      lines.append(tr("An earlier branch. Click to return to it"));
       break;
   }
   return lines.join(QLatin1Char('\n'));

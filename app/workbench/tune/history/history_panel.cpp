@@ -57,7 +57,7 @@ HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, Sc
   view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   view_->setContextMenuPolicy(Qt::CustomContextMenu);
   view_->setAccessibleName(tr("History"));
-  snapshot_->setPlaceholderText(tr("Name of the state as it is now"));
+  snapshot_->setPlaceholderText(tr("Name of the current state"));
   snapshot_->setAccessibleName(tr("Name of a snapshot"));
   snapshot_->setMaxLength(kLongestName);
   name_it_->setToolTip(tr("Keeps the current state under this name (Ctrl+Shift+N)"));
@@ -135,7 +135,7 @@ QWidget* HistoryPanel::makeSide(CompareController& compare, SceneController& sce
   sign_off_->setAccessibleName(sign_off_->text());
   sign_off_->setToolTip(tr("The expert says of the current state: this feels right"));
   sign_off_->setEnabled(false);
-  author_field_->setPlaceholderText(tr("Your name: stands at your edits"));
+  author_field_->setPlaceholderText(tr("Your name, shown as the author of your edits"));
   author_field_->setAccessibleName(tr("Your name"));
   author_field_->setMaxLength(kLongestName);
 

@@ -63,7 +63,7 @@ void RuleCellBar::showCell() {
   const editing::GridCell& cell = selected ? rules_.cell(*selected) : none;
   QString sentence = selected ? rules_.conditionsOf(*selected) : tr("Click a cell to answer it.");
   if (cell.conflict) {
-    sentence = tr("Conflict: another rule says %1. An answer settles it. %2")
+    sentence = tr("Conflict with a rule for %1. Choose an answer to resolve it. %2")
                    .arg(rules_.otherAnswers(*selected).join(tr(" and ")), sentence);
   }
   if (cell.conflict != warns_) {

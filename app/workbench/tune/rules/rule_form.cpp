@@ -49,7 +49,7 @@ RuleForm::RuleForm(RuleController& rules, QWidget* parent)
   weight_->setAccessibleName(tr("Weight of the rule"));
   message_->setWordWrap(true);
   message_->setTextFormat(Qt::PlainText);
-  message_->setAccessibleName(tr("What is the matter with the rule"));
+  message_->setAccessibleName(tr("The problem with the rule"));
   lines_grid_->setContentsMargins(0, 0, 0, 0);
   lines_grid_->setHorizontalSpacing(theme::kGrid);
   lines_grid_->setVerticalSpacing(4);

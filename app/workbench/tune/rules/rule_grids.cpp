@@ -227,7 +227,7 @@ QString RuleGrids::tipOf(const RuleCell& place) const {
                     .arg(conditions, word ? labelOf(rules_.words()[*word]) : text(cell.then));
   if (cell.weight < 1) tip += tr(", weight %1").arg(numberText(cell.weight, 3));
   if (!cell.enabled) tip += tr(", disabled");
-  if (cell.conflict) tip += tr("; another rule says %1").arg(rules_.otherAnswers(place).join(tr(" and ")));
+  if (cell.conflict) tip += tr("; conflicts with a rule for %1").arg(rules_.otherAnswers(place).join(tr(" and ")));
   const double strength = rules_.strength(*cell.rule);
   if (strength > 0) tip += tr("; acts here with %1").arg(numberText(strength, 3));
   return tip;

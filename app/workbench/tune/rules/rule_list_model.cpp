@@ -136,7 +136,7 @@ QString RuleListModel::sentence(const RuleRow& row, int number) const {
   QString out = tr("Rule %1: IF %2 THEN %3 is %4")
                     .arg(number + 1)
                     .arg(row.words.conditions.join(tr(" AND ")), labelOf(rules_.model().output), row.words.consequent);
-  if (row.conflict) out += tr(". Another rule with these conditions says something else.");
+  if (row.conflict) out += tr(". Another rule with these conditions has a different consequent.");
   return out;
 }
 
@@ -146,7 +146,7 @@ QVariant RuleListModel::headerData(int section, Qt::Orientation orientation, int
     const bool number = section == kNumber || section == kWeight || section == kStrength;
     return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   }
-  if (role == Qt::ToolTipRole && section == kEnabled) return tr("Enabled: a rule that is not says nothing");
+  if (role == Qt::ToolTipRole && section == kEnabled) return tr("Enabled: a disabled rule has no effect");
   if (role == Qt::ToolTipRole && section == kStrength) return tr("Firing strength at the place that is read");
   if (role != Qt::DisplayRole) return {};
   switch (section) {

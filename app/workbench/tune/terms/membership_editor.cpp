@@ -83,15 +83,15 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
   new TabLook(*variables_);
   whose_->setAccessibleName(tr("Whose terms"));
   whose_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  whose_->setToolTip(tr("The terms that experts share, or those of one expert"));
+  whose_->setToolTip(tr("The shared terms, or the terms of one expert"));
   own_->setToolTip(tr("The expert has terms of its own for this variable; otherwise the shared ones hold"));
-  keeps_sum_->setToolTip(tr("The memberships sum to one everywhere: a vertex takes that of its neighbor along"));
+  keeps_sum_->setToolTip(tr("Keep the sum of memberships at one: a vertex moves together with its neighbor's vertex"));
   for (QToolButton* button : {for_one_, for_all_}) {
     button->setCheckable(true);
     button->setFont(theme::smallFont());
   }
   scope_->setFont(theme::smallFont());
-  for_one_->setToolTip(tr("The expert gets own terms for this variable; those of the others stay as they are"));
+  for_one_->setToolTip(tr("Gives the expert their own terms for this variable. The terms of the others do not change"));
   for_all_->setToolTip(tr("Edits change the terms of all experts who share them"));
   add_->setText(tr("Add term…"));
   hint_->setFont(theme::smallFont());
@@ -343,7 +343,8 @@ void MembershipEditor::showRefusal(const QString& sentence) {
 
 void MembershipEditor::showHint() {
   setInk(*hint_, theme::mutedInk());
-  hint_->setFullText(tr("Drag a vertex, an edge or a term. Arrow keys move it, with Shift farther; Esc takes back."));
+  hint_->setFullText(
+      tr("Drag a vertex, an edge or a term. Arrow keys move it, Shift+arrow in larger steps; Esc cancels."));
 }
 
 void MembershipEditor::askAdd() {

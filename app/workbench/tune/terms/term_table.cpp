@@ -228,7 +228,7 @@ TermTable::Point TermTable::buildPoint(QGridLayout& grid, std::size_t index, std
   out.number->installEventFilter(this);
 
   out.lock = new LockButton;
-  out.lock->setToolTip(tr("Lock the %1: it stays where it is").arg(name));
+  out.lock->setToolTip(tr("Lock the %1 in place").arg(name));
 
   auto* cell = new QWidget;
   auto* layout = new QHBoxLayout(cell);

@@ -127,7 +127,7 @@ TEST_F(RuleListTest, ARuleInFreeFormHasUpToFourConditions) {
       if (box->accessibleName() == QLatin1String(input)) box->setCurrentIndex(row);
     }
   };
-  const auto message = [&] { return named<QLabel>("What is the matter with the rule")->text(); };
+  const auto message = [&] { return named<QLabel>("The problem with the rule")->text(); };
   auto* accept = form->findChild<QPushButton*>();
 
   QTest::mouseClick(accept, Qt::LeftButton);
@@ -219,9 +219,7 @@ TEST_F(RuleListTest, TheColorOfARefusalFollowsTheLook) {
   openList();
   QTest::mouseClick(button<QToolButton>("Add rule…"), Qt::LeftButton);
   QTest::mouseClick(editor.findChild<RuleForm*>()->findChild<QPushButton*>(), Qt::LeftButton);
-  const auto color = [&] {
-    return named<QLabel>("What is the matter with the rule")->palette().color(QPalette::WindowText);
-  };
+  const auto color = [&] { return named<QLabel>("The problem with the rule")->palette().color(QPalette::WindowText); };
   EXPECT_EQ(color(), theme::errorInk());
   theme::changeLook(*qApp, theme::Look::kDark);
   EXPECT_EQ(color(), theme::errorInk());
