@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/feel/feel_scene.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
+#include "core/haptics/sources/servo_scene.h"
 
 namespace tactus::workbench {
 namespace {
@@ -19,6 +19,25 @@ constexpr double kDepthStepMm = 0.1;
 constexpr double kSpeedStepMmS = 1;
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
+
+/// The model of `scene` with its values of everything but depth and speed, which the hand moves. The difference to the
+/// scene before fades out within `fade_s`. `cost_s`: of one force of the model. Refused: what the servo refuses
+/// (haptics::ServoScene::make). A model must be open. It is not compiled again.
+base::Result<std::shared_ptr<const haptics::ServoScene>> servoSceneOf(const SceneController& scene, double fade_s,
+                                                                      double cost_s) {
+  const OpenModel& open = *scene.model();
+  const fuzzy::ForceModel& model = open.model;
+  haptics::Conditions conditions;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const std::string& id = model.inputs[i].id;
+    if (id != kDepthId && id != kSpeedId) conditions[id] = scene.value(i);
+  }
+  haptics::SceneSettings settings;
+  settings.moved = {kDepthId, kSpeedId};
+  settings.fade_s = fade_s;
+  settings.known_cost_s = cost_s;
+  return haptics::ServoScene::make(model, open.compiled, conditions, settings);
+}
 
 }  // namespace
 

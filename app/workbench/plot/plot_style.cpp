@@ -5,7 +5,6 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/plot_canvas.h"
-#include "app/workbench/plot/plot_look.h"
 
 namespace tactus::workbench {
 namespace {
@@ -13,6 +12,52 @@ namespace {
 Refresh* refreshOf(const QCustomPlot& plot) { return plot.findChild<Refresh*>(QString(), Qt::FindDirectChildrenOnly); }
 
 constexpr double kGhostShare = 0.6;  // of a line's color; the rest is the ground
+
+QPen inLook(QPen pen) {
+  pen.setColor(theme::inLook(pen.color()));
+  return pen;
+}
+
+QBrush inLook(QBrush brush) {
+  if (brush.style() != Qt::NoBrush) brush.setColor(theme::inLook(brush.color()));
+  return brush;
+}
+
+void take(QCPAxis& axis) {
+  axis.setBasePen(inLook(axis.basePen()));
+  axis.setTickPen(inLook(axis.tickPen()));
+  axis.setSubTickPen(inLook(axis.subTickPen()));
+  axis.setTickLabelColor(theme::inLook(axis.tickLabelColor()));
+  axis.setLabelColor(theme::inLook(axis.labelColor()));
+  axis.grid()->setPen(inLook(axis.grid()->pen()));
+  axis.grid()->setZeroLinePen(inLook(axis.grid()->zeroLinePen()));
+}
+
+void takeLook(QCustomPlot& plot) {
+  plot.setBackground(QBrush(theme::card()));
+  for (QCPAxisRect* area : plot.axisRects()) area->setBackground(inLook(area->backgroundBrush()));
+  for (QCPAxis* axis : plot.findChildren<QCPAxis*>()) take(*axis);
+  for (int i = 0; i < plot.plottableCount(); ++i) {
+    plot.plottable(i)->setPen(inLook(plot.plottable(i)->pen()));
+    plot.plottable(i)->setBrush(inLook(plot.plottable(i)->brush()));
+  }
+  plot.replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// Gives lines, axes and texts the colors of the new look when the palette changes. Colors from outside the theme stay.
+class LookWatch : public QObject {
+ public:
+  explicit LookWatch(QCustomPlot& plot) : QObject(&plot), plot_(plot) { plot_.installEventFilter(this); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::PaletteChange) takeLook(plot_);
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  QCustomPlot& plot_;
+};
 
 }  // namespace
 
@@ -29,7 +74,7 @@ QCustomPlot* makePlot(QWidget* parent) {
   plot->legend->setVisible(false);
   plot->setFocusPolicy(Qt::NoFocus);
   new Refresh(plot, [plot] { plot->update(); });
-  followLook(*plot);
+  new LookWatch(*plot);
   return plot;
 }
 
