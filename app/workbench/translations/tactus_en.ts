@@ -164,10 +164,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another rule with fewer conditions already says %2: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The conditions are never true together: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -219,10 +215,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>; nobody&apos;s force is near their mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>; the mean is near the force of %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -259,11 +251,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 lies outside the universe of %2</source>
+        <source>Mean</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mean</source>
+        <source>Redundant: a rule with fewer conditions already gives %2: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; no expert&apos;s force is near the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is outside the universe of %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -967,23 +967,11 @@
 <context>
     <name>tactus::workbench::CompareCard</name>
     <message>
-        <source>A: what is compared with</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>B: what is compared</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Go there</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Set the operating point to where the difference is the largest</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1012,6 +1000,18 @@
     </message>
     <message>
         <source>A %1, B %2 at %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A: the reference version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B: the version to compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the operating point to the largest difference</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1053,7 +1053,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The comparison has ended, because the open model was edited: it is felt again, not “%1”.</source>
+        <source>You edited the open model, so the comparison has ended. The device renders the open model again, not “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1068,15 +1068,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shown and felt is %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Shown is %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On screen and device: %1, %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1230,10 +1230,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How the hand takes the tube</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Hold</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1243,10 +1239,6 @@
     </message>
     <message>
         <source>The tube is in the hand while the button of the device, the mouse button or Space is down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One press takes the tube and the next one lets go: nothing has to be squeezed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1363,6 +1355,14 @@
             <numerusform>force begun anew after %n stalls</numerusform>
         </translation>
     </message>
+    <message>
+        <source>How to hold the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press once to hold the tube, press again to release it. No need to squeeze</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::DeviceSession</name>
@@ -1377,10 +1377,6 @@
 </context>
 <context>
     <name>tactus::workbench::EditController</name>
-    <message>
-        <source>It went as far as it can: stopped by %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Undone: %1</source>
         <translation type="unfinished"></translation>
@@ -1403,6 +1399,10 @@
     </message>
     <message>
         <source>Opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move stopped at its limit: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1442,15 +1442,15 @@
 <context>
     <name>tactus::workbench::FeelController</name>
     <message>
-        <source>The edit is not felt: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No model is open; open one to feel it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Another part of the program uses the device; stop it there first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device does not render the edit: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1466,10 +1466,6 @@
     </message>
     <message>
         <source>Show what makes up the force: fuzzy force, friction and limits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Depth and speed of all plots are those of the tube in the hand</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1502,6 +1498,10 @@
     </message>
     <message>
         <source>spring softened to %1 N/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth and speed of all plots follow the tube in the hand</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1650,7 +1650,7 @@
     <name>tactus::workbench::FindingsModel</name>
     <message>
         <source>%1
-≥: the largest force of the settings that were looked at</source>
+≥: the largest force of the tested settings</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1693,10 +1693,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not every force was looked for: the model is very large</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Most newtons first</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1716,27 +1712,15 @@
         <source>Reachable force: %1 to %2 of the universe from %3 to %4</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The model is very large, so only some forces were computed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::FixCard</name>
     <message>
-        <source>The operating point goes to where the force at stake was found</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where it begins</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The operating point goes to where the change of the force begins</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Go there</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where it ends</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1749,6 +1733,22 @@
     </message>
     <message>
         <source>No edit settles this by itself: look at the rules together with the expert.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the operating point to the place of this force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the operating point to the start of the change of force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to end</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1907,10 +1907,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The model as it is now</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A click goes back to it; nothing is lost</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1919,11 +1915,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A branch that was left: a click goes there</source>
+        <source>%1: feels right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: feels right</source>
+        <source>The current model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An earlier branch. Click to return to it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1939,10 +1939,6 @@
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name of the state as it is now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1974,10 +1970,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Your name: stands at your edits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Your name</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1999,6 +1991,14 @@
     </message>
     <message>
         <source>Compare: this is B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the current state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name, shown as the author of your edits</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2119,19 +2119,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The terms that experts share, or those of one expert</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The expert has terms of its own for this variable; otherwise the shared ones hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The memberships sum to one everywhere: a vertex takes that of its neighbor along</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The expert gets own terms for this variable; those of the others stay as they are</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2190,10 +2178,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drag a vertex, an edge or a term. Arrow keys move it, with Shift farther; Esc takes back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Add a term to %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2235,6 +2219,22 @@
     </message>
     <message>
         <source>%1: shared terms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shared terms, or the terms of one expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the sum of memberships at one: a vertex moves together with its neighbor&apos;s vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gives the expert their own terms for this variable. The terms of the others do not change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a vertex, an edge or a term. Arrow keys move it, Shift+arrow in larger steps; Esc cancels.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2698,10 +2698,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Placements and recordings are kept as theirs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>End · %1 s</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2751,7 +2747,11 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Armed: the recording begins with Start; a click takes it back</source>
+        <source>Placements and recordings are stored for this person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed: the recording begins with Start. Click to cancel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2865,11 +2865,11 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Conflict: another rule says %1. An answer settles it. %2</source>
+        <source> and </source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> and </source>
+        <source>Conflict with a rule for %1. Choose an answer to resolve it. %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2927,7 +2927,7 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, a stronger rule says so too</source>
+        <source>%1, also the consequent of a stronger rule</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2943,10 +2943,6 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Weight of the rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is the matter with the rule</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2979,6 +2975,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Added as rule %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The problem with the rule</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3016,10 +3016,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>; another rule says %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> and </source>
         <translation type="unfinished"></translation>
     </message>
@@ -3029,6 +3025,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>A grid needs two inputs. The rules of this model are in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; conflicts with a rule for %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3058,14 +3058,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>. Another rule with these conditions says something else.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Enabled: a rule that is not says nothing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Firing strength at the place that is read</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3091,6 +3083,14 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>. Another rule with these conditions has a different consequent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enabled: a disabled rule has no effect</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3552,7 +3552,7 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What was done last is not stored in %1: %2</source>
+        <source>The last changes are not stored in %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3632,10 +3632,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lock the %1: it stays where it is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Split or remove the term</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3669,6 +3665,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Lock the %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock the %1 in place</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
