@@ -85,7 +85,7 @@ void TimedApplication::begin() {
 DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& model, workbench::Stage stage, int edits) {
   const QTemporaryDir folder;
   QSettings settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat);
-  workbench::Workbench bench(settings);
+  workbench::Workbench bench(settings, folder.filePath(QStringLiteral("autosave")));
   const QString path = folder.filePath(QStringLiteral("bench.tactus.json"));
   TACTUS_CHECK(model_io::writeModel(model, path.toStdString()).has_value());
   bench.window.resize(1920, 1080);

@@ -33,7 +33,7 @@ double shareDuring(int seconds) {
 std::vector<std::pair<std::string, double>> idleShares(const fuzzy::ForceModel& model, int seconds) {
   const QTemporaryDir folder;
   QSettings settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat);
-  workbench::Workbench bench(settings);
+  workbench::Workbench bench(settings, folder.filePath(QStringLiteral("autosave")));
   const QString path = folder.filePath(QStringLiteral("bench.tactus.json"));
   TACTUS_CHECK(model_io::writeModel(model, path.toStdString()).has_value());
   bench.window.resize(1920, 1080);

@@ -47,7 +47,7 @@ class ShownBench : public testing::Test {
 
   ModelFolder folder;
   QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
-  workbench::Workbench bench{settings};
+  workbench::Workbench bench{settings, folder.path(QStringLiteral("autosave"))};
 
  private:
   workbench::Stage stage_;

@@ -81,7 +81,7 @@ class StudyPartsTest : public testing::Test {
   tests::ModelFolder folder;
   QString path = folder.path(QStringLiteral("sample.tactus"));
   QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
-  Workbench bench{settings};
+  Workbench bench{settings, folder.path(QStringLiteral("autosave"))};
   MainWindow& window = bench.window;
 };
 

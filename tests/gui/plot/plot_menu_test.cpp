@@ -52,7 +52,7 @@ class PlotMenuTest : public testing::Test {
 
   tests::ModelFolder folder;
   QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
-  Workbench bench{settings};
+  Workbench bench{settings, folder.path(QStringLiteral("autosave"))};
 };
 
 TEST_F(PlotMenuTest, TheTableOfTheCurvesIsThatOfTheModel) {

@@ -320,7 +320,7 @@ TEST_F(BenchViewTest, AMessageMovesNothing) {
 TEST_F(BenchViewTest, TheLayoutIsThereAtTheNextStart) {
   dock("rules")->close();
   ASSERT_TRUE(bench.window.close());
-  Workbench next(settings);
+  Workbench next(settings, folder.path(QStringLiteral("autosave of the next")));
   next.window.resize(1280, 720);
   next.window.show();
   next.models.open(folder.path(QStringLiteral("sample.tactus.json")));

@@ -74,7 +74,7 @@ class MainWindowTest : public testing::Test {
 
   tests::ModelFolder folder;
   QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
-  Workbench bench{settings};
+  Workbench bench{settings, folder.path(QStringLiteral("autosave"))};
   MainWindow& window = bench.window;
 };
 

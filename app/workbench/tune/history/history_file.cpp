@@ -100,7 +100,9 @@ Result<std::optional<KeptWork>> HistoryFile::open(const QString& document, const
 // A file that another window has open, or that is damaged, stays as it is; the next number is taken.
 Result<void> HistoryFile::openFile(const QString& document, IfAbsent absent, Place place) {
   document_ = document;
-  base::Error last{base::ErrorCode::kLimit, root_.toStdString(), {}, "many histories of one document", "fewer"};
+  base::Error last =
+      base::fail(base::ErrorCode::kLimit, root_.toStdString(), "too many histories of one document", "fewer windows")
+          .value();
   for (int number = 1; number <= kMostWindows; ++number) {
     const QString path = QDir(root_).filePath(fileName(document, number));
     if (QFileInfo::exists(path)) {

@@ -219,7 +219,7 @@ TEST_F(CurvesPanelTest, WhatWasChosenHoldsAtTheNextStart) {
   ASSERT_TRUE(drop(folder.writeText("series,depth_mm,force_n\none,1,0.3\none,2,0.3\ntwo,1,0.4\ntwo,2,0.4\n",
                                     QStringLiteral("methods.csv"))));
   bench.references.remove(QStringLiteral("one"));
-  Workbench next(settings);
+  Workbench next(settings, folder.path(QStringLiteral("autosave of the next")));
   show(next);
   tests::settle(next.window);
   EXPECT_FALSE(next.ghost.isOn());
