@@ -646,13 +646,6 @@
     </message>
 </context>
 <context>
-    <name>RecoveryController</name>
-    <message>
-        <source>%1 (recovered)</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>ReviewNotes</name>
     <message>
         <source>These notes are of a build from the answers as they are now. The model of the study began as another one: built with other settings, from other answers, or put in from a file.</source>
@@ -2767,6 +2760,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>The edits of %1 cannot be restored. Their files stay in place: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (recovered)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -149,10 +149,8 @@ TEST_F(CalibrationRun, AnInterruptionEndsItAndLeavesNoForce) {
   person_.interrupts_at = "Type what the spring scale reads";
   const auto calibration = run();
   ASSERT_FALSE(calibration);
-  EXPECT_EQ(
-      calibration.error().message(),
-      "hid:1209:ffb0: found an interruption, and the device was stopped, wanted a calibration that goes on to its "
-      "end");
+  EXPECT_EQ(calibration.error().message(),
+            "hid:1209:ffb0: found an interruption, and the device was stopped, wanted a complete calibration");
   EXPECT_NE(handle_.before, 0) << "it pushed";
   EXPECT_FALSE(handle_.running);
   EXPECT_EQ(handle_.force, 0);

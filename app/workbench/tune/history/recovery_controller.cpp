@@ -59,10 +59,6 @@ std::vector<LostWork> scanned(const QString& root, const QString& own) {
   return out;
 }
 
-std::string recoveredLabel(const editing::Unfinished& drag) {
-  return RecoveryController::tr("%1 (recovered)").arg(text(drag.label)).toStdString();
-}
-
 }  // namespace
 
 RecoveryController::RecoveryController(ModelController& models, EditController& edits, AutosaveController& autosave,
@@ -295,6 +291,10 @@ void RecoveryController::later() {
 void RecoveryController::drop(const LostWork& work) {
   std::erase_if(offered_, [&](const LostWork& other) { return other.source == work.source || other == work; });
   emit offerChanged();
+}
+
+std::string RecoveryController::recoveredLabel(const editing::Unfinished& drag) {
+  return tr("%1 (recovered)").arg(text(drag.label)).toStdString();
 }
 
 void RecoveryController::say(const LostWork& work) {

@@ -7,6 +7,7 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/workbench/base/call_queue.h"
@@ -86,6 +87,7 @@ class RecoveryController : public QObject {
   void onWritten(quint64 number);
   void drop(const LostWork& work);
   void say(const LostWork& work);
+  static std::string recoveredLabel(const editing::Unfinished& drag);
 
   ModelController& models_;
   EditController& edits_;
