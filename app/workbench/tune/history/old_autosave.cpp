@@ -19,7 +19,7 @@ using base::JsonValue;
 using base::required;
 using study::ModelVersion;
 
-constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
+constexpr std::size_t kMostPartBytes = std::size_t{256} << 20U;
 constexpr auto kLockName = "lock";
 constexpr auto kFactsName = "facts.json";
 
@@ -89,7 +89,7 @@ OldAutosave readFacts(const QString& folder) {
   out.folder = folder;
   const QString path = QDir(folder).filePath(QLatin1String(kFactsName));
   out.last = QFileInfo(path).lastModified();
-  const auto bytes = base::readFile(path.toStdString(), kMostBytes);
+  const auto bytes = base::readFile(path.toStdString(), kMostPartBytes);
   if (!bytes) return out;
   (void)base::readJson(*bytes, {}, [&](JsonMembers& json, auto&) {
     std::string document;
@@ -132,7 +132,7 @@ base::Result<KeptWork> TakenAutosave::read() const {
   KeptWork out;
   for (const QString& name : QDir(folder_).entryList({QStringLiteral("part-*.json")}, QDir::Files, QDir::Name)) {
     const std::string path = QDir(folder_).filePath(name).toStdString();
-    const auto bytes = base::readFile(path, kMostBytes);
+    const auto bytes = base::readFile(path, kMostPartBytes);
     if (!bytes) return tl::unexpected(bytes.error());
     auto part = base::readJson(*bytes, path, readPart);
     if (!part) return part;
