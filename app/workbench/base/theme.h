@@ -66,7 +66,7 @@ QColor inLook(const QColor& color);
 /// Sets the Fusion style with the theme's colors, the same on every desktop. Call at the start of the program.
 void apply(QApplication& application, Look look = Look::kLight);
 /// Changes the look at once, also the theme colors that widgets have stored. Plots follow on their own
-/// (plot/plot_look.h).
+/// (plot/plot_style.cpp).
 void changeLook(QApplication& application, Look look);
 
 }  // namespace tactus::workbench::theme
