@@ -107,14 +107,14 @@ Codes codesWithTerms(const study::Study& study) {
   return codes;
 }
 
-struct Block {
+struct TableBlock {
   Kind kind;
   Codes codes;
   std::string what, consequence;
 };
 
 void addAbsent(const study::Study& study, std::vector<DataFinding>& out) {
-  const std::vector<Block> blocks = {
+  const std::vector<TableBlock> blocks = {
       {Kind::kWithoutStrokes, codesOf(study.speeds), "strokes", "the speeds of the others are used"},
       {Kind::kWithoutJudgements, codesWithTerms(study), "force judgements in an ascending series",
        "the words for forces are the others'"},

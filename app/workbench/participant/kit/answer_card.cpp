@@ -14,7 +14,7 @@ namespace {
 constexpr double kWidthMm = 30;
 constexpr double kHeightMm = 25;
 constexpr double kApartHeightMm = 20;
-constexpr double kPaddingMm = 2.5;
+constexpr double kCardPaddingMm = 2.5;
 constexpr double kPictureMm = 9;
 constexpr double kCornerMm = 2;
 constexpr double kTickMm = 6;
@@ -55,13 +55,13 @@ void AnswerCard::setLit(bool lit) {
 
 QSize AnswerCard::sizeHint() const {
   const double text_width = QFontMetricsF(font(true)).horizontalAdvance(text());
-  const int padding = look_.mm(kPaddingMm) + (answer_.apart ? look_.mm(kTickMm) : 0);
+  const int padding = look_.mm(kCardPaddingMm) + (answer_.apart ? look_.mm(kTickMm) : 0);
   const int wide = std::max(look_.mm(kWidthMm), static_cast<int>(std::ceil(text_width)) + 2 * padding) + 2 * kRingRoom;
   return {wide, heightForWidth(wide)};
 }
 
 int AnswerCard::heightForWidth(int width) const {
-  const int padding = look_.mm(kPaddingMm);
+  const int padding = look_.mm(kCardPaddingMm);
   const QRectF room(0, 0, std::max(1, width - 2 * kRingRoom - 2 * padding), 1e6);
   const double text_height = QFontMetricsF(font(true)).boundingRect(room, kTextFlags, text()).height();
   const int picture = answer_.picture ? look_.mm(kPictureMm) + padding / 2 : 0;
@@ -78,7 +78,7 @@ void AnswerCard::paintEvent(QPaintEvent* /*event*/) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF face = faceOf(size());
   const double corner = look_.mm(kCornerMm);
-  const double padding = look_.mm(kPaddingMm);
+  const double padding = look_.mm(kCardPaddingMm);
   const bool marked = isChecked() || isDown();
   const double edge = isChecked() ? 4 : 1.5;
   painter.setPen(QPen(isChecked() ? colors::kInk : colors::kEdge, edge,

@@ -10,14 +10,14 @@
 namespace tactus::workbench::nurse {
 namespace {
 
-constexpr double kHeightMm = 20;
+constexpr double kButtonHeightMm = 20;
 constexpr double kForceOffMm = 25;
 constexpr double kLeastWidthMm = 30;
-constexpr double kPaddingMm = 4;
-constexpr double kCornerMm = 2;
+constexpr double kButtonPaddingMm = 4;
+constexpr double kButtonCornerMm = 2;
 constexpr double kToleranceMm = 10;
-constexpr double kWidestMm = 110;  // of a line; longer texts take two
-constexpr int kTextFlags = Qt::AlignCenter | Qt::TextWordWrap;
+constexpr double kButtonWidestMm = 110;  // of a line; longer texts take two
+constexpr int kButtonTextFlags = Qt::AlignCenter | Qt::TextWordWrap;
 
 }  // namespace
 
@@ -65,9 +65,9 @@ void Button::follow() {
 }
 
 QSize Button::sizeHint() const {
-  const int padding = look_.mm(kPaddingMm);
+  const int padding = look_.mm(kButtonPaddingMm);
   int wide = look_.mm(kLeastWidthMm);
-  int high = look_.mm(kind_ == ButtonKind::kForceOff ? kForceOffMm : kHeightMm);
+  int high = look_.mm(kind_ == ButtonKind::kForceOff ? kForceOffMm : kButtonHeightMm);
   for (const Phrase& phrase : {text_, reason_.value_or(Phrase{}), reserved_}) {
     const QSize needed = room(look_.say(phrase));
     wide = std::max(wide, needed.width() + 2 * padding);
@@ -79,13 +79,13 @@ QSize Button::sizeHint() const {
 QSize Button::room(const QString& text) const {
   const QFontMetricsF metrics(look_.font(1, true));
   const double line = metrics.horizontalAdvance(text);
-  if (one_line_ || line <= look_.mm(kWidestMm))
+  if (one_line_ || line <= look_.mm(kButtonWidestMm))
     return {static_cast<int>(std::ceil(line)) + 1, static_cast<int>(metrics.height())};
   // Two lines of nearly equal length.
   const double step = metrics.averageCharWidth();
   double wide = line / 2;
   const auto height = [&](double width) {
-    return metrics.boundingRect(QRectF(0, 0, width, 1e6), kTextFlags, text).height();
+    return metrics.boundingRect(QRectF(0, 0, width, 1e6), kButtonTextFlags, text).height();
   };
   while (wide < line && height(wide) > 2.1 * metrics.lineSpacing()) wide += step;
   return {static_cast<int>(std::ceil(wide)) + 1, static_cast<int>(std::ceil(height(wide)))};
@@ -110,14 +110,14 @@ void Button::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF face = faceOf(size());
-  const double corner = look_.mm(kCornerMm);
+  const double corner = look_.mm(kButtonCornerMm);
   const bool plain = kind_ == ButtonKind::kPlain || !isEnabled();
   painter.setPen(kind_ == ButtonKind::kPlain && isEnabled() ? QPen(colors::kEdge, 1.5) : QPen(Qt::NoPen));
   painter.setBrush(fill());
   painter.drawRoundedRect(face, corner, corner);
   painter.setPen(plain ? colors::kInk : QColor(Qt::white));
-  const double padding = look_.mm(kPaddingMm);
-  painter.drawText(face.adjusted(padding / 2, 0, -padding / 2, 0), kTextFlags, text());
+  const double padding = look_.mm(kButtonPaddingMm);
+  painter.drawText(face.adjusted(padding / 2, 0, -padding / 2, 0), kButtonTextFlags, text());
   if (hasFocus()) drawRing(painter, face, corner);
 }
 

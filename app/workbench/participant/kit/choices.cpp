@@ -6,8 +6,8 @@
 namespace tactus::workbench::nurse {
 namespace {
 
-constexpr double kWidestMm = 80;  // of a card
-constexpr double kGapMm = 3;
+constexpr double kChoiceWidestMm = 80;  // of a card
+constexpr double kChoiceGapMm = 3;
 
 std::vector<Answer> words(std::initializer_list<const char*> apart) {
   std::vector<Answer> answers;
@@ -98,11 +98,11 @@ std::vector<AnswerCard*> Choices::row(bool apart) const {
 int Choices::columnWidth(int width) const {
   const auto count = static_cast<int>(row(false).size());
   if (count == 0) return 0;
-  return std::min(look_.mm(kWidestMm), (width - (count - 1) * look_.mm(kGapMm)) / count);
+  return std::min(look_.mm(kChoiceWidestMm), (width - (count - 1) * look_.mm(kChoiceGapMm)) / count);
 }
 
 int Choices::arrange(int width, bool set) const {
-  const int gap = look_.mm(kGapMm);
+  const int gap = look_.mm(kChoiceGapMm);
   const std::vector<AnswerCard*> scale = row(false);
   int y = 0;
   if (!scale.empty()) {
@@ -134,7 +134,7 @@ int Choices::arrange(int width, bool set) const {
 
 QSize Choices::sizeHint() const {
   int wide = 0;
-  for (const AnswerCard* card : row(false)) wide += card->sizeHint().width() + look_.mm(kGapMm);
+  for (const AnswerCard* card : row(false)) wide += card->sizeHint().width() + look_.mm(kChoiceGapMm);
   return {wide, arrange(std::max(width(), 1), false)};
 }
 

@@ -5,7 +5,7 @@
 namespace tactus::workbench::nurse {
 namespace {
 
-constexpr double kPictureShare = 0.4;
+constexpr double kOwnPictureShare = 0.4;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ OwnModelScreen::OwnModelScreen(const Look& look, QWidget* parent)
   line_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("own.line")));
   texts_->center();
   setTitle(phrase(QStringLiteral("own.title")));
-  setMain(texts_, picture_, kPictureShare);
+  setMain(texts_, picture_, kOwnPictureShare);
   setAnswers(choices_);
   std::vector<Answer> answers;
   for (const char* id : {"lighter", "right", "heavier"})

@@ -12,10 +12,10 @@ namespace tactus::workbench::nurse {
 namespace {
 
 constexpr QColor kDimmed(0x1F, 0x29, 0x33, 190);
-constexpr double kWidthMm = 210;
+constexpr double kPanelWidthMm = 210;
 constexpr int kWidthTexts = 20;  // heights of text
-constexpr double kPaddingMm = 8;
-constexpr double kCornerMm = 3;
+constexpr double kPanelPaddingMm = 8;
+constexpr double kPanelCornerMm = 3;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void PanelCard::resizeEvent(QResizeEvent* /*event*/) { arrange(); }
 void PanelCard::arrange() {
   const int corner = forceOffCorner(look_).width();
   // Left of the corner, where the red button stays in view.
-  const int least = std::max(look_.mm(kWidthMm), kWidthTexts * look_.textPx());
+  const int least = std::max(look_.mm(kPanelWidthMm), kWidthTexts * look_.textPx());
   const int wide = std::min(least, width() - 2 * (corner + frameMargin(look_)));
   const int high = column_->heightForWidth(wide);
   card_->setGeometry((width() - wide) / 2, (height() - high) / 2, wide, high);
@@ -67,11 +67,11 @@ void PanelCard::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), kDimmed);
-  const int padding = look_.mm(kPaddingMm);
+  const int padding = look_.mm(kPanelPaddingMm);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colors::kCard);
-  painter.drawRoundedRect(card_->geometry().adjusted(-padding, -padding, padding, padding), look_.mm(kCornerMm),
-                          look_.mm(kCornerMm));
+  painter.drawRoundedRect(card_->geometry().adjusted(-padding, -padding, padding, padding), look_.mm(kPanelCornerMm),
+                          look_.mm(kPanelCornerMm));
 }
 
 }  // namespace tactus::workbench::nurse

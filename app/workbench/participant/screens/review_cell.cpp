@@ -11,11 +11,11 @@ namespace tactus::workbench::nurse {
 namespace {
 
 constexpr int kPulseMs = 1600;
-constexpr double kPictureMm = 10;
-constexpr double kPaddingMm = 2.5;
-constexpr double kCornerMm = 1.5;
+constexpr double kCellPictureMm = 10;
+constexpr double kCellPaddingMm = 2.5;
+constexpr double kCellCornerMm = 1.5;
 
-int levelOf(const QString& word) {
+int strengthOf(const QString& word) {
   int level = 0;
   for (const char* id : {"very_small", "small", "medium", "large", "very_large"}) {
     ++level;
@@ -75,16 +75,16 @@ void ReviewCell::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF face = faceOf(size());
-  const double corner = look_.mm(kCornerMm);
-  const double padding = look_.mm(kPaddingMm);
+  const double corner = look_.mm(kCellCornerMm);
+  const double padding = look_.mm(kCellPaddingMm);
   const bool open = word_.isEmpty();
   painter.setPen(open ? QPen(colors::kInk, 2 + 2 * glow_, Qt::DashLine) : QPen(colors::kEdge, 1.5));
   painter.setBrush(isDown() ? colors::kChosen : colors::kCard);
   painter.drawRoundedRect(face.adjusted(1, 1, -1, -1), corner, corner);
-  const int level = levelOf(word_);
+  const int level = strengthOf(word_);
   QRectF text_area = face.adjusted(padding, 0, -padding, 0);
   if (level > 0) {
-    const double wide = look_.mm(kPictureMm);
+    const double wide = look_.mm(kCellPictureMm);
     strengthPicture(level)(painter, QRectF(text_area.left(), face.center().y() - wide / 3, wide, wide * 2 / 3));
     text_area.setLeft(text_area.left() + wide + padding);
   }

@@ -39,8 +39,8 @@ QString noteOf(StrokeNote note) {
   return QStringLiteral("spd.out_of_range");
 }
 
-constexpr double kPictureShare = 0.46;
-constexpr double kTickMm = 9;
+constexpr double kStrokePictureShare = 0.46;
+constexpr double kStrokeTickMm = 9;
 
 }  // namespace
 
@@ -57,7 +57,7 @@ StrokeScreen::StrokeScreen(const Look& look, QWidget* parent)
   auto* row = new QWidget(texts_);
   auto* line = new QHBoxLayout(row);
   keepSpacing(look, *line, 1.5);
-  tick_ = new PictureBox(look, kTickMm, kTickMm, row);
+  tick_ = new PictureBox(look, kStrokeTickMm, kStrokeTickMm, row);
   tick_->setPicture(tickPicture());
   note_ = new Label(look, TextRole::kBody, phrase(QStringLiteral("spd.start")), row);
   line->addWidget(tick_, 0, Qt::AlignVCenter);
@@ -65,7 +65,7 @@ StrokeScreen::StrokeScreen(const Look& look, QWidget* parent)
   texts_->add(row);
   practice_ = texts_->add(TextRole::kMuted, phrase(QStringLiteral("pra.line")));
   texts_->center();
-  setMain(texts_, picture_, kPictureShare);
+  setMain(texts_, picture_, kStrokePictureShare);
   const auto name = [this, &look] { picture_->setAccessibleName(look.say(phrase(QStringLiteral("acc.way")))); };
   connect(&look, &Look::changed, this, name);
   name();

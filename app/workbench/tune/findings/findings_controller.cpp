@@ -45,8 +45,8 @@ std::optional<editing::GhostCurve> curveOf(const fuzzy::ForceModel& model, const
 
 // Findings of `now` that none of `before` can have become: an edit that moves a hole makes no new one.
 std::size_t addedTo(const std::vector<ShownFinding>& before, const std::vector<ShownFinding>& now) {
-  using Kind = std::pair<elicitation::RuleFinding::Kind, std::vector<std::string>>;
-  std::map<Kind, std::ptrdiff_t> more;
+  using KindAndPlace = std::pair<elicitation::RuleFinding::Kind, std::vector<std::string>>;
+  std::map<KindAndPlace, std::ptrdiff_t> more;
   const auto count = [&more](const std::vector<ShownFinding>& findings, std::ptrdiff_t by) {
     for (const ShownFinding& shown : findings) {
       if (shown.acceptance != Acceptance::kLapsed) more[{shown.finding.kind, shown.finding.experts}] += by;
