@@ -57,8 +57,8 @@ class SelfTest {
  public:
   enum class Phase : std::uint8_t { kSamples, kMotion, kButton, kForceOff, kPulse, kAsk, kDone };
 
-  /// `samples`, `motion`, `button`, `force_off`, `pulse`, `ask`, `done`: for screens that have instructions of their own
-  /// in several languages, without numbers.
+  /// `samples`, `motion`, `button`, `force_off`, `pulse`, `ask`, `done`: for screens that have instructions of their
+  /// own in several languages, without numbers.
   static std::string_view name(Phase phase) noexcept;
 
   explicit SelfTest(SelfTestSettings settings);
