@@ -52,9 +52,9 @@ TEST(ScreenPictures, AreAllListedWithTheirSize) {
     screens << name;
   }
   EXPECT_EQ(screens.size(), all.size());
-  for (const char* name : {"start/start", "understand/overview", "understand/surface", "tune/overview",
-                           "tune/rule_editor", "tune/findings", "tune/history",
-                           "take_part/welcome", "take_part/question_neck", "take_part/force_off"}) {
+  for (const char* name :
+       {"start/start", "understand/overview", "understand/surface", "tune/overview", "tune/rule_editor",
+        "tune/findings", "tune/history", "take_part/welcome", "take_part/question_neck", "take_part/force_off"}) {
     EXPECT_TRUE(screens.contains(QLatin1String(name))) << name;
   }
 }
