@@ -38,8 +38,9 @@ class Scene {
   /// Thread: any. Real-time safe: yes.
   Evaluation evaluate(std::span<const double> free_inputs) const noexcept;
 
-  /// The same at many points, as exactly as evaluateBatch: one array per varying input, all as long as the results. For
-  /// a scene made for batches. Thread: any. Real-time safe: yes.
+  /// The same at many points, as exactly as evaluateBatch, for a scene made for batches: one array per varying input,
+  /// all as long as the results.
+  /// Thread: any. Real-time safe: yes.
   void evaluateBatch(std::span<const std::span<const double>> free_inputs, BatchResult out) const noexcept;
 
  private:
