@@ -1,5 +1,5 @@
 # Installs the library into an empty prefix, and looks at what is there.
-file(REMOVE_RECURSE "${PREFIX}")
+file(REMOVE_RECURSE "${PREFIX}" "${PREFIX}-program")
 foreach(component libtactus1 libtactus-dev)
   execute_process(COMMAND ${CMAKE_COMMAND} --install "${BUILD}" --component ${component} --prefix "${PREFIX}"
                   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
@@ -16,3 +16,16 @@ foreach(wanted include/tactus/tactus.h include/tactus/tactus.hpp "lib.*/libtactu
     message(FATAL_ERROR "not installed: ${wanted}; there is: ${files}")
   endif()
 endforeach()
+
+# The program goes elsewhere, with what a desktop and udev want of it.
+execute_process(COMMAND ${CMAKE_COMMAND} --install "${BUILD}" --component tactus --prefix "${PREFIX}-program"
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+foreach(wanted bin/tactus lib/udev/rules.d/60-tactus.rules share/mime/packages/tactus.xml)
+  if(NOT EXISTS "${PREFIX}-program/${wanted}")
+    message(FATAL_ERROR "not installed: ${wanted}")
+  endif()
+endforeach()
+if(EXISTS "${PREFIX}-program/bin/tactus-workbench" AND
+   NOT EXISTS "${PREFIX}-program/share/applications/tactus-workbench.desktop")
+  message(FATAL_ERROR "the workbench is installed without its desktop entry")
+endif()

@@ -8,10 +8,13 @@
 #include <tactus/tactus.h>
 
 static void shortest(double value, char *out) {
-  int digits;
-  for (digits = 1; digits <= 17; ++digits) {
-    sprintf(out, "%.*g", digits, value);
-    if (strtod(out, NULL) == value) return;
+  char fewer[40];
+  int digits = 17;
+  sprintf(out, "%.*g", digits, value);
+  while (--digits > 0) {
+    sprintf(fewer, "%.*g", digits, value);
+    if (strtod(fewer, NULL) != value) return;
+    strcpy(out, fewer);
   }
 }
 
