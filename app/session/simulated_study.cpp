@@ -1,21 +1,15 @@
 #include "app/session/simulated_study.h"
 
-#include <algorithm>
-#include <future>
 #include <utility>
 #include <vector>
 
 #include "app/session/session.h"
-#include "app/session/simulated_answers.h"
 #include "app/session/simulated_clock.h"
 #include "app/session/simulated_nurse.h"
-#include "app/session/simulated_responder.h"
-#include "app/session/simulated_strokes.h"
+#include "app/session/simulated_traits.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
-#include "experiments/published_tables.h"
-#include "questionnaires/form_file.h"
 
 namespace tactus::session {
 namespace {
@@ -24,46 +18,7 @@ using base::Result;
 
 constexpr std::int64_t kFirstDayUtcMs = 1'767'603'600'000;  // 2026-01-05 09:00
 constexpr double kBetweenSessionsS = 3600;
-constexpr std::uint64_t kCells = 1000;  // of Table 1, more than there are
-
-/// All levels of Table 1, row by row. Each takes a second or less; they are computed at the same time.
-std::vector<SimulatedLevel> levelsOfTable1(std::uint64_t seed) {
-  const auto table = experiments::publishedSpeeds();
-  std::vector<std::future<SimulatedLevel>> made;
-  for (std::size_t cell = 0; cell < table.size(); ++cell) {
-    const std::uint64_t own_seed = seed * kCells + cell;
-    made.push_back(
-        std::async(std::launch::async, [target = table[cell], own_seed] { return simulatedLevel(target, own_seed); }));
-  }
-  std::vector<SimulatedLevel> levels;
-  for (auto& one : made) levels.push_back(one.get());
-  return levels;
-}
-
-/// The four nurses of the paper, in the order of their codes. They hear and feel without noise: their votes are those
-/// of Table 2.
-std::vector<NurseTraits> nursesOf(std::uint64_t seed) {
-  const auto table = experiments::publishedSpeeds();
-  const auto levels = levelsOfTable1(seed);
-  const auto answers = simulatedAnswers(questionnaires::ngtForceForm(), seed);
-  std::vector<NurseTraits> nurses;
-  for (auto& responder : respondersOfTable2()) {
-    NurseTraits nurse;
-    nurse.profile.category = "expert";
-    nurse.profile.handedness = "right";
-    nurse.responder = std::move(responder);
-    nurse.responder.noise = 0;
-    nurse.responder.lapse = 0;
-    const auto& code = nurse.responder.code;
-    for (std::size_t cell = 0; cell < table.size(); ++cell) {
-      if (table[cell].participant == code) nurse.levels[table[cell].level] = levels[cell];
-    }
-    std::copy_if(answers.begin(), answers.end(), std::back_inserter(nurse.answers),
-                 [&](const study::Answer& answer) { return answer.participant == code; });
-    nurses.push_back(std::move(nurse));
-  }
-  return nurses;
-}
+constexpr std::uint64_t kSeedsOfOne = 1000;  // more numbers than one study uses
 
 class Simulation {
  public:
@@ -117,7 +72,7 @@ Result<store::StudyFile> makeSimulatedNgtStudy(const std::string& path, std::uin
   const auto rules = questionnaires::s4Rules(reading);
   if (!rules) return tl::unexpected(rules.error());
   // The numbers after a seed are the seeds of its sessions; those of the next seed must not be among them.
-  const std::uint64_t first_seed = seed * kCells;
+  const std::uint64_t first_seed = seed * kSeedsOfOne;
   study::RecordIds ids(first_seed);
   store::NewStudy study;
   study.id = ids.next();
@@ -127,7 +82,7 @@ Result<store::StudyFile> makeSimulatedNgtStudy(const std::string& path, std::uin
   auto file = store::StudyFile::create(path, study);
   if (!file) return file;
   Simulation simulation(*file, std::move(ids), first_seed, program);
-  for (const auto& nurse : nursesOf(seed)) {
+  for (const auto& nurse : simulatedNurses(seed)) {
     const bool published = rules->front().participant == nurse.responder.code;
     if (auto ok = simulation.visit(nurse, published ? *rules : std::vector<study::GivenRule>{}); !ok) {
       return tl::unexpected(inFile(ok.error(), path));

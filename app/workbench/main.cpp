@@ -10,6 +10,7 @@
 #include "app/version.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/program_options.h"
+#include "app/workbench/rehearse_start.h"
 #include "app/workbench/take_part_start.h"
 #include "app/workbench/translation.h"
 #include "app/workbench/workbench.h"
@@ -61,6 +62,25 @@ int takePart(const QString& study, QSettings& settings) {
   return QApplication::exec();
 }
 
+/// A simulated nurse on these screens. 0 when all that she did is in the study.
+int rehearse(const RehearseSettings& settings) {
+  QApplication::setQuitOnLastWindowClosed(false);
+  RehearseStart start(settings);
+  std::printf("%s\n", qPrintable(start.study()));
+  std::fflush(stdout);
+  QObject::connect(
+      &start, &RehearseStart::succeeded, &start, [] { QApplication::exit(0); }, Qt::QueuedConnection);
+  QObject::connect(
+      &start, &RehearseStart::failed, &start,
+      [](const QString& sentence) {
+        std::fprintf(stderr, "tactus-workbench: %s\n", qPrintable(sentence));
+        QApplication::exit(1);
+      },
+      Qt::QueuedConnection);
+  start.begin();
+  return QApplication::exec();
+}
+
 QStringList argumentsOf(int argc, char** argv) {
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
@@ -92,6 +112,7 @@ int main(int argc, char** argv) {
 
   QSettings settings;
   theme::apply(application, theme::storedLook(settings));
+  if (read->rehearse) return rehearse(*read->rehearse);
   if (!read->take_part.isEmpty()) return takePart(read->take_part, settings);
   Workbench workbench(settings);
   workbench.window.show();

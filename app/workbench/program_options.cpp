@@ -14,6 +14,9 @@ struct OptionText {
 };
 
 constexpr auto kTakePart = "take-part";
+constexpr auto kRehearse = "rehearse";
+constexpr auto kSpeed = "speed";
+constexpr auto kStudy = "study";
 constexpr auto kScreens = "screens";
 constexpr auto kSize = "size";
 constexpr auto kScale = "scale";
@@ -23,6 +26,8 @@ constexpr int kSmallest = 320;  // px; below it no screen can be recognized
 constexpr int kLargest = 8192;
 constexpr double kLeastScale = 0.5;
 constexpr double kMostScale = 4;
+constexpr double kLeastSpeed = 0.1;
+constexpr double kMostSpeed = 1000;
 
 tl::unexpected<base::Error> refuse(const char* option, const QString& found, const char* wanted) {
   return base::fail(base::ErrorCode::kValue, std::string("--") + option, base::quoted(found.toStdString()), wanted);
@@ -59,6 +64,19 @@ base::Result<PictureSettings> picturesOf(const QCommandLineParser& parser) {
   return pictures;
 }
 
+base::Result<RehearseSettings> rehearseOf(const QCommandLineParser& parser) {
+  RehearseSettings rehearse;
+  rehearse.study = parser.value(QLatin1String(kStudy));
+  if (!parser.isSet(QLatin1String(kSpeed))) return rehearse;
+  const QString text = parser.value(QLatin1String(kSpeed));
+  bool number = false;
+  rehearse.speed = QLocale::c().toDouble(text, &number);
+  if (!number || !(rehearse.speed >= kLeastSpeed && rehearse.speed <= kMostSpeed)) {
+    return refuse(kSpeed, text, "a number from 0.1 to 1000");
+  }
+  return rehearse;
+}
+
 }  // namespace
 
 void describeOptions(QCommandLineParser& parser) {
@@ -69,6 +87,12 @@ void describeOptions(QCommandLineParser& parser) {
     parser.addOption({QLatin1String(name), help, value});
   };
   option(kTakePart, OptionText::tr("Show the screens of the participants of <study>, and nothing else."),
+         OptionText::tr("study"));
+  parser.addOption({QLatin1String(kRehearse),
+                    OptionText::tr("A simulated nurse does a whole session on the screens; ends when it is stored.")});
+  option(kSpeed, OptionText::tr("How many times faster than the clock the rehearsal is; 1 without this option."),
+         OptionText::tr("factor"));
+  option(kStudy, OptionText::tr("The study of the rehearsal; without this option a new one, whose place is printed."),
          OptionText::tr("study"));
   option(kScreens,
          OptionText::tr("Save a picture of every screen in <folder>, from the demo study, without a display."),
@@ -86,6 +110,11 @@ base::Result<ProgramOptions> readOptions(const QCommandLineParser& parser) {
   ProgramOptions options;
   if (const QStringList files = parser.positionalArguments(); !files.isEmpty()) options.file = files.first();
   options.take_part = parser.value(QLatin1String(kTakePart));
+  if (parser.isSet(QLatin1String(kRehearse))) {
+    auto rehearse = rehearseOf(parser);
+    if (!rehearse) return tl::unexpected(rehearse.error());
+    options.rehearse = std::move(*rehearse);
+  }
   if (parser.isSet(QLatin1String(kScreens))) {
     auto pictures = picturesOf(parser);
     if (!pictures) return tl::unexpected(pictures.error());

@@ -6,15 +6,17 @@
 #include <QStringList>
 #include <optional>
 
+#include "app/workbench/rehearse_start.h"
 #include "app/workbench/screen_pictures.h"
 #include "core/base/error.h"
 
 namespace tactus::workbench {
 
 struct ProgramOptions {
-  QString file;                             ///< a model or a study; empty: none
-  std::optional<PictureSettings> pictures;  ///< --screens
-  QString take_part;                        ///< the study of --take-part; empty: none
+  QString file;                              ///< a model or a study; empty: none
+  std::optional<PictureSettings> pictures;   ///< --screens
+  QString take_part;                         ///< the study of --take-part; empty: none
+  std::optional<RehearseSettings> rehearse;  ///< --rehearse
 };
 
 /// Options, arguments and their help texts. Needs no QApplication.

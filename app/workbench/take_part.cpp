@@ -1,19 +1,22 @@
 #include "app/workbench/take_part.h"
 
 #include <QPointer>
+#include <utility>
 
 #include "app/workbench/participant/leave_panel.h"
 #include "core/store/research_key.h"
 
 namespace tactus::workbench {
 
-TakePart::TakePart(StudyConnection& study, DeviceSession& device, const ParticipantPlan& plan)
+TakePart::TakePart(StudyConnection& study, DeviceSession& device, const ParticipantPlan& plan,
+                   std::function<study::Moment()> now)
     : study_(study),
-      course_(study, device, plan),
+      course_(study, device, plan, std::move(now)),
       window_(look_, [&device] { device.setForce({}); }),
       views_(course_, look_, window_),
       hand_(window_, look_, device) {
   connect(&course_, &ParticipantController::changed, this, &TakePart::giveHand);
+  connect(&views_, &ParticipantViews::finished, this, &TakePart::finished);
   connect(&window_, &ParticipantWindow::forceOff, &course_, &ParticipantController::forceOff);
   connect(&window_, &ParticipantWindow::leaveAsked, this, &TakePart::askForPassphrase);
 }
@@ -29,7 +32,9 @@ void TakePart::giveHand() {
                       (state.screen == Screen::kDeviceCheck && state.device != DeviceStep::kReady);
   const bool feels = (state.screen == Screen::kForce || state.screen == Screen::kPractice) && state.feels_force &&
                      state.force.stage != ForceState::Stage::kAnswer;
-  hand_.setWanted(state.overlay == ForceOffOverlay::kNone && (pushes || feels));
+  const bool covered = state.overlay != ForceOffOverlay::kNone;
+  hand_.setWanted(!covered && (pushes || feels));
+  if (covered) hand_.letGo();
 }
 
 void TakePart::askForPassphrase() {

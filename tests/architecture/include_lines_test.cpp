@@ -127,6 +127,8 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/study", room({"base", "kit", "model", "study/connection"})},
       {"app/workbench/participant",
        room({"base", "device", "study/connection", "participant/kit", "participant/screens"})},
+      {"app/workbench/rehearsal",
+       room({"base", "device", "study/connection", "participant", "participant/kit", "participant/screens"})},
       {"app/workbench/shell", room({"base", "kit", "model"})},
       {"app/workbench/participant/kit", room({"base", "anatomy"})},
       {"app/workbench/participant/screens", room({"base", "anatomy", "participant/kit"})},
@@ -150,7 +152,8 @@ const std::map<std::string, Permission>& permissions() {
                               "shell",
                               "participant",
                               "participant/kit",
-                              "participant/screens"})},
+                              "participant/screens",
+                              "rehearsal"})},
       {"app", {{}, {}}},
   };
   return table;

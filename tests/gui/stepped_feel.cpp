@@ -2,57 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/haptics/simulated/virtual_device.h"
+#include <memory>
+#include <utility>
 
 namespace tactus::tests {
 namespace {
 
-constexpr std::int64_t kTickNs = 1'000'000;
-constexpr int kBeatMs = 16;
+constexpr int kBeatMs = workbench::VirtualTime::kBeat;
 
 }  // namespace
 
-class SteppedFeel::Loop final : public workbench::ServoLoop {
- public:
-  Loop(SteppedFeel& owner, haptics::Servo& servo) : owner_(owner), servo_(servo) { owner_.loop_ = this; }
-  ~Loop() override { owner_.loop_ = nullptr; }
-
-  base::Result<void> start() override {
-    running_ = true;
-    return {};
-  }
-  void stop() noexcept override {
-    if (running_) servo_.release(owner_.now_ns_);
-    running_ = false;
-  }
-  std::int64_t nowNs() const noexcept override { return owner_.now_ns_; }
-  QString priorityText() const override { return QStringLiteral("virtual time"); }
-
-  void tick() {
-    if (!running_) return;
-    servo_.tick(owner_.now_ns_);
-    ++owner_.ticks_;
-  }
-
- private:
-  SteppedFeel& owner_;
-  haptics::Servo& servo_;
-  bool running_ = false;
-};
-
-workbench::DeviceAccess SteppedFeel::settings() {
-  workbench::DeviceAccess settings;
-  settings.open_device = [this](const std::string&) -> base::Result<devices::OpenedDevice> {
-    auto device = haptics::VirtualDevice::make(device_);
-    if (!device) return tl::unexpected(device.error());
-    devices::OpenedDevice opened;
-    opened.device = std::move(*device);
-    return opened;
-  };
-  settings.make_loop = [this](haptics::Servo& servo) { return std::make_unique<Loop>(*this, servo); };
-  return settings;
-}
+workbench::DeviceAccess SteppedFeel::settings() { return time_.access(device_); }
 
 namespace {
 
@@ -94,24 +54,9 @@ workbench::DeviceAccess SteppedFeel::slowSettings(const std::atomic<bool>& lets_
   return slow;
 }
 
-void SteppedFeel::advance(workbench::DeviceSession& session, int milliseconds) {
-  for (int ms = 1; ms <= milliseconds; ++ms) {
-    now_ns_ += kTickNs;
-    if (loop_ != nullptr) loop_->tick();
-    if (ms % kBeatMs == 0 || ms == milliseconds) session.beat();
-  }
-}
-
-void SteppedFeel::hang(int milliseconds) {
-  for (int ms = 0; ms < milliseconds; ++ms) {
-    now_ns_ += kTickNs;
-    if (loop_ != nullptr) loop_->tick();
-  }
-}
-
 void SteppedFeel::stall(workbench::DeviceSession& session, int milliseconds) {
   for (int ms = 1; ms <= milliseconds; ++ms) {
-    now_ns_ += kTickNs;
+    pass(1);
     if (ms % kBeatMs == 0 || ms == milliseconds) session.beat();
   }
 }

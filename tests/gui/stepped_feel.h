@@ -4,9 +4,9 @@
 #include <QString>
 #include <atomic>
 #include <cstdint>
-#include <memory>
 
 #include "app/workbench/device/device_session.h"
+#include "app/workbench/device/virtual_time.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "core/haptics/simulated/virtual_device_settings.h"
 
@@ -22,13 +22,13 @@ class SteppedFeel {
   workbench::DeviceAccess slowSettings(const std::atomic<bool>& lets_go);
 
   /// Ticks once per millisecond; `session` gets a beat every 16 ms and one at the end.
-  void advance(workbench::DeviceSession& session, int milliseconds);
+  void advance(workbench::DeviceSession& session, int milliseconds) { time_.advance(session, milliseconds); }
   /// Ticks without a beat: the program stands still.
-  void hang(int milliseconds);
+  void hang(int milliseconds) { time_.hang(milliseconds); }
   /// Time goes on and `session` gets its beats, but nothing calls the servo.
   void stall(workbench::DeviceSession& session, int milliseconds);
   /// Time goes on while nothing is felt.
-  void pass(int milliseconds) { now_ns_ += std::int64_t{1'000'000} * milliseconds; }
+  void pass(int milliseconds) { time_.pass(milliseconds); }
   /// The wish of the hand goes to `position_mm` with `speed_mm_s`, and rests there for 0.1 s.
   void moveTo(workbench::DeviceSession& session, double position_mm, double speed_mm_s);
 
@@ -40,19 +40,15 @@ class SteppedFeel {
   }
 
   /// The virtual time of all devices.
-  std::int64_t nowNs() const { return now_ns_; }
+  std::int64_t nowNs() const { return time_.nowNs(); }
   /// Ticks of all loops so far.
-  std::uint64_t ticks() const { return ticks_; }
+  std::uint64_t ticks() const { return time_.ticks(); }
   /// Loops that are there now.
-  int loops() const { return loop_ != nullptr ? 1 : 0; }
+  int loops() const { return time_.hasLoop() ? 1 : 0; }
 
  private:
-  class Loop;
-
   haptics::VirtualDeviceSettings device_;
-  Loop* loop_ = nullptr;  ///< of the present run
-  std::int64_t now_ns_ = 1'000'000'000;
-  std::uint64_t ticks_ = 0;
+  workbench::VirtualTime time_;
 };
 
 }  // namespace tactus::tests

@@ -27,25 +27,22 @@ VirtualHand::VirtualHand(ParticipantWindow& window, const nurse::Look& look, Dev
 void VirtualHand::setWanted(bool wanted) {
   if (wanted == wanted_) return;
   wanted_ = wanted;
-  if (!wanted) letGo();
+  if (!wanted && !holds()) letGo();
 }
 
 bool VirtualHand::eventFilter(QObject* watched, QEvent* event) {
   auto* const widget = qobject_cast<QWidget*>(watched);
-  if (!wanted_ || widget == nullptr || widget->window() != &window_ || window_.isCovered() || !device_.isHandLive()) {
-    return QObject::eventFilter(watched, event);
-  }
+  if (holds() && window_.isCovered()) letGo();
+  if (from_px_ && watched == window_.windowHandle()) follow(*event);
+  const bool here = widget != nullptr && widget->window() == &window_ && !window_.isCovered();
+  if (!here || !(wanted_ || holds()) || !device_.isHandLive()) return QObject::eventFilter(watched, event);
   switch (event->type()) {
     case QEvent::MouseButtonPress:
       // Buttons and cards take their presses; what reaches the window is meant for nothing else.
-      if (watched == &window_ && press(static_cast<const QMouseEvent&>(*event))) return true;
+      if (wanted_ && watched == &window_ && press(static_cast<const QMouseEvent&>(*event))) return true;
       break;
-    case QEvent::MouseMove:
-      if (from_px_) drag(static_cast<const QMouseEvent&>(*event));
-      break;
-    case QEvent::MouseButtonRelease:
     case QEvent::WindowDeactivate:
-      if (from_px_) letGo();
+      if (holds()) letGo();
       break;
     case QEvent::KeyPress:
       return key(static_cast<const QKeyEvent&>(*event), true);
@@ -64,6 +61,12 @@ bool VirtualHand::press(const QMouseEvent& event) {
   return true;
 }
 
+// At the window itself: what the press went to may be hidden meanwhile, and gets no more events.
+void VirtualHand::follow(const QEvent& event) {
+  if (event.type() == QEvent::MouseMove) drag(static_cast<const QMouseEvent&>(event));
+  if (event.type() == QEvent::MouseButtonRelease) letGo();
+}
+
 void VirtualHand::drag(const QMouseEvent& event) {
   constexpr double kScaleMm = 100;
   moveTo((event.globalPosition().x() - *from_px_) / look_.mm(kScaleMm) * kScaleMm);
@@ -71,6 +74,7 @@ void VirtualHand::drag(const QMouseEvent& event) {
 
 void VirtualHand::letGo() {
   from_px_.reset();
+  space_ = false;
   device_.setHeld(false);
   moveTo(0);
 }
@@ -78,7 +82,11 @@ void VirtualHand::letGo() {
 bool VirtualHand::key(const QKeyEvent& event, bool down) {
   switch (event.key()) {
     case Qt::Key_Space:
-      if (!event.isAutoRepeat()) device_.setHeld(down);
+      if (event.isAutoRepeat()) return true;
+      if (!wanted_ && down) return false;
+      space_ = down;
+      device_.setHeld(down);
+      if (!wanted_) letGo();
       return true;
     case Qt::Key_Right:
     case Qt::Key_Left:

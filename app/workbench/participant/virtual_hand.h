@@ -24,23 +24,28 @@ class VirtualHand : public QObject {
   /// Does nothing while another device than the virtual one runs. All outlive this.
   VirtualHand(ParticipantWindow& window, const nurse::Look& look, DeviceSession& device);
 
-  /// Whether the screen asks for the hand: only then are Space and the arrows the hand's.
+  /// Whether the screen asks for the hand: only then are Space and the arrows the hand's. A hand that holds the handle
+  /// keeps it until it lets go: she feels a force also while the screen asks how large it is.
   void setWanted(bool wanted);
+  /// Lets go at once, and goes back to the start.
+  void letGo();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   bool press(const QMouseEvent& event);
+  void follow(const QEvent& event);
   void drag(const QMouseEvent& event);
-  void letGo();
   bool key(const QKeyEvent& event, bool down);
   void moveTo(double position_mm);
+  bool holds() const { return from_px_ || space_; }
 
   ParticipantWindow& window_;
   const nurse::Look& look_;
   DeviceSession& device_;
   bool wanted_ = false;
+  bool space_ = false;             ///< is down, and holds
   std::optional<double> from_px_;  ///< where a drag began
 };
 

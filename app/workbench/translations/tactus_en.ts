@@ -543,6 +543,22 @@
         <source>study</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A simulated nurse does a whole session on the screens; ends when it is stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times faster than the clock the rehearsal is; 1 without this option.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The study of the rehearsal; without this option a new one, whose place is printed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PictureParts</name>
@@ -689,6 +705,10 @@
     </message>
     <message>
         <source>ordinary thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>virtual time</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2836,6 +2856,17 @@ felt on the model %2</source>
     </message>
     <message>
         <source>RMS %1 · largest %2 at %3 · over %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::Rehearsal</name>
+    <message>
+        <source>The screens ended the session before the nurse was done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has happened on the screen for fifteen minutes.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

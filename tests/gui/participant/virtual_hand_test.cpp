@@ -85,6 +85,52 @@ TEST_F(VirtualHandTest, WhereNobodyAsksForTheHandTheKeysAreTheScreens) {
   EXPECT_EQ(device.targetMm(), 0);
 }
 
+TEST_F(VirtualHandTest, AHandThatHoldsKeepsTheHandleWhenTheScreenAsksSomethingElse) {
+  button->hide();
+  const QPoint start(100, 400);
+  press(start);
+  move(start + QPoint(look.mm(30), 0));
+  hand.setWanted(false);  // the force is full, and the question appears
+  EXPECT_NEAR(device.targetMm(), 30, 0.5);
+  move(start + QPoint(look.mm(50), 0));
+  EXPECT_NEAR(device.targetMm(), 50, 0.5);
+  release(start);
+  EXPECT_EQ(device.targetMm(), 0);
+  press(start);
+  move(start + QPoint(look.mm(30), 0));
+  EXPECT_EQ(device.targetMm(), 0);
+  release(start);
+}
+
+TEST_F(VirtualHandTest, TheHandIsNotLostWithWhatLayUnderTheMouse) {
+  button->hide();
+  auto* label = new QWidget(screen);
+  label->setGeometry(50, 350, 400, 100);
+  label->show();
+  const QPoint start(100, 400);
+  press(start);
+  label->hide();
+  move(start + QPoint(look.mm(30), 0));
+  EXPECT_NEAR(device.targetMm(), 30, 0.5);
+  release(start);
+  EXPECT_EQ(device.targetMm(), 0);
+}
+
+TEST_F(VirtualHandTest, SpaceHoldsOnUntilItIsReleasedAndThenBelongsToTheScreen) {
+  button->setFocus();
+  int clicks = 0;
+  QObject::connect(button, &QPushButton::clicked, &window, [&clicks] { ++clicks; });
+  QTest::keyPress(button, Qt::Key_Space);
+  hand.setWanted(false);
+  QTest::keyClick(button, Qt::Key_Right);
+  EXPECT_EQ(device.targetMm(), 4);
+  QTest::keyRelease(button, Qt::Key_Space);
+  EXPECT_EQ(device.targetMm(), 0);
+  EXPECT_EQ(clicks, 0);
+  QTest::keyClick(button, Qt::Key_Space);
+  EXPECT_EQ(clicks, 1);
+}
+
 TEST_F(VirtualHandTest, UnderACoverTheHandRests) {
   window.cover(new QWidget);
   press({100, 400});

@@ -1,0 +1,61 @@
+// A simulated nurse goes through a whole session on the screens, in time that passes faster than that of the clock.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "app/workbench/device/virtual_time.h"
+#include "app/workbench/rehearsal/screen_hands.h"
+#include "app/workbench/rehearsal/screen_nurse.h"
+
+namespace tactus::workbench {
+
+class ParticipantController;
+
+/// Thread: gui.
+class Rehearsal : public QObject {
+  Q_OBJECT
+
+ public:
+  /// What is rehearsed on; all outlive this. `device` runs in `time`.
+  struct Stage {
+    ParticipantController& course;
+    ParticipantWindow& window;
+    const nurse::Look& look;
+    DeviceSession& device;
+    VirtualTime& time;
+  };
+
+  /// `speed` > 0: how many seconds of the nurse pass in one of the clock, as far as the computer can follow.
+  Rehearsal(const Stage& stage, session::NurseTraits traits, std::uint64_t seed, double speed);
+
+  void begin();
+  const NurseMemory& memory() const { return nurse_.memory(); }
+
+ signals:
+  /// She is done with the last screen.
+  void done();
+  /// One sentence: why she cannot go on.
+  void stuck(const QString& sentence);
+
+ private:
+  void wake();
+  bool standsStill();
+  double nowS() const { return static_cast<double>(stage_.time.nowNs()) * 1e-9; }
+
+  Stage stage_;
+  ScreenHands hands_;
+  ScreenNurse nurse_;
+  double speed_;
+  QTimer timer_;
+  QElapsedTimer clock_;  ///< since the last wake
+  double owed_ms_ = 0;   ///< of virtual time
+  // The last time at which something else was asked.
+  std::uint64_t serial_ = 0;
+  double serial_since_s_ = 0;
+  QElapsedTimer serial_since_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,307 @@
+#include "app/workbench/rehearsal/screen_nurse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/published_tables.h"
+
+namespace tactus::workbench {
+namespace {
+
+using Screen = ParticipantScreen;
+using session::Recording;
+
+constexpr double kHandRateHz = 100;  // of a path made here
+
+/// Holds still for `still_s`, moves to `to_mm` with `speed_mm_s`, and rests for `rest_s`.
+Recording pathOf(double still_s, double to_mm, double speed_mm_s, double rest_s) {
+  Recording out;
+  const double moves_s = std::abs(to_mm) / speed_mm_s;
+  const int samples = static_cast<int>((still_s + moves_s + rest_s) * kHandRateHz);
+  for (int i = 0; i <= samples; ++i) {
+    const double time_s = i / kHandRateHz;
+    out.time_s.push_back(time_s);
+    out.depth_mm.push_back(to_mm * std::clamp((time_s - still_s) / moves_s, 0.0, 1.0));
+  }
+  return out;
+}
+
+/// Where the path is at `time_s`: its last sample before.
+double placeAt(const Recording& path, double time_s) {
+  const auto after = std::upper_bound(path.time_s.begin(), path.time_s.end(), time_s);
+  if (after == path.time_s.begin()) return path.depth_mm.front();
+  return path.depth_mm[static_cast<std::size_t>(after - path.time_s.begin()) - 1];
+}
+
+QString wordId(const QString& answer) {
+  return QStringLiteral("w.") + (answer == QLatin1String("beyond_practice") ? QStringLiteral("beyond") : answer);
+}
+
+}  // namespace
+
+ScreenNurse::ScreenNurse(ScreenHands& hands, session::NurseTraits traits, std::uint64_t seed)
+    : hands_(hands),
+      traits_(std::move(traits)),
+      responder_(traits_.responder, experiments::publishedVoteTerms()),
+      random_(seed) {}
+
+void ScreenNurse::live(const ParticipantState& state, const haptics::Sample& felt, double now_s) {
+  now_s_ = now_s;
+  notice(state);
+  if (moveHand(felt) || now_s_ < busy_until_s_) return;
+  const ParticipantState seen = state;  // a press may change it
+  act(seen);
+}
+
+// What the screens show of what she did: an answer counts for her once they went on.
+void ScreenNurse::notice(const ParticipantState& state) {
+  if (!state.code.isEmpty()) memory_.code = state.code;
+  // A level has all of its dots before the next one is shown.
+  if (state.screen == Screen::kSpeed) memory_.strokes[state.speed.level] = state.speed.wanted;
+  if (state.serial == serial_) return;
+  serial_ = state.serial;
+  if (state.overlay != ForceOffOverlay::kNone) {
+    said_.reset();
+    hands_.letGo();
+  }
+  if (said_) memory_.judgements.push_back(*std::exchange(said_, std::nullopt));
+  wait(0.6, 1.2);  // she looks at what is new
+}
+
+void ScreenNurse::act(const ParticipantState& state) {
+  if (state.overlay != ForceOffOverlay::kNone) {
+    hands_.press("nav.continue");
+    return wait(1, 2);
+  }
+  if (state.paused || state.failed) return wait(1, 1);
+  switch (state.screen) {
+    case Screen::kWelcome:
+      return atWelcome(state.welcome);
+    case Screen::kConsent:
+      if (!hands_.press("con.agree")) hands_.press("nav.next");
+      return wait(4, 8);
+    case Screen::kAboutYou:
+      return tellAboutHerself(state.about);
+    case Screen::kDeviceCheck:
+      return checkDevice(state.device);
+    case Screen::kPractice:
+    case Screen::kForce:
+      if (!state.feels_force) return insert(state);
+      if (state.force.stage == ForceState::Stage::kFeel) {
+        again_ = state.force.again;
+        return feel();
+      }
+      return judge(state.force);
+    case Screen::kSpeed:
+      return insert(state);
+    case Screen::kRest:
+      wait(15, 40);
+      hands_.press("nav.continue");
+      return;
+    case Screen::kGlossary:
+      hands_.press("nav.next");
+      return wait(3, 6);
+    case Screen::kQuestion:
+      return answer(state.question);
+    case Screen::kReview:
+      return review();
+    case Screen::kOwnModel:
+      return feelOwnModel(state.own);
+    case Screen::kThanks:
+      done_ = hands_.press("thx.done");
+      return wait(1, 1);
+    case Screen::kStopped:
+      sent_away_ = true;
+      return;
+  }
+}
+
+/// One moment of a hand that holds the handle. False: it does not.
+bool ScreenNurse::moveHand(const haptics::Sample& felt) {
+  if (!hands_.holds()) return false;
+  felt_n_ = std::max(felt_n_, felt.force_n);
+  const double time_s = now_s_ - path_since_s_;
+  if (time_s <= path_.time_s.back()) {
+    hands_.moveTo(placeAt(path_, time_s));
+  } else {
+    hands_.letGo();
+    wait(0.5, 1);
+  }
+  return true;
+}
+
+void ScreenNurse::take(Recording path) {
+  path_ = std::move(path);
+  path_since_s_ = now_s_;
+  felt_n_ = 0;
+  hands_.takeHold();
+}
+
+void ScreenNurse::wait(double least_s, double most_s) {
+  busy_until_s_ = std::max(busy_until_s_, now_s_ + random_.uniform(least_s, most_s));
+}
+
+void ScreenNurse::atWelcome(const WelcomeState& welcome) {
+  if (done_) return;
+  hands_.press(welcome.step == WelcomeState::Step::kStart ? "code.new" : "nav.next");
+  wait(2, 4);
+}
+
+void ScreenNurse::tellAboutHerself(const AboutYouState& about) {
+  using Question = AboutYouState::Question;
+  if (!about.chosen.isEmpty()) {
+    hands_.press("nav.next");
+    return wait(1, 2);
+  }
+  switch (about.question) {
+    case Question::kYears:
+      hands_.press("you.years_3");
+      break;
+    case Question::kHand:
+      hands_.press(QStringLiteral("you.hand_") + QString::fromStdString(traits_.profile.handedness));
+      break;
+    case Question::kHaptic:
+      hands_.press("you.haptic_0");
+      break;
+    case Question::kGloves:
+    case Question::kComfort:
+      hands_.press("you.yes");
+      break;
+  }
+  wait(2, 5);
+}
+
+void ScreenNurse::checkDevice(DeviceStep step) {
+  switch (step) {
+    case DeviceStep::kReady:
+      hands_.press("nav.next");
+      return wait(1, 2);
+    case DeviceStep::kWrong:
+    case DeviceStep::kLost:
+      hands_.press("nav.repeat");
+      return wait(2, 4);
+    case DeviceStep::kHold:
+      return take(pathOf(1.5, 30, 60, 0.3));
+    default:
+      return wait(0.2, 0.4);
+  }
+}
+
+void ScreenNurse::insert(const ParticipantState& state) {
+  const auto level = traits_.levels.find(state.speed.level.toStdString());
+  if (level == traits_.levels.end()) {
+    sent_away_ = true;
+    return;
+  }
+  const bool practice = state.screen == Screen::kPractice;
+  int& tries = tries_[{state.speed.level, practice ? -1 - state.speed.recorded : state.speed.recorded}];
+  const bool too_short = tries++ == 0 && random_.uniform() < traits_.stops_early;
+  const auto& good = practice ? level->second.practice : level->second.strokes;
+  take(too_short ? level->second.too_short : good[static_cast<std::size_t>(state.speed.recorded) % good.size()]);
+}
+
+void ScreenNurse::feel() {
+  const bool still = !again_ && random_.uniform() < traits_.holds_still;
+  take(pathOf(0.4, still ? 0.1 : random_.uniform(35, 55), random_.uniform(30, 80), 0.3));
+}
+
+void ScreenNurse::judge(const ForceState& force) {
+  if (force.stage != ForceState::Stage::kAnswer) return wait(0.1, 0.2);
+  if (!force.asks) {
+    hands_.press("nav.next");
+    return wait(0.8, 1.5);
+  }
+  if (force.chosen.isEmpty()) {
+    hands_.press(wordId(wordFor(felt_n_)));
+    return wait(0.5, 1);
+  }
+  if (hands_.press("nav.confirm")) said_ = force.chosen;
+  wait(0.8, 1.2);
+}
+
+QString ScreenNurse::wordFor(double felt_n) {
+  const session::Response response = responder_.judge(felt_n, random_);
+  using Kind = study::ForceJudgement::Kind;
+  if (response.kind == Kind::kNotFelt) return QStringLiteral("not_felt");
+  if (response.kind == Kind::kBeyondPractice) return QStringLiteral("beyond_practice");
+  return QString::fromStdString(response.term);
+}
+
+QString ScreenNurse::replyTo(int item) const {
+  for (const study::Answer& answer : traits_.answers) {
+    if (answer.item == item && answer.status == study::Answer::Status::kAnswered) {
+      return QString::fromStdString(answer.term);
+    }
+  }
+  return QStringLiteral("cant_tell");
+}
+
+QString ScreenNurse::besides(const QString& word) const {
+  const auto words = experiments::publishedVoteTerms();
+  const auto at = std::find(words.begin(), words.end(), word.toStdString());
+  if (at == words.end()) return word;
+  return QString::fromStdString(at == words.begin() ? words[1] : *std::prev(at));
+}
+
+void ScreenNurse::answer(const QuestionState& question) {
+  const QString right = replyTo(question.item);
+  if (question.from_review) regrets_.erase(question.item);
+  const auto regret = regrets_.find(question.item);
+  QString word = regret == regrets_.end() ? right : besides(right);
+  const bool first = memory_.replies.find(question.item) == memory_.replies.end();
+  if (first && regret == regrets_.end() && random_.uniform() < traits_.second_thoughts) {
+    regrets_[question.item] = right;
+    word = besides(right);
+  }
+  if (question.chosen != word) {
+    hands_.press(wordId(word));
+    memory_.replies[question.item] = word;
+    return wait(0.5, 1);
+  }
+  hands_.press("nav.confirm");
+  wait(1.5, 7);
+}
+
+void ScreenNurse::review() {
+  wait(1, 3);
+  for (const auto& [item, right] : regrets_) {
+    if (hands_.pressCell(item)) return;
+  }
+  if (hands_.press("nav.next")) return;
+  if (!regrets_.empty()) {
+    hands_.press("nav.back");
+    return;
+  }
+  if (hands_.press("nav.seal")) memory_.sealed = true;
+}
+
+void ScreenNurse::feelOwnModel(const OwnModelState& own) {
+  wait(0.5, 1);
+  if (!own.unavailable.isEmpty()) {
+    hands_.press("nav.next");
+    return;
+  }
+  if (!own.ready) return;
+  if (felt_region_ != own.number) {
+    felt_region_ = own.number;
+    marked_ = false;
+    return take(pathOf(0.3, 40, 40, 0.3));
+  }
+  constexpr int kMarkedRegion = 2;
+  if (own.number == kMarkedRegion && !marked_) {
+    marked_ = hands_.press("own.mark");
+    if (marked_) ++memory_.marks;
+    return;
+  }
+  const QString word = own.number == 1 ? QStringLiteral("lighter") : QStringLiteral("right");
+  if (own.chosen != word) {
+    hands_.press(QStringLiteral("own.") + word);
+    return;
+  }
+  if (hands_.press("nav.next")) {
+    const std::pair<QString, QString> said(own.region, word);
+    if (memory_.own_regions.empty() || memory_.own_regions.back() != said) memory_.own_regions.push_back(said);
+  }
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,89 @@
+// A simulated nurse in front of the screens: she reads them, thinks for a while, presses what a nurse would press and
+// moves the virtual hand. She knows what the screens show and what the hand feels, and nothing else.
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/session/simulated_nurse.h"
+#include "app/session/simulated_recording.h"
+#include "app/session/simulated_responder.h"
+#include "app/workbench/participant/participant_state.h"
+#include "app/workbench/rehearsal/screen_hands.h"
+#include "core/base/random.h"
+#include "core/haptics/servo/sample.h"
+
+namespace tactus::workbench {
+
+/// What the nurse has done, as she remembers it.
+struct NurseMemory {
+  QString code;
+  std::map<QString, int> strokes;   ///< insertions that were asked for, by the term id of the speed
+  std::vector<QString> judgements;  ///< words of the forces, in order; also those asked again
+  std::map<int, QString> replies;   ///< the last word of each item
+  std::vector<std::pair<QString, QString>> own_regions;  ///< region, comparison
+  int marks = 0;
+  bool sealed = false;
+};
+
+/// Thread: gui.
+class ScreenNurse {
+ public:
+  /// `hands` outlives this. The same `seed` gives the same session.
+  ScreenNurse(ScreenHands& hands, session::NurseTraits traits, std::uint64_t seed);
+
+  /// One moment. `now_s`: her time, which never goes back; call it at least 50 times a second of it.
+  void live(const ParticipantState& state, const haptics::Sample& felt, double now_s);
+
+  /// She has pressed the last button of the last screen.
+  bool isDone() const { return done_; }
+  /// The screens led her away from a whole session.
+  bool isSentAway() const { return sent_away_; }
+  const NurseMemory& memory() const { return memory_; }
+
+ private:
+  void notice(const ParticipantState& state);
+  void act(const ParticipantState& state);
+  bool moveHand(const haptics::Sample& felt);
+  void take(session::Recording path);
+  void wait(double least_s, double most_s);
+  void atWelcome(const WelcomeState& welcome);
+  void tellAboutHerself(const AboutYouState& about);
+  void checkDevice(DeviceStep step);
+  void insert(const ParticipantState& state);
+  void feel();
+  void judge(const ForceState& force);
+  void answer(const QuestionState& question);
+  void review();
+  void feelOwnModel(const OwnModelState& own);
+  QString wordFor(double felt_n);
+  QString replyTo(int item) const;
+  QString besides(const QString& word) const;
+
+  ScreenHands& hands_;
+  session::NurseTraits traits_;
+  session::SimulatedResponder responder_;
+  base::Random random_;
+  NurseMemory memory_;
+  double now_s_ = 0;
+  double busy_until_s_ = 0;
+  session::Recording path_;  ///< of the hand, while it holds
+  double path_since_s_ = 0;
+  double felt_n_ = 0;                             ///< the largest force since the hand took the handle
+  std::uint64_t serial_ = 0;                      ///< of the state before
+  std::optional<QString> said_;                   ///< a word that she has just confirmed
+  std::map<std::pair<QString, int>, int> tries_;  ///< of each insertion
+  std::map<int, QString> regrets_;                ///< items that she will correct, and the right word
+  bool again_ = false;                            ///< the same force once more: this time she moves
+  std::optional<int> felt_region_;                ///< the region of the own model that she has felt
+  bool marked_ = false;
+  bool done_ = false;
+  bool sent_away_ = false;
+};
+
+}  // namespace tactus::workbench
