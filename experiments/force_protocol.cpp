@@ -16,7 +16,7 @@ constexpr double kSameForceN = 1e-9;
 constexpr const char* kStandStill = "Once more, please: push forward while you feel the force.";
 constexpr const char* kNotDelivered = "Once more, please: the device did not give the whole force.";
 
-bool isOf(const study::JudgementRecord& record, const ForceStep& step) {
+bool isOf(const study::JudgementRecord& record, const SeriesStep& step) {
   return record.series == step.series && record.step == step.step;
 }
 
@@ -58,7 +58,7 @@ std::string_view name(RepeatReason reason) noexcept {
 base::Result<ForceProtocol> ForceProtocol::create(const ForceSettings& settings, std::uint64_t seed,
                                                   std::span<const study::JudgementRecord> records) {
   if (auto valid = validate(settings); !valid) return tl::unexpected(valid.error());
-  std::vector<ForceStep> block;
+  std::vector<SeriesStep> block;
   if (settings.random) {
     auto drawn = randomBlock(settings, seed);
     if (!drawn) return tl::unexpected(drawn.error());
@@ -71,7 +71,7 @@ base::Result<ForceProtocol> ForceProtocol::create(const ForceSettings& settings,
   return protocol;
 }
 
-ForceProtocol::ForceProtocol(const ForceSettings& settings, std::uint64_t seed, std::vector<ForceStep> block)
+ForceProtocol::ForceProtocol(const ForceSettings& settings, std::uint64_t seed, std::vector<SeriesStep> block)
     : settings_(settings), seed_(seed), block_(std::move(block)) {}
 
 ForcePlan ForceProtocol::next() const {
@@ -171,9 +171,9 @@ base::Result<void> ForceProtocol::add(const study::JudgementRecord& record) {
   return {};
 }
 
-std::vector<ForceStep> ForceProtocol::steps() const {
-  std::vector<ForceStep> steps = familiarisationSeries(settings_);
-  const auto append = [&steps](const std::vector<ForceStep>& series) {
+std::vector<SeriesStep> ForceProtocol::steps() const {
+  std::vector<SeriesStep> steps = familiarisationSeries(settings_);
+  const auto append = [&steps](const std::vector<SeriesStep>& series) {
     steps.insert(steps.end(), series.begin(), series.end());
   };
   const auto ascending = ascendingSteps();
@@ -191,7 +191,7 @@ std::vector<ForceStep> ForceProtocol::steps() const {
 }
 
 /// The ascending series up to the first force that is beyond practice.
-std::vector<ForceStep> ForceProtocol::ascendingSteps() const {
+std::vector<SeriesStep> ForceProtocol::ascendingSteps() const {
   if (!settings_.ascending) return {};
   auto series = ascendingSeries(settings_);
   for (const auto& judgement : judgements_) {
@@ -203,7 +203,7 @@ std::vector<ForceStep> ForceProtocol::ascendingSteps() const {
   return series;
 }
 
-std::optional<ForceStep> ForceProtocol::nextStep() const {
+std::optional<SeriesStep> ForceProtocol::nextStep() const {
   for (const auto& step : steps()) {
     if (!isDone(step)) return step;
   }
@@ -215,7 +215,7 @@ bool ForceProtocol::movedForward(const study::JudgementRecord& record) const {
 }
 
 /// A hand that moved forward was no reason not to score the last attempt: then it was the force.
-RepeatReason ForceProtocol::repeatReason(const ForceStep& step) const {
+RepeatReason ForceProtocol::repeatReason(const SeriesStep& step) const {
   const auto last = std::find_if(judgements_.rbegin(), judgements_.rend(),
                                  [&step](const auto& judgement) { return isOf(judgement, step); });
   const bool moved = last != judgements_.rend() && movedForward(*last);
@@ -223,7 +223,7 @@ RepeatReason ForceProtocol::repeatReason(const ForceStep& step) const {
 }
 
 /// The step of a new record. Sessions from before attempts were limited may hold more attempts at a step.
-std::optional<ForceStep> ForceProtocol::stepFor(const study::JudgementRecord& record) const {
+std::optional<SeriesStep> ForceProtocol::stepFor(const study::JudgementRecord& record) const {
   if (!judgements_.empty() && isOf(record, {judgements_.back().series, judgements_.back().step})) {
     for (const auto& step : steps()) {
       if (isOf(record, step) && !isScored(step) && step.series != kFamiliarisation) return step;
@@ -232,18 +232,18 @@ std::optional<ForceStep> ForceProtocol::stepFor(const study::JudgementRecord& re
   return nextStep();
 }
 
-bool ForceProtocol::isScored(const ForceStep& step) const {
+bool ForceProtocol::isScored(const SeriesStep& step) const {
   return std::any_of(judgements_.begin(), judgements_.end(),
                      [&](const auto& judgement) { return isOf(judgement, step) && judgement.scored; });
 }
 
 /// A step that is never delivered or never felt in motion is left out, so that a session cannot stay at it for ever.
-bool ForceProtocol::isDone(const ForceStep& step) const {
+bool ForceProtocol::isDone(const SeriesStep& step) const {
   const int most = step.series == kFamiliarisation ? 1 : settings_.attempts_most;
   return isScored(step) || attemptsAt(step) >= most;
 }
 
-int ForceProtocol::attemptsAt(const ForceStep& step) const {
+int ForceProtocol::attemptsAt(const SeriesStep& step) const {
   return static_cast<int>(std::count_if(judgements_.begin(), judgements_.end(),
                                         [&](const auto& judgement) { return isOf(judgement, step); }));
 }

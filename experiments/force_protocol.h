@@ -47,7 +47,7 @@ struct ForceQuestion {
 /// The next step. `question` is for the participant, the other members for the servo and the researcher.
 struct ForcePlan {
   bool finished = false;  ///< no step is left; all other members are then invalid
-  ForceStep step;
+  SeriesStep step;
   int attempt = 1;
   double pause_before_s = 0;           ///< without force, before the step can start
   double start_zone_mm = 0;            ///< it starts when the stylus is held within this way of its place of rest
@@ -102,22 +102,22 @@ class ForceProtocol {
   base::Result<void> add(const study::JudgementRecord& record);
 
   /// The steps known so far, done or not. Grows when the ascending series ends. For the researcher.
-  std::vector<ForceStep> steps() const;
+  std::vector<SeriesStep> steps() const;
 
  private:
-  ForceProtocol(const ForceSettings& settings, std::uint64_t seed, std::vector<ForceStep> block);
-  std::optional<ForceStep> nextStep() const;
-  std::vector<ForceStep> ascendingSteps() const;
-  bool isScored(const ForceStep& step) const;
-  bool isDone(const ForceStep& step) const;
-  std::optional<ForceStep> stepFor(const study::JudgementRecord& record) const;
-  int attemptsAt(const ForceStep& step) const;
+  ForceProtocol(const ForceSettings& settings, std::uint64_t seed, std::vector<SeriesStep> block);
+  std::optional<SeriesStep> nextStep() const;
+  std::vector<SeriesStep> ascendingSteps() const;
+  bool isScored(const SeriesStep& step) const;
+  bool isDone(const SeriesStep& step) const;
+  std::optional<SeriesStep> stepFor(const study::JudgementRecord& record) const;
+  int attemptsAt(const SeriesStep& step) const;
   bool movedForward(const study::JudgementRecord& record) const;
-  RepeatReason repeatReason(const ForceStep& step) const;
+  RepeatReason repeatReason(const SeriesStep& step) const;
 
   ForceSettings settings_;
   std::uint64_t seed_;
-  std::vector<ForceStep> block_;
+  std::vector<SeriesStep> block_;
   std::vector<study::JudgementRecord> judgements_;  ///< a correction replaces the corrected record
 };
 

@@ -124,23 +124,23 @@ base::Result<void> validate(const ForceSettings& s) {
   return {};
 }
 
-std::vector<ForceStep> familiarisationSeries(const ForceSettings& settings) {
-  std::vector<ForceStep> series;
+std::vector<SeriesStep> familiarisationSeries(const ForceSettings& settings) {
+  std::vector<SeriesStep> series;
   for (const double force_n : settings.familiarisation_n) {
     series.push_back({kFamiliarisation, static_cast<int>(series.size()) + 1, force_n});
   }
   return series;
 }
 
-std::vector<ForceStep> ascendingSeries(const ForceSettings& settings) {
-  std::vector<ForceStep> series;
+std::vector<SeriesStep> ascendingSeries(const ForceSettings& settings) {
+  std::vector<SeriesStep> series;
   series.reserve(static_cast<std::size_t>(settings.ladder.count()));
   for (int i = 0; i < settings.ladder.count(); ++i) series.push_back({kAscending, i + 1, settings.ladder.at(i)});
   return series;
 }
 
-std::vector<ForceStep> descendingSeries(const ForceSettings& settings, double start_n) {
-  std::vector<ForceStep> series;
+std::vector<SeriesStep> descendingSeries(const ForceSettings& settings, double start_n) {
+  std::vector<SeriesStep> series;
   const int top = static_cast<int>(std::lround((start_n - settings.ladder.lowest_n) / settings.ladder.step_n));
   for (int i = top; i >= 0; --i) series.push_back({kDescending, top - i + 1, settings.ladder.at(i)});
   return series;
@@ -153,7 +153,7 @@ double descendingStart(const ForceSettings& settings, double reached_n, std::uin
   return settings.ladder.at(std::max(0, static_cast<int>(reached) - offset));
 }
 
-base::Result<std::vector<ForceStep>> randomBlock(const ForceSettings& settings, std::uint64_t seed) {
+base::Result<std::vector<SeriesStep>> randomBlock(const ForceSettings& settings, std::uint64_t seed) {
   const ForceSteps& steps = settings.random_steps;
   // Places on the ladder: 0 is no force, lowest_n stands as many steps above it as it is large.
   const int lowest = std::max(1, static_cast<int>(std::lround(steps.lowest_n / steps.step_n)));
@@ -186,7 +186,7 @@ base::Result<std::vector<ForceStep>> randomBlock(const ForceSettings& settings, 
         std::to_string(steps.count()) + " forces, " + std::to_string(settings.random_repeats) + " times each",
         "an order without a force twice running; more forces or fewer repeats");
   }
-  std::vector<ForceStep> block;
+  std::vector<SeriesStep> block;
   for (const int place : order) {
     const double force_n = place == 0 ? 0 : steps.at(place - lowest);
     block.push_back({kRandom, static_cast<int>(block.size()) + 1, force_n, place == 0});

@@ -74,20 +74,20 @@ inline constexpr const char* kDescending = "descending";
 inline constexpr const char* kRandom = "random";
 
 /// One stimulus of a series.
-struct ForceStep {
+struct SeriesStep {
   std::string series;
   int step = 1;  ///< from 1, place in the series
   double force_n = 0;
   bool catch_trial = false;  ///< a blank (force 0) or a hidden repeat
 
-  bool operator==(const ForceStep&) const = default;
+  bool operator==(const SeriesStep&) const = default;
 };
 
-std::vector<ForceStep> familiarisationSeries(const ForceSettings& settings);
-std::vector<ForceStep> ascendingSeries(const ForceSettings& settings);
+std::vector<SeriesStep> familiarisationSeries(const ForceSettings& settings);
+std::vector<SeriesStep> ascendingSeries(const ForceSettings& settings);
 
 /// From `start_n` down to the lowest force of the ladder.
-std::vector<ForceStep> descendingSeries(const ForceSettings& settings, double start_n);
+std::vector<SeriesStep> descendingSeries(const ForceSettings& settings, double start_n);
 /// The start of the descending series after an ascending one that reached `reached_n`. It is lower by a number of steps
 /// derived from the seed, but never below the lowest force.
 double descendingStart(const ForceSettings& settings, double reached_n, std::uint64_t seed);
@@ -96,6 +96,6 @@ double descendingStart(const ForceSettings& settings, double reached_n, std::uin
 /// blank. The other catch trials are forces with one extra occurrence, marked at their last one. The order is drawn
 /// step by step from the remaining allowed forces, and drawn again if none is allowed. Returns an error if the settings
 /// allow no order.
-base::Result<std::vector<ForceStep>> randomBlock(const ForceSettings& settings, std::uint64_t seed);
+base::Result<std::vector<SeriesStep>> randomBlock(const ForceSettings& settings, std::uint64_t seed);
 
 }  // namespace tactus::experiments

@@ -120,7 +120,7 @@ Result<void> SimulatedNurse::doStroke(Session& session) const {
   return session.addStroke(found->stroke, std::move(found->recording), found->recording_first);
 }
 
-Response SimulatedNurse::responseTo(const experiments::ForceStep& step, int attempt, const Session& session) {
+Response SimulatedNurse::responseTo(const experiments::SeriesStep& step, int attempt, const Session& session) {
   auto random = randomFor("judge " + step.series + ' ' + std::to_string(step.step) + ' ' + std::to_string(attempt));
   return responder_.judge(step.force_n + session.settings().force.device_friction_n.value_or(0), random);
 }

@@ -52,7 +52,7 @@ class SimulatedNurse {
   base::Result<void> doRating(Session& session) const;
   base::Result<bool> correct(Session& session) const;
   questionnaires::Reply replyTo(int item) const;
-  Response responseTo(const experiments::ForceStep& step, int attempt, const Session& session);
+  Response responseTo(const experiments::SeriesStep& step, int attempt, const Session& session);
 
   NurseTraits traits_;
   std::uint64_t seed_;

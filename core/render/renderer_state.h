@@ -35,14 +35,14 @@ struct ModelForce {
 };
 
 /// One stroke: from a press to the release.
-struct Stroke {
+struct StrokeSpan {
   std::uint32_t number = 0;  ///< from 1; 0: no stroke yet
   double start_s = 0;        ///< times as RendererState::time_s
   double end_s = 0;          ///< end, or the last tick while the stroke lasts
   double start_depth_mm = 0;
   double end_depth_mm = 0;
 
-  bool operator==(const Stroke&) const = default;
+  bool operator==(const StrokeSpan&) const = default;
 };
 
 /// Plain data: copy it, compare it, start with a default one. To start at another depth than the nostril, set
@@ -53,7 +53,7 @@ struct RendererState {
   double time_s = 0;    ///< sum of the ticks so far
   double depth_mm = 0;  ///< depth of the tube: the sum of all slip
   double force_n = 0;   ///< resistance along the axis; the force on the hand is its negative
-  Stroke stroke;
+  StrokeSpan stroke;
 
   std::optional<double> position_mm;  ///< of the last tick
   double stretch_mm = 0;              ///< z: lead of the hand over the tube

@@ -32,7 +32,7 @@ struct BuildSettings {
   std::string name;         ///< name of the model; empty: the study's name
   std::string created_utc;  ///< `2026-11-21T08:00:00Z`
   std::string generator;    ///< program and version
-  SpeedSettings speed;
+  SpeedTermSettings speed;
   Averaging averaging = Averaging::kMean;  ///< of the ramps over the participants; kWeightedMean uses `weights`
   SpeedTermsOf terms = SpeedTermsOf::kAveraged;
   WeightSettings weights;

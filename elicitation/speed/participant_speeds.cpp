@@ -17,7 +17,7 @@ using base::Result;
 
 constexpr double kLargestFuzziness = 100;  // as fuzzyCMeans
 
-Result<void> checkSettings(const fuzzy::Variable& speed, const SpeedSettings& settings) {
+Result<void> checkSettings(const fuzzy::Variable& speed, const SpeedTermSettings& settings) {
   if (!(settings.trim >= 0 && settings.trim < 1)) {
     return fail(ErrorCode::kValue, "trim", base::formatNumber(settings.trim), "a share of 0 or more and below 1");
   }
@@ -74,7 +74,7 @@ Result<std::vector<double>> levelMeans(std::span<const LevelSpeeds> levels) {
 }
 
 Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std::span<const study::SpeedSample> samples,
-                                     const fuzzy::Variable& speed, const SpeedSettings& settings) {
+                                     const fuzzy::Variable& speed, const SpeedTermSettings& settings) {
   ParticipantSpeeds out;
   out.participant = participant.code;
   out.simulated = participant.simulated;
@@ -119,7 +119,7 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
 }  // namespace
 
 Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
-                                                     const SpeedSettings& settings) {
+                                                     const SpeedTermSettings& settings) {
   if (auto ok = checkSettings(speed, settings); !ok) return tl::unexpected(ok.error());
   std::unordered_map<std::string, std::vector<study::SpeedSample>> samples;
   for (const auto& sample : study.speeds) samples[sample.participant].push_back(sample);

@@ -17,7 +17,7 @@
 
 namespace tactus::elicitation {
 
-struct SpeedSettings {
+struct SpeedTermSettings {
   SpeedCentres centres = SpeedCentres::kClusters;
   double alpha = kDefaultAlpha;  ///< (1/2, 1], membership at the start and end of a ramp (alphaCutRamps)
   FcmSettings fcm;               ///< `clusters` is set to the number of speed terms; m applies to both kinds of centers
@@ -44,7 +44,7 @@ struct ParticipantSpeeds {
 /// speeds that cannot be clustered, a center below the universe of `speed`. For level means also: a level without
 /// samples, or means that do not rise with the level.
 base::Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
-                                                           const SpeedSettings& settings);
+                                                           const SpeedTermSettings& settings);
 
 /// `speed` with a universe that contains all participants, and with the terms of the averaged ramps.
 fuzzy::Variable averagedSpeed(const fuzzy::Variable& speed, std::span<const ParticipantSpeeds> participants,

@@ -24,7 +24,7 @@ bool ascending(const std::vector<double>& centres) {
 
 base::Result<StrokeBootstrap> StrokeBootstrap::of(std::span<const study::SpeedSample> samples,
                                                   std::span<const std::string> levels, std::span<const double> centres,
-                                                  const SpeedSettings& settings, std::uint64_t seed) {
+                                                  const SpeedTermSettings& settings, std::uint64_t seed) {
   TACTUS_CHECK(!samples.empty());
   StrokeResampler strokes(samples, levels);
   if (const auto found = strokes.levelWithoutChoice()) {
@@ -36,8 +36,8 @@ base::Result<StrokeBootstrap> StrokeBootstrap::of(std::span<const study::SpeedSa
   return StrokeBootstrap(std::move(strokes), {centres.begin(), centres.end()}, settings, seed);
 }
 
-StrokeBootstrap::StrokeBootstrap(StrokeResampler strokes, std::vector<double> centres, const SpeedSettings& settings,
-                                 std::uint64_t seed)
+StrokeBootstrap::StrokeBootstrap(StrokeResampler strokes, std::vector<double> centres,
+                                 const SpeedTermSettings& settings, std::uint64_t seed)
     : strokes_(std::move(strokes)),
       own_mm_s_(std::move(centres)),
       start_(own_mm_s_),

@@ -53,7 +53,7 @@ class StrokeBootstrap {
   /// clusterSpeeds. Returns an error for a level with fewer than two strokes, because there is no choice to draw from.
   static base::Result<StrokeBootstrap> of(std::span<const study::SpeedSample> samples,
                                           std::span<const std::string> levels, std::span<const double> centres,
-                                          const SpeedSettings& settings, std::uint64_t seed);
+                                          const SpeedTermSettings& settings, std::uint64_t seed);
 
   void add(std::size_t replicates);
   std::size_t replicates() const { return ramps_.size(); }
@@ -68,7 +68,7 @@ class StrokeBootstrap {
   double lowest() const { return std::min(0.0, strokes_.lowest()); }
 
  private:
-  StrokeBootstrap(StrokeResampler strokes, std::vector<double> centres, const SpeedSettings& settings,
+  StrokeBootstrap(StrokeResampler strokes, std::vector<double> centres, const SpeedTermSettings& settings,
                   std::uint64_t seed);
 
   /// The centers of the drawn strokes; empty if they have fewer different speeds than clusters.
@@ -81,7 +81,7 @@ class StrokeBootstrap {
   StrokeResampler strokes_;
   std::vector<double> own_mm_s_;  // centers of all strokes
   std::vector<double> start_;     // the same, scaled
-  SpeedSettings settings_;
+  SpeedTermSettings settings_;
   base::Random random_;
   std::vector<DrawSpread> centre_spreads_;
   std::vector<RampSpread> ramp_spreads_;

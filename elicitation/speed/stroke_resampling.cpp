@@ -32,14 +32,14 @@ StrokeResampler::StrokeResampler(std::span<const study::SpeedSample> samples, st
     const std::size_t stroke = places[level].try_emplace(sample.stroke, strokes.size()).first->second;
     if (stroke == strokes.size()) strokes.emplace_back();
     const double scaled = toScaled(sample.speed_mm_s);
-    Stroke& own = strokes[stroke];
+    StrokeBins& own = strokes[stroke];
     own.count += 1;
     own.sum += scaled;
     own.bins.push_back({binOf(scaled), 1, scaled});
   }
   for (std::size_t level = 0; level < levels_.size(); ++level) {
     times_[level].resize(levels_[level].size());
-    for (Stroke& stroke : levels_[level]) {
+    for (StrokeBins& stroke : levels_[level]) {
       auto& bins = stroke.bins;
       std::stable_sort(bins.begin(), bins.end(), [](const Bin& a, const Bin& b) { return a.place < b.place; });
       std::vector<Bin> joined;

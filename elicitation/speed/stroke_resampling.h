@@ -52,7 +52,7 @@ class StrokeResampler {
     double count = 0;
     double sum = 0;  // of scaled speeds
   };
-  struct Stroke {
+  struct StrokeBins {
     double count = 0;
     double sum = 0;  // of scaled speeds
     std::vector<Bin> bins;
@@ -62,7 +62,7 @@ class StrokeResampler {
 
   double middle_mm_s_ = 0;
   double half_range_mm_s_ = 1;
-  std::vector<std::vector<Stroke>> levels_;
+  std::vector<std::vector<StrokeBins>> levels_;
   std::vector<std::vector<double>> times_;   // number of draws of each stroke
   std::vector<double> bin_count_, bin_sum_;  // scratch
   std::vector<double> values_, weights_;

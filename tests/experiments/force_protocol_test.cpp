@@ -212,7 +212,7 @@ TEST(ForceProtocol, AllSeriesComeOneAfterAnother) {
   for (int i = 0; i < 5; ++i) give(protocol, term("medium"));
   give(protocol, only(Kind::kBeyondPractice));
   const double start_n = descendingStart(settings, 0.6, 4);
-  EXPECT_EQ(protocol.next().step, (ForceStep{kDescending, 1, start_n, false}));
+  EXPECT_EQ(protocol.next().step, (SeriesStep{kDescending, 1, start_n, false}));
   while (protocol.next().step.series == kDescending) give(protocol, term("small"));
   int judged = 0;
   while (!protocol.next().finished) {

@@ -35,7 +35,7 @@ TEST(ForceSeries, TheDescendingSeriesStartsAtMostTwoStepsLower) {
   EXPECT_EQ(series[3].step, 4);
 }
 
-void expectConstraints(const ForceSettings& settings, const std::vector<ForceStep>& block) {
+void expectConstraints(const ForceSettings& settings, const std::vector<SeriesStep>& block) {
   int large_jumps_running = 0;
   for (std::size_t i = 0; i < block.size(); ++i) {
     EXPECT_EQ(block[i].step, static_cast<int>(i) + 1);

@@ -125,9 +125,9 @@ nurse::ForceState shownForce(const ParticipantState& state) {
   using Stage = ForceState::Stage;
   nurse::ForceState shown;
   shown.practice = state.screen == ParticipantScreen::kPractice;
-  shown.step = nurse::ForceStep::kPause;
-  if (state.force.stage == Stage::kFeel) shown.step = nurse::ForceStep::kFeel;
-  if (state.force.stage == Stage::kAnswer) shown.step = nurse::ForceStep::kAnswer;
+  shown.step = nurse::JudgingPhase::kPause;
+  if (state.force.stage == Stage::kFeel) shown.step = nurse::JudgingPhase::kFeel;
+  if (state.force.stage == Stage::kAnswer) shown.step = nurse::JudgingPhase::kAnswer;
   shown.asks = state.force.asks;
   shown.again = state.force.again;
   shown.warm = state.force.warm;

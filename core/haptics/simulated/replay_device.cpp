@@ -127,7 +127,7 @@ base::Result<void> ReplayDevice::start() {
   return {};
 }
 
-ReplayDevice::Moment ReplayDevice::at(std::int64_t elapsed_ns) const noexcept {
+ReplayDevice::Frame ReplayDevice::at(std::int64_t elapsed_ns) const noexcept {
   const std::int64_t played_ns = (settings_.loop ? elapsed_ns % (lengthNs() + return_ns_) : elapsed_ns) - lead_ns_;
   if (played_ns < 0) return {position_mm_.front(), false};
   if (played_ns > time_ns_.back()) {
@@ -145,12 +145,12 @@ ReplayDevice::Moment ReplayDevice::at(std::int64_t elapsed_ns) const noexcept {
 
 DeviceState ReplayDevice::read(std::int64_t now_ns) noexcept {
   if (!running_) return last_;
-  const Moment moment = at(clock_.at(now_ns));
+  const Frame frame = at(clock_.at(now_ns));
   ++last_.number;
   last_.time_ns = now_ns;
-  last_position_mm_ = moment.position_mm;
-  last_.position_mm = moment.position_mm * settings_.inwards;
-  last_.buttons = moment.button ? 1 : 0;
+  last_position_mm_ = frame.position_mm;
+  last_.position_mm = frame.position_mm * settings_.inwards;
+  last_.buttons = frame.button ? 1 : 0;
   return last_;
 }
 

@@ -58,13 +58,13 @@ class ReplayDevice final : public HapticDevice {
   std::uint64_t forcesLost() const noexcept { return forces_lost_; }
 
  private:
-  struct Moment {
+  struct Frame {
     double position_mm = 0;
     bool button = false;
   };
   ReplayDevice(std::vector<std::int64_t> time_ns, std::vector<double> position_mm, std::vector<bool> button,
                const ReplaySettings& settings);
-  Moment at(std::int64_t elapsed_ns) const noexcept;
+  Frame at(std::int64_t elapsed_ns) const noexcept;
 
   std::vector<std::int64_t> time_ns_;  ///< from 0, rising
   std::vector<double> position_mm_;

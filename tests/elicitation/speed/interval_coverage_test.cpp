@@ -79,7 +79,7 @@ std::array<double, 7> coverage(int strokes, int studies, std::size_t replicates)
     const auto who = static_cast<std::size_t>(study) % kSubjects.size();
     const auto samples = strokesOf(kSubjects[who], strokes, random);
     auto bootstrap =
-        StrokeBootstrap::of(samples, goldenLevels(), valuesOf(samples).centres, SpeedSettings{}, random.next());
+        StrokeBootstrap::of(samples, goldenLevels(), valuesOf(samples).centres, SpeedTermSettings{}, random.next());
     bootstrap->add(replicates);
     const auto found = bootstrap->intervals();
     const auto holds = [](const Interval& interval, double value) {

@@ -26,8 +26,8 @@ study::Study studyOf(const std::string& file) {
   return study;
 }
 
-SpeedSettings levelMeanSettings() {
-  SpeedSettings settings;
+SpeedTermSettings levelMeanSettings() {
+  SpeedTermSettings settings;
   settings.centres = SpeedCentres::kLevelMeans;
   return settings;
 }
@@ -36,7 +36,7 @@ TEST(ParticipantSpeeds, ClustersAndRampsEqualTheReference) {
   for (const auto& wanted : goldenSpeeds("subjects")) {
     const auto study = studyOf(wanted.at("file").get<std::string>());
     for (const auto& [alpha, ramps] : wanted.at("ramps").items()) {
-      SpeedSettings settings;
+      SpeedTermSettings settings;
       settings.alpha = base::parseNumber(alpha).value();
       const auto found = clusterSpeeds(study, speed(), settings);
       ASSERT_TRUE(found);
@@ -56,7 +56,7 @@ TEST(ParticipantSpeeds, ClustersAndRampsEqualTheReference) {
 
 TEST(ParticipantSpeeds, LevelMeansAreCentresWhenAskedFor) {
   const auto reference = goldenSubject("S4_600.csv");
-  SpeedSettings settings = levelMeanSettings();
+  SpeedTermSettings settings = levelMeanSettings();
   settings.alpha = 1;
   const auto found = clusterSpeeds(studyOf("S4_600.csv"), speed(), settings);
   ASSERT_TRUE(found) << found.error().message();
@@ -77,7 +77,7 @@ TEST(ParticipantSpeeds, LevelMeansAreOfTheSamplesKept) {
     sample.speed_mm_s = sample.level == "slow" ? 10 : sample.level == "medium" ? 20 : 30;
   // One sample of a slow stroke at a tenth of its peak goes with a trim of 0.2.
   study.speeds.front().speed_mm_s = 1;
-  SpeedSettings settings = levelMeanSettings();
+  SpeedTermSettings settings = levelMeanSettings();
   settings.trim = 0.2;
   const auto found = clusterSpeeds(study, speed(), settings);
   ASSERT_TRUE(found);
@@ -105,7 +105,7 @@ TEST(ParticipantSpeeds, LevelMeansThatDoNotRiseAreRefused) {
 }
 
 TEST(ParticipantSpeeds, LevelMeansNeedAFuzzinessToo) {
-  SpeedSettings settings = levelMeanSettings();
+  SpeedTermSettings settings = levelMeanSettings();
   settings.fcm.m = 1;
   const auto found = clusterSpeeds(studyOf("S4_600.csv"), speed(), settings);
   ASSERT_FALSE(found);

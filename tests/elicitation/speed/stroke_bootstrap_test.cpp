@@ -16,7 +16,7 @@ std::vector<double> centresOf(const std::string& file) {
 
 StrokeBootstrap bootstrapOf(const std::vector<study::SpeedSample>& samples, const std::vector<double>& centres,
                             std::uint64_t seed = 1, SpeedCentres kind = SpeedCentres::kClusters) {
-  SpeedSettings settings;
+  SpeedTermSettings settings;
   settings.centres = kind;
   return StrokeBootstrap::of(samples, goldenLevels(), centres, settings, seed).value();
 }
@@ -225,7 +225,7 @@ TEST(StrokeBootstrap, BatchesAndSeeds) {
 TEST(StrokeBootstrap, OneStrokeOfALevelIsRefused) {
   auto samples = goldenStrokes("S3_600.csv");
   std::erase_if(samples, [](const study::SpeedSample& s) { return s.level == "medium" && s.stroke != 2; });
-  const auto found = StrokeBootstrap::of(samples, goldenLevels(), centresOf("S3_600.csv"), SpeedSettings{}, 1);
+  const auto found = StrokeBootstrap::of(samples, goldenLevels(), centresOf("S3_600.csv"), SpeedTermSettings{}, 1);
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().message(),
             "speeds of participant S3, level medium: found 1 stroke, wanted at least 2 strokes of each level for an "

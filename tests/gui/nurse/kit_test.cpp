@@ -148,7 +148,7 @@ TEST_F(NurseKit, TheChoiceStaysWhenTheLanguageChanges) {
 TEST_F(NurseKit, KeysOfBothRowsAnswerInTheOrderOfTheCards) {
   ForceScreen screen(look);
   ForceState state;
-  state.step = ForceStep::kAnswer;
+  state.step = JudgingPhase::kAnswer;
   screen.setState(state);
   screen.show();
   QSignalSpy picks(&screen, &ForceScreen::picked);
@@ -168,7 +168,7 @@ TEST_F(NurseKit, KeysOfBothRowsAnswerInTheOrderOfTheCards) {
   screen.setState(state);
   QTest::keyClick(&screen, Qt::Key_Return);
   EXPECT_EQ(confirms.count(), 1);
-  state.step = ForceStep::kFeel;
+  state.step = JudgingPhase::kFeel;
   screen.setState(state);
   QTest::keyClick(&screen, Qt::Key_2);
   QTest::keyClick(&screen, Qt::Key_Return);

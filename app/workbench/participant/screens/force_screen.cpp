@@ -39,18 +39,20 @@ ForceScreen::ForceScreen(const Look& look, QWidget* parent)
 
 void ForceScreen::setState(const ForceState& state) {
   state_ = state;
-  const bool answering = state.step == ForceStep::kAnswer;
+  const bool answering = state.step == JudgingPhase::kAnswer;
   // In the practice she felt it and asks for the next one.
   const bool between = answering && !state.asks;
   setTitle(phrase(state.practice ? QStringLiteral("pra.title") : QStringLiteral("for.title")));
   practice_->setVisible(state.practice && !between);
   QString sentence = QStringLiteral("for.ask");
-  if (state.step == ForceStep::kPause) sentence = state.warm ? QStringLiteral("dev.warm") : QStringLiteral("for.pause");
+  if (state.step == JudgingPhase::kPause)
+    sentence = state.warm ? QStringLiteral("dev.warm") : QStringLiteral("for.pause");
   if (between) sentence = QStringLiteral("pra.line");
-  if (state.step == ForceStep::kFeel) sentence = state.again ? QStringLiteral("for.again") : QStringLiteral("for.do");
+  if (state.step == JudgingPhase::kFeel)
+    sentence = state.again ? QStringLiteral("for.again") : QStringLiteral("for.do");
   lead_->setPhrase(phrase(sentence));
-  push_->setVisible(state.step == ForceStep::kFeel);
-  hint_->setVisible(state.step == ForceStep::kFeel && state.practice);
+  push_->setVisible(state.step == JudgingPhase::kFeel);
+  hint_->setVisible(state.step == JudgingPhase::kFeel && state.practice);
   choices_->setVisible(answering && state.asks);
   choices_->choose(state.chosen);
   choices_->light(state.lit);
@@ -64,7 +66,7 @@ void ForceScreen::setState(const ForceState& state) {
 }
 
 void ForceScreen::keyPressEvent(QKeyEvent* event) {
-  if (state_.step != ForceStep::kAnswer || !state_.asks || event->isAutoRepeat())
+  if (state_.step != JudgingPhase::kAnswer || !state_.asks || event->isAutoRepeat())
     return ScreenFrame::keyPressEvent(event);
   QString word;
   if (event->key() >= Qt::Key_1 && event->key() <= Qt::Key_5) word = choices_->onScale(event->key() - Qt::Key_0);

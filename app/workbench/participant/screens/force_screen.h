@@ -9,7 +9,7 @@
 
 namespace tactus::workbench::nurse {
 
-enum class ForceStep {
+enum class JudgingPhase {
   kPause,  ///< the force is off for a moment
   kFeel,
   kAnswer,
@@ -17,7 +17,7 @@ enum class ForceStep {
 
 struct ForceState {
   bool practice = false;
-  ForceStep step = ForceStep::kFeel;
+  JudgingPhase step = JudgingPhase::kFeel;
   bool asks = true;    ///< for a word; not in the practice
   bool again = false;  ///< the force was not delivered in full: once more
   bool warm = false;   ///< the pause is long because the device rests

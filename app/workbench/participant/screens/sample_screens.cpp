@@ -107,7 +107,7 @@ SampleScreen panel(const QString& name) {
   return {name, [](const Look& look) { return std::make_unique<Panel>(look); }};
 }
 
-ForceState force(ForceStep step, const char* chosen = "") {
+ForceState force(JudgingPhase step, const char* chosen = "") {
   ForceState state;
   state.step = step;
   state.chosen = QString::fromLatin1(chosen);
@@ -151,18 +151,18 @@ std::vector<SampleScreen> sampleScreens() {
   stroke.may_go_on = true;
   all.push_back(strokes("speed_left_handed", stroke, 160));
 
-  ForceState practice = force(ForceStep::kFeel);
+  ForceState practice = force(JudgingPhase::kFeel);
   practice.practice = true;
   all.push_back(sample<ForceScreen>("force_practice", practice));
-  all.push_back(sample<ForceScreen>("force_feel", force(ForceStep::kFeel)));
-  ForceState again = force(ForceStep::kFeel);
+  all.push_back(sample<ForceScreen>("force_feel", force(JudgingPhase::kFeel)));
+  ForceState again = force(JudgingPhase::kFeel);
   again.again = true;
   again.simulated = true;
   all.push_back(sample<ForceScreen>("force_again", again));
-  all.push_back(sample<ForceScreen>("force_pause", force(ForceStep::kPause)));
-  all.push_back(sample<ForceScreen>("force_answer", force(ForceStep::kAnswer)));
-  all.push_back(sample<ForceScreen>("force_answer_chosen", force(ForceStep::kAnswer, "large")));
-  ForceState left = force(ForceStep::kAnswer, "beyond_practice");
+  all.push_back(sample<ForceScreen>("force_pause", force(JudgingPhase::kPause)));
+  all.push_back(sample<ForceScreen>("force_answer", force(JudgingPhase::kAnswer)));
+  all.push_back(sample<ForceScreen>("force_answer_chosen", force(JudgingPhase::kAnswer, "large")));
+  ForceState left = force(JudgingPhase::kAnswer, "beyond_practice");
   left.left_handed = true;
   all.push_back(sample<ForceScreen>("force_answer_left_handed", left));
 

@@ -12,7 +12,7 @@ GripMarks::GripMarks(QCustomPlot& plot, const QString& layer) : QCPLayerable(&pl
 
 void GripMarks::setHandles(std::vector<Handle> handles) { handles_ = std::move(handles); }
 
-void GripMarks::setStrokes(std::vector<Stroke> strokes) { strokes_ = std::move(strokes); }
+void GripMarks::setLines(std::vector<Line> lines) { lines_ = std::move(lines); }
 
 void GripMarks::setTag(const QString& text, double x, double membership, bool warns) {
   tag_ = text;
@@ -47,9 +47,8 @@ void GripMarks::draw(QCPPainter* painter) {
   }
 
   painter->setPen(QPen(theme::accent(), 3));
-  for (const Stroke& stroke : strokes_) {
-    painter->drawLine(
-        QLineF(pixelOf(stroke.from_x, stroke.from_membership), pixelOf(stroke.to_x, stroke.to_membership)));
+  for (const Line& line : lines_) {
+    painter->drawLine(QLineF(pixelOf(line.from_x, line.from_membership), pixelOf(line.to_x, line.to_membership)));
   }
   // What moves lies on top of what stays.
   for (const bool moves : {false, true}) {

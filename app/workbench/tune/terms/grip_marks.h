@@ -24,7 +24,7 @@ class GripMarks : public QCPLayerable {
     bool moves = false;  ///< moves with the dragged part or the part under the mouse
   };
   /// A line along the moving part of a shape, between two places.
-  struct Stroke {
+  struct Line {
     double from_x = 0, from_membership = 0;
     double to_x = 0, to_membership = 0;
   };
@@ -33,7 +33,7 @@ class GripMarks : public QCPLayerable {
   GripMarks(QCustomPlot& plot, const QString& layer);
 
   void setHandles(std::vector<Handle> handles);
-  void setStrokes(std::vector<Stroke> strokes);
+  void setLines(std::vector<Line> lines);
   /// Shows `text` beside the place (x, membership); empty: no tag. `warns`: the tag gives the reason why a part cannot
   /// move.
   void setTag(const QString& text, double x, double membership, bool warns);
@@ -50,7 +50,7 @@ class GripMarks : public QCPLayerable {
   void drawTag(QCPPainter& painter) const;
 
   std::vector<Handle> handles_;
-  std::vector<Stroke> strokes_;
+  std::vector<Line> lines_;
   QString tag_;
   double tag_x_ = 0;
   double tag_membership_ = 0;

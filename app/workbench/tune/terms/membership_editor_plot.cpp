@@ -181,7 +181,7 @@ bool MembershipEditorPlot::moves(std::size_t term, double x, std::size_t point) 
 void MembershipEditorPlot::drawMarks() {
   const std::optional<Grip> grip = shownGrip();
   std::vector<GripMarks::Handle> handles;
-  std::vector<GripMarks::Stroke> strokes;
+  std::vector<GripMarks::Line> lines;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     const std::vector<GripHandle> of_term = handlesOf(terms_, t);
     for (const GripHandle& handle : of_term) {
@@ -196,11 +196,11 @@ void MembershipEditorPlot::drawMarks() {
       const bool last = i + 2 == of_term.size();
       if ((grip->part == Part::kLeftEdge && !first) || (grip->part == Part::kRightEdge && !last)) continue;
       if (terms_[t].shape == fuzzy::Shape::kGaussian) continue;
-      strokes.push_back({of_term[i].x, of_term[i].membership, of_term[i + 1].x, of_term[i + 1].membership});
+      lines.push_back({of_term[i].x, of_term[i].membership, of_term[i + 1].x, of_term[i + 1].membership});
     }
   }
   marks_->setHandles(std::move(handles));
-  marks_->setStrokes(std::move(strokes));
+  marks_->setLines(std::move(lines));
   if (grip) {
     const QString what = gripText(variable_, terms_, *grip);
     const std::vector<GripHandle> of_term = handlesOf(terms_, grip->term);
