@@ -3,6 +3,8 @@
 #include <array>
 #include <cctype>
 
+#include "core/base/ascii.h"
+
 namespace tactus::study {
 namespace {
 
@@ -40,10 +42,10 @@ std::string codeKey(std::string_view code) {
     }
     const auto ascii = static_cast<unsigned char>(character);
     if (std::isalnum(ascii) == 0) continue;
-    const bool after_digit = !key.empty() && std::isdigit(static_cast<unsigned char>(key.back())) != 0;
+    const bool after_digit = !key.empty() && base::isDigit(key.back());
     // A zero before the rest of a number goes; it comes back where it was the whole number.
     if (after_digit && key.back() == '0' && std::isdigit(ascii) != 0 &&
-        (key.size() == 1 || std::isdigit(static_cast<unsigned char>(key[key.size() - 2])) == 0)) {
+        (key.size() == 1 || !base::isDigit(key[key.size() - 2]))) {
       key.pop_back();
     }
     key += static_cast<char>(std::tolower(ascii));

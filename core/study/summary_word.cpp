@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string>
 
+#include "core/base/ascii.h"
 #include "core/base/tables/csv.h"
 
 namespace tactus::study {
@@ -15,8 +16,7 @@ bool isSummaryWord(std::string_view word) {
       "mean_sd", "median", "minimum", "mittelwert",   "mw",      "overall", "sd",
       "stabw",   "std",    "stdev",   "sum",          "summary", "summe",   "total"};
   std::string key = base::columnKey(word);
-  while (!key.empty() && (std::isdigit(static_cast<unsigned char>(key.back())) != 0 || key.back() == '_'))
-    key.pop_back();
+  while (!key.empty() && (base::isDigit(key.back()) || key.back() == '_')) key.pop_back();
   // `n=4` and `N = 12`; a code `N4` is one.
   if (key == "n") return word.find('=') != std::string_view::npos;
   const bool has_number = key.size() != base::columnKey(word).size();

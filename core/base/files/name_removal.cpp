@@ -2,17 +2,15 @@
 
 #include <algorithm>
 
+#include "core/base/ascii.h"
+
 namespace tactus::base {
 namespace {
 
 // Fewer bytes are often part of an ordinary word.
 constexpr std::size_t kShortestInWords = 4;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) & 0x80U) != 0;
-}
-bool isWord(char c) { return isDigit(c) || isLetter(c); }
+bool isWord(char c) { return isDigit(c) || isLetter(c) || isBeyondAscii(c); }
 
 bool isSmall(char c) { return c >= 'a' && c <= 'z'; }
 
@@ -31,7 +29,7 @@ bool isName(std::string_view text, std::size_t at, std::string_view name) {
   if (rest.empty() || !isWord(name.back())) return true;
   if (isDigit(rest.front())) return false;
   if (rest.size() > 1 && rest.front() == '-' && isDigit(rest[1])) return false;
-  return name.size() >= kShortestInWords || !isLetter(rest.front());
+  return name.size() >= kShortestInWords || (!isLetter(rest.front()) && !isBeyondAscii(rest.front()));
 }
 
 /// The length of the longest name that stands at `at`, or 0.

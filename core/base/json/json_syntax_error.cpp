@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/ascii.h"
 #include "core/base/text.h"
 
 namespace tactus::base {
@@ -15,9 +16,8 @@ struct Token {
   bool string = false;
 };
 
-bool isWord(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '+' ||
-         c == '.' || c == '_' || (static_cast<unsigned char>(c) & 0x80U) != 0;
+bool isOfWord(char c) {
+  return isDigit(c) || isLetter(c) || isBeyondAscii(c) || c == '-' || c == '+' || c == '.' || c == '_';
 }
 
 /// Index after the string that begins at `begin`, or the end of the text.
@@ -34,7 +34,7 @@ Token tokenAt(std::string_view text, std::size_t last) {
   while ((at = text.find_first_not_of(" \t\r\n", at)) <= last) {
     token = {at, at + 1, text[at] == '"'};
     if (token.string) token.end = endOfString(text, at);
-    while (isWord(text[at]) && token.end < text.size() && isWord(text[token.end])) ++token.end;
+    while (isOfWord(text[at]) && token.end < text.size() && isOfWord(text[token.end])) ++token.end;
     at = token.end;
     if (at >= text.size()) break;
   }

@@ -1,16 +1,15 @@
 #include "core/base/tables/csv_splitter.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
+
+#include "core/base/ascii.h"
 
 namespace tactus::base {
 namespace {
 
 // No real row is longer; garbage without line ends is refused before it is split into cells.
 constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
-
-bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// The first line that is neither empty nor a comment, at most kLongestLine of it.
 std::string_view firstLine(std::string_view text) {

@@ -1,15 +1,13 @@
 #include "core/base/tables/decimal_comma.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 
+#include "core/base/ascii.h"
 #include "core/base/text.h"
 
 namespace tactus::base {
 namespace {
-
-bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// Groups of three digits behind the first comma, two or more or with a decimal point behind them: `1,234,567.8`.
 bool hasThousands(std::string_view number) {
