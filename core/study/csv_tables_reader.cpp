@@ -318,8 +318,8 @@ Result<std::vector<GivenRule>> readRules(const CsvTable& table, const std::vecto
     if (!cells.text(column[2]).empty()) rule.weight = cells.number(column[2]);
     if (!(rule.weight >= 0 && rule.weight <= 1)) {
       cells.refuse(column[2], ErrorCode::kValue,
-                   rule.weight > 1 ? "a weight from 0 to 1, or an empty cell for 1 (percent? divide by 100)"
-                                   : "a weight from 0 to 1, or an empty cell for 1");
+                   rule.weight >= 2 ? "a weight from 0 to 1, or an empty cell for 1 (percent? divide by 100)"
+                                    : "a weight from 0 to 1, or an empty cell for 1");
     }
     if (!seen.emplace(rule.participant, rule.form, std::move(terms)).second) {
       cells.refuse(column[1], ErrorCode::kValue, "the same rule twice", "each rule once for a participant");

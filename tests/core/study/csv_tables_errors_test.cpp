@@ -126,6 +126,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "cells? fill them down)"},
         BrokenTable{"RuleWeight", "rules.csv", "participant,depth,then,weight\nP1,stomach,large,1.01\n",
                     "rules.csv: line 2, column 'weight': found '1.01', wanted a weight from 0 to 1, or an empty cell "
+                    "for 1"},
+        BrokenTable{"RuleWeightInPercent", "rules.csv", "participant,depth,then,weight\nP1,stomach,large,80\n",
+                    "rules.csv: line 2, column 'weight': found '80', wanted a weight from 0 to 1, or an empty cell "
                     "for 1 (percent? divide by 100)"},
         BrokenTable{"RuleTwice", "rules.csv",
                     "participant,depth,then,weight\nP1,stomach,large,1\nP1,stomach,large,0.5\n",
