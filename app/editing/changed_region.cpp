@@ -3,8 +3,8 @@
 #include <tuple>
 
 #include "app/editing/edit_impact.h"
-#include "app/editing/rules_of_term.h"
 #include "core/fuzzy/support.h"
+#include "core/fuzzy/takes_part.h"
 
 namespace tactus::editing {
 namespace {
@@ -107,10 +107,10 @@ void addRules(const Expert& before, const Expert& after, Region& region) {
   const auto add_missing = [&](const Expert& from, const Expert& in) {
     std::set<RuleKey> known;
     for (const Rule& rule : in.rules) {
-      if (takesPart(rule)) known.insert(keyOf(rule));
+      if (fuzzy::takesPart(rule)) known.insert(keyOf(rule));
     }
     for (const Rule& rule : from.rules) {
-      if (takesPart(rule) && !known.contains(keyOf(rule))) region.addRule(from, rule);
+      if (fuzzy::takesPart(rule) && !known.contains(keyOf(rule))) region.addRule(from, rule);
     }
   };
   add_missing(before, after);

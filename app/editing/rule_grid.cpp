@@ -6,8 +6,8 @@
 
 #include "app/editing/edit_text.h"
 #include "app/editing/rule_edits.h"
-#include "app/editing/rules_of_term.h"
 #include "app/editing/term_list.h"
+#include "core/fuzzy/takes_part.h"
 
 namespace tactus::editing {
 namespace {
@@ -57,7 +57,7 @@ std::vector<std::size_t> rulesLike(const Expert& expert, const Rule& rule) {
   for (std::size_t r = 0; r < expert.rules.size(); ++r) {
     if (sameConditions(expert.rules[r], rule)) out.push_back(r);
   }
-  std::stable_partition(out.begin(), out.end(), [&](std::size_t r) { return takesPart(expert.rules[r]); });
+  std::stable_partition(out.begin(), out.end(), [&](std::size_t r) { return fuzzy::takesPart(expert.rules[r]); });
   return out;
 }
 
@@ -132,9 +132,9 @@ Result<RuleGrid> ruleGrid(const ForceModel& model, const GridId& grid) {
     const auto place = cellOf(out, grid, rules[r]);
     if (!place) continue;
     GridCell& cell = out.cells[*place];
-    const bool shown_counts = cell.rule && takesPart(rules[*cell.rule]);
-    if (shown_counts && takesPart(rules[r])) cell.conflict = true;
-    if (cell.rule && (shown_counts || !takesPart(rules[r]))) continue;
+    const bool shown_counts = cell.rule && fuzzy::takesPart(rules[*cell.rule]);
+    if (shown_counts && fuzzy::takesPart(rules[r])) cell.conflict = true;
+    if (cell.rule && (shown_counts || !fuzzy::takesPart(rules[r]))) continue;
     cell = {r, rules[r].then, rules[r].weight, rules[r].enabled, false};
   }
   return out;
@@ -151,7 +151,7 @@ Result<Edit> setAnswer(const ForceModel& model, const GridId& grid, const CellPl
   const Rule* const before = rules.empty() ? nullptr : &expert.rules[rules.front()];
   label += before == nullptr ? "no answer" : consequentText(out, expert, before->then);
   if (before != nullptr && then == before->then) {
-    label += takesPart(*before) ? ", alone" : ", counts again";
+    label += fuzzy::takesPart(*before) ? ", alone" : ", counts again";
   } else {
     label += " to " + (then ? consequentText(out, expert, *then) : std::string("no answer"));
   }

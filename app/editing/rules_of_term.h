@@ -7,9 +7,6 @@
 
 namespace tactus::editing {
 
-/// Whether `rule` can fire: it is enabled and has a weight.
-inline bool takesPart(const fuzzy::Rule& rule) { return rule.enabled && rule.weight > 0; }
-
 /// Whether `rule` names the term: in a condition on an input, or as consequent if `variable` is the output.
 bool names(const fuzzy::Rule& rule, const fuzzy::ForceModel& model, const fuzzy::Variable& variable,
            const std::string& term);

@@ -10,6 +10,7 @@
 #include "core/analysis/force_steps.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
+#include "core/fuzzy/takes_part.h"
 #include "elicitation/force/force_step_limits.h"
 
 namespace tactus::editing {
@@ -93,8 +94,9 @@ class Widening {
   }
 
   bool isUsed(const fuzzy::Expert& expert, const std::string& term) const {
-    return std::any_of(expert.rules.begin(), expert.rules.end(),
-                       [&](const fuzzy::Rule& rule) { return takesPart(rule) && names(rule, model_, input_, term); });
+    return std::any_of(expert.rules.begin(), expert.rules.end(), [&](const fuzzy::Rule& rule) {
+      return fuzzy::takesPart(rule) && names(rule, model_, input_, term);
+    });
   }
 
   bool footIsHere(const Flank& flank) const { return flank.foot() >= low_ && flank.foot() <= high_; }

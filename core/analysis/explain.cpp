@@ -6,6 +6,7 @@
 
 #include "core/base/check.h"
 #include "core/base/text.h"
+#include "core/fuzzy/takes_part.h"
 
 namespace tactus::analysis {
 namespace {
@@ -44,7 +45,7 @@ ExplainedRule explainRule(const ForceModel& model, const Expert& expert, std::si
     }
     out.memberships.push_back(unscaled(membership));
   }
-  if (rule.enabled && rule.weight > 0 && smallest > 0) out.strength = std::max(rule.weight * smallest, kSmallest);
+  if (fuzzy::takesPart(rule) && smallest > 0) out.strength = std::max(rule.weight * smallest, kSmallest);
   return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/fuzzy/flat_map.h"
+#include "core/fuzzy/takes_part.h"
 
 namespace tactus::fuzzy {
 namespace {
@@ -97,7 +98,7 @@ class Resolver {
       if (!is_known && !findPremise(rule.conditions, premise_of_[i])) return i;
       const std::size_t then = output_terms.find(rule.then);
       if (then == NameList::kNone || !isWithin(rule.weight, 0, 1) || !isNew(premise_of_[i], then)) return i;
-      if (rule.enabled && rule.weight > 0) {
+      if (takesPart(rule)) {
         tables_.rules.push_back({rule.weight, premise_of_[i], static_cast<std::uint16_t>(then)});
       }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/fuzzy/takes_part.h"
 #include "core/haptics/sources/servo_scene.h"
 
 namespace tactus::workbench {
@@ -31,8 +32,8 @@ ForceCost::Shape ForceCost::shapeOf(const fuzzy::ForceModel& model) {
   for (const fuzzy::Variable& input : model.inputs) add(input.terms, false);
   add(model.output.terms, true);
   for (const fuzzy::Expert& expert : model.experts) {
-    const auto used = [](const fuzzy::Rule& rule) { return rule.enabled && rule.weight > 0; };
-    out.numbers.push_back(static_cast<std::size_t>(std::count_if(expert.rules.begin(), expert.rules.end(), used)));
+    out.numbers.push_back(
+        static_cast<std::size_t>(std::count_if(expert.rules.begin(), expert.rules.end(), fuzzy::takesPart)));
     for (const fuzzy::TermOverride& own : expert.overrides) add(own.terms, own.variable == model.output.id);
   }
   return out;
