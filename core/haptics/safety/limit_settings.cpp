@@ -5,12 +5,12 @@
 #include <iterator>
 
 #include "core/base/text.h"
+#include "core/haptics/safety/passivity_guard.h"
 
 namespace tactus::haptics {
 namespace {
 
 constexpr double kExpertCapN = 3;
-constexpr double kLongestDelayS = 0.03;  ///< further back the passivity guard does not look
 
 /// What may be set. A limit may be made stricter than its default, never looser.
 struct Field {
@@ -34,7 +34,7 @@ constexpr Field kFields[] = {
     {"write_trip_s", &LimitSettings::write_trip_s, 0.010, 0.050},
     {"servo_trip_s", &LimitSettings::servo_trip_s, 0.010, 0.100},
     {"gui_silent_s", &LimitSettings::gui_silent_s, 0.1, 0.5},
-    {"loop_delay_s", &LimitSettings::loop_delay_s, 0, kLongestDelayS},
+    {"loop_delay_s", &LimitSettings::loop_delay_s, 0, PassivityGuard::kLongestDelayS},
     {"stimulus_hold_s", &LimitSettings::stimulus_hold_s, 0, 3},
 };
 
@@ -55,7 +55,7 @@ LimitSettings LimitSettings::forDevice(const DeviceInfo& info, bool expert) {
   LimitSettings limits;
   limits.force_cap_n = lower(expert ? kExpertCapN : limits.force_cap_n, info.max_force_n);
   if (info.continuous_force_n) limits.continuous_force_n = lower(limits.continuous_force_n, *info.continuous_force_n);
-  limits.loop_delay_s = std::clamp(info.delay_s, 0.0, kLongestDelayS);
+  limits.loop_delay_s = std::clamp(info.delay_s, 0.0, PassivityGuard::kLongestDelayS);
   return limits;
 }
 

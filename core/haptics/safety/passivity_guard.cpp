@@ -19,7 +19,6 @@ constexpr double kGoneMj = -4;
 constexpr double kLargestDampingNSMm = 0.002;  ///< half of what a Touch can render
 constexpr double kLargestDampingN = 0.5;
 constexpr double kSpeedFilterS = 0.0016;  ///< 100 Hz: a slower one would damp a vibration too late
-constexpr double kLongestDelayS = 0.03;
 
 }  // namespace
 

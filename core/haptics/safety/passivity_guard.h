@@ -31,6 +31,9 @@ class PassivityGuard {
   /// W, mJ; positive: taken from the hand.
   double energyMj() const noexcept { return energy_mj_; }
 
+  /// Longer delays are not looked back at.
+  static constexpr double kLongestDelayS = 0.03;
+
  private:
   /// A commanded force, and the time of its command.
   struct Held {

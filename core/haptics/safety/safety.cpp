@@ -13,8 +13,6 @@ namespace {
 constexpr double kLongestStepS = 0.002;
 /// A servo that is later than this has stood still.
 constexpr double kStandstillS = 0.005;
-/// Whatever a device does without commands, its motors are not warmed for longer than this.
-constexpr double kLongestHeldS = 2;
 /// No device is as large; further out is as little of a position as a NaN.
 constexpr double kFarthestMm = 1e6;
 /// Smaller forces become 0, so that nothing works on denormal numbers.
@@ -97,9 +95,9 @@ void Safety::passTime(const SafetyInput& input, const LimitSettings& limits) noe
 
 /// What the motors gave since the last tick. A force that nobody renews counts in full, for as long as it could last.
 void Safety::heat(double elapsed_s, const LimitSettings& limits) noexcept {
-  const bool to_the_end = !told_nothing_ && elapsed_s <= kLongestHeldS;
+  const bool to_the_end = !told_nothing_ && elapsed_s <= ThermalBudget::kLongestHeldS;
   if (!told_nothing_ && !to_the_end) {
-    const auto held_ns = static_cast<std::int64_t>(1e9 * kLongestHeldS);
+    const auto held_ns = static_cast<std::int64_t>(1e9 * ThermalBudget::kLongestHeldS);
     thermal_.advance(before_ns_ + held_ns, force_n_, limits.continuous_force_n, limits.thermal_window_s);
   }
   thermal_.advance(now_ns_, to_the_end ? force_n_ : 0, limits.continuous_force_n, limits.thermal_window_s);
@@ -107,7 +105,7 @@ void Safety::heat(double elapsed_s, const LimitSettings& limits) noexcept {
 
 ThermalBudget Safety::thermal() const noexcept {
   ThermalBudget after = thermal_;
-  const double held_s = told_nothing_ ? 0 : std::min(hold_s_, kLongestHeldS);
+  const double held_s = told_nothing_ ? 0 : std::min(hold_s_, ThermalBudget::kLongestHeldS);
   after.spend(now_ns_ + static_cast<std::int64_t>(1e9 * held_s), force_n_);
   return after;
 }

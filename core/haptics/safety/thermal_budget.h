@@ -27,6 +27,8 @@ class ThermalBudget {
   /// Reserve: the force could go on unchanged for this long and the budget would just be used up. Longer fades earlier
   /// and more slowly; it must exceed the longest time that a force is held without a tick.
   static constexpr double kReserveS = 2;
+  /// Whatever a device does without commands, its motors are not warmed by the last force for longer than this, s.
+  static constexpr double kLongestHeldS = 2;
   /// How fast the ceiling comes back, N/s.
   static constexpr double kRecoveryNS = 0.5;
 

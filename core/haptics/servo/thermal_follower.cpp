@@ -3,8 +3,7 @@
 namespace tactus::haptics {
 namespace {
 
-/// As in safety.cpp: whatever a device does without commands, its motors are not warmed for longer than this.
-constexpr std::int64_t kLongestHeldNs = 2'000'000'000;
+constexpr auto kLongestHeldNs = static_cast<std::int64_t>(1e9 * ThermalBudget::kLongestHeldS);
 
 }  // namespace
 
