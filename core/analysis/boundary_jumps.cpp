@@ -2,14 +2,11 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "core/analysis/sample_points.h"
 
 namespace tactus::analysis {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// One face of a hole: the last value of `input` inside and the first one outside.
 struct Face {
@@ -18,9 +15,9 @@ struct Face {
 };
 
 /// First double that belongs to the range from below, and from above.
-double lowest(const InputRange& range) { return range.low_included ? range.low : std::nextafter(range.low, kInfinity); }
+double lowest(const InputRange& range) { return range.low_included ? range.low : std::nextafter(range.low, HUGE_VAL); }
 double highest(const InputRange& range) {
-  return range.high_included ? range.high : std::nextafter(range.high, -kInfinity);
+  return range.high_included ? range.high : std::nextafter(range.high, -HUGE_VAL);
 }
 
 std::vector<Face> facesOf(const fuzzy::ForceModel& model, const Hole& hole) {
@@ -28,8 +25,8 @@ std::vector<Face> facesOf(const fuzzy::ForceModel& model, const Hole& hole) {
   for (std::size_t i = 0; i < hole.ranges.size(); ++i) {
     const double low = lowest(hole.ranges[i]);
     const double high = highest(hole.ranges[i]);
-    if (low > model.inputs[i].min) faces.push_back({i, low, std::nextafter(low, -kInfinity)});
-    if (high < model.inputs[i].max) faces.push_back({i, high, std::nextafter(high, kInfinity)});
+    if (low > model.inputs[i].min) faces.push_back({i, low, std::nextafter(low, -HUGE_VAL)});
+    if (high < model.inputs[i].max) faces.push_back({i, high, std::nextafter(high, HUGE_VAL)});
   }
   return faces;
 }

@@ -9,14 +9,6 @@
 #include "core/base/check.h"
 
 namespace tactus::analysis {
-namespace {
-
-// 20,000 points of each kind for models of a few hundred rules: some hundredths of a second.
-constexpr std::size_t kMostPoints = 20000;
-constexpr std::size_t kFewestPoints = 100;
-constexpr std::size_t kAllowance = 100'000'000;  // rules looked at
-
-}  // namespace
 
 ForceDifference forceDifference(const fuzzy::ForceModel& first, const fuzzy::CompiledModel& compiled_first,
                                 const fuzzy::ForceModel& second, const fuzzy::CompiledModel& compiled_second) {
@@ -24,8 +16,7 @@ ForceDifference forceDifference(const fuzzy::ForceModel& first, const fuzzy::Com
   constexpr std::size_t kUnbounded = std::numeric_limits<std::size_t>::max();
   ForceProbe one(first, compiled_first, kUnbounded);
   ForceProbe two(second, compiled_second, kUnbounded);
-  const std::size_t most =
-      std::clamp(kAllowance / (1 + one.costOfMean() + two.costOfMean()), kFewestPoints, kMostPoints);
+  const std::size_t most = affordablePoints(1 + one.costOfMean() + two.costOfMean());
 
   ForceDifference out;
   double squares = 0;

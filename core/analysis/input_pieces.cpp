@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tactus::analysis {
 namespace {
 
 using fuzzy::MembershipFunction;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kCells = 256;
+constexpr std::size_t kIndexCells = 256;
 
 /// First double at which a term that ends in a vertical edge is 0 again.
-double pastEdge(double edge) { return std::nextafter(edge, kInfinity); }
+double pastEdge(double edge) { return std::nextafter(edge, HUGE_VAL); }
 
 /// Neither products nor quotients of a few such numbers leave the range of double.
 bool isModerate(double x) { return isOrdinary(x) && std::abs(x) < 1e60; }
@@ -77,15 +75,15 @@ std::optional<InputPieces> InputPieces::of(std::span<const MembershipFunction> t
 
   // A vertex in an earlier cell is passed for sure, because the cell of a point never falls as the point rises.
   out.lo_ = lo;
-  out.cells_per_unit_ = static_cast<double>(kCells) / (hi - lo);
-  out.first_segment_.assign(kCells + 2, 0);
+  out.cells_per_unit_ = static_cast<double>(kIndexCells) / (hi - lo);
+  out.first_segment_.assign(kIndexCells + 2, 0);
   for (const double end : out.ends_) {
     const double cell = (end - lo) * out.cells_per_unit_;
     for (std::size_t i = 0; i < out.first_segment_.size(); ++i) {
       if (static_cast<std::size_t>(cell) < i) ++out.first_segment_[i];
     }
   }
-  out.ends_.push_back(kInfinity);
+  out.ends_.push_back(HUGE_VAL);
   return out;
 }
 

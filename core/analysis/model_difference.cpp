@@ -12,7 +12,7 @@ namespace {
 
 using base::formatNumber;
 using base::quoted;
-using Kind = ModelChange::Kind;
+using ChangeKind = ModelChange::Kind;
 
 std::string text(const fuzzy::Term& term) {
   std::string out(name(term.shape));
@@ -40,14 +40,14 @@ class Listing {
     for (const auto& [place, content] : items_) {
       const auto other = others.find(place);
       if (other == others.end()) {
-        changes.push_back({Kind::kRemoved, place, content, {}});
+        changes.push_back({ChangeKind::kRemoved, place, content, {}});
       } else if (other->second != content) {
-        changes.push_back({Kind::kChanged, place, content, other->second});
+        changes.push_back({ChangeKind::kChanged, place, content, other->second});
       }
     }
     const std::map<std::string, std::string> own(items_.begin(), items_.end());
     for (const auto& [place, content] : after.items_) {
-      if (!own.contains(place)) changes.push_back({Kind::kAdded, place, {}, content});
+      if (!own.contains(place)) changes.push_back({ChangeKind::kAdded, place, {}, content});
     }
   }
 

@@ -7,20 +7,11 @@
 #include "core/analysis/sample_points.h"
 
 namespace tactus::analysis {
-namespace {
-
-constexpr std::size_t kMostPoints = 20000;
-constexpr std::size_t kFewestPoints = 100;
-// Rules looked at, well below half a second; a model of a thousand experts is looked at in fewer points.
-constexpr std::size_t kAllowance = 100'000'000;
-
-}  // namespace
 
 ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                           const std::stop_token& stop) {
   ForceProbe probe(model, compiled, std::numeric_limits<std::size_t>::max(), stop);
-  const SamplePoints points =
-      kinkPoints(model, std::clamp(kAllowance / probe.costOfMean(), kFewestPoints, kMostPoints));
+  const SamplePoints points = kinkPoints(model, affordablePoints(probe.costOfMean()));
 
   ForceRange range;
   SamplePoints::Choice lowest;

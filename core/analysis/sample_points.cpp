@@ -23,6 +23,10 @@ void addVertices(const std::vector<fuzzy::Term>& terms, const fuzzy::Variable& i
 
 }  // namespace
 
+std::size_t affordablePoints(std::size_t rules) {
+  return std::clamp<std::size_t>(100'000'000 / std::max<std::size_t>(1, rules), 100, 20'000);
+}
+
 double halton(std::size_t index, std::size_t dimension) {
   constexpr std::array<std::size_t, fuzzy::kMostInputs> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19};
   const std::size_t base = kPrimes[dimension];

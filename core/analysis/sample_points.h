@@ -17,6 +17,10 @@ std::vector<std::vector<double>> sortedVertices(const fuzzy::ForceModel& model);
 /// an even selection of them.
 std::vector<double> valuesWorthALook(std::span<const double> vertices, double low, double high);
 
+/// The points that an analysis may evaluate if each looks at `rules` rules: 100 to 20,000, well below half a second in
+/// all.
+std::size_t affordablePoints(std::size_t rules);
+
 /// Coordinate `dimension` (below kMostInputs) of point number `index` (from 1) of the Halton sequence (1960), in [0,
 /// 1).
 double halton(std::size_t index, std::size_t dimension);

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/fuzzy/membership.h"
+#include "core/fuzzy/takes_part.h"
 
 namespace tactus::analysis {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A narrower pair that has nearly all of the change says better where it is.
 constexpr double kNearlyAll = 0.99;
 // Distances are differences of rounded sums.
@@ -25,8 +24,6 @@ void sortUnique(std::vector<T>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
-
-bool counts(const fuzzy::Rule& rule) { return rule.enabled && rule.weight > 0; }
 
 /// Where a Gaussian is steep, or nearly nothing.
 void addGaussian(const fuzzy::MembershipFunction& f, std::vector<double>& kinks) {
@@ -53,7 +50,7 @@ StepPlaces::StepPlaces(const fuzzy::ForceModel& model, std::size_t input)
         const bool names = std::any_of(rule.conditions.begin(), rule.conditions.end(), [&](const auto& condition) {
           return condition.input == variable.id && condition.term == term.id;
         });
-        if (!names || !counts(rule)) continue;
+        if (!names || !fuzzy::takesPart(rule)) continue;
         if (f.a < f.b) flanks_.push_back({f.a, f.b, rule.weight});
         if (f.c < f.d) flanks_.push_back({f.d, f.c, rule.weight});
       }
@@ -130,8 +127,8 @@ std::vector<double> StepPlaces::at(std::span<const double> point, bool even) con
   const double min = variable().min;
   const double max = variable().max;
   for (const double kink : kinks) {
-    for (const double x : {kink - width_, kink - width_ / 2, std::nextafter(kink, -kInfinity), kink,
-                           std::nextafter(kink, kInfinity), kink + width_ / 2, kink + width_}) {
+    for (const double x : {kink - width_, kink - width_ / 2, std::nextafter(kink, -HUGE_VAL), kink,
+                           std::nextafter(kink, HUGE_VAL), kink + width_ / 2, kink + width_}) {
       if (x >= min && x <= max) out.push_back(x);
     }
   }
@@ -176,7 +173,7 @@ std::vector<LinePair> stepsOn(const LineForce& line, double width, bool in_mm, c
   }
   // Pairs that overlap are one step: its largest pair stands for it.
   std::vector<LinePair> out;
-  double end = -kInfinity;
+  double end = -HUGE_VAL;
   for (const LinePair& one : found) {
     if (out.empty() || line.x[one.from] > end) {
       out.push_back(one);
