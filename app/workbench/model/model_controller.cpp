@@ -29,6 +29,8 @@ base::Result<void> ModelController::edit(fuzzy::ForceModel model) {
 
 void ModelController::edit(editing::SharedModel model) {
   TACTUS_CHECK(current_ != nullptr);
+  // The end of a gesture whose last update is shown already changes nothing.
+  if (!instead_ && model == current_->shared) return;
   OpenModel next = inPlaceOf(*current_, std::move(model));
   next.simulated = next.simulated || saysSimulated(next.model);
   current_ = std::make_shared<const OpenModel>(std::move(next));

@@ -27,11 +27,8 @@ bool isDragging(const editing::EditHistory& history) {
 
 AutosaveController::AutosaveController(ModelController& models, EditController& edits, QString root, Times times,
                                        QObject* parent)
-    : QObject(parent),
-      models_(models),
-      edits_(edits),
-      times_(times),
-      file_(std::make_shared<HistoryFile>(std::move(root))) {
+    : QObject(parent), models_(models), edits_(edits), times_(times), file_(std::make_shared<HistoryFile>(root)) {
+  worker_.post([root = std::move(root)] { HistoryFile::makeRoom(root); });
   due_.setSingleShot(true);
   connect(&due_, &QTimer::timeout, this, &AutosaveController::write);
   connect(&edits_, &EditController::modelReset, this, &AutosaveController::onReset);

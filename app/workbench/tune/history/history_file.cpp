@@ -251,6 +251,20 @@ QStringList HistoryFile::leftByCrash(const QString& root) {
   return out;
 }
 
+void HistoryFile::makeRoom(const QString& root, qint64 most_bytes) {
+  const QFileInfoList newest_first =
+      QDir(root).entryInfoList({QLatin1Char('*') + QLatin1String(kEnding)}, QDir::Files, QDir::Time);
+  qint64 bytes = 0;
+  for (const QFileInfo& one : newest_first) {
+    bytes += one.size();
+    const QString path = one.filePath();
+    if (bytes <= most_bytes || QFileInfo::exists(path + QLatin1String(kJournalEnding))) continue;
+    if (!store::StudyFile::open(path.toStdString())) continue;  // another program has it, or it is not a history
+    removeFiles(path);
+    bytes -= one.size();
+  }
+}
+
 Result<KeptWork> HistoryFile::read(const QString& path, bool with_texts) {
   const auto file = store::StudyFile::open(path.toStdString(), {store::Access::kReadOnly});
   if (!file) return tl::unexpected(file.error());

@@ -60,6 +60,11 @@ class HistoryFile {
   static base::Result<KeptWork> read(const QString& path, bool with_texts);
   /// Ends the history at `path` in order, with a return to the model `sha256` if it had that model once.
   static base::Result<void> settle(const QString& path, const std::string& sha256, const editing::Stamp& stamp);
+  /// Deletes the histories that were closed in order, the oldest first, until those in `root` take at most
+  /// `most_bytes`. One that a crash left, or that a program has open, stays.
+  static void makeRoom(const QString& root, qint64 most_bytes = kMostKeptBytes);
+  /// Several thousand edits of a model of four experts.
+  static constexpr qint64 kMostKeptBytes = qint64{512} << 20U;
   /// Deletes the history at `path` for good.
   static void discard(const QString& path);
 
