@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/check.h"
+#include "app/figures/force_curves.h"
 
 namespace tactus::report {
 
@@ -45,8 +45,12 @@ base::Result<ForceCurves> ForceCurves::of(const fuzzy::ForceModel& model) {
     if (!place) return tl::unexpected(place.error());
     curves.*slot.place = *place;
   }
-  curves.depth_min_mm_ = model.inputs[curves.depth_].min;
-  curves.depth_max_mm_ = model.inputs[curves.depth_].max;
+  const fuzzy::Variable& depth = model.inputs[curves.depth_];
+  const auto steps = static_cast<std::size_t>(std::ceil(depth.max - depth.min));
+  for (std::size_t i = 0; i <= steps; ++i) {
+    curves.even_mm_.push_back(std::min(depth.min + static_cast<double>(i), depth.max));
+  }
+  curves.plotted_mm_ = figures::samplePositions(model, curves.depth_);
   return curves;
 }
 
@@ -62,15 +66,20 @@ std::optional<double> ForceCurves::force(const CurveSetting& setting, double dep
   return out.force_n;
 }
 
-ForceCurve ForceCurves::curve(const CurveSetting& setting, std::optional<std::size_t> expert, double step_mm) const {
-  TACTUS_CHECK(step_mm > 0);
+ForceCurve ForceCurves::at(const std::vector<double>& depths_mm, const CurveSetting& setting,
+                           std::optional<std::size_t> expert) const {
   ForceCurve out;
-  const auto steps = static_cast<std::size_t>(std::ceil((depth_max_mm_ - depth_min_mm_) / step_mm));
-  for (std::size_t i = 0; i <= steps; ++i) {
-    const double depth_mm = std::min(depth_min_mm_ + static_cast<double>(i) * step_mm, depth_max_mm_);
-    out.push_back({depth_mm, force(setting, depth_mm, expert)});
-  }
+  out.reserve(depths_mm.size());
+  for (const double depth_mm : depths_mm) out.push_back({depth_mm, force(setting, depth_mm, expert)});
   return out;
+}
+
+ForceCurve ForceCurves::curve(const CurveSetting& setting, std::optional<std::size_t> expert) const {
+  return at(even_mm_, setting, expert);
+}
+
+ForceCurve ForceCurves::plotted(const CurveSetting& setting, std::optional<std::size_t> expert) const {
+  return at(plotted_mm_, setting, expert);
 }
 
 Series toSeries(const ForceCurve& curve) {
@@ -86,34 +95,6 @@ std::optional<ForceRange> forceRange(const ForceCurve& curve) {
     if (!range) range = ForceRange{*point.force_n, *point.force_n};
     range->low_n = std::min(range->low_n, *point.force_n);
     range->high_n = std::max(range->high_n, *point.force_n);
-  }
-  return range;
-}
-
-std::optional<ForceRange> reachableRange(const fuzzy::ForceModel& model, const ForceCurves& curves) {
-  // Coarse where the terms are flat, and the ends, where the extremes are.
-  constexpr int kSteps = 6;
-  constexpr double kDepthSteps = 60;
-  const auto along = [&](std::string_view id, int step) {
-    for (const fuzzy::Variable& input : model.inputs) {
-      if (input.id == id) return input.min + (input.max - input.min) * step / kSteps;
-    }
-    return 0.0;
-  };
-  std::optional<ForceRange> range;
-  const double step_mm = (curves.depthMax() - curves.depthMin()) / kDepthSteps;
-  for (int lubrication = 0; lubrication <= kSteps; ++lubrication) {
-    for (int flexion = 0; flexion <= kSteps; ++flexion) {
-      for (int speed = 0; speed <= kSteps; ++speed) {
-        const auto found = forceRange(
-            curves.curve({along("lubrication", lubrication), along("neck_flexion", flexion), along("speed", speed)},
-                         std::nullopt, step_mm));
-        if (!found) continue;
-        if (!range) range = found;
-        range->low_n = std::min(range->low_n, found->low_n);
-        range->high_n = std::max(range->high_n, found->high_n);
-      }
-    }
   }
   return range;
 }

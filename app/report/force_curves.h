@@ -34,19 +34,23 @@ class ForceCurves {
   /// The force of one expert (index into the model's experts); without an expert the averaged force.
   std::optional<double> force(const CurveSetting& setting, double depth_mm, std::optional<std::size_t> expert) const;
 
-  /// The force over the depth's universe, one point every `step_mm` > 0.
-  ForceCurve curve(const CurveSetting& setting, std::optional<std::size_t> expert, double step_mm = 1) const;
+  /// The force over the depth's universe at even places, one point every mm.
+  ForceCurve curve(const CurveSetting& setting, std::optional<std::size_t> expert) const;
+  /// The same for a plot, at the places of figures::samplePositions: kinks, jumps and ends of gaps are exact.
+  ForceCurve plotted(const CurveSetting& setting, std::optional<std::size_t> expert) const;
 
-  double depthMin() const { return depth_min_mm_; }
-  double depthMax() const { return depth_max_mm_; }
+  double depthMin() const { return even_mm_.front(); }
+  double depthMax() const { return even_mm_.back(); }
+  const fuzzy::CompiledModel& compiled() const { return compiled_; }
 
  private:
   explicit ForceCurves(fuzzy::CompiledModel compiled) : compiled_(std::move(compiled)) {}
+  ForceCurve at(const std::vector<double>& depths_mm, const CurveSetting& setting,
+                std::optional<std::size_t> expert) const;
 
   fuzzy::CompiledModel compiled_;
   std::size_t lubrication_ = 0, neck_flexion_ = 0, depth_ = 0, speed_ = 0;  ///< indices of the inputs
-  double depth_min_mm_ = 0;
-  double depth_max_mm_ = 0;
+  std::vector<double> even_mm_, plotted_mm_;                                ///< places along the depth
 };
 
 /// The curve as a series for a plot.
@@ -58,9 +62,5 @@ struct ForceRange {
   double high_n = 0;
 };
 std::optional<ForceRange> forceRange(const ForceCurve& curve);
-
-/// The range of forces of the averaged model on a grid over all four inputs. It is smaller than the output's universe,
-/// because the centroid of a set lies inside the set.
-std::optional<ForceRange> reachableRange(const fuzzy::ForceModel& model, const ForceCurves& curves);
 
 }  // namespace tactus::report

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/figures/force_curves.h"
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
 #include "app/report/surface_plot.h"
@@ -48,27 +49,21 @@ std::string familyPlot(const ReportContext& context, const Family& family) {
   markRegions(plot, context.regions);
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
     const std::string color = rampColor(i, family.curves.size());
-    plot.line(toSeries(context.curves.curve(family.curves[i].second, std::nullopt)),
+    plot.line(toSeries(context.curves.plotted(family.curves[i].second, std::nullopt)),
               {.color = color, .width = 2.4, .dash = kDashes[i % kDashes.size()]}, family.curves[i].first);
   }
   return plot.svg();
 }
 
 /// Stretches of depth without a force.
-std::vector<std::pair<double, double>> holesOf(const ForceCurve& curve) {
-  std::vector<std::pair<double, double>> holes;
-  bool open = false;
+std::vector<figures::Interval> holesOf(const ForceCurve& curve) {
+  std::vector<double> depths_mm;
+  std::vector<fuzzy::Evaluation> forces;
   for (const CurvePoint& point : curve) {
-    if (point.force_n) {
-      open = false;
-    } else if (open) {
-      holes.back().second = point.depth_mm;
-    } else {
-      holes.emplace_back(point.depth_mm, point.depth_mm);
-      open = true;
-    }
+    depths_mm.push_back(point.depth_mm);
+    forces.push_back({point.force_n.value_or(0), point.force_n.has_value()});
   }
-  return holes;
+  return figures::silentIntervals(depths_mm, forces);
 }
 
 std::string millimetres(double depth_mm) { return base::formatFixed(depth_mm, 0); }
@@ -153,10 +148,10 @@ void addExperts(HtmlPage& page, const ReportContext& context) {
   const auto& experts = context.in.built.model.experts;
   for (std::size_t i = 0; i < experts.size(); ++i) {
     const bool published = experts[i].id == context.in.published_expert;
-    plot.line(toSeries(context.curves.curve(kSetting, i)), expertLook(i),
+    plot.line(toSeries(context.curves.plotted(kSetting, i)), expertLook(i),
               experts[i].id + (published ? " (published rules)" : " (simulated)"));
   }
-  plot.line(toSeries(context.curves.curve(kSetting, std::nullopt)), {.color = kInk, .width = 3.2}, "Mean");
+  plot.line(toSeries(context.curves.plotted(kSetting, std::nullopt)), {.color = kInk, .width = 3.2}, "Mean");
   page.figure({.caption = strong("Fig. 11, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
                           " Force over depth of each expert and of the averaged model at 50 mm/s, lubrication 1, neck "
                           "flexion 60 deg. Only the rules of " +
@@ -173,7 +168,7 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
       "The "
       "printed rules (Table A2) name no oropharynx, but a stomach. The table can be read in three ways, none is "
       "proved. "
-      "Where no rule fires the model has a hole: no force is invented for it.");
+      "Where no rule fires the model has a hole and gives no force.");
   constexpr CurveSetting kSetting{1, 60, 50};
   Figure figure{
       .caption = strong("Table A2 at the setting of Fig. 11.") + " " +
@@ -190,7 +185,7 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
   for (const S4Reading& reading : context.in.readings) {
     const auto curves = ForceCurves::of(reading.model);
     if (!curves || reading.model.experts.empty()) continue;
-    const ForceCurve curve = curves->curve(kSetting, 0);
+    const ForceCurve curve = curves->plotted(kSetting, 0);
     SvgPlot plot({.title = reading.title + ": force over depth",
                   .description = reading.assumes,
                   .width = 940,

@@ -31,7 +31,7 @@ std::optional<double> withoutExpert(const ReportContext& context, double depth_m
 
 std::string influencePlot(const ReportContext& context) {
   const auto& experts = context.in.built.model.experts;
-  const ForceCurve mean = context.curves.curve(kSetting, std::nullopt, 2);
+  const ForceCurve mean = context.curves.plotted(kSetting, std::nullopt);
   Series upper;
   Series lower;
   double largest_n = 0.1;

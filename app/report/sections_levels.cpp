@@ -115,7 +115,7 @@ std::string pText(const elicitation::LevelTrend& trend) {
 
 Table levelTable(const ReportContext& context) {
   Table table{.caption = strong("Levels against clusters.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-                         " What was asked for, what was done, and where the samples fall. Speeds in mm/s.",
+                         " Commanded levels, measured speeds, and the clusters of the samples. Speeds in mm/s.",
               .head = {{{.text = "", .columns = 2},
                         {.text = "Speed", .columns = 3, .group_start = true},
                         {.text = "% nearest to the centre", .columns = 3, .group_start = true},

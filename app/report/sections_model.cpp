@@ -4,6 +4,7 @@
 
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
+#include "core/analysis/reachable_range.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 
@@ -134,15 +135,15 @@ void addMembershipFunctions(HtmlPage& page, const ReportContext& context) {
 void addReachableRange(HtmlPage& page, const ReportContext& context) {
   page.section("Reachable range");
   const fuzzy::Variable& force = context.in.built.model.output;
-  const auto range = reachableRange(context.in.built.model, context.curves);
-  if (!range) {
+  const auto range = analysis::reachableRange(context.in.built.model, context.curves.compiled());
+  if (range.fired == 0) {
     page.paragraph("No rule fires anywhere on the grid that was tried.");
     return;
   }
   page.paragraph(
       "The universe of the force runs from " + base::formatNumber(force.min) + " to " + base::formatNumber(force.max) +
       " N, but on a grid over all inputs the averaged model gives " +
-      strong(base::formatFixed(range->low_n, 3) + " to " + base::formatFixed(range->high_n, 3) + " N") +
+      strong(base::formatFixed(range.min_n, 3) + " to " + base::formatFixed(range.max_n, 3) + " N") +
       " only. The centroid of a set lies inside the set, so it never reaches the ends of the universe: the " +
       base::formatNumber(force.max) +
       " N that the nurses named as their upper bound cannot come out. Widening the outer terms past the universe "

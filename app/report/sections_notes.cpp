@@ -3,7 +3,7 @@
 namespace tactus::report {
 
 void addContradictions(HtmlPage& page, const ReportContext& context) {
-  page.section("Where the paper disagrees with itself");
+  page.section("Contradictions in the paper");
   page.paragraph("Kept visible, not repaired. Each of these needs a decision of the researcher.");
   page.list({
       strong("Regions of the rules.") + " The questionnaire asks about the oropharynx and not the stomach, the printed "

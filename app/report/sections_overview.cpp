@@ -2,6 +2,7 @@
 #include <set>
 
 #include "app/report/report_sections.h"
+#include "core/analysis/reachable_range.h"
 #include "core/base/text.h"
 
 namespace tactus::report {
@@ -41,18 +42,19 @@ void addOverview(HtmlPage& page, const ReportContext& context) {
   }
   std::size_t rules = 0;
   for (const fuzzy::Expert& expert : context.in.built.model.experts) rules += expert.rules.size();
-  const auto range = reachableRange(context.in.built.model, context.curves);
+  const auto range = analysis::reachableRange(context.in.built.model, context.curves.compiled());
   const std::string& published = context.in.published_expert;
-  page.keyNumbers({{std::to_string(context.in.built.model.experts.size()) + " experts",
-                    "one of them with published rules, " + std::to_string(rules) + " rules in all"},
-                   {std::to_string(strokes.size()) + " strokes",
-                    std::to_string(context.in.study.speeds.size()) + " speed samples, simulated to match Table 1"},
-                   {range ? base::formatFixed(range->low_n, 2) + " to " + base::formatFixed(range->high_n, 2) + " N"
-                          : std::string("no force"),
-                    "what the averaged model can give"},
-                   {outOf(verdictsOf(context.claims, published)),
-                    "statements of the paper hold for " + published + "’s published rules; " +
-                        outOf(verdictsOf(context.claims, "mean")) + " for the mean, by construction"}});
+  page.keyNumbers(
+      {{std::to_string(context.in.built.model.experts.size()) + " experts",
+        "one of them with published rules, " + std::to_string(rules) + " rules in all"},
+       {std::to_string(strokes.size()) + " strokes",
+        std::to_string(context.in.study.speeds.size()) + " speed samples, simulated to match Table 1"},
+       {range.fired > 0 ? base::formatFixed(range.min_n, 2) + " to " + base::formatFixed(range.max_n, 2) + " N"
+                        : std::string("no force"),
+        "what the averaged model can give"},
+       {outOf(verdictsOf(context.claims, published)),
+        "statements of the paper hold for " + published + "’s published rules; " +
+            outOf(verdictsOf(context.claims, "mean")) + " for the mean, by construction"}});
   addVerdicts(page, context);
 }
 

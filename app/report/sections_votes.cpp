@@ -107,7 +107,7 @@ void addVotes(HtmlPage& page, const ReportContext& context) {
     origin +=
         " At " +
         (without_votes == 1 ? std::string("one larger force") : std::to_string(without_votes) + " larger forces") +
-        " everybody said “beyond practice”; no term is given there and the universe ends below.";
+        " all participants said “beyond practice”; no term is given there and the universe ends below.";
   }
   page.paragraph(origin);
 

@@ -1,10 +1,8 @@
 #include "app/report/surface_plot.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 
+#include "app/figures/surface_view.h"
 #include "app/report/palette.h"
 #include "app/report/ticks.h"
 #include "core/base/check.h"
@@ -13,12 +11,9 @@ namespace tactus::report {
 
 namespace {
 
-// The view: how far the box is turned and how far one looks down on it. Chosen so that neither the rise with the second
-// input nor the profile along the first one hides the other.
-constexpr double kAzimuthRad = 32 * std::numbers::pi / 180;
-constexpr double kElevationRad = 30 * std::numbers::pi / 180;
-// Edges of the box, relative to each other.
-constexpr double kXLength = 1.85, kYLength = 1.1, kZLength = 0.8;
+using figures::BoxPoint;
+using figures::kBox;
+
 // Margins in pixels: texts of the axes left and below, colour scale on the right.
 constexpr double kLeft = 66, kRight = 104, kTop = 14, kBottom = 50;
 constexpr double kScaleWidth = 16;
@@ -26,57 +21,31 @@ constexpr double kEdgeTick = 6;
 // Mesh lines on the surface, about this many along each input.
 constexpr std::size_t kMeshX = 30, kMeshY = 12;
 
-/// A point of the box, each coordinate a share in [0, 1] of its axis.
-struct BoxPoint {
-  double x, y, z;
-};
-
 double share(const PlotAxis& axis, double value) { return (value - axis.min) / (axis.max - axis.min); }
 
-/// Orthographic view of the box, scaled to fill the drawing.
+/// The box, as large as the drawing allows. The angles are the default ones: neither the rise with the second input nor
+/// the profile along the first one hides the other.
 class View {
  public:
   explicit View(const SurfaceFrame& frame) {
-    SvgPoint low{1e9, 1e9};
-    SvgPoint high{-1e9, -1e9};
-    for (int corner = 0; corner < 8; ++corner) {
-      const SvgPoint at = turned({corner & 1 ? 1.0 : 0.0, corner & 2 ? 1.0 : 0.0, corner & 4 ? 1.0 : 0.0});
-      low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-      high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-    }
+    const auto extent = seen_.extent();
     const double width = frame.width - kLeft - kRight;
     const double height = frame.height - kTop - kBottom;
-    scale_ = std::min(width / (high.x - low.x), height / (high.y - low.y));
-    shift_ = {kLeft + (width - scale_ * (high.x - low.x)) / 2 - scale_ * low.x,
-              kTop + (height - scale_ * (high.y - low.y)) / 2 - scale_ * low.y};
+    scale_ = std::min(width / extent.x, height / extent.y);
+    middle_ = {kLeft + width / 2, kTop + height / 2};
   }
 
-  SvgPoint operator()(BoxPoint point) const {
-    const SvgPoint at = turned(point);
-    return {scale_ * at.x + shift_.x, scale_ * at.y + shift_.y};
+  SvgPoint operator()(const BoxPoint& point) const {
+    const auto at = seen_(point);
+    return {middle_.x + scale_ * at.x, middle_.y - scale_ * at.y};
   }
+  const figures::SurfaceView& seen() const { return seen_; }
 
  private:
-  static SvgPoint turned(BoxPoint p) {
-    const double x = p.x * kXLength;
-    const double y = p.y * kYLength;
-    return {x * std::cos(kAzimuthRad) + y * std::sin(kAzimuthRad),
-            (x * std::sin(kAzimuthRad) - y * std::cos(kAzimuthRad)) * std::sin(kElevationRad) -
-                p.z * kZLength * std::cos(kElevationRad)};
-  }
-
+  figures::SurfaceView seen_;
   double scale_ = 1;
-  SvgPoint shift_;
+  SvgPoint middle_;
 };
-
-/// How bright a quad is that rises by `dx` and `dy` along the inputs: light from the upper left, matt surface.
-double brightness(double dx, double dy) {
-  const std::array<double, 3> normal = {-dx, -dy, 1};
-  const std::array<double, 3> light = {-0.45, -0.35, 0.82};
-  const double length = std::hypot(normal[0], normal[1], normal[2]);
-  const double cosine = (normal[0] * light[0] + normal[1] * light[1] + normal[2] * light[2]) / length;
-  return 0.68 + 0.38 * std::max(0.0, cosine);
-}
 
 std::string edge(const View& view, BoxPoint from, BoxPoint to, std::string_view color = kGrid, double width = 1) {
   return svgLine(view(from), view(to), color, width);
@@ -182,9 +151,10 @@ std::string surfacePlot(const SurfaceFrame& frame, const SurfaceGrid& grid) {
     for (std::size_t j = columns - 1; j-- > 0;) {
       if (!value(i, j) || !value(i + 1, j) || !value(i, j + 1) || !value(i + 1, j + 1)) continue;
       const BoxPoint a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
-      const double dx = (b.z + c.z - a.z - d.z) / 2 * kZLength / ((b.x - a.x) * kXLength);
-      const double dy = (c.z + d.z - a.z - b.z) / 2 * kZLength / ((d.y - a.y) * kYLength);
-      const std::string color = scaleColor((a.z + b.z + c.z + d.z) / 4, brightness(dx, dy));
+      const double rise_x = (b.z + c.z - a.z - d.z) / 2 * kBox.z / ((b.x - a.x) * kBox.x);
+      const double rise_y = (c.z + d.z - a.z - b.z) / 2 * kBox.z / ((d.y - a.y) * kBox.y);
+      const std::string color =
+          scaleColor((a.z + b.z + c.z + d.z) / 4, brightness(figures::normalOf(rise_x, rise_y), view.seen()));
       // The outline in the same colour closes the hairlines between neighbours.
       out += "<path" + attribute("d", pathData({view(a), view(b), view(c), view(d)}, true)) + attribute("fill", color) +
              attribute("stroke", color) + " stroke-width=\"0.6\"/>";

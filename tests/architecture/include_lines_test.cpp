@@ -38,8 +38,8 @@ const std::map<std::string, Permission>& permissions() {
 
   // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
   const std::set<std::string> below =
-      joined({"app", "app/editing", "app/session", "app/devices", "core/analysis/gradient", "core/render",
-              "core/haptics/simulated", "core/store", "core/model_io", "experiments", "questionnaires"},
+      joined({"app", "app/editing", "app/figures", "app/session", "app/devices", "core/analysis/gradient",
+              "core/render", "core/haptics/simulated", "core/store", "core/model_io", "experiments", "questionnaires"},
              {base, haptics, elicitation, model});
   const auto room = [&](const std::set<std::string>& names, bool plots = false) {
     std::set<std::string> folders = below;
@@ -95,8 +95,9 @@ const std::map<std::string, Permission>& permissions() {
       {"app/simulation", {joined({"core/fuzzy", "core/render", "core/haptics/simulated"}, {base, haptics}), {}}},
       {"app/devices",
        {joined({"core/haptics/simulated", "core/haptics/hid", "core/haptics/openhaptics"}, {base, haptics}), {}}},
+      {"app/figures", {joined({}, {base, model, elicitation}), {}}},
       {"app/report",
-       {joined({"app/simulation", "core/render", "core/haptics/simulated", "experiments"},
+       {joined({"app/figures", "app/simulation", "core/render", "core/haptics/simulated", "experiments"},
                {base, haptics, model, elicitation}),
         {}}},
       {"app/bundle",

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/editing/membership_edits.h"
-#include "app/workbench/model/force_curves.h"
+#include "app/figures/force_curves.h"
 #include "app/workbench/understand/map/contour_lines.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "core/analysis/explain.h"

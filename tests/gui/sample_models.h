@@ -1,4 +1,4 @@
-// Small models whose forces can be worked out by hand, and files of them.
+// Files of small models whose forces can be worked out by hand.
 #pragma once
 
 #include <QString>
@@ -6,13 +6,9 @@
 
 #include "core/fuzzy/force_model.h"
 
-namespace tactus::tests {
+#include "tests/support/two_experts.h"
 
-/// Inputs speed [0, 100] mm/s (slow, fast; they cross at 50) and depth [0, 10] mm (near until 5, far from 6 on, nothing
-/// between). The output terms low and high are rectangles with the centroids 0.25 N and 0.75 N, whatever clips them.
-/// Expert A: near and slow -> low, near and fast -> high, far -> high. Expert B: far -> low. B has a list of its own
-/// for speed.
-fuzzy::ForceModel twoExperts();
+namespace tactus::tests {
 
 /// Writes models into a folder that is removed in the end.
 class ModelFolder {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "app/figures/force_curves.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/model/force_curves.h"
 #include "app/workbench/model/open_model.h"
 #include "core/base/check.h"
 
@@ -24,7 +24,7 @@ FamilyCurves computeFamily(const fuzzy::ForceModel& model, const fuzzy::Compiled
                            std::span<const double> values, const CurveFamily& family) {
   TACTUS_CHECK(values.size() == compiled.inputCount() && x_input < values.size() && family.input < values.size() &&
                family.input != x_input);
-  FamilyCurves out{samplePositions(model, x_input), {}};
+  FamilyCurves out{figures::samplePositions(model, x_input), {}};
   std::vector<double> point(values.begin(), values.end());
   for (const double value : family.values) {
     point[family.input] = value;

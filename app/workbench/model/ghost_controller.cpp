@@ -127,7 +127,7 @@ void GhostController::compute() const {
   const OpenModel& past = *before();
   const OpenModel& now = *scene_.model();
   if (!same_before) {
-    ForceCurves of_past = computeCurves(past.model, past.compiled, scene_.xInput(), setting);
+    figures::ForceCurves of_past = figures::computeCurves(past.model, past.compiled, scene_.xInput(), setting);
     scene_.countEvaluations(of_past.x.size() * (1 + of_past.experts.size()));
     curves_.emplace();
     curves_->x = std::move(of_past.x);

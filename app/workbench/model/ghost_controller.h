@@ -10,7 +10,7 @@
 
 #include "app/editing/edit_history.h"
 #include "app/editing/model_ghost.h"
-#include "app/workbench/model/force_curves.h"
+#include "app/figures/force_curves.h"
 #include "app/workbench/model/open_model.h"
 
 namespace tactus::workbench {

@@ -22,9 +22,9 @@ double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term) {
   return variable.min;
 }
 
-Interval halfRange(const fuzzy::Variable& variable, const fuzzy::Term& term) {
+figures::Interval halfRange(const fuzzy::Variable& variable, const fuzzy::Term& term) {
   const std::vector<double>& p = term.points;
-  Interval half;
+  figures::Interval half;
   if (term.shape == fuzzy::Shape::kGaussian) {
     const double away = p[1] * std::sqrt(2 * std::numbers::ln2);
     half = {p[0] - away, p[0] + away};

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/model/force_curves.h"
+#include "app/figures/force_curves.h"
 #include "app/workbench/model/open_model.h"
 #include "core/fuzzy/force_model.h"
 
@@ -21,7 +21,7 @@ inline constexpr auto kSpeedId = "speed";
 double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term);
 
 /// The part of the universe in which `term` has membership 0.5 or more; of width 0 if there is none.
-Interval halfRange(const fuzzy::Variable& variable, const fuzzy::Term& term);
+figures::Interval halfRange(const fuzzy::Variable& variable, const fuzzy::Term& term);
 
 /// The term with the largest membership at `value`; the first of equals. Nothing if `value` belongs to no term.
 std::optional<std::size_t> strongestTerm(const fuzzy::Variable& variable, double value);

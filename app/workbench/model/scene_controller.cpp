@@ -48,10 +48,10 @@ const std::vector<fuzzy::Term>& SceneController::terms(const fuzzy::Variable& va
   return terms_of_ ? fuzzy::termsFor(model_->model.experts[*terms_of_], variable) : variable.terms;
 }
 
-const ForceCurves& SceneController::curves() const {
+const figures::ForceCurves& SceneController::curves() const {
   TACTUS_CHECK(model_ != nullptr);
   if (!curves_) {
-    curves_ = computeCurves(model_->model, model_->compiled, x_input_, values_);
+    curves_ = figures::computeCurves(model_->model, model_->compiled, x_input_, values_);
     countEvaluations(curves_->x.size() * (1 + curves_->experts.size()));
   }
   return *curves_;

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "app/figures/force_curves.h"
 #include "app/workbench/model/curve_family.h"
 #include "app/workbench/model/figure_presets.h"
-#include "app/workbench/model/force_curves.h"
 #include "app/workbench/model/model_controller.h"
 #include "core/analysis/explain.h"
 
@@ -52,7 +52,7 @@ class SceneController : public QObject {
   const std::vector<fuzzy::Term>& terms(const fuzzy::Variable& variable) const;
 
   /// The curves along the x axis in the current setting.
-  const ForceCurves& curves() const;
+  const figures::ForceCurves& curves() const;
 
   /// The family of curves of the mean at several values of another input; it replaces the curves of the experts.
   const std::optional<CurveFamily>& family() const { return family_; }
@@ -120,7 +120,7 @@ class SceneController : public QObject {
   std::optional<std::size_t> terms_of_;
   std::optional<CurveFamily> family_;
   // Computed on demand.
-  mutable std::optional<ForceCurves> curves_;
+  mutable std::optional<figures::ForceCurves> curves_;
   mutable std::optional<FamilyCurves> family_curves_;
   mutable std::optional<Reading> reading_;
   mutable std::optional<analysis::Explanation> explanation_;

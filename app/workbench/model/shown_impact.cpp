@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/workbench/model/force_curves.h"
+#include "app/figures/force_curves.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
@@ -12,8 +12,8 @@ editing::GhostCurve curveBetween(const fuzzy::ForceModel& before, const fuzzy::C
                                  const fuzzy::ForceModel& after, const fuzzy::CompiledModel& compiled_after,
                                  const CurveSetting& setting) {
   // The largest difference of lines that bend at vertices lies at one of them, in most cases.
-  const auto before_x = samplePositions(before, setting.x_input);
-  const auto after_x = samplePositions(after, setting.x_input);
+  const auto before_x = figures::samplePositions(before, setting.x_input);
+  const auto after_x = figures::samplePositions(after, setting.x_input);
   std::vector<double> places;
   std::set_union(before_x.begin(), before_x.end(), after_x.begin(), after_x.end(), std::back_inserter(places));
   auto compared = editing::ghostCurve(compiled_before, compiled_after, setting.x_input, setting.values, places);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/workbench/model/force_curves.h"
+#include "app/figures/force_curves.h"
 #include "app/workbench/plot/plot_style.h"
 
 namespace tactus::workbench {
@@ -39,9 +39,9 @@ class TermLabels : public QCPLayerable {
  private:
   struct Name {
     QString text;
-    double center = 0;     ///< on the axis
-    Interval half;         ///< where the membership is 0.5 or more
-    std::size_t term = 0;  ///< index of the term, which sets the color
+    double center = 0;       ///< on the axis
+    figures::Interval half;  ///< where the membership is 0.5 or more
+    std::size_t term = 0;    ///< index of the term, which sets the color
   };
 
   const QCPAxis& axis() const;

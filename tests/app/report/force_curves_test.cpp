@@ -1,5 +1,6 @@
 #include "app/report/force_curves.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "tests/support/ngt_model.h"
@@ -42,15 +43,17 @@ TEST(ForceCurves, OtherInputsAreRefused) {
   EXPECT_NE(curves.error().message().find("neck_flexion"), std::string::npos);
 }
 
-TEST(ForceCurves, ReachableRangeOfS4StaysInsideTheUniverse) {
-  const fuzzy::ForceModel model = support::s4AsPrinted();
-  const auto curves = ForceCurves::of(model);
+TEST(ForceCurves, PlottedCurvesHoldTheEndsOfAHole) {
+  const auto curves = ForceCurves::of(support::s4AsPrinted());
   ASSERT_TRUE(curves);
-  const auto range = reachableRange(model, *curves);
-  ASSERT_TRUE(range);
-  // Centroids of the outer terms alone: 0 0 .2 .3 gives .12667, .7 .8 1.1 1.1 gives .92381.
-  EXPECT_NEAR(range->low_n, 0.12667, 5e-6);
-  EXPECT_LE(range->high_n, 0.92381 + 5e-6);
+  // The small force ends at the last vertex of its depth term, 125 mm; the next term begins at 138 mm.
+  const ForceCurve curve = curves->plotted({1, 60, 50}, 0);
+  const auto silent = [](const CurvePoint& point) { return !point.force_n; };
+  const auto first = std::find_if(curve.begin(), curve.end(), silent);
+  const auto last = std::find_if(curve.rbegin(), curve.rend(), silent);
+  ASSERT_NE(first, curve.end());
+  EXPECT_EQ(first->depth_mm, 125);
+  EXPECT_EQ(last->depth_mm, 138);
 }
 
 }  // namespace

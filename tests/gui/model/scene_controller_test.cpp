@@ -64,7 +64,7 @@ TEST_F(SceneControllerTest, HoverReadsAndTheValueStays) {
 
 TEST_F(SceneControllerTest, CurvesChangeOnlyWithWhatTheyDependOn) {
   const QSignalSpy curves_changed(&scene, &SceneController::curvesChanged);
-  const ForceCurves* before = &scene.curves();
+  const figures::ForceCurves* before = &scene.curves();
   const double speed_50 = before->mean.front().force_n;
   scene.setValue(kSpeed, 50);  // as it is
   scene.setValue(kDepth, 7);   // the x axis

@@ -105,14 +105,14 @@ void CurvePlot::setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term
   redraw(*plot_);
 }
 
-void CurvePlot::setCurves(const ForceCurves& curves) {
+void CurvePlot::setCurves(const figures::ForceCurves& curves) {
   const QVector<double> x(curves.x.begin(), curves.x.end());
   plot_->graph(kMeanGraph)->setData(x, withGaps(curves.mean), true);
-  everyone_silent_ = silentIntervals(curves.x, curves.mean);
+  everyone_silent_ = figures::silentIntervals(curves.x, curves.mean);
   silent_.clear();
   for (std::size_t i = 0; i < curves.experts.size(); ++i) {
     plot_->graph(static_cast<int>(i) + 1)->setData(x, withGaps(curves.experts[i]), true);
-    silent_.push_back(silentIntervals(curves.x, curves.experts[i]));
+    silent_.push_back(figures::silentIntervals(curves.x, curves.experts[i]));
   }
   // The spread is one of the experts, who make way for a family.
   const SpreadShown spread = overlays_->familySize() > 0 ? SpreadShown{false, false} : spread_;

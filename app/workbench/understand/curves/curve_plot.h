@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/figures/force_curves.h"
 #include "app/workbench/model/curve_family.h"
-#include "app/workbench/model/force_curves.h"
 #include "app/workbench/plot/plot_source.h"
 #include "app/workbench/understand/curves/curve_looks.h"
 #include "app/workbench/understand/curves/reference_curve.h"
@@ -41,7 +41,7 @@ class CurvePlot : public QWidget, public PlotSource {
   void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output, const std::vector<fuzzy::Expert>& experts);
   /// The terms of the x axis, as bands with their names above the plot.
   void setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms);
-  void setCurves(const ForceCurves& curves);
+  void setCurves(const figures::ForceCurves& curves);
   /// Shows or hides the line of an expert.
   void setExpertShown(std::size_t expert, bool shown);
   void setMeanShown(bool shown);
@@ -101,9 +101,9 @@ class CurvePlot : public QWidget, public PlotSource {
   std::unique_ptr<CurveOverlays> overlays_;
   fuzzy::Variable x_;
   fuzzy::Variable output_;
-  std::vector<Interval> everyone_silent_;
-  std::vector<std::vector<Interval>> silent_;  ///< one list per expert
-  std::vector<double> weights_;                ///< of the experts
+  std::vector<figures::Interval> everyone_silent_;
+  std::vector<std::vector<figures::Interval>> silent_;  ///< one list per expert
+  std::vector<double> weights_;                         ///< of the experts
   SpreadShown spread_;
   QString ghost_name_;
   bool fast_ = false;

@@ -44,7 +44,7 @@ std::string familyColumn(const fuzzy::ForceModel& model, const CurveFamily& fami
 
 PlotTable curveTable(const SceneController& scene, const ShownCurves& shown, QStringList notes) {
   const fuzzy::ForceModel& model = scene.model()->model;
-  const ForceCurves& curves = scene.curves();
+  const figures::ForceCurves& curves = scene.curves();
   std::vector<Column> columns;
   if (shown.mean) columns.push_back(forces(columnName(model.output), curves.mean));
   for (std::size_t i = 0; i < shown.experts.size(); ++i) {

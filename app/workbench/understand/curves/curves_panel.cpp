@@ -12,13 +12,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/figures/force_curves.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/kit/say.h"
-#include "app/workbench/model/force_curves.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -161,7 +161,7 @@ void CurvesPanel::drawCurves() {
 // Also while a vertex is dragged: a cliff is seen before it is felt.
 void CurvesPanel::drawSteps() {
   const OpenModel& open = *scene_.model();
-  auto steps = noticeableSteps(open.model, open.compiled, scene_.xInput(), scene_.values());
+  auto steps = figures::noticeableSteps(open.model, open.compiled, scene_.xInput(), scene_.values());
   plot_->setSteps(steps);
   std::erase_if(steps, [&](const analysis::ForceStep& step) {
     return step.expert ? !plot_->isExpertShown(*step.expert) : !plot_->isMeanShown();

@@ -14,7 +14,7 @@ std::vector<double> weightsOf(const fuzzy::ForceModel& model) {
   return weights;
 }
 
-ForceSpread spreadOf(const ForceCurves& curves, std::span<const double> weights) {
+ForceSpread spreadOf(const figures::ForceCurves& curves, std::span<const double> weights) {
   TACTUS_CHECK(weights.size() == curves.experts.size());
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const std::size_t count = curves.x.size();

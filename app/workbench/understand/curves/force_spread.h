@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "app/workbench/model/force_curves.h"
+#include "app/figures/force_curves.h"
 
 namespace tactus::workbench {
 
@@ -27,6 +27,6 @@ inline constexpr std::size_t kFewestForDeviation = 3;
 /// and is unbiased for equal weights (n - 1): s^2 = sum w (F - mean)^2 / (sum w - sum w^2 / sum w). It assumes no
 /// distribution. There are no quartiles: for four experts they would lie between two values. `weights`: one per expert,
 /// >= 0; an expert with weight 0 is left out, as in the mean.
-ForceSpread spreadOf(const ForceCurves& curves, std::span<const double> weights);
+ForceSpread spreadOf(const figures::ForceCurves& curves, std::span<const double> weights);
 
 }  // namespace tactus::workbench

@@ -99,7 +99,7 @@ const std::vector<std::optional<ReferenceDifference>>& ReferenceController::diff
 }
 
 std::optional<ReferenceDifference> ReferenceController::differenceOf(const ReferenceCurve& reference) const {
-  const ForceCurves& curves = scene_.curves();
+  const figures::ForceCurves& curves = scene_.curves();
   const std::vector<fuzzy::Evaluation>& known = expert_ ? curves.experts[*expert_] : curves.mean;
   const fuzzy::CompiledModel& compiled = scene_.model()->compiled;
   std::vector<double> point = scene_.readingPoint();

@@ -38,7 +38,7 @@ void fill(QCPPainter& painter, const QRectF& area, QColor color, float alpha) {
 SilenceMarks::SilenceMarks(QCustomPlot& plot)
     : QCPLayerable(&plot, QStringLiteral("main")), font_(theme::smallFont()) {}
 
-void SilenceMarks::set(std::vector<Interval> everyone, std::vector<Lane> lanes) {
+void SilenceMarks::set(std::vector<figures::Interval> everyone, std::vector<Lane> lanes) {
   everyone_ = std::move(everyone);
   lanes_ = std::move(lanes);
   if (lanes_.size() <= kMostLanes) return;
@@ -47,7 +47,7 @@ void SilenceMarks::set(std::vector<Interval> everyone, std::vector<Lane> lanes) 
     others.intervals.insert(others.intervals.end(), lanes_[i].intervals.begin(), lanes_[i].intervals.end());
   }
   std::sort(others.intervals.begin(), others.intervals.end(),
-            [](const Interval& a, const Interval& b) { return a.low < b.low; });
+            [](const figures::Interval& a, const figures::Interval& b) { return a.low < b.low; });
   lanes_.resize(kMostLanes - 1);
   lanes_.push_back(std::move(others));
 }
@@ -56,7 +56,7 @@ void SilenceMarks::applyDefaultAntialiasingHint(QCPPainter* painter) const { pai
 
 void SilenceMarks::draw(QCPPainter* painter) {
   painter->setFont(font_);
-  for (const Interval& interval : everyone_) drawEveryone(*painter, interval);
+  for (const figures::Interval& interval : everyone_) drawEveryone(*painter, interval);
   const double height = QFontMetricsF(font_).height();
   double bottom = mParentPlot->axisRect()->bottom() - foot_;
   for (const Lane& lane : lanes_) {
@@ -65,7 +65,7 @@ void SilenceMarks::draw(QCPPainter* painter) {
   }
 }
 
-void SilenceMarks::drawEveryone(QCPPainter& painter, const Interval& interval) const {
+void SilenceMarks::drawEveryone(QCPPainter& painter, const figures::Interval& interval) const {
   const QCPAxisRect* area = mParentPlot->axisRect();
   const QCPAxis* axis = area->axis(QCPAxis::atBottom);
   const double left = axis->coordToPixel(interval.low);

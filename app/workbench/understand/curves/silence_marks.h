@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/workbench/model/force_curves.h"
+#include "app/figures/force_curves.h"
 #include "app/workbench/plot/plot_style.h"
 
 namespace tactus::workbench {
@@ -16,14 +16,14 @@ class SilenceMarks : public QCPLayerable {
   struct Lane {
     QString text;
     QColor color;
-    std::vector<Interval> intervals;
+    std::vector<figures::Interval> intervals;
   };
 
   explicit SilenceMarks(QCustomPlot& plot);
 
   /// `everyone`: the intervals in which all experts abstain; `lanes`: those of single experts. Draws at most six lanes;
   /// the last one then stands for all other experts.
-  void set(std::vector<Interval> everyone, std::vector<Lane> lanes);
+  void set(std::vector<figures::Interval> everyone, std::vector<Lane> lanes);
 
   /// Height at the lower edge that is used for something else, px.
   void setFoot(double px) { foot_ = px; }
@@ -33,12 +33,12 @@ class SilenceMarks : public QCPLayerable {
   void draw(QCPPainter* painter) override;
 
  private:
-  void drawEveryone(QCPPainter& painter, const Interval& interval) const;
+  void drawEveryone(QCPPainter& painter, const figures::Interval& interval) const;
   void drawLane(QCPPainter& painter, const Lane& lane, double bottom) const;
 
   QFont font_;
   double foot_ = 0;
-  std::vector<Interval> everyone_;
+  std::vector<figures::Interval> everyone_;
   std::vector<Lane> lanes_;
 };
 

@@ -8,13 +8,6 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr double kDarkest = 0.58;
-constexpr double kLit = 0.46;  // on top of that where the light falls straight on a cell
-// The light as the viewer sees it: to the left, above, behind.
-constexpr double kLightRight = -0.42;
-constexpr double kLightUp = 0.62;
-constexpr double kLightToViewer = 0.663;
-
 // Whether a rule fires at all places of the map in the square from `x`, `y`, `stride` wide.
 bool allFired(const ForceMap& map, std::size_t x, std::size_t y, std::size_t stride) {
   for (std::size_t j = y; j <= y + stride; ++j) {
@@ -54,8 +47,7 @@ SurfaceMesh::SurfaceMesh(const ForceMap& map, double min_n, double max_n, std::s
       cell.height = (a + b + c + d) / 4;
       const double rise_x = (b + c - a - d) / 2 * kBox.z / width_x;
       const double rise_y = (c + d - a - b) / 2 * kBox.z / width_y;
-      const double length = std::hypot(rise_x, rise_y, 1);
-      cell.normal = {-rise_x / length, -rise_y / length, 1 / length};
+      cell.normal = figures::normalOf(rise_x, rise_y);
     }
   }
 }
@@ -63,14 +55,6 @@ SurfaceMesh::SurfaceMesh(const ForceMap& map, double min_n, double max_n, std::s
 BoxPoint SurfaceMesh::node(std::size_t x, std::size_t y) const {
   const auto cells = static_cast<double>(cells_);
   return {static_cast<double>(x) / cells, static_cast<double>(y) / cells, height_[y * (cells_ + 1) + x]};
-}
-
-double brightness(const BoxVector& normal, const SurfaceProjection& seen) {
-  double light = kLightRight * dot(normal, seen.right()) + kLightUp * dot(normal, seen.up()) +
-                 kLightToViewer * dot(normal, seen.toViewer());
-  // The side that is seen is the side that is lit.
-  if (dot(normal, seen.toViewer()) < 0) light = -light;
-  return kDarkest + kLit * std::max(0.0, light);
 }
 
 }  // namespace tactus::workbench

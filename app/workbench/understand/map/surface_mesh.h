@@ -60,8 +60,4 @@ class PaintOrder {
   bool y_rises_;
 };
 
-/// The brightness of a cell: 1 for its plain color, less if it faces away from a light at the upper left behind the
-/// viewer. Both sides are lit.
-double brightness(const BoxVector& normal, const SurfaceProjection& seen);
-
 }  // namespace tactus::workbench

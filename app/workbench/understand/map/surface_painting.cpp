@@ -51,7 +51,7 @@ void SurfacePainting::paint(QPainter& painter, double budget_ms) {
 
 void SurfacePainting::paintCell(QPainter& painter, std::size_t x, std::size_t y) const {
   const SurfaceCell& cell = mesh_->cell(x, y);
-  const QColor color = litColor(cell.height, brightness(cell.normal, seen_));
+  const QColor color = litColor(cell.height, figures::brightness(cell.normal, seen_));
   painter.setPen(quality_ == Quality::kSmooth ? QPen(color, kSeam) : QPen(Qt::NoPen));
   painter.setBrush(color);
   const std::array<QPointF, 4> corners = {node(x, y), node(x + 1, y), node(x + 1, y + 1), node(x, y + 1)};

@@ -10,8 +10,8 @@
 
 #include "app/editing/rule_edits.h"
 #include "app/editing/same_bits.h"
+#include "app/figures/force_curves.h"
 #include "app/workbench/kit/popup_form.h"
-#include "app/workbench/model/force_curves.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_editor.h"
@@ -107,8 +107,8 @@ class S4ByHand : public testing::Test {
     QTest::keyClick(cuts, Qt::Key_Return);
   }
 
-  ForceCurves curvesOf(const fuzzy::ForceModel& model) const {
-    return computeCurves(model, fuzzy::compile(model).value(), 2, std::vector<double>{1, 60, 0, 50});
+  figures::ForceCurves curvesOf(const fuzzy::ForceModel& model) const {
+    return figures::computeCurves(model, fuzzy::compile(model).value(), 2, std::vector<double>{1, 60, 0, 50});
   }
 
   tests::ModelFolder folder;
@@ -131,8 +131,8 @@ TEST_F(S4ByHand, TheCurvesAreThoseOfTableA2BitForBit) {
     EXPECT_TRUE(std::any_of(rules.expert().rules.begin(), rules.expert().rules.end(),
                             [&](const fuzzy::Rule& one) { return one == editing::inOrderOfInputs(wanted, rule); }));
   }
-  const ForceCurves by_hand = curvesOf(edits.model());
-  const ForceCurves golden = curvesOf(wanted);
+  const figures::ForceCurves by_hand = curvesOf(edits.model());
+  const figures::ForceCurves golden = curvesOf(wanted);
   ASSERT_EQ(by_hand.x, golden.x);
   for (std::size_t i = 0; i < golden.x.size(); ++i) {
     ASSERT_EQ(by_hand.mean[i].fired, golden.mean[i].fired) << golden.x[i];

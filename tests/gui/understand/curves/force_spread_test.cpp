@@ -9,8 +9,8 @@ namespace {
 using fuzzy::Evaluation;
 
 /// One place, forces of the experts as given; NaN: no rule fires.
-ForceCurves at(std::initializer_list<double> forces, double mean_n) {
-  ForceCurves curves;
+figures::ForceCurves at(std::initializer_list<double> forces, double mean_n) {
+  figures::ForceCurves curves;
   curves.x = {0};
   curves.mean = {{mean_n, true}};
   for (const double force : forces) {
@@ -31,7 +31,7 @@ TEST(ForceSpread, OfFourExpertsIsWhatTheFourSay) {
 }
 
 TEST(ForceSpread, OnlyTheRatiosOfTheWeightsCount) {
-  const ForceCurves curves = at({0.2, 0.4, 0.6, 0.8}, 0.5);
+  const figures::ForceCurves curves = at({0.2, 0.4, 0.6, 0.8}, 0.5);
   const ForceSpread one = spreadOf(curves, std::vector<double>(4, 1));
   const ForceSpread huge = spreadOf(curves, std::vector<double>(4, 1e300));
   EXPECT_EQ(one.plus_sd_n[0], huge.plus_sd_n[0]);

@@ -102,14 +102,6 @@ TEST(PaintOrder, OnTheWayToTheViewerCellsArePaintedLaterFromEveryAngle) {
   }
 }
 
-TEST(Brightness, OfBothSidesIsTheSame) {
-  const BoxVector up = {0, 0, 1};
-  const SurfaceProjection above({32, 30}, QRectF(0, 0, 400, 300));
-  EXPECT_GT(brightness(up, above), 0.9);
-  EXPECT_LE(brightness(up, above), 1.05);
-  EXPECT_NEAR(brightness({0, 0, -1}, above), brightness(up, above), kRounding);
-}
-
 TEST(SurfaceSections, AHillHidesWhatStandsBehindIt) {
   // A wall across the middle of x, high 0.8 to the low 0.1 beside it.
   const auto force = [](double x, double /*y*/) { return std::abs(x - 0.5) < 0.05 ? 0.8 : 0.1; };

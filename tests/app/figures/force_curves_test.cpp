@@ -1,4 +1,4 @@
-#include "app/workbench/model/force_curves.h"
+#include "app/figures/force_curves.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "tests/gui/sample_models.h"
+#include "tests/support/two_experts.h"
 
-namespace tactus::workbench {
+namespace tactus::figures {
 namespace {
 
 constexpr std::size_t kSpeed = 0;
@@ -98,4 +98,4 @@ TEST_F(ForceCurvesTest, AnyInputCanBeTheAxis) {
 }
 
 }  // namespace
-}  // namespace tactus::workbench
+}  // namespace tactus::figures

@@ -1,4 +1,4 @@
-#include "app/workbench/model/force_curves.h"
+#include "app/figures/force_curves.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "core/fuzzy/every_expert.h"
 #include "elicitation/force/force_step_limits.h"
 
-namespace tactus::workbench {
+namespace tactus::figures {
 namespace {
 
 void addVertices(const std::vector<fuzzy::Term>& terms, std::vector<double>& positions) {
@@ -92,4 +92,4 @@ std::vector<Interval> silentIntervals(std::span<const double> x, std::span<const
   return intervals;
 }
 
-}  // namespace tactus::workbench
+}  // namespace tactus::figures

@@ -9,7 +9,7 @@
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 
-namespace tactus::workbench {
+namespace tactus::figures {
 
 /// Evenly spaced samples of a curve, in addition to the vertices of the terms: one for two pixels of a plot 1000 px
 /// wide.
@@ -47,4 +47,4 @@ std::vector<analysis::ForceStep> noticeableSteps(const fuzzy::ForceModel& model,
 /// The intervals without a firing rule: of positive width, between samples that did not fire.
 std::vector<Interval> silentIntervals(std::span<const double> x, std::span<const fuzzy::Evaluation> curve);
 
-}  // namespace tactus::workbench
+}  // namespace tactus::figures
