@@ -25,7 +25,7 @@ std::string asText(const std::string& file, const fuzzy::ForceModel& model, cons
                      std::to_string(model.experts.size()) + ", rules " + std::to_string(ruleCount(model)) +
                      ", findings " + std::to_string(found.findings.size()) + '\n';
   text += findingsAsText(found.findings, model.output.unit);
-  if (!found.newtons_complete) text += "  not every force at stake was looked for: the model is very large\n";
+  if (!found.newtons_complete) text += "  the model is very large, so only some forces at stake were computed\n";
   if (!lint.coverage_complete) text += "  the search for holes was cut off: the model is too finely divided\n";
   if (!lint.bounds) return text + "reachable force: none, no rule fires anywhere\n";
   const auto interval = [&](double min, double max) {

@@ -138,7 +138,7 @@ Result<study::Study> runStudy(const std::string& folder, std::uint64_t seed, con
   if (!problem) std::filesystem::rename(unfinished, path, problem);
   if (problem) {
     return tl::unexpected(
-        base::Error{base::ErrorCode::kIo, path, {}, problem.message(), "a place where the study file can be put"});
+        base::Error{base::ErrorCode::kIo, path, {}, problem.message(), "a writable place for the study file"});
   }
   return std::move(view->study);
 }
@@ -253,7 +253,7 @@ Result<Output> demo(const DemoOptions& options) {
 
   std::vector<File> files = {{"report.html", "tables, figures and claims of the paper, recomputed"},
                              {std::string(kStudyFile), "the study: sessions of simulated nurses, record by record"},
-                             {"study/", "what the model is built from, as tables (CSV)"}};
+                             {"study/", "the data of the model, as tables (CSV)"}};
   files.insert(files.end(), models->begin(), models->end());
   files.insert(files.end(), scenarios->begin(), scenarios->end());
   return Output{options.json ? asJson(options.folder, files, built->notes) : asText(options.folder, files), {}};

@@ -103,7 +103,7 @@ base::Result<Output> calibrateDevice(const DeviceCalibrateOptions& options) {
   auto plan = haptics::planFor(opened->device->info());
   if (options.method == "weight") plan.method = haptics::ScaleMethod::kKnownWeight;
   CalibrationPrompt guide(options.terminal);
-  guide.say(wrapped("Press Enter to continue, type a number where one is asked for, or stop.", "", 0));
+  guide.say(wrapped("Press Enter to continue. Type a number if asked. Type stop to end.", "", 0));
   const std::string now = base::formatUtc(std::chrono::system_clock::now());
   const auto calibration = devices::runCalibration(*opened->device, plan, now, guide);
   if (!calibration) return tl::unexpected(calibration.error());

@@ -86,7 +86,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "demo", "The whole main job on the published data: study, models, export and report", demo,
              [](CLI::App& command, DemoOptions& o) {
                command.add_option("DIR", o.folder, "Folder to write into")->required()->check(notEmpty());
-               command.add_option("--seed", o.seed, "Seed of what is simulated, a whole number")
+               command.add_option("--seed", o.seed, "Seed of the simulation, a whole number")
                    ->check(wholeNumberUpTo(session::kLargestSeed))
                    ->default_str(std::to_string(session::kDefaultSeed));
                command.add_option("--reading", o.reading, "Reading of Table A2")
@@ -248,7 +248,7 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
   app.option_defaults()->always_capture_default();
   app.footer(
       "Exit status: 0 fine, 1 the input is wrong or a check failed, 2 wrong usage: an unknown word, a value out of its "
-      "range.\nA CSV table may have 2 GiB; of what is piped in, which may never end, at most 256 MiB are read.\n"
+      "range.\nA CSV table may have 2 GiB. From a pipe at most 256 MiB are read.\n"
       "How tables may be written: docs/csv-tables.md.");
   app.require_subcommand(1);
   Chosen chosen;

@@ -5,7 +5,7 @@
 namespace tactus::cli {
 
 void addDeviceCommands(CLI::App& app, Chosen& chosen, const Terminal& terminal, const Terminal& aside) {
-  CLI::App& devices = *app.add_subcommand("devices", "What is attached; test it, calibrate it");
+  CLI::App& devices = *app.add_subcommand("devices", "List, test and calibrate devices");
   devices.require_subcommand(0, 1);
   const auto list = std::make_shared<DevicesOptions>();
   addJson(devices, list->json);
@@ -34,7 +34,7 @@ void addDeviceCommands(CLI::App& app, Chosen& chosen, const Terminal& terminal, 
                    ->check(oneOf({"spring", "weight"}));
                command
                    .add_option("--inwards", o.inwards,
-                               "Store where the tube goes on a device behind OpenHaptics, x,y,z (right, up, toward "
+                               "Store the insertion axis of an OpenHaptics device, x,y,z (right, up, toward "
                                "you): --inwards=0,0,-1; by default the calibration runs")
                    ->check(notEmpty());
                o.terminal = terminal;

@@ -58,7 +58,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("CODE", o.code, "The new code")->required()->check(notEmpty());
              });
   addCommand(
-      study, chosen, "withdraw", "Remove everything of a participant for good", studyWithdraw,
+      study, chosen, "withdraw", "Permanently remove all data of a participant", studyWithdraw,
       [](CLI::App& command, StudyWithdrawOptions& o) {
         addFile(command, o.file);
         command.add_option("PERSON", o.person, "Code or id of the participant")->required()->check(notEmpty());

@@ -37,7 +37,7 @@ base::Result<Output> studyExport(const StudyExportOptions& options) {
   }
   done->notes.insert(done->notes.begin(), notices.begin(), notices.end());
   return Output{"Wrote the " + profile + " export of " + std::to_string(done->participants) + " participants to " +
-                    base::oneLine(options.folder) + "; codebook.md says what the tables hold\n",
+                    base::oneLine(options.folder) + "; codebook.md describes the tables\n",
                 std::move(done->notes)};
 }
 

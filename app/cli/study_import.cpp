@@ -103,7 +103,7 @@ Result<Output> restore(const StudyImportOptions& options, const std::string& rec
   if (!file) return tl::unexpected(file.error());
   auto info = store::studyInfo(*file);
   if (!info) return tl::unexpected(info.error());
-  if (!options.json) return Output{"Made " + base::oneLine(options.file) + " as it was exported\n", {}};
+  if (!options.json) return Output{"Made " + base::oneLine(options.file) + " from the export\n", {}};
   store::Merge merge;
   merge.added = std::move(info->counts);
   std::erase_if(merge.added, [](const store::TableCount& count) { return count.rows == 0; });

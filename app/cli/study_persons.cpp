@@ -136,7 +136,7 @@ Result<Output> studyErase(const StudyEraseOptions& options) {
       (erasure->unfinished.empty() ? std::string("no erasure was interrupted")
                                    : "finished the erasure of " + std::to_string(erasure->unfinished.size()) +
                                          (erasure->unfinished.size() == 1 ? " participant" : " participants")) +
-      "; nothing of those who withdrew is left in the file\n";
+      "; the file holds no data of withdrawn participants any more\n";
   for (const auto& tombstone : *withdrawn) addCopies(options.file, tombstone.person, {}, output);
   return output;
 }

@@ -75,7 +75,7 @@ std::string why(const VoteStep& step) {
       text = "no half, no force decided before: the lower median";
       break;
     case elicitation::VoteReason::kNoVotes:
-      return "nobody chose a term";
+      return "no participant chose a term";
   }
   if (step.monotone_raised) text += "; raised, because terms never fall";
   if (step.below_quorum) text += "; less than half of the participants voted";

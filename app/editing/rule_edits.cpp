@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/editing/edit_text.h"
-#include "app/editing/rules_of_term.h"
 #include "app/editing/term_list.h"
 #include "core/base/text.h"
+#include "core/fuzzy/takes_part.h"
 
 namespace tactus::editing {
 namespace {
@@ -69,7 +69,7 @@ Result<void> checkRule(const Expert& expert, const Rule& rule, std::optional<std
   }
   for (std::size_t r = 0; r < expert.rules.size(); ++r) {
     if (r == instead_of || expert.rules[r].then != rule.then || !sameConditions(expert.rules[r], rule)) continue;
-    return fail(ErrorCode::kValue, labelOf(expert), number(r) + " that says the same", "a rule that is not there yet");
+    return fail(ErrorCode::kValue, labelOf(expert), "the same as " + number(r), "a new rule");
   }
   return {};
 }
@@ -100,7 +100,7 @@ std::vector<std::size_t> conflictingRules(const Expert& expert) {
   std::map<std::vector<std::pair<std::string, std::string>>, std::vector<std::size_t>> alike;
   for (std::size_t r = 0; r < expert.rules.size(); ++r) {
     const Rule& rule = expert.rules[r];
-    if (takesPart(rule)) alike[sortedConditions(rule)].push_back(r);
+    if (fuzzy::takesPart(rule)) alike[sortedConditions(rule)].push_back(r);
   }
   std::vector<std::size_t> out;
   for (const auto& same : alike) {

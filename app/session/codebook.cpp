@@ -59,7 +59,7 @@ std::vector<RecordTable> viewTables(const std::vector<std::string>& input_ids, b
       {kParticipant, {"form", ColumnKind::kText, "", "Form or reading whose depth terms the rule uses", "", true}}};
   for (const auto& input : input_ids) {
     rules.columns.push_back({input, ColumnKind::kText, "",
-                             "Term of this input that the rule asks for; empty where it asks for none", "", true});
+                             "Term of this input in the rule's conditions; empty without a condition", "", true});
   }
   rules.columns.push_back({"then", ColumnKind::kText, "", "Term of the force"});
   rules.columns.push_back({"weight", ColumnKind::kNumber, "", "Weight of the rule"});

@@ -24,7 +24,7 @@ constexpr int kMostRating = 7;
 
 tl::unexpected<base::Error> notNow(std::string what, SessionPart part) {
   return fail(ErrorCode::kValue, "session", std::move(what) + " in the part " + base::quoted(name(part)),
-              "what this part of the session asks for");
+              "a call that fits this part");
 }
 
 std::optional<Note> noteOf(const study::RecordId& record, const std::optional<AnswerInput>& input) {

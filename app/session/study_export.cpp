@@ -25,7 +25,7 @@ constexpr const char* kGuarded =
     "so "
     "that none of it is run as a formula; `tactus study import` and `tactus build` take it away again.";
 constexpr const char* kNotGuarded =
-    "Text stands as it was entered. A spreadsheet program may run text that begins with = + - @ as a formula: for such "
+    "Text is exported as entered. A spreadsheet program may run text that begins with = + - @ as a formula: for such "
     "a "
     "program export with `--bom`, which puts an apostrophe in front.";
 

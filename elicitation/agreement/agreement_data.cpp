@@ -16,7 +16,7 @@ std::string forceName(double force_n) { return base::formatNumber(force_n) + " N
 
 void noteUnrated(const std::vector<std::string>& units, AgreementData& data) {
   if (units.empty()) return;
-  data.notes.push_back("Left out, because nobody chose a term: " + base::joined(units, ", ") + ".");
+  data.notes.push_back("Left out, because no participant chose a term: " + base::joined(units, ", ") + ".");
 }
 
 void noteSilent(const std::set<std::string>& all, AgreementData& data) {

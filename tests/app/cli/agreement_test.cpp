@@ -72,7 +72,7 @@ TEST(AgreementCommand, JudgementsOfOneSeries) {
   EXPECT_EQ(result.at("units"), 3);
   EXPECT_EQ(result.at("raters"), json({"A", "B"}));
   EXPECT_EQ(result.at("items").at(1).at("votes"), json({0, 1, 1, 0, 0}));
-  EXPECT_EQ(result.at("notes"), json({"Left out, because nobody chose a term: 0.4 N."}));
+  EXPECT_EQ(result.at("notes"), json({"Left out, because no participant chose a term: 0.4 N."}));
   const json random = agreementOf(kJudgements, {"--series", "random"});
   EXPECT_EQ(random.at("units"), 1);
   EXPECT_TRUE(random.at("fleiss_kappa").is_null());

@@ -59,7 +59,7 @@ TEST_F(RuleEdits, OneRuleIsChanged) {
 
 TEST_F(RuleEdits, TheRefusalOfADoubledRuleNamesTheOther) {
   const Rule third = model_.experts[0].rules[2];
-  const std::string sentence = "S4: found rule 3 that says the same, wanted a rule that is not there yet";
+  const std::string sentence = "S4: found the same as rule 3, wanted a new rule";
   EXPECT_EQ(addRule(model_, s4_, third).error().message(), sentence);
   EXPECT_EQ(replaceRule(model_, s4_, 7, third).error().message(), sentence);
   EXPECT_TRUE(replaceRule(model_, s4_, 2, third).has_value());

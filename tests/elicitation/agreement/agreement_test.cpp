@@ -65,7 +65,7 @@ TEST(Agreement, OfTheSplitFromItsJudgements) {
   expectTable2(result);
   EXPECT_NEAR(result.kendall_w->w, 0.8938, 5e-5);  // scipy, the same place
   EXPECT_EQ(data->raters, (std::vector<std::string>{"P1", "P2", "P3", "P4"}));
-  EXPECT_EQ(data->notes, (std::vector<std::string>{"Left out, because nobody chose a term: 1.2 N.",
+  EXPECT_EQ(data->notes, (std::vector<std::string>{"Left out, because no participant chose a term: 1.2 N.",
                                                    "Left out, because they chose no term: 'P5'."}));
 }
 
@@ -108,7 +108,7 @@ TEST(AgreementData, OnlyAnsweredItemsAreRatings) {
   EXPECT_EQ(data->units[1].text, "second");
   EXPECT_EQ(data->counts.units, (std::vector<std::vector<int>>{{1, 0}, {1, 1}}));
   EXPECT_EQ(data->ratings->at(1, 0), 1U);
-  EXPECT_EQ(data->notes, (std::vector<std::string>{"Left out, because nobody chose a term: item 3.",
+  EXPECT_EQ(data->notes, (std::vector<std::string>{"Left out, because no participant chose a term: item 3.",
                                                    "Left out, because they chose no term: 'C'."}));
 }
 

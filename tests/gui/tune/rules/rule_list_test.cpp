@@ -137,7 +137,7 @@ TEST_F(RuleListTest, ARuleInFreeFormHasUpToFourConditions) {
   choose("Tube lubrication", 3);  // any, poor, medium, well
   choose("Depth", 1);
   QTest::mouseClick(accept, Qt::LeftButton);
-  EXPECT_TRUE(message().contains(QStringLiteral("rule 1 that says the same"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("the same as rule 1"))) << message().toStdString();
   EXPECT_EQ(count(), 45U);
 
   choose("Neck flexion", 2);
