@@ -9,6 +9,7 @@
 #include "app/editing/term_list.h"
 #include "core/analysis/coverage.h"
 #include "core/fuzzy/support.h"
+#include "core/fuzzy/takes_part.h"
 
 namespace tactus::editing {
 namespace {
@@ -54,8 +55,9 @@ bool overlap(const Hole& one, const Hole& other) {
 }
 
 bool isUsed(const ForceModel& model, const Expert& expert, const fuzzy::Variable& input, const std::string& term) {
-  return std::any_of(expert.rules.begin(), expert.rules.end(),
-                     [&](const fuzzy::Rule& rule) { return takesPart(rule) && names(rule, model, input, term); });
+  return std::any_of(expert.rules.begin(), expert.rules.end(), [&](const fuzzy::Rule& rule) {
+    return fuzzy::takesPart(rule) && names(rule, model, input, term);
+  });
 }
 
 /// Terms in use on both sides of a gap; null where there is none. A Gaussian has no edge that could be stretched.
