@@ -59,10 +59,10 @@ std::string clusterPlot(const ReportContext& context, const elicitation::Partici
     for (std::size_t k = 0; k < centres.size(); ++k) memberships[k].push_back({speed_mm_s, at[k]});
   }
   constexpr std::array<Dash, 3> kDashes = {Dash::kSolid, Dash::kDashed, Dash::kDashDot};
+  const fuzzy::Variable& speed = speedVariable(context);
   for (std::size_t k = 0; k < centres.size(); ++k) {
-    const std::string color = rampColor(k, centres.size());
-    plot.line(memberships[k], {.color = color, .width = 2, .dash = kDashes[k % kDashes.size()]},
-              termLabel(speedVariable(context), k));
+    const std::string color = figures::hex(figures::termColor(speed, speed.terms, k));
+    plot.line(memberships[k], {.color = color, .width = 2, .dash = kDashes[k % kDashes.size()]}, termLabel(speed, k));
     plot.verticalRule(centres[k], {.color = color, .width = 1, .dash = Dash::kDotted});
   }
   for (std::size_t k = 0; intervals != nullptr && k < centres.size(); ++k) {

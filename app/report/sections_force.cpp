@@ -48,9 +48,12 @@ std::string familyPlot(const ReportContext& context, const Family& family) {
                 .y = forceAxis(context)});
   markRegions(plot, context.regions);
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
-    const std::string color = rampColor(i, family.curves.size());
+    // Gray, as in the workbench: what tells the curves apart is no force.
+    const double share =
+        static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(1, family.curves.size() - 1));
+    const std::string color = figures::hex(figures::mixed({0x57, 0x60, 0x6A}, {0x1B, 0x1F, 0x24}, share));
     plot.line(toSeries(context.curves.plotted(family.curves[i].second, std::nullopt)),
-              {.color = color, .width = 2.4, .dash = kDashes[i % kDashes.size()]}, family.curves[i].first);
+              {.color = color, .width = 1.6 + share, .dash = kDashes[i % kDashes.size()]}, family.curves[i].first);
   }
   return plot.svg();
 }

@@ -37,7 +37,7 @@ std::string curvePlot(const ReportContext& context, const elicitation::Frequency
                 .x = {.label = "Insertion force (N)", .min = 0, .max = end_n + 0.05},
                 .y = {.label = "Share, membership", .min = 0, .max = 1.05, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
   for (std::size_t k = 0; k < force.terms.size(); ++k) {
-    const std::string color = rampColor(k, force.terms.size());
+    const std::string color = figures::hex(figures::termColor(force, force.terms, k));
     if (const auto* term = fuzzy::findTerm(terms, force.terms[k].id)) {
       plot.line(shapeOf(*term), {.color = color, .width = 2}, force.terms[k].label);
     }

@@ -70,7 +70,7 @@ std::string termPlot(const ReportContext& context, const fuzzy::Variable& variab
        .y = {.label = "Membership", .min = 0, .max = 1.18, .ticks = {0, 0.5, 1}}});
   for (std::size_t i = 0; i < terms.size(); ++i) {
     Series shape = shapeOf(terms[i], variable);
-    const std::string color = rampColor(i, terms.size());
+    const std::string color = figures::hex(figures::termColor(variable, terms, i));
     plot.area(shape, color, 0.1);
     plot.line(shape, {.color = color, .width = 2});
   }
@@ -78,7 +78,7 @@ std::string termPlot(const ReportContext& context, const fuzzy::Variable& variab
     const fuzzy::MembershipFunction m = fuzzy::MembershipFunction::of(terms[i]);
     const double middle = m.gaussian ? m.mean : (std::max(m.b, variable.min) + std::min(m.c, variable.max)) / 2;
     const std::string text = variable.id == "depth" ? regionCode(context.regions, terms[i].id) : terms[i].label;
-    plot.label(middle, 1.07, text, rampColor(i, terms.size(), kTextLight));
+    plot.label(middle, 1.07, text, readableText(figures::termColor(variable, terms, i)));
   }
   return plot.svg();
 }

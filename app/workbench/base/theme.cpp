@@ -5,23 +5,19 @@
 #include <QSettings>
 #include <QStyleFactory>
 #include <QWidget>
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstdint>
+
+#include "app/figures/colors.h"
 
 namespace tactus::workbench::theme {
 namespace {
 
-QColor mixed(const QColor& from, const QColor& to, double share) {
-  const auto mix = [share](int low, int high) { return static_cast<int>(std::lround(low + (high - low) * share)); };
-  return {mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue())};
+figures::Rgb of(const QColor& color) {
+  return {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
+          static_cast<std::uint8_t>(color.blue())};
 }
 
-// Relative luminance, WCAG 2.1.
-double luminance(const QColor& color) {
-  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
-}
+QColor of(const figures::Rgb& color) { return {color.red, color.green, color.blue}; }
 
 constexpr auto kLookKey = "look";
 constexpr auto kDark = "dark";
@@ -68,7 +64,7 @@ void setPalette(QApplication& application, Look look) {
   palette.setColor(QPalette::ToolTipText, Qt::white);
   palette.setColor(QPalette::Link, accent());
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-    palette.setColor(QPalette::Disabled, role, pick(0x9AA5B1, 0x66717C));
+    palette.setColor(QPalette::Disabled, role, pick(0x6B7784, 0x8A96A2));
   }
   application.setPalette(palette);
 }
@@ -133,31 +129,22 @@ QColor inLook(const QColor& color) {
   return color;
 }
 
-QColor onCard(const QColor& color) { return mixed(card(), color, color.alphaF()); }
+QColor onCard(const QColor& color) { return of(figures::mixed(of(card()), of(color), color.alphaF())); }
 
-QColor expert(std::size_t index) {
-  static constexpr std::array<QColor, 6> kColors = {QColor(0x00, 0x72, 0xB2), QColor(0xD5, 0x5E, 0x00),
-                                                    QColor(0x00, 0x9E, 0x73), QColor(0xCC, 0x79, 0xA7),
-                                                    QColor(0xE6, 0x9F, 0x00), QColor(0x56, 0xB4, 0xE9)};
-  return kColors[index % kColors.size()];
+QColor expert(std::size_t number) { return of(figures::expertColor(number)); }
+
+QColor force(std::size_t index, std::size_t count) {
+  return of(figures::forceRamp(count < 2 ? 0 : static_cast<double>(index) / static_cast<double>(count - 1)));
 }
 
-QColor term(std::size_t index, std::size_t count) {
-  static constexpr std::array<QColor, 4> kRamp = {QColor(0x2C, 0x3E, 0x8C), QColor(0x1F, 0x7A, 0xA8),
-                                                  QColor(0x35, 0xA8, 0x8A), QColor(0xE9, 0xA8, 0x20)};
-  if (count < 2) return kRamp[1];
-  const double place = static_cast<double>(index) / static_cast<double>(count - 1) * (kRamp.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), kRamp.size() - 2);
-  return mixed(kRamp[below], kRamp[below + 1], place - static_cast<double>(below));
-}
+QColor readableLine(const QColor& color) { return of(figures::readable(of(color), of(card()), of(ink()), 3)); }
 
-QColor termText(std::size_t index, std::size_t count) { return mixed(term(index, count), ink(), 0.5); }
+QColor readableText(const QColor& color) { return of(figures::readable(of(color), of(card()), of(ink()), 4.5)); }
 
 QColor inkOn(const QColor& fill) {
   const QColor dark(0x14, 0x1C, 0x24);
-  const double light_contrast = 1.05 / (luminance(fill) + 0.05);
-  const double dark_contrast = (luminance(fill) + 0.05) / (luminance(dark) + 0.05);
-  return light_contrast >= dark_contrast ? QColor(Qt::white) : dark;
+  const auto contrast = [&](const QColor& ink) { return figures::contrast(of(ink), of(fill)); };
+  return contrast(Qt::white) >= contrast(dark) ? QColor(Qt::white) : dark;
 }
 
 QFont titleFont() { return scaled(3, QFont::DemiBold); }

@@ -40,14 +40,16 @@ QColor mean();
 /// The force with friction, drawn beside the mean force.
 QColor friction();
 
-/// Line color of expert `index`, from Okabe and Ito (2008): distinct for every kind of color vision. Repeats after six.
-QColor expert(std::size_t index);
+/// Line color of the expert with this number (figures::expertNumbers).
+QColor expert(std::size_t number);
 
-/// Color of term `index` of `count`: a ramp from dark blue to amber with rising lightness. So the order of the terms
-/// stays visible with every kind of color vision and in a gray print.
-QColor term(std::size_t index, std::size_t count);
-/// The same color with enough contrast for small text on a card.
-QColor termText(std::size_t index, std::size_t count);
+/// Color of term `index` of `count` of the force: the force's ramp.
+QColor force(std::size_t index, std::size_t count);
+
+/// `color`, changed as little as it needs for a contrast of 3 to a card: for lines and handles.
+QColor readableLine(const QColor& color);
+/// The same with 4.5, for small text.
+QColor readableText(const QColor& color);
 
 /// Black or white ink, whichever reads better on `fill`.
 QColor inkOn(const QColor& fill);

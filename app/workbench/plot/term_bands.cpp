@@ -5,6 +5,7 @@
 #include <QtMath>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/plot/term_colors.h"
 
 namespace tactus::workbench {
 namespace {
@@ -27,9 +28,11 @@ void TermBands::setTerms(const fuzzy::Variable& variable, const std::vector<fuzz
   min_ = variable.min;
   max_ = variable.max;
   terms_.clear();
+  colors_.clear();
   places_ = {min_, max_};
   // On both sides of a vertical edge, as near as a gradient can tell apart.
   const double beside = 1e-6 * (max_ - min_);
+  for (std::size_t i = 0; i < terms.size(); ++i) colors_.push_back(termFill(variable, terms, i));
   for (const fuzzy::Term& term : terms) {
     terms_.push_back(fuzzy::MembershipFunction::of(term));
     for (const double corner : corners(term)) {
@@ -78,7 +81,7 @@ QColor TermBands::colorAt(double place) const {
   QColor color = theme::card();
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     const double share = kFullAlpha * terms_[i](place);
-    const QColor band = theme::term(i, terms_.size());
+    const QColor& band = colors_[i];
     const auto mix = [share](int below, int above) { return qRound(below + (above - below) * share); };
     color.setRgb(mix(color.red(), band.red()), mix(color.green(), band.green()), mix(color.blue(), band.blue()));
   }

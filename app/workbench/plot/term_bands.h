@@ -28,6 +28,7 @@ class TermBands : public QCPLayerable {
   double min_ = 0;
   double max_ = 1;
   std::vector<fuzzy::MembershipFunction> terms_;
+  std::vector<QColor> colors_;
   std::vector<double> places_;  ///< the color changes linearly between these
 };
 

@@ -7,6 +7,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/plot/label_layout.h"
+#include "app/workbench/plot/term_colors.h"
 
 namespace tactus::workbench {
 namespace {
@@ -23,7 +24,8 @@ TermLabels::TermLabels(QCustomPlot& plot, int rows, Side side)
 void TermLabels::setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {
   names_.clear();
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    names_.push_back({labelOf(terms[i]), coreMiddle(variable, terms[i]), halfRange(variable, terms[i]), i});
+    names_.push_back({labelOf(terms[i]), coreMiddle(variable, terms[i]), halfRange(variable, terms[i]),
+                      termFill(variable, terms, i)});
   }
   // As they follow each other on the screen: the low end of a y axis is below.
   std::stable_sort(names_.begin(), names_.end(), [this](const Name& a, const Name& b) {
@@ -59,7 +61,7 @@ void TermLabels::draw(QCPPainter* painter) {
     const double low = axis().coordToPixel(name.half.low);
     const double high = axis().coordToPixel(name.half.high);
     const QRectF bar(std::min(low, high) + 0.5, plot - kBar, std::abs(high - low) - 1, kBar);
-    if (bar.width() > 0) painter->fillRect(bar, theme::term(name.term, names_.size()));
+    if (bar.width() > 0) painter->fillRect(bar, name.color);
   }
   const QRect viewport = mParentPlot->viewport();
   const auto places = placeLabels(labels, rows_, (above ? viewport.left() : viewport.top()) + 2,
@@ -68,7 +70,7 @@ void TermLabels::draw(QCPPainter* painter) {
   painter->setFont(font_);
   for (std::size_t i = 0; i < names_.size(); ++i) {
     if (!places[i]) continue;
-    painter->setPen(QPen(theme::term(names_[i].term, names_.size()), 1));
+    painter->setPen(QPen(theme::readableLine(names_[i].color), 1));
     painter->drawLine(QLineF(lineStart(labels[i], *places[i]), edge - kLeader - places[i]->row * metrics.height(),
                              labels[i].center, edge + 1.0));
   }
@@ -78,7 +80,7 @@ void TermLabels::draw(QCPPainter* painter) {
     const double bottom = edge - kLeader - places[i]->row * metrics.height();
     painter->fillRect(QRectF(places[i]->left - 1, bottom - metrics.height(), labels[i].width + 2, metrics.height()),
                       theme::card());
-    painter->setPen(theme::termText(names_[i].term, names_.size()));
+    painter->setPen(theme::readableText(names_[i].color));
     painter->drawText(QPointF(places[i]->left, bottom - metrics.descent()), names_[i].text);
   }
   painter->restore();

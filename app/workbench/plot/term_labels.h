@@ -41,7 +41,7 @@ class TermLabels : public QCPLayerable {
     QString text;
     double center = 0;       ///< on the axis
     figures::Interval half;  ///< where the membership is 0.5 or more
-    std::size_t term = 0;    ///< index of the term, which sets the color
+    QColor color;            ///< of the term
   };
 
   const QCPAxis& axis() const;

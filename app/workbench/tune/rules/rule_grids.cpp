@@ -132,7 +132,7 @@ QMenu* RuleGrids::makeMenu() {
   const auto selected = rules_.selected();
   for (std::size_t w = 0; w < words.size(); ++w) {
     QPixmap chip(16, 16);
-    chip.fill(theme::term(w, words.size()));
+    chip.fill(theme::force(w, words.size()));
     QAction* action = menu->addAction(chip, labelOf(words[w]));
     if (w < 9)
       action->setText(
@@ -294,7 +294,7 @@ void RuleGrids::paintCell(QPainter& painter, const RuleCell& place) const {
   if (!word) return;
   const auto& words = rules_.words();
   paintForceWord(painter, rect,
-                 {labelOf(words[*word]), theme::term(*word, words.size()), cell.enabled, cell.weight, cell.conflict,
+                 {labelOf(words[*word]), theme::force(*word, words.size()), cell.enabled, cell.weight, cell.conflict,
                   rules_.strength(*cell.rule)});
 }
 

@@ -67,7 +67,7 @@ void RuleListDelegate::paintWord(QPainter& painter, const QRectF& place, const Q
   const QVariant word = index.data(RuleListModel::kWord);
   if (!word.isValid()) return;
   paintForceWord(painter, place,
-                 {index.data().toString(), theme::term(word.toUInt(), rules_.words().size()),
+                 {index.data().toString(), theme::force(word.toUInt(), rules_.words().size()),
                   index.data(RuleListModel::kIsEnabled).toBool(), 1, index.data(RuleListModel::kConflict).toBool()});
 }
 

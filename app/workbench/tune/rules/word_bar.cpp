@@ -36,7 +36,7 @@ void WordBar::setWords(const std::vector<fuzzy::Term>& words) {
   };
   for (std::size_t w = 0; w < words.size(); ++w) {
     const QString key = w < kMostKeys ? QString::number(w + 1) : QString();
-    buttons_.push_back(new WordButton(labels[static_cast<qsizetype>(w)], key, theme::term(w, words.size()), this));
+    buttons_.push_back(new WordButton(labels[static_cast<qsizetype>(w)], key, theme::force(w, words.size()), this));
     connect(buttons_.back(), &QAbstractButton::clicked, this, [this, w] { emit chosen(w); });
     place(buttons_.back(), w);
   }

@@ -11,6 +11,7 @@
 #include "app/workbench/model/patient.h"
 #include "app/workbench/plot/landmark_marks.h"
 #include "app/workbench/plot/plot_style.h"
+#include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/term_labels.h"
 #include "app/workbench/plot/term_outline.h"
 #include "app/workbench/plot/value_marker.h"
@@ -80,7 +81,7 @@ void MembershipEditorPlot::drawGhost() {
     const TermOutline outline = outlineOf(before_[i], range.lower, range.upper);
     QCPGraph* graph = plot_->addGraph();
     graph->setAdaptiveSampling(false);
-    graph->setPen(ghostPen(theme::term(i, before_.size()), isDragging()));
+    graph->setPen(ghostPen(termLine(variable_, before_, i), isDragging()));
     graph->setData(outline.x, outline.membership, true);
   }
 }
@@ -152,7 +153,7 @@ void MembershipEditorPlot::drawTerms() {
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     const TermOutline outline = outlineOf(terms_[i], range.lower, range.upper);
     const bool strong = selected_ && selected_->term == i;
-    addShape(*plot_, theme::term(i, terms_.size()), strong ? 2.4 : 1.4, strong ? 0.32F : 0.14F)
+    addShape(*plot_, termLine(variable_, terms_, i), strong ? 2.4 : 1.4, strong ? 0.32F : 0.14F)
         .setData(outline.x, outline.membership, true);
   }
   drawGhost();
@@ -187,7 +188,7 @@ void MembershipEditorPlot::drawMarks() {
     for (const GripHandle& handle : of_term) {
       const std::size_t point = handle.grip.point;
       const bool locked = t < locked_.size() && point < locked_[t].size() && locked_[t][point];
-      handles.push_back({handle.x, handle.membership, theme::term(t, terms_.size()), selected_ && selected_->term == t,
+      handles.push_back({handle.x, handle.membership, termLine(variable_, terms_, t), selected_ && selected_->term == t,
                          locked, moves(t, handle.x, point)});
     }
     if (!grip || grip->term != t || grip->part == Part::kVertex) continue;

@@ -19,6 +19,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/lock_button.h"
 #include "app/workbench/kit/number_box.h"
+#include "app/workbench/plot/term_colors.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/term_forms.h"
 
@@ -166,7 +167,7 @@ void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
   swatch->setAutoFillBackground(true);
   swatch->setBackgroundRole(QPalette::Window);
   QPalette colors = swatch->palette();
-  colors.setColor(QPalette::Window, theme::term(index, terms_.terms().size()));
+  colors.setColor(QPalette::Window, termFill(terms_.variable(), terms_.terms(), index));
   swatch->setPalette(colors);
   auto* framed = new QWidget;
   auto* frame = new QHBoxLayout(framed);
@@ -316,7 +317,7 @@ void TermTable::showLocks() {
 void TermTable::showSelection() {
   for (std::size_t t = 0; t < rows_.size(); ++t) {
     const bool selected = terms_.selected() && terms_.selected()->term == t;
-    QColor tint = theme::term(t, rows_.size());
+    QColor tint = termFill(terms_.variable(), terms_.terms(), t);
     tint.setAlphaF(0.14F);
     QPalette colors = rows_[t].band->palette();
     colors.setColor(QPalette::Window, selected ? tint : QColor(Qt::transparent));

@@ -5,7 +5,8 @@
 
 namespace tactus::workbench {
 
-/// Line `index` of `count` of a family: a color ramp like that of the terms, because the values are ordered, too.
+/// Line `index` of `count` of a family: gray, as it belongs to no expert and is no force; darker
+/// and wider with the value, with dashes of its own.
 QPen familyPen(std::size_t index, std::size_t count, bool fast = false);
 /// The line of reference `index`. No expert and no mean has its color.
 QPen referencePen(std::size_t index);

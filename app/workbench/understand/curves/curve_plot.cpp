@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/scene_controller.h"
@@ -21,30 +22,51 @@ namespace {
 constexpr int kLabelRows = 2;
 constexpr int kMeanGraph = 0;  // graph of the mean; that of expert i is i + 1
 
-Qt::PenStyle lineStyle(std::size_t expert) {
+Qt::PenStyle lineStyle(std::size_t number) {
   // The colors repeat after six experts; the dashes then tell them apart.
   constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
-  return kStyles[expert / 6 % 4];
+  return kStyles[number / 6 % 4];
 }
 
 // Of many experts the lines are faint and thin: together they show the spread, and the mean stands out.
-QPen expertPen(std::size_t expert, std::size_t count) {
+QPen expertPen(std::size_t number, std::size_t count) {
   constexpr std::size_t kMany = 24;  // six colors with four kinds of dashes
-  if (count <= kMany) return {theme::expert(expert), 1.6, lineStyle(expert)};
-  const QColor color = theme::expert(expert);
+  if (count <= kMany) return {theme::expert(number), 1.6, lineStyle(number)};
+  const QColor color = theme::expert(number);
   const QColor card = theme::card();
   return {QColor((color.red() + card.red()) / 2, (color.green() + card.green()) / 2, (color.blue() + card.blue()) / 2),
           1};
 }
 
-QPen linePen(std::size_t graph, std::size_t experts, bool fast) {
-  QPen pen = graph == kMeanGraph ? QPen(theme::mean(), 4) : expertPen(graph - 1, experts);
+QPen linePen(std::size_t graph, const std::vector<std::size_t>& numbers, bool fast) {
+  QPen pen = graph == kMeanGraph ? QPen(theme::mean(), 4) : expertPen(numbers[graph - 1], numbers.size());
   if (fast) pen.setWidthF(1);
   return pen;
 }
 
+constexpr auto kMeanLayer = "mean";
+constexpr double kHalo = 1.5;  // px on each side
+
+/// The line of the mean: over all others, with a halo that sets it off from them.
+class MeanGraph : public QCPGraph {
+ public:
+  using QCPGraph::QCPGraph;
+
+ protected:
+  void draw(QCPPainter* painter) override {
+    const QPen own = pen();
+    if (own.widthF() > 1) {
+      setPen(QPen(theme::card(), own.widthF() + 2 * kHalo));
+      QCPGraph::draw(painter);
+      setPen(own);
+    }
+    QCPGraph::draw(painter);
+  }
+};
+
 void addLine(QCustomPlot& plot, const QString& name) {
-  QCPGraph* graph = plot.addGraph();
+  QCPGraph* graph = plot.graphCount() == kMeanGraph ? new MeanGraph(plot.xAxis, plot.yAxis) : plot.addGraph();
+  if (plot.graphCount() == kMeanGraph + 1) graph->setLayer(QLatin1String(kMeanLayer));
   graph->setName(name);
   graph->setAdaptiveSampling(false);
 }
@@ -58,6 +80,7 @@ CurvePlot::CurvePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
   setMinimumSize(360, 160);
   setAccessibleName(tr("Force curves"));
 
+  plot_->addLayer(QLatin1String(kMeanLayer), plot_->layer(QStringLiteral("main")), QCustomPlot::limAbove);
   bands_ = new TermBands(*plot_);
   silence_ = new SilenceMarks(*plot_);
   labels_ = new TermLabels(*plot_, kLabelRows);
@@ -89,6 +112,7 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   overlays_->clear();
   plot_->clearGraphs();
   weights_.clear();
+  numbers_ = figures::expertNumbers(experts);
   addLine(*plot_, tr("Mean"));
   for (const fuzzy::Expert& expert : experts) {
     addLine(*plot_, labelOf(expert));
@@ -134,12 +158,15 @@ void CurvePlot::setMeanShown(bool shown) {
 void CurvePlot::setReading(const Reading& reading) {
   std::vector<ReadingCursor::Dot> dots;
   for (std::size_t i = 0; i < reading.experts.size(); ++i) {
-    if (reading.experts[i].fired && shown(i + 1)) dots.push_back({reading.experts[i].force_n, theme::expert(i)});
+    if (reading.experts[i].fired && shown(i + 1))
+      dots.push_back({reading.experts[i].force_n, theme::expert(numbers_[i])});
   }
   if (reading.mean.fired && shown(kMeanGraph)) dots.push_back({reading.mean.force_n, theme::mean()});
-  const QString mean_text =
-      reading.mean.fired ? tr("mean %1").arg(forceText(reading.mean.force_n, output_.unit)) : tr("no rule fires");
-  cursor_->set(reading.x, placeText(x_, reading.x) + QStringLiteral("   ") + mean_text, std::move(dots));
+  const QString force = forceText(reading.mean.force_n, output_.unit);
+  const QString said = !reading.mean.fired    ? tr("no rule fires")
+                       : numbers_.size() == 1 ? force
+                                              : tr("mean %1").arg(force);
+  cursor_->set(reading.x, placeText(x_, reading.x) + QStringLiteral("   ") + said, std::move(dots));
   redraw(*plot_);
 }
 
@@ -151,7 +178,7 @@ void CurvePlot::setGhost(const GhostCurves* ghost, const QString& name) {
   ghost_name_ = name;
   std::vector<QPen> pens;
   for (std::size_t i = 0; i <= weights_.size(); ++i) {
-    pens.push_back(shown(i) ? linePen(i, weights_.size(), fast_) : QPen(Qt::NoPen));
+    pens.push_back(shown(i) ? linePen(i, numbers_, fast_) : QPen(Qt::NoPen));
   }
   overlays_->setGhost(ghost, pens);
   redraw(*plot_);
@@ -218,13 +245,13 @@ void CurvePlot::setFast(bool fast) {
 void CurvePlot::styleLines() {
   for (std::size_t i = 0; i <= weights_.size(); ++i) {
     QCPGraph* line = plot_->graph(static_cast<int>(i));
-    line->setPen(linePen(i, weights_.size(), fast_));
+    line->setPen(linePen(i, numbers_, fast_));
   }
 }
 
 LegendEntry CurvePlot::lineOf(std::optional<std::size_t> expert) const {
   const int graph = expert ? static_cast<int>(*expert) + 1 : kMeanGraph;
-  return {plot_->graph(graph)->name(), linePen(static_cast<std::size_t>(graph), weights_.size(), false)};
+  return {plot_->graph(graph)->name(), linePen(static_cast<std::size_t>(graph), numbers_, false)};
 }
 
 std::vector<LegendEntry> CurvePlot::legend() const {
@@ -268,7 +295,7 @@ void CurvePlot::updateSilence() {
   // With one expert the lane would repeat what the full height says.
   for (std::size_t i = 0; silent_.size() > 1 && i < silent_.size(); ++i) {
     if (silent_[i].empty() || !shown(i + 1)) continue;
-    lanes.push_back({plot_->graph(static_cast<int>(i) + 1)->name(), theme::expert(i), silent_[i]});
+    lanes.push_back({plot_->graph(static_cast<int>(i) + 1)->name(), theme::expert(numbers_[i]), silent_[i]});
   }
   silence_->set(everyone_silent_, std::move(lanes));
   redraw(*plot_);

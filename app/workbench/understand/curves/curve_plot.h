@@ -104,6 +104,7 @@ class CurvePlot : public QWidget, public PlotSource {
   std::vector<figures::Interval> everyone_silent_;
   std::vector<std::vector<figures::Interval>> silent_;  ///< one list per expert
   std::vector<double> weights_;                         ///< of the experts
+  std::vector<std::size_t> numbers_;                    ///< of the experts, for their colors
   SpreadShown spread_;
   QString ghost_name_;
   bool fast_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 
@@ -29,7 +30,7 @@ QVariant ReadingModel::data(const QModelIndex& index, int role) const {
   }
   switch (role) {
     case Qt::DecorationRole:
-      return row == kMeanRow ? theme::mean() : theme::expert(static_cast<std::size_t>(row) - 1);
+      return row == kMeanRow ? theme::mean() : theme::expert(numbers_[static_cast<std::size_t>(row) - 1]);
     case Qt::CheckStateRole:
       return shown_[static_cast<std::size_t>(row)] ? Qt::Checked : Qt::Unchecked;
     case Qt::FontRole:
@@ -57,12 +58,15 @@ void ReadingModel::adoptModel() {
   const std::vector<bool> old_shown = std::exchange(shown_, {});
   const std::vector<std::string> old_ids = std::exchange(ids_, {});
   // Who was hidden stays hidden, where the model still has him.
-  shown_.push_back(old_shown.empty() || old_shown[kMeanRow]);
+  // The mean of one expert is that expert.
+  const bool hid_the_mean = old_ids.size() > 1 && !old_shown[kMeanRow];
+  shown_.push_back(scene_.model()->model.experts.size() > 1 && !hid_the_mean);
   for (const fuzzy::Expert& expert : scene_.model()->model.experts) {
     const auto old = std::find(old_ids.begin(), old_ids.end(), expert.id);
     shown_.push_back(old == old_ids.end() || old_shown[static_cast<std::size_t>(old - old_ids.begin()) + 1]);
     ids_.push_back(expert.id);
   }
+  numbers_ = figures::expertNumbers(scene_.model()->model.experts);
   endResetModel();
 }
 

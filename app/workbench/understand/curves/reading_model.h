@@ -43,7 +43,8 @@ class ReadingModel : public QAbstractTableModel {
 
   const SceneController& scene_;
   std::vector<bool> shown_;
-  std::vector<std::string> ids_;  ///< ids of the experts
+  std::vector<std::string> ids_;      ///< ids of the experts
+  std::vector<std::size_t> numbers_;  ///< of the experts, for their colors
 };
 
 }  // namespace tactus::workbench

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/understand/here/set_sketch.h"
@@ -59,8 +60,9 @@ void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
   const analysis::ExplainedExpert& explained = explanation_.experts[expert];
   const QRectF line(0, kExpertHeight * static_cast<double>(expert), width(), kExpertHeight);
   if (expert % 2 == 0) painter.fillRect(line, theme::window());
+  const QColor color = theme::expert(figures::expertNumbers(open_->model.experts)[expert]);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(theme::expert(expert));
+  painter.setBrush(color);
   painter.drawEllipse(QRectF(4, line.center().y() - kDot / 2, kDot, kDot));
 
   const double sketch_width = std::max(kNarrowestSketch, (width() - kForces) * 0.25);
@@ -86,7 +88,7 @@ void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
     painter.drawText(forces, Qt::AlignRight | Qt::AlignVCenter, tr("no rule fires"));
     return;
   }
-  sketch.set(explained.aggregated, theme::expert(expert));
+  sketch.set(explained.aggregated, color);
   sketch.mark(explained.force_n, theme::ink());
   painter.setPen(theme::ink());
   painter.setFont(theme::headingFont());

@@ -7,6 +7,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/landmark_marks.h"
 #include "app/workbench/plot/plot_style.h"
+#include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/term_labels.h"
 #include "app/workbench/plot/term_outline.h"
 #include "app/workbench/plot/value_marker.h"
@@ -76,7 +77,7 @@ void MembershipPlot::setTerms(const std::vector<fuzzy::Term>& terms) {
   plot_->clearGraphs();
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const TermOutline outline = outlineOf(terms[i], variable_.min, variable_.max);
-    addShape(*plot_, theme::term(i, terms.size()), 1.5, 0.2F).setData(outline.x, outline.membership, true);
+    addShape(*plot_, termLine(variable_, terms, i), 1.5, 0.2F).setData(outline.x, outline.membership, true);
   }
   labels_->setTerms(variable_, terms);
   setToolTip(pointsText(terms));

@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 
+#include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/plot_style.h"
@@ -30,7 +31,7 @@ void OutputSetsPlot::showExpert(const fuzzy::ForceModel& model, const analysis::
   const analysis::ExplainedExpert& explained = explanation.experts[expert];
   const std::vector<fuzzy::Term>& terms = fuzzy::termsFor(model.experts[expert], model.output);
   for (std::size_t i = 0; i < explained.output_terms.size(); ++i) {
-    addSet(labelOf(terms[i]), explained.output_terms[i].set, theme::term(i, explained.output_terms.size()), 0.45F, 1);
+    addSet(labelOf(terms[i]), explained.output_terms[i].set, theme::force(i, explained.output_terms.size()), 0.45F, 1);
   }
   addSet(tr("together"), explained.aggregated, theme::ink(), 0, 1.6);
   finish(!explained.abstains, explained.force_n,
@@ -41,8 +42,9 @@ void OutputSetsPlot::showExperts(const fuzzy::ForceModel& model, const analysis:
   begin(model.output);
   // Many fills over each other say nothing any more, and outlines are enough.
   const bool many = explanation.experts.size() > kMostFills;
+  const std::vector<std::size_t> numbers = figures::expertNumbers(model.experts);
   for (std::size_t i = 0; i < explanation.experts.size(); ++i) {
-    addSet(labelOf(model.experts[i]), explanation.experts[i].aggregated, theme::expert(i), many ? 0 : 0.1F,
+    addSet(labelOf(model.experts[i]), explanation.experts[i].aggregated, theme::expert(numbers[i]), many ? 0 : 0.1F,
            many ? 1 : 1.6);
   }
   finish(explanation.fired, explanation.force_n, tr("mean %1").arg(forceText(explanation.force_n, model.output.unit)));

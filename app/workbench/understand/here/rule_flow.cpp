@@ -10,6 +10,7 @@
 #include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/plot/term_colors.h"
 #include "app/workbench/understand/here/set_sketch.h"
 
 namespace tactus::workbench {
@@ -172,7 +173,7 @@ void RuleFlow::paintCondition(QPainter& painter, const QRectF& cell, std::size_t
     if (conditions[i].input != variable.id) continue;
     const std::vector<fuzzy::Term>& terms = fuzzy::termsFor(expert, variable);
     const std::size_t term = indexOf(terms, conditions[i].term);
-    const QColor color = theme::term(term, terms.size());
+    const QColor color = termFill(variable, terms, term);
     const double words = QFontMetricsF(painter.font()).height();
     SetSketch sketch(painter, cell.adjusted(kPad, 3 + words, -kPad, -4), variable);
     sketch.ground();
@@ -202,7 +203,7 @@ void RuleFlow::paintOutput(QPainter& painter, const QRectF& cell, const analysis
   const fuzzy::Expert& expert = open_->model.experts[expert_];
   const std::vector<fuzzy::Term>& terms = fuzzy::termsFor(expert, open_->model.output);
   const std::size_t term = indexOf(terms, expert.rules[rule.rule].then);
-  const QColor color = theme::term(term, terms.size());
+  const QColor color = termFill(open_->model.output, terms, term);
   const double words = QFontMetricsF(painter.font()).height();
   SetSketch sketch(painter, cell.adjusted(kPad, 3 + words, -kPad, -4), open_->model.output);
   sketch.ground();

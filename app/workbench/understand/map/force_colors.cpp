@@ -10,7 +10,7 @@ namespace tactus::workbench {
 QColor forceColor(double share) {
   // Terms so many that two neighbors look the same.
   constexpr std::size_t kTerms = 256;
-  return theme::term(static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * (kTerms - 1))), kTerms);
+  return theme::force(static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * (kTerms - 1))), kTerms);
 }
 
 QBrush silentGround() { return {theme::border(), Qt::BDiagPattern}; }
