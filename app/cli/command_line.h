@@ -56,6 +56,9 @@ void addStudyCommands(CLI::App& app, Chosen& chosen);
 /// `bundle`, `verify`, `convert`, `diff`.
 void addDeliveryCommands(CLI::App& app, Chosen& chosen);
 
+/// `serve`, which says on `out` and `err` what happens while it runs.
+void addServeCommand(CLI::App& app, Chosen& chosen, std::ostream& out, std::ostream& err);
+
 struct Terminal;
 /// Adds `devices` with its subcommands (device_commands.h). `terminal`: for the dialog with the person; `aside`: the
 /// same while standard output is used for JSON.

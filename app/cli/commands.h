@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -136,5 +137,16 @@ struct DiffOptions {
 };
 /// The difference of two models: terms and rules, and newtons.
 base::Result<Output> diff(const DiffOptions& options);
+
+struct ServeOptions {
+  std::string model;
+  std::uint16_t port = 0;  ///< of the loopback; 0: a free one
+  std::string socket;      ///< socket file; empty: none
+  std::string token_file;  ///< empty: one in a private folder, removed at the end
+  bool watch = false;      ///< serve the file again when it changes
+};
+/// Serves a model over the live link until SIGINT or SIGTERM. `out` gets the line that says where, `err` one sentence
+/// for each change of the file that is no model.
+base::Result<Output> serve(const ServeOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace tactus::cli

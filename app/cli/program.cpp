@@ -255,6 +255,7 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
   addCommands(app, chosen);
   addStudyCommands(app, chosen);
   addDeliveryCommands(app, chosen);
+  addServeCommand(app, chosen, out, err);
   addDeviceCommands(app, chosen, {&in, &out}, {&in, &err});
   if (arguments.empty()) {
     err << app.help();

@@ -38,7 +38,7 @@ const std::map<std::string, Permission>& permissions() {
 
   // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
   const std::set<std::string> below =
-      joined({"app", "app/editing", "app/figures", "app/session", "app/devices", "core/analysis/gradient",
+      joined({"app", "app/editing", "app/figures", "app/link", "app/session", "app/devices", "core/analysis/gradient",
               "core/render", "core/haptics/simulated", "core/store", "core/model_io", "experiments", "questionnaires"},
              {base, haptics, elicitation, model});
   const auto room = [&](const std::set<std::string>& names, bool plots = false) {
@@ -79,6 +79,7 @@ const std::map<std::string, Permission>& permissions() {
       // What a simulator builds against knows nothing of this repository.
       {"core/runtime/include/tactus", {{}, {}}},
       {"core/runtime/examples", {{}, {"tactus/"}}},
+      {"core/runtime/examples/simulator", {{}, {"tactus/", "netinet/"}}},
       {"experiments", {joined({"core/study"}, {base}), {}}},
       {"elicitation/clustering", {{"core/base"}, {}}},
       {"elicitation/variables", {joined(model, {base}), {kJson}}},
@@ -102,10 +103,11 @@ const std::map<std::string, Permission>& permissions() {
         {}}},
       {"app/bundle",
        {joined({"app/report", "core/analysis", "core/exchange", "core/fuzzy", "core/model_io"}, {base}), {}}},
+      {"app/link", {joined({"core/fuzzy", "core/haptics/servo"}, {base}), {"netinet/"}}},
       {"app/editing", {joined({"core/model_io"}, {base, model, elicitation}), {}}},
       {"app/cli",
-       {joined({"app", "app/bundle", "app/session", "app/simulation", "app/devices", "app/report", "experiments",
-                "questionnaires", "core/exchange", "core/store", "core/model_io"},
+       {joined({"app", "app/bundle", "app/link", "app/session", "app/simulation", "app/devices", "app/report",
+                "experiments", "questionnaires", "core/exchange", "core/store", "core/model_io"},
                {base, model, elicitation}),
         {"CLI/"}}},
       {"app/workbench/base", room({})},
@@ -131,6 +133,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/rehearsal",
        room({"base", "device", "study/connection", "participant", "participant/kit", "participant/screens"})},
       {"app/workbench/shell", room({"base", "kit", "model"})},
+      {"app/workbench/deliver/link", room({"base", "kit", "model"})},
       {"app/workbench/participant/kit", room({"base", "anatomy"})},
       {"app/workbench/participant/screens", room({"base", "anatomy", "participant/kit"})},
       // The root composes them.
@@ -151,6 +154,7 @@ const std::map<std::string, Permission>& permissions() {
                               "study/connection",
                               "study",
                               "shell",
+                              "deliver/link",
                               "participant",
                               "participant/kit",
                               "participant/screens",
