@@ -1,6 +1,4 @@
-#include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
-#include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::model_io {
@@ -97,20 +95,6 @@ std::string formatModel(const fuzzy::ForceModel& model) {
   append(json, model.extra);
   json.endObject();
   return json.text();
-}
-
-base::Result<void> writeModel(const fuzzy::ForceModel& model, const std::string& path) {
-  if (const auto ok = fuzzy::validate(model); !ok) return base::inFile(ok.error(), path);
-  const std::string text = formatModel(model);
-  // What is written must read: this finds text that is not UTF-8, doubled keys, wrong checks, a file beyond the limit.
-  const auto read = parseModel(text, path);
-  if (!read) return tl::unexpected(read.error());
-  // JSON text has U+FFFD instead of bytes that are no text, and would read as another name.
-  if (text.find("\\ufffd") != std::string::npos && formatModel(read->model) != text) {
-    return tl::unexpected(base::Error{
-        base::ErrorCode::kSyntax, path, {}, "a name with bytes that are not UTF-8 text", "names that are UTF-8 text"});
-  }
-  return base::writeFileAtomically(path, text);
 }
 
 }  // namespace tactus::model_io

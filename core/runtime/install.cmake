@@ -2,7 +2,9 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS tactus_runtime_shared EXPORT tactus
-        LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus1 NAMELINK_COMPONENT libtactus-dev)
+        LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus1 NAMELINK_COMPONENT libtactus-dev
+        RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT libtactus1
+        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus-dev)
 install(TARGETS tactus_runtime_static EXPORT tactus
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus-dev)
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT libtactus-dev)
@@ -24,6 +26,12 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/tactus.pc" DESTINATION "${CMAKE_INSTA
 
 install(FILES languages/tactus.py languages/Tactus.cs DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/languages"
         COMPONENT libtactus-dev)
+# The Unity package: its Tactus.cs is the one of the other programs in C#.
+set(unity_folder "${CMAKE_INSTALL_DATADIR}/tactus/unity")
+configure_file(unity/package.json.in "${CMAKE_CURRENT_BINARY_DIR}/package.json" @ONLY)
+install(DIRECTORY unity/ DESTINATION "${unity_folder}" COMPONENT libtactus-dev PATTERN package.json.in EXCLUDE)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/package.json" DESTINATION "${unity_folder}" COMPONENT libtactus-dev)
+install(FILES languages/Tactus.cs DESTINATION "${unity_folder}/Runtime" COMPONENT libtactus-dev)
 install(DIRECTORY examples/ DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/examples" COMPONENT libtactus-dev)
 install(FILES "${PROJECT_SOURCE_DIR}/core/model_io/model_file.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus"
         RENAME tactus-force-model.schema.json COMPONENT libtactus-dev)

@@ -32,6 +32,7 @@ set(CPACK_DEBIAN_LIBTACTUS-DEV_PACKAGE_NAME libtactus-dev)
 set(CPACK_DEBIAN_LIBTACTUS-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBTACTUS-DEV_PACKAGE_DEPENDS "libtactus1 (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_LIBTACTUS-DEV_PACKAGE_SUGGESTS "cmake, pkgconf, python3, mono-mcs, tactus")
+set(CPACK_DEBIAN_LIBTACTUS-DEV_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/debian/prerm")
 set(CPACK_DEBIAN_LIBTACTUS-DEV_DESCRIPTION "force models of experts for haptic simulators (development)
 libtactus reads a model file and gives its force: one call, without
 allocation, in a tenth of a microsecond, on any number of threads.

@@ -46,3 +46,9 @@ endif()
 if(PYTHON AND NOT said MATCHES "\n0\\.60625[0-9]* N\n$")
   message(FATAL_ERROR "live_link.py: ${said}")
 endif()
+
+run(loop "${WORK}/build/haptic_loop" "${MODEL}" 1)
+# A hand that is pushed 60 mm through the nasal cavity feels some tenths of a newton, at most 1.1.
+if(NOT loop MATCHES "^1000 ticks, largest force (0\\.[0-9]+|1\\.0[0-9]+) N, slowest tick .* us\n$" OR loop MATCHES "force 0\\.0")
+  message(FATAL_ERROR "haptic_loop: ${loop}")
+endif()

@@ -14,3 +14,10 @@ run(force "${PYTHON}" "${PREFIX}/share/tactus/examples/force.py" "${MODEL}" 1 45
 if(NOT force MATCHES "^0\\.12666666666666[0-9]* N\n$")
   message(FATAL_ERROR "force.py: ${force}")
 endif()
+
+# The cells of the notebook in their order. The package of the library lets `import tactus` find the module; here it is told.
+set(ENV{PYTHONPATH} "${PREFIX}/share/tactus/languages")
+run(cells "${PYTHON}" -B "${PREFIX}/share/tactus/examples/notebook.py" "${MODEL}")
+if(NOT cells MATCHES "NGT by S4\n.*depth: 0 to 600 mm\n.*in the middle: 0\\.[0-9]+ N\n.* 600 mm .* 1000 ms +5[0-9]\\.[0-9]+ mm")
+  message(FATAL_ERROR "notebook.py: ${cells}")
+endif()

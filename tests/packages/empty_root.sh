@@ -24,7 +24,7 @@ fi
 mkdir -p "$root/packages" "$root/sources/docs" "$root/sources/tests/golden" "$root/sources/core/runtime"
 cp "$debs"/*tactus*.deb "$root/packages"
 # What an engineer outside has is the packages. The tests themselves and one model come along; the library's sources do not.
-cp -a "$sources/docs/conformance" "$root/sources/docs"
+cp -a "$sources/docs/conformance" "$sources/docs/guide" "$root/sources/docs"
 cp -a "$sources/tests/consumer" "$sources/tests/packages" "$root/sources/tests"
 cp -a "$sources/tests/golden/models" "$root/sources/tests/golden"
 for mounted in dev proc; do mount --rbind "/$mounted" "$root/$mounted" && mount --make-rslave "$root/$mounted"; done

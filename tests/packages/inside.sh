@@ -16,7 +16,7 @@ ldconfig -p | grep -q 'libtactus.so.1 '
 [ "$(find /usr/lib/udev/rules.d /lib/udev/rules.d -name 60-tactus.rules | head -n 1)" ]
 QT_QPA_PLATFORM=offscreen tactus-workbench --version
 # On a screen Qt loads this plugin; nothing that it needs may be missing.
-! ldd "/usr/lib/$multiarch/qt6/plugins/platforms/libqxcb.so" | grep 'not found'
+if ldd "/usr/lib/$multiarch/qt6/plugins/platforms/libqxcb.so" | grep 'not found'; then exit 1; fi
 say "program, workbench and library start"
 
 install shared-mime-info desktop-file-utils libglib2.0-bin
@@ -41,6 +41,9 @@ for test in points program examples python csharp; do
 done
 say "consumers in C, C++, Python and C#: the forces of tactus eval at $(($(wc -l </tmp/tests/consumer_points/points.csv) - 1)) points"
 cd / && python3 -c 'import tactus; print(tactus.version())'
+
+bash /sources/tests/packages/follow_guide.sh /sources/docs/guide/simulator.md /tmp/guide
+say "the guide, word by word"
 
 dpkg -P tactus libtactus-dev libtactus1
 left=$(find /usr /etc /lib /var/lib -iname '*tactus*' ! -path '/usr/share/mime/*' -print)

@@ -37,7 +37,7 @@ namespace Tactus
     {
 #if UNITY_IOS && !UNITY_EDITOR
         private const string Library = "__Internal";
-#elif UNITY_5_3_OR_NEWER
+#elif UNITY_5_3_OR_NEWER || TACTUS_DLL // on Windows without Unity, define TACTUS_DLL
         private const string Library = "tactus";
 #else
         private const string Library = "libtactus.so.1";

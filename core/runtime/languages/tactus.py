@@ -56,8 +56,11 @@ class Feel:
 def _load():
     prefix = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
     named = os.environ.get("TACTUS_LIBRARY")
-    names = [named] if named else ["libtactus.so.1"]
-    if not named:
+    if os.name == "nt":
+        names = [named] if named else ["tactus.dll", os.path.join(prefix, "bin", "tactus.dll")]
+    else:
+        names = [named] if named else ["libtactus.so.1"]
+    if not named and os.name != "nt":
         names += sorted(glob.glob(os.path.join(prefix, "lib*", "libtactus.so.1")))
         names += sorted(glob.glob(os.path.join(prefix, "lib", "*", "libtactus.so.1")))
     reasons = []

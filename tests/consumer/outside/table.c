@@ -38,7 +38,7 @@ int main(int argc, char **argv) {
     return 1;
   }
   in = fopen(argv[2], "r");
-  out = fopen(argv[3], "w");
+  out = fopen(argv[3], "wb");
   if (in == NULL || out == NULL || fgets(line, sizeof line, in) == NULL) return 1;
   line[strcspn(line, "\n")] = '\0';
   if (argc == 4) fprintf(out, "%s,force,fired\n", line);

@@ -11,7 +11,7 @@ int main(int argc, char** argv) try {
   if (argc != 4) return 2;
   const tactus::Model model = tactus::Model::open(argv[1]);
   std::ifstream in(argv[2]);
-  std::ofstream out(argv[3]);
+  std::ofstream out(argv[3], std::ios::binary);
   std::string line;
   std::getline(in, line);
   out << line << ",force,fired\n";

@@ -16,7 +16,10 @@
 
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(_WIN32)
+/* On Windows a program that links the static library defines TACTUS_STATIC (the CMake target does). */
+#if defined(_WIN32) && !defined(TACTUS_STATIC)
+#define TACTUS_API __declspec(dllimport)
+#elif defined(__GNUC__) && !defined(_WIN32)
 #define TACTUS_API __attribute__((visibility("default")))
 #else
 #define TACTUS_API

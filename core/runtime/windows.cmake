@@ -1,0 +1,17 @@
+# tactus.dll: what it exports is a list of names, made from the header. The list is installed too, because Microsoft's
+# linker makes its import library from it (lib /def:tactus.def /machine:x64).
+target_compile_definitions(tactus_runtime_objects PRIVATE TACTUS_STATIC)
+set(header "${CMAKE_CURRENT_SOURCE_DIR}/include/tactus/tactus.h")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
+file(STRINGS "${header}" exported REGEX "^TACTUS_API")
+list(TRANSFORM exported REPLACE "^.*[ *](tactus_[a-z_]+)\\(.*$" "  \\1")
+list(JOIN exported "\n" exported)
+set(definition "${CMAKE_CURRENT_BINARY_DIR}/tactus.def")
+file(CONFIGURE OUTPUT "${definition}" CONTENT "LIBRARY tactus.dll\nEXPORTS\n${exported}\n")
+target_sources(tactus_runtime_shared PRIVATE "${definition}")
+set_target_properties(tactus_runtime_shared PROPERTIES PREFIX "")
+target_link_options(tactus_runtime_shared PRIVATE LINKER:--gc-sections LINKER:--exclude-all-symbols)
+if(TACTUS_INSTALL)
+  include(GNUInstallDirs)
+  install(FILES "${definition}" DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus-dev)
+endif()
