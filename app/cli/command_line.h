@@ -53,7 +53,7 @@ void addAccept(CLI::App& command, std::vector<std::string>& kinds, const std::st
 /// `study` with its subcommands (study_commands.h).
 void addStudyCommands(CLI::App& app, Chosen& chosen);
 
-/// `bundle`, `verify`, `convert`, `diff`.
+/// `bundle`, `verify`, `convert`, `import`, `diff`.
 void addDeliveryCommands(CLI::App& app, Chosen& chosen);
 
 /// `serve`, which says on `out` and `err` what happens while it runs.

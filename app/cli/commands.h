@@ -130,6 +130,16 @@ struct ConvertOptions {
 /// Writes a model for other programs: one file per expert, or C source.
 base::Result<Output> convert(const ConvertOptions& options);
 
+struct ImportOptions {
+  std::string file;    ///< FLL, FCL or FIS
+  std::string out;     ///< model file
+  std::string from;    ///< fll, fcl or fis; empty: told from the content
+  std::string output;  ///< name of the output to take; empty: the only one
+  bool json = false;
+};
+/// Writes a model file from the model of another fuzzy program.
+base::Result<Output> import(const ImportOptions& options);
+
 struct DiffOptions {
   std::string first;
   std::string second;

@@ -27,6 +27,18 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
                    ->check(oneOf({"fll", "fcl", "fcl-fuzzylite", "fis", "fml", "c"}));
                command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
              });
+  addCommand(app, chosen, "import", "A model file from a model of another fuzzy program: FLL, FCL or FIS", import,
+             [](CLI::App& command, ImportOptions& o) {
+               command.add_option("FILE", o.file, "File of fuzzylite, jFuzzyLogic, MATLAB, Octave and others")
+                   ->required()
+                   ->check(notEmpty());
+               command.add_option("--out", o.out, "Model file to write")->required()->check(notEmpty());
+               command.add_option("--from", o.from, "Format, where the content does not tell it")
+                   ->check(oneOf({"fll", "fcl", "fis"}));
+               command.add_option("--output", o.output, "Name of the output to take, where there are several")
+                   ->check(notEmpty());
+               addJson(command, o.json);
+             });
   addCommand(app, chosen, "diff", "What differs between two models: terms, rules, settings, newtons", diff,
              [](CLI::App& command, DiffOptions& o) {
                command.add_option("A", o.first, "Model file")->required()->check(notEmpty());

@@ -74,6 +74,8 @@ const std::map<std::string, Permission>& permissions() {
       {"core/store", {joined({"core/model_io", "core/study"}, {base}), {kJson, "SQLiteCpp/", "sqlite3.h"}}},
       {"core/model_io", {{"core/base", "core/base/json", "core/base/files", "core/base/tables", "core/fuzzy"}, {}}},
       {"core/exchange", {{"core/base", "core/fuzzy"}, {}}},
+      {"core/exchange/import",
+       {{"core/base", "core/base/json", "core/base/tables", "core/base/files", "core/fuzzy"}, {}}},
       {"core/runtime",
        {{"core/base", "core/fuzzy", "core/render", "core/model_io", "core/runtime/include/tactus"}, {"tactus/"}}},
       // What a simulator builds against knows nothing of this repository.
@@ -106,9 +108,10 @@ const std::map<std::string, Permission>& permissions() {
       {"app/link", {joined({"core/fuzzy", "core/haptics/servo"}, {base}), {"netinet/"}}},
       {"app/editing", {joined({"core/model_io"}, {base, model, elicitation}), {}}},
       {"app/cli",
-       {joined({"app", "app/bundle", "app/link", "app/session", "app/simulation", "app/devices", "app/report",
-                "experiments", "questionnaires", "core/exchange", "core/store", "core/model_io"},
-               {base, model, elicitation}),
+       {joined(
+            {"app", "app/bundle", "app/link", "app/session", "app/simulation", "app/devices", "app/report",
+             "experiments", "questionnaires", "core/exchange", "core/exchange/import", "core/store", "core/model_io"},
+            {base, model, elicitation}),
         {"CLI/"}}},
       {"app/workbench/base", room({})},
       {"app/workbench/kit", room({"base"})},

@@ -1,0 +1,294 @@
+// FIS of MATLAB and Octave, and what fuzzylite writes of it: sections, `key=value`, rules of numbers.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/exchange/import/fis_lines.h"
+#include "core/exchange/import/fis_rules.h"
+#include "core/exchange/import/method_words.h"
+#include "core/exchange/import/readers.h"
+
+namespace tactus::exchange {
+namespace {
+
+using base::ErrorCode;
+
+/// `prefix` with a number from 1 behind it, in any case: `Input3`, `MF12`.
+std::optional<std::size_t> numbered(std::string_view word, std::string_view prefix) {
+  if (base::lowered(word.substr(0, prefix.size())) != prefix) return std::nullopt;
+  const auto number = base::parseInteger(word.substr(prefix.size()));
+  if (!number || *number < 1) return std::nullopt;
+  return static_cast<std::size_t>(*number);
+}
+
+class FisReader {
+ public:
+  explicit FisReader(const std::shared_ptr<SourceText>& source) : source_(*source) {
+    model_.format = ImportFormat::kFis;
+    model_.source = source;
+    model_.blocks.push_back({});
+  }
+
+  base::Result<ForeignModel> read() {
+    const std::string_view text = source_.text();
+    for (std::size_t begin = 0; begin < text.size() && !error_;) {
+      const std::size_t end = std::min(text.size(), text.find('\n', begin));
+      const std::string_view line = text.substr(begin, end - begin);
+      const std::size_t blank = std::min(line.size(), line.find_first_not_of(" \t"));
+      readLine({base::trimmed(line), begin + blank});
+      begin = end + 1;
+    }
+    if (!error_) readRules();
+    if (!error_) checkCounts();
+    if (error_) return tl::unexpected(*error_);
+    return std::move(model_);
+  }
+
+ private:
+  enum class Section { kNone, kSystem, kInput, kOutput, kRules };
+
+  void readLine(Word line) {
+    if (line.text.empty() || line.text.front() == '%' || line.text.front() == '#' || line.text.starts_with("//"))
+      return;
+    if (line.text.front() == '[') return beginSection(line);
+    if (section_ == Section::kRules) {
+      // Read when all variables are known.
+      rule_lines_.push_back(line);
+      return;
+    }
+    LineCursor cursor(line);
+    const std::size_t equals = line.text.find('=');
+    if (equals == std::string_view::npos)
+      return refuse(ErrorCode::kSyntax, line.at, base::quoted(line.text), "a key and a value, as in Name='x'");
+    const Word key{base::trimmed(line.text.substr(0, equals)), line.at};
+    LineCursor value({line.text.substr(equals + 1), line.at + equals + 1});
+    switch (section_) {
+      case Section::kNone:
+        return refuse(ErrorCode::kSyntax, line.at, base::quoted(line.text), "[System] before it");
+      case Section::kSystem:
+        return readSystem(key, value);
+      case Section::kInput:
+      case Section::kOutput:
+        return readVariable(key, value);
+      case Section::kRules:
+        return;
+    }
+  }
+
+  void beginSection(Word line) {
+    const std::size_t close = line.text.find(']');
+    const std::string_view name = base::trimmed(line.text.substr(1, std::min(close, line.text.size()) - 1));
+    const std::string lower = base::lowered(name);
+    if (lower == "system") {
+      section_ = Section::kSystem;
+    } else if (lower == "rules") {
+      section_ = Section::kRules;
+    } else if (const auto input = numbered(name, "input")) {
+      beginVariable(model_.inputs, *input, Section::kInput, line);
+    } else if (const auto output = numbered(name, "output")) {
+      beginVariable(model_.outputs, *output, Section::kOutput, line);
+    } else {
+      refuse(ErrorCode::kSyntax, line.at, base::quoted(line.text), "[System], [Input1], [Output1] or [Rules]");
+    }
+  }
+
+  void beginVariable(std::vector<ForeignVariable>& variables, std::size_t number, Section section, Word line) {
+    if (number != variables.size() + 1) {
+      return refuse(ErrorCode::kSchema, line.at, base::quoted(line.text),
+                    "number " + std::to_string(variables.size() + 1) + ", the next one");
+    }
+    if ((error_ = tooMany(source_, variables, line))) return;
+    variables.push_back({});
+    variables.back().name = {{}, line.at};
+    section_ = section;
+  }
+
+  void readSystem(Word key, LineCursor& value) {
+    const std::string name = base::lowered(key.text);
+    ForeignBlock& block = model_.blocks.front();
+    if (name == "name") {
+      model_.name = text(value).text;
+    } else if (name == "type") {
+      const Word type = text(value);
+      if (base::lowered(type.text) != "mamdani") {
+        refuse(ErrorCode::kValue, type.at, "a system of the type " + base::quoted(type.text),
+               "'mamdani', the only type that Tactus knows");
+      }
+    } else if (name == "numinputs") {
+      inputs_ = count(value);
+    } else if (name == "numoutputs") {
+      outputs_ = count(value);
+    } else if (name == "numrules") {
+      rules_ = count(value);
+    } else if (name == "andmethod") {
+      block.conjunction = methodOf(text(value));
+    } else if (name == "ormethod") {
+      block.disjunction = methodOf(text(value));
+    } else if (name == "impmethod") {
+      block.implication = methodOf(text(value));
+    } else if (name == "aggmethod") {
+      block.aggregation = methodOf(text(value));
+    } else if (name == "defuzzmethod") {
+      defuzzifier_ = methodOf(text(value));
+    } else if (name != "version") {
+      ignored(key);
+    }
+  }
+
+  void readVariable(Word key, LineCursor& value) {
+    const std::string name = base::lowered(key.text);
+    ForeignVariable& variable = section_ == Section::kInput ? model_.inputs.back() : model_.outputs.back();
+    if (name == "name") {
+      variable.name = text(value);
+    } else if (name == "range") {
+      readRange(variable, key, value);
+    } else if (name == "nummfs") {
+      variable.stated_terms = count(value);
+    } else if (const auto number = numbered(key.text, "mf")) {
+      readTerm(variable, key, *number, value);
+    } else if (name == "enabled") {
+      variable.enabled = flag(value);
+    } else if (name == "default") {
+      const Word word = value.takeWord();
+      const auto fallback = numberIn(word.text);
+      if (!fallback) return refuse(ErrorCode::kSyntax, word.at, base::quoted(word.text), "a number or nan");
+      variable.fallback = ForeignNumber{*fallback, word.at};
+    } else if (name == "lockprevious" || name == "lockvalid") {
+      const std::size_t at = value.at();
+      if (flag(value)) variable.holds_last = at;
+    } else if (name.starts_with("umf") || name.starts_with("lmf")) {
+      refuse(ErrorCode::kValue, key.at, "a term of type 2", "terms of type 1: Tactus lacks upper and lower terms");
+    } else if (name != "lockrange" && name != "lockvalidoutput") {
+      ignored(key);
+    }
+  }
+
+  void readRange(ForeignVariable& variable, Word key, LineCursor& value) {
+    std::vector<double> ends;
+    const std::size_t at = value.at();
+    const std::string shown = base::quoted(value.rest());
+    const bool good = takeList(value, [&](Word word) { ends.push_back(numberIn(word.text).value_or(std::nan(""))); });
+    if (!good || ends.size() != 2 || !(ends[0] < ends[1])) {
+      return refuse(ErrorCode::kValue, at, shown, "two numbers, the lower one first, as in [0 1]");
+    }
+    variable.range_at = key.at;
+    if (ends[1] - ends[0] < std::numeric_limits<double>::infinity()) variable.range = ForeignRange{ends[0], ends[1]};
+  }
+
+  /// `'low':'trimf',[0 1 2]`
+  void readTerm(ForeignVariable& variable, Word key, std::size_t number, LineCursor& value) {
+    if (number != variable.terms.size() + 1) {
+      return refuse(ErrorCode::kSchema, key.at, base::quoted(key.text),
+                    "MF" + std::to_string(variable.terms.size() + 1) + ", the next one");
+    }
+    const auto malformed = [&] {
+      refuse(ErrorCode::kSyntax, value.at(), value.atEnd() ? "the end of the line" : base::quoted(value.rest()),
+             "a term as in 'low':'trimf',[0 1 2]");
+    };
+    ForeignTerm term;
+    const auto name = value.takeQuoted();
+    if (!name || !value.takeIf(':')) return malformed();
+    const auto shape = value.takeQuoted();
+    if (!shape || !value.takeIf(',')) return malformed();
+    term.name = *name;
+    term.word = *shape;
+    term.shape = shapeOf(shape->text);
+    if (term.shape != ForeignShape::kOther) {
+      if (!takeList(value, [&](Word word) { addNumber(term, word); })) return malformed();
+      if (!value.atEnd()) return malformed();
+      if (base::lowered(shape->text) == "gaussmf" && term.numbers.size() >= 2) {
+        std::swap(term.numbers[0], term.numbers[1]);  // sigma stands first
+      }
+      takeHeight(term);
+    }
+    if ((error_ = error_ ? error_ : tooMany(source_, variable.terms, term.name))) return;
+    variable.terms.push_back(std::move(term));
+  }
+
+  void addNumber(ForeignTerm& term, Word word) {
+    const auto number = numberIn(word.text);
+    if (!number) return refuse(ErrorCode::kSyntax, word.at, base::quoted(word.text), "a number of the term");
+    term.numbers.push_back({*number, word.at});
+  }
+
+  void readRules() {
+    for (const Word& line : rule_lines_) {
+      auto rule = readFisRule(model_, line);
+      if (!rule) {
+        error_ = rule.error();
+        return;
+      }
+      model_.rules.push_back(std::move(*rule));
+    }
+    for (ForeignVariable& output : model_.outputs) output.defuzzifier = defuzzifier_;
+  }
+
+  // Counts that do not match are told and otherwise ignored: people edit these files.
+  void checkCounts() {
+    const auto check = [this](const std::optional<std::size_t>& stated, std::size_t found, const std::string& what) {
+      if (stated && *stated != found) {
+        source_.warnWhole("the file says " + std::to_string(*stated) + " " + what + " and has " +
+                          std::to_string(found));
+      }
+    };
+    check(inputs_, model_.inputs.size(), "inputs");
+    check(outputs_, model_.outputs.size(), "outputs");
+    check(rules_, model_.rules.size(), "rules");
+    for (const auto* variables : {&model_.inputs, &model_.outputs}) {
+      for (const ForeignVariable& variable : *variables)
+        check(variable.stated_terms, variable.terms.size(), "terms of " + base::quoted(variable.name.text));
+    }
+  }
+
+  /// A text in quotes; without them the next word.
+  static Word text(LineCursor& value) {
+    const auto quoted = value.takeQuoted();
+    return quoted ? *quoted : value.takeWord();
+  }
+
+  std::optional<std::size_t> count(LineCursor& value) {
+    const Word word = value.takeWord();
+    const auto number = base::parseInteger(word.text);
+    if (number && *number >= 0) return static_cast<std::size_t>(*number);
+    refuse(ErrorCode::kSyntax, word.at, base::quoted(word.text), "a count");
+    return std::nullopt;
+  }
+
+  bool flag(LineCursor& value) {
+    const Word word = text(value);
+    const std::string lower = base::lowered(word.text);
+    const bool yes = lower == "1" || lower == "true";
+    if (!yes && lower != "0" && lower != "false")
+      refuse(ErrorCode::kSyntax, word.at, base::quoted(word.text), "0 or 1");
+    return yes;
+  }
+
+  void ignored(Word key) {
+    source_.warn(key.at, "the key " + base::quoted(key.text) + " is not known and is not used");
+  }
+
+  void refuse(ErrorCode code, std::size_t at, std::string found, std::string wanted) {
+    if (!error_) error_ = source_.error(code, at, std::move(found), std::move(wanted));
+  }
+
+  SourceText& source_;
+  ForeignModel model_;
+  Section section_ = Section::kNone;
+  std::optional<std::size_t> inputs_;
+  std::optional<std::size_t> outputs_;
+  std::optional<std::size_t> rules_;
+  std::optional<Method> defuzzifier_;
+  std::vector<Word> rule_lines_;
+  std::optional<base::Error> error_;
+};
+
+}  // namespace
+
+base::Result<ForeignModel> readFis(const std::shared_ptr<SourceText>& source) { return FisReader(source).read(); }
+
+}  // namespace tactus::exchange

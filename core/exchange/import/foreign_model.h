@@ -1,0 +1,118 @@
+// A model of another fuzzy program as its file states it, before it is decided what Tactus can carry.
+// The three readers (readers.h) make it; `converted` (convert.h) turns it into a ForceModel.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/exchange/import/source_text.h"
+
+namespace tactus::exchange {
+
+/// What the words of the formats for norms and defuzzifiers mean, as far as Tactus knows them.
+enum class Meaning { kOther, kNone, kMinimum, kMaximum, kProduct, kCentroid };
+
+/// A norm, a defuzzifier or the like under the word of the file.
+struct Method {
+  Word word;
+  Meaning meaning = Meaning::kOther;
+};
+
+// Far more than a model of Tactus may have; they keep a hostile file from taking minutes.
+inline constexpr std::size_t kMostForeignVariables = 100;  ///< inputs, and outputs
+inline constexpr std::size_t kMostForeignTerms = 500;      ///< of a variable
+
+struct ForeignNumber {
+  double value = 0;
+  std::size_t at = 0;
+};
+
+enum class ForeignShape {
+  kTrapezoid,  ///< a b c d
+  kTriangle,   ///< a b c
+  kGaussian,   ///< mean, sigma
+  kRectangle,  ///< from, to
+  kRamp,       ///< the place of 0, the place of 1
+  kStep,       ///< place, direction of 1: inf or -inf
+  kPoints,     ///< x y x y …, straight between, flat outside
+  kOther,
+};
+
+struct ForeignTerm {
+  Word name;
+  ForeignShape shape = ForeignShape::kOther;
+  Word word;  ///< the shape as the file calls it
+  std::vector<ForeignNumber> numbers;
+  ForeignNumber height{1, 0};
+};
+
+struct ForeignRange {
+  double min = 0;
+  double max = 0;
+};
+
+struct ForeignVariable {
+  Word name;
+  std::optional<ForeignRange> range;  ///< as the file states it; finite, min < max
+  std::size_t range_at = 0;
+  bool enabled = true;
+  std::vector<ForeignTerm> terms;
+  std::optional<std::size_t> stated_terms;  ///< how many terms the file says that it has
+
+  // Of outputs only:
+  std::optional<Method> aggregation;
+  std::optional<Method> defuzzifier;
+  std::optional<ForeignNumber> fallback;  ///< the value where no rule fires; NaN: none
+  std::optional<std::size_t> holds_last;  ///< the file says here that the last value stays where no rule fires
+};
+
+/// `variable is [not] term`.
+struct Literal {
+  Word variable;
+  Word term;
+  bool negated = false;
+};
+
+/// Literals that hold together.
+using Conjunction = std::vector<Literal>;
+
+struct ForeignRule {
+  std::size_t at = 0;
+  std::vector<Conjunction> alternatives;  ///< the condition: one of them holds
+  std::optional<std::size_t> and_at;      ///< where its first AND is
+  std::optional<std::size_t> or_at;       ///< where its first OR is
+  std::vector<Literal> conclusions;
+  ForeignNumber weight{1, 0};
+  std::size_t block = 0;
+};
+
+struct ForeignBlock {
+  Word name;
+  bool enabled = true;
+  std::optional<Method> conjunction;
+  std::optional<Method> disjunction;
+  std::optional<Method> implication;
+  std::optional<Method> aggregation;
+  std::optional<Method> activation;  ///< kOther: a strategy that does not take all rules
+};
+
+enum class ImportFormat { kFll, kFcl, kFis };
+
+/// An error if one more variable or term, `name`, would be too much.
+std::optional<base::Error> tooMany(const SourceText& source, const std::vector<ForeignVariable>& variables, Word name);
+std::optional<base::Error> tooMany(const SourceText& source, const std::vector<ForeignTerm>& terms, Word name);
+
+struct ForeignModel {
+  ImportFormat format = ImportFormat::kFll;
+  std::shared_ptr<SourceText> source;
+  std::string name;  ///< of the engine, function block or system; may be empty
+  std::vector<ForeignVariable> inputs;
+  std::vector<ForeignVariable> outputs;
+  std::vector<ForeignBlock> blocks;
+  std::vector<ForeignRule> rules;
+};
+
+}  // namespace tactus::exchange
