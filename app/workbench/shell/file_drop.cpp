@@ -8,16 +8,19 @@
 #include <QUrl>
 
 #include "app/workbench/base/study_path.h"
+#include "app/workbench/model/imported_model.h"
 
 namespace tactus::workbench {
 namespace {
 
-// The one model or study file that is dragged, or an empty path.
+// The one file that is dragged, a model, a study or a model of another program, or an empty path.
 QString draggedFile(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
   if (urls.size() != 1 || !urls.first().isLocalFile()) return {};
   const QString path = urls.first().toLocalFile();
-  return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || isStudyPath(path) ? path : QString();
+  const bool known =
+      path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) || isStudyPath(path) || isImportPath(path);
+  return known ? path : QString();
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Accepts a model or study file dropped anywhere on the window.
+// Accepts a model file, a study file or a model of another program dropped anywhere on the window.
 #pragma once
 
 #include <QObject>
@@ -8,7 +8,7 @@ class QDropEvent;
 
 namespace tactus::workbench {
 
-/// Accepts one file at a time with the extension of a model or a study. Text fields do not get the file as text.
+/// Accepts one file at a time, by its extension. Text fields do not get the file as text.
 class FileDrop : public QObject {
   Q_OBJECT
 

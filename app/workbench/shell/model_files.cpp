@@ -3,12 +3,17 @@
 #include <QAction>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/study_path.h"
+#include "app/workbench/base/theme.h"
 #include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes_popup.h"
+#include "app/workbench/model/imported_model.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/file_drop.h"
 #include "app/workbench/shell/main_window.h"
@@ -36,15 +41,17 @@ void ModelFiles::buildMenu() {
   open_ = menus.addAction(MenuSlot::kFileOpen, tr("&Open…"), QKeySequence::Open);
   recent_menu_ = menus.addMenu(MenuSlot::kFileOpen, tr("Open &recent"));
   reopen_ = menus.addAction(MenuSlot::kFileOpen, tr("&Reopen"), Qt::Key_F5);
+  notes_ = menus.addAction(MenuSlot::kFileOpen, tr("&Notes of the file"));
   save_ = menus.addAction(MenuSlot::kFileSave, tr("&Save"), QKeySequence::Save);
   save_as_ = menus.addAction(MenuSlot::kFileSave, tr("Save &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S);
-  for (QAction* action : {reopen_, save_, save_as_}) action->setEnabled(false);
+  for (QAction* action : {reopen_, save_, save_as_, notes_}) action->setEnabled(false);
 }
 
 void ModelFiles::connectAll() {
   connect(open_, &QAction::triggered, this, &ModelFiles::choose);
   connect(reopen_, &QAction::triggered, this, &ModelFiles::reopen);
-  connect(save_, &QAction::triggered, &models_, &ModelController::save);
+  connect(notes_, &QAction::triggered, this, &ModelFiles::showNotes);
+  connect(save_, &QAction::triggered, this, &ModelFiles::save);
   connect(save_as_, &QAction::triggered, this, &ModelFiles::chooseCopy);
   connect(&recent_, &RecentFiles::changed, this, &ModelFiles::listRecent);
   connect(&models_, &ModelController::openFailed, this, &ModelFiles::showFailure);
@@ -60,8 +67,8 @@ void ModelFiles::choose() {
   const QString folder = open ? QFileInfo(open->path).absolutePath() : QString();
   const QString path = QFileDialog::getOpenFileName(
       &window_, tr("Open a model or a study"), folder,
-      tr("Models and studies (*.json *.tactus);;Force models (*.json);;Studies (*.tactus);;"
-         "All files (*)"));
+      tr("Models and studies (*.json *.tactus *.fll *.fcl *.fis);;Force models (*.json);;Studies (*.tactus);;"
+         "Models of other programs (*.fll *.fcl *.fis *.txt);;All files (*)"));
   if (!path.isEmpty()) this->open(path);
 }
 
@@ -82,8 +89,44 @@ void ModelFiles::open(const QString& path) {
   if (!mayLoseChanges()) return;
   if (isStudyPath(path)) {
     emit studyChosen(path);
+  } else if (isImportPath(path) || path.endsWith(QLatin1String(".txt"), Qt::CaseInsensitive)) {
+    import(path);
   } else {
     models_.open(path);
+  }
+}
+
+void ModelFiles::import(const QString& path) {
+  const auto refuse = [&](const base::Error& error) { showFailure(path, text(error.message())); };
+  const auto file = readImport(path);
+  if (!file) return refuse(file.error());
+  std::string output;
+  if (const std::vector<std::string> outputs = file->outputs(); outputs.size() > 1) {
+    QStringList names;
+    for (const std::string& name : outputs) names << harmless(text(name));
+    bool chosen = false;
+    const QString name = QInputDialog::getItem(&window_, tr("Several outputs"), tr("Which output is the force?"), names,
+                                               0, false, &chosen);
+    if (!chosen) return;
+    output = outputs[static_cast<std::size_t>(names.indexOf(name))];
+  }
+  auto model = importedModel(*file, QFileInfo(path).absoluteFilePath(), output);
+  if (!model) return refuse(model.error());
+  unnamed_ = model->path;
+  models_.openUnsaved(std::move(*model));
+  recent_.add(QFileInfo(path).absoluteFilePath());
+}
+
+bool ModelFiles::isUnnamed() const {
+  return !unnamed_.isEmpty() && models_.current() && !models_.current()->in_study &&
+         models_.current()->path == unnamed_;
+}
+
+void ModelFiles::save() {
+  if (isUnnamed()) {
+    chooseCopy();
+  } else {
+    models_.save();
   }
 }
 
@@ -97,16 +140,24 @@ bool ModelFiles::mayLoseChanges() {
       QMessageBox::question(&window_, tr("Changes not saved"),
                             tr("%1 has changes that are not saved.").arg(text(models_.current()->model.name)),
                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-  if (answer == QMessageBox::Save) models_.save();
+  if (answer == QMessageBox::Save) save();
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && !models_.isModified());
 }
 
 void ModelFiles::showModel() {
   const OpenModel& open = *models_.current();
-  for (QAction* action : {reopen_, save_, save_as_}) action->setEnabled(true);
+  for (QAction* action : {save_, save_as_}) action->setEnabled(true);
+  notes_->setEnabled(!open.warnings.isEmpty());
+  if (open.path != unnamed_) unnamed_.clear();
   showTitle();
   if (open.warnings.isEmpty()) {
     window_.banner().hide();
+  } else if (isUnnamed()) {
+    const QString more = open.warnings.size() == 1
+                             ? QString()
+                             : QLatin1Char(' ') + tr("File, Notes of the file, lists %n more.", nullptr,
+                                                     static_cast<int>(open.warnings.size()) - 1);
+    window_.banner().showNote(tr("The model was imported. %1.").arg(harmless(open.warnings.first())) + more);
   } else {
     window_.banner().showNote(tr("Parts of the file were not used: %1").arg(open.warnings.join(QStringLiteral("; "))));
   }
@@ -118,6 +169,15 @@ void ModelFiles::showStudy(const QString& name) {
   study_ = shown;
   window_.header().showStudy(shown);
   showTitle();
+}
+
+void ModelFiles::showNotes() {
+  const OpenModel& open = *models_.current();
+  QStringList sentences;
+  for (const QString& warning : open.warnings) sentences << harmless(warning);
+  const QMenuBar* bar = window_.menuBar();
+  showNotesPopup(window_, bar->mapToGlobal(QPoint(theme::kGrid, bar->height() + 4)),
+                 {{tr("Notes of the file"), sentences}});
 }
 
 void ModelFiles::showTitle() {
@@ -132,8 +192,11 @@ void ModelFiles::showTitle() {
   // Of a model that the study keeps the file is the study's.
   window_.setWindowTitle(file == study_ ? name + study + QStringLiteral("[*]")
                                         : QStringLiteral("%1 – %2%3[*]").arg(name, file, study));
-  // One that was left by its study has no file yet.
-  if (QFileInfo::exists(open.path)) recent_.add(open.path);
+  // One that was left by its study or imported has no file yet.
+  const bool has_file = QFileInfo::exists(open.path);
+  if (has_file) recent_.add(open.path);
+  if (has_file) unnamed_.clear();
+  reopen_->setEnabled(!isUnnamed());
 }
 
 void ModelFiles::showFailure(const QString& path, const QString& sentence) {

@@ -1,5 +1,6 @@
 // Model files in the window: the start screen, the menu File, dropped and recent files, the title, and the question
-// about unsaved changes. Studies are files too; opening them is another's work.
+// about unsaved changes. Models of other programs are opened as models without a file. Studies are files too; opening
+// them is another's work.
 #pragma once
 
 #include <QObject>
@@ -26,7 +27,8 @@ class ModelFiles : public QObject {
   void showStudy(const QString& name);
 
  public slots:
-  /// Opens a model file, or emits `studyChosen` for a study file. Asks about unsaved changes first.
+  /// Opens a model file or a model of another program, or emits `studyChosen` for a study file. Asks about unsaved
+  /// changes first. Where a file has several outputs, it asks for one of them.
   void open(const QString& path);
 
  signals:
@@ -36,8 +38,13 @@ class ModelFiles : public QObject {
  private:
   void buildMenu();
   void connectAll();
+  void import(const QString& path);
+  /// Whether the open model was made from a file of another program and has not been saved.
+  bool isUnnamed() const;
+  void save();
   void choose();
   void chooseCopy();
+  void showNotes();
   void reopen();
   void showModel();
   void showTitle();
@@ -47,12 +54,14 @@ class ModelFiles : public QObject {
   MainWindow& window_;
   ModelController& models_;
   RecentFiles& recent_;
-  QString study_;  ///< file name of the open study
+  QString study_;    ///< file name of the open study
+  QString unnamed_;  ///< path of an imported model, which does not exist yet; empty: none
   QMenu* recent_menu_ = nullptr;
   QAction* open_ = nullptr;
   QAction* reopen_ = nullptr;
   QAction* save_ = nullptr;
   QAction* save_as_ = nullptr;
+  QAction* notes_ = nullptr;
 };
 
 }  // namespace tactus::workbench

@@ -5,12 +5,14 @@
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QSettings>
 #include <QSlider>
 #include <QTest>
+#include <QTimer>
 #include <QUrl>
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -232,6 +234,64 @@ TEST_F(MainWindowTest, AModelFileCanBeDropped) {
   EXPECT_NE(bench.models.current(), nullptr);
   EXPECT_FALSE(drop(QUrl::fromLocalFile(folder.path(QStringLiteral("picture.png")))));
   EXPECT_FALSE(drop(QUrl(QStringLiteral("https://example.org/model.json"))));
+}
+
+const QByteArray kOther =
+    "Engine: pump\nInputVariable: depth\n  range: 0 10\n  term: low Ramp 10 0\n  term: odd Bell 5 2 3\n"
+    "InputVariable: speed\n  range: 0 10\n  term: low Ramp 10 0\n"
+    "OutputVariable: force\n  range: 0 8\n  aggregation: Maximum\n  defuzzifier: Centroid 100\n"
+    "  term: small Triangle 1 2 3\nRuleBlock:\n  implication: Minimum\n  rule: if depth is low then force is small\n";
+
+TEST_F(MainWindowTest, AModelOfAnotherProgramIsOpenedWithoutAFile) {
+  const QString path = folder.writeText(kOther, QStringLiteral("pump.fll"));
+  EXPECT_TRUE(drop(QUrl::fromLocalFile(path)));
+  ASSERT_NE(bench.models.current(), nullptr);
+  EXPECT_EQ(bench.models.current()->model.name, "pump");
+  EXPECT_EQ(bench.models.current()->path, folder.path(QStringLiteral("pump.tactus.json")));
+  EXPECT_TRUE(bench.models.isModified());
+  EXPECT_FALSE(QFile::exists(bench.models.current()->path));
+  // The first sentence is in the banner; all of them stay in the menu, after edits and after saving too.
+  EXPECT_TRUE(window.banner().message().contains(QStringLiteral("pump.fll: line 5, column 9: term 'odd' of 'depth'")))
+      << window.banner().message().toStdString();
+  EXPECT_TRUE(window.banner().message().contains(QStringLiteral("lists 1 more")));
+  const auto named = [this](const char* start) {
+    for (QAction* action : window.findChildren<QAction*>()) {
+      if (action->text().remove(QLatin1Char('&')).startsWith(QLatin1String(start))) return action;
+    }
+    return static_cast<QAction*>(nullptr);
+  };
+  EXPECT_FALSE(named("Reopen")->isEnabled());
+  bench.models.saveAs(folder.path(QStringLiteral("mine.tactus.json")));
+  EXPECT_FALSE(bench.models.isModified());
+  EXPECT_TRUE(named("Reopen")->isEnabled());
+  EXPECT_TRUE(named("Notes of the file")->isEnabled());
+  EXPECT_EQ(bench.models.current()->warnings.size(), 2);
+}
+
+TEST_F(MainWindowTest, AModelThatCannotBeImportedLeavesTheOpenOne) {
+  openSample();
+  QByteArray hedged = kOther;
+  hedged.replace("is low then", "is very low then");
+  bench.files.open(folder.writeText(hedged, QStringLiteral("hedged.txt")));
+  EXPECT_EQ(window.banner().message(),
+            QStringLiteral("hedged.txt: line 16, column 21: found the hedge 'very', wanted terms without hedges, which "
+                           "Tactus lacks"));
+  EXPECT_NE(bench.models.current()->model.name, "pump");
+}
+
+TEST_F(MainWindowTest, OneOfSeveralOutputsIsAskedFor) {
+  QByteArray two = kOther;
+  two.replace("RuleBlock:", "OutputVariable: heat\n  range: 0 1\n  term: some Triangle 0 1 2\nRuleBlock:");
+  const QString path = folder.writeText(two, QStringLiteral("two.fll"));
+  QTimer::singleShot(0, &window, [] {
+    auto* question = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(question, nullptr);
+    EXPECT_EQ(question->comboBoxItems(), QStringList({QStringLiteral("force"), QStringLiteral("heat")}));
+    question->accept();
+  });
+  bench.files.open(path);
+  ASSERT_NE(bench.models.current(), nullptr);
+  EXPECT_EQ(bench.models.current()->model.output.id, "force");
 }
 
 TEST_F(MainWindowTest, AFileThatIsDroppedOnAFieldIsOpened) {
