@@ -53,18 +53,20 @@ class Feel:
         return "Feel(" + ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__slots__) + ")"
 
 
-def _load():
-    prefix = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
+def _places():
     named = os.environ.get("TACTUS_LIBRARY")
+    if named:
+        return [named]
+    prefix = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
     if os.name == "nt":
-        names = [named] if named else ["tactus.dll", os.path.join(prefix, "bin", "tactus.dll")]
-    else:
-        names = [named] if named else ["libtactus.so.1"]
-    if not named and os.name != "nt":
-        names += sorted(glob.glob(os.path.join(prefix, "lib*", "libtactus.so.1")))
-        names += sorted(glob.glob(os.path.join(prefix, "lib", "*", "libtactus.so.1")))
+        return ["tactus.dll", os.path.join(prefix, "bin", "tactus.dll")]
+    below = [("lib*", "libtactus.so.1"), ("lib", "*", "libtactus.so.1")]
+    return ["libtactus.so.1"] + [found for names in below for found in sorted(glob.glob(os.path.join(prefix, *names)))]
+
+
+def _load():
     reasons = []
-    for name in names:
+    for name in _places():
         try:
             return ctypes.CDLL(name)
         except OSError as error:
