@@ -62,12 +62,12 @@ std::string HtmlPage::anchorFor(std::string_view title) {
 
 void HtmlPage::section(std::string_view title) {
   const std::string anchor = anchorFor(title);
-  contents_ += "<li><a href=\"#" + anchor + "\">" + escaped(title) + "</a></li>\n";
-  body_ += "<h2 id=\"" + anchor + "\">" + escaped(title) + "</h2>\n";
+  contents_ += "<li><a href=\"#" + anchor + "\">" + base::xmlEscaped(title) + "</a></li>\n";
+  body_ += "<h2 id=\"" + anchor + "\">" + base::xmlEscaped(title) + "</h2>\n";
 }
 
 void HtmlPage::subsection(std::string_view title) {
-  body_ += "<h3 id=\"" + anchorFor(title) + "\">" + escaped(title) + "</h3>\n";
+  body_ += "<h3 id=\"" + anchorFor(title) + "\">" + base::xmlEscaped(title) + "</h3>\n";
 }
 
 void HtmlPage::paragraph(const Markup& text) { body_ += "<p>" + text.html() + "</p>\n"; }
@@ -125,9 +125,9 @@ void HtmlPage::figure(const Figure& figure) {
 std::string HtmlPage::html() const {
   std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n";
   out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n";
-  out += "<title>" + escaped(title_) + "</title>\n<style>\n";
+  out += "<title>" + base::xmlEscaped(title_) + "</title>\n<style>\n";
   out += kStyleSheet;
-  out += "</style>\n</head>\n<body>\n<header>\n<h1>" + escaped(title_) + "</h1>\n<p class=\"subtitle\">" +
+  out += "</style>\n</head>\n<body>\n<header>\n<h1>" + base::xmlEscaped(title_) + "</h1>\n<p class=\"subtitle\">" +
          subtitle_.html() + "</p>\n</header>\n";
   out += "<div class=\"page\">\n<nav aria-label=\"Contents\">\n<div class=\"nav-title\">Contents</div>\n<ol>\n" +
          contents_ + "</ol>\n</nav>\n<main>\n" + body_ + "</main>\n</div>\n</body>\n</html>\n";

@@ -1,12 +1,8 @@
 #include "app/report/markup.h"
 
-#include "core/base/text.h"
-
 namespace tactus::report {
 
 namespace {
-
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
 /// Name of the badge's style in the page's style sheet.
 std::string_view cssClass(Badge badge) noexcept {
@@ -30,43 +26,6 @@ std::string_view cssClass(Badge badge) noexcept {
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  const bool utf8 = base::isUtf8(text);
-  std::string out;
-  out.reserve(text.size());
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      case '\t':
-      case '\n':
-        out += c;
-        break;
-      default:
-        if (byte < 0x20 || byte == 0x7F || (byte >= 0x80 && !utf8)) {
-          out += kReplacement;
-        } else {
-          out += c;
-        }
-    }
-  }
-  return out;
-}
 
 std::string_view name(Badge badge) noexcept {
   switch (badge) {

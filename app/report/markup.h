@@ -5,17 +5,15 @@
 #include <string_view>
 #include <utility>
 
-namespace tactus::report {
+#include "core/base/xml_text.h"
 
-/// `text` with the five special characters of XML escaped. Control characters and bytes that are not UTF-8 become
-/// U+FFFD, so that the page stays well-formed for any data file.
-std::string escaped(std::string_view text);
+namespace tactus::report {
 
 /// Finished markup. Plain text is escaped on conversion; only `raw` takes markup unchanged.
 class Markup {
  public:
   Markup() = default;
-  Markup(std::string_view text) : html_(escaped(text)) {}              // NOLINT(google-explicit-constructor)
+  Markup(std::string_view text) : html_(base::xmlEscaped(text)) {}     // NOLINT(google-explicit-constructor)
   Markup(const std::string& text) : Markup(std::string_view(text)) {}  // NOLINT(google-explicit-constructor)
   Markup(const char* text) : Markup(std::string_view(text)) {}         // NOLINT(google-explicit-constructor)
 

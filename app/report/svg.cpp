@@ -17,7 +17,7 @@ std::string attribute(std::string_view name, std::string_view value) {
   std::string out = " ";
   out += name;
   out += "=\"";
-  out += escaped(value);
+  out += base::xmlEscaped(value);
   out += '"';
   return out;
 }
@@ -53,7 +53,7 @@ std::string svgText(SvgPoint at, std::string_view text, const TextStyle& style) 
                                       coordinate(at.y) + ')');
   }
   out += '>';
-  out += escaped(text);
+  out += base::xmlEscaped(text);
   out += "</text>";
   return out;
 }
@@ -80,8 +80,8 @@ std::string svgStart(double width, double height, std::string_view title, std::s
   out += attribute("width", width);
   out += attribute("height", height);
   out += R"( font-family="'Segoe UI','Helvetica Neue',Arial,'Liberation Sans',sans-serif" font-size="13">)";
-  out += "<title>" + escaped(title) + "</title>";
-  if (!description.empty()) out += "<desc>" + escaped(description) + "</desc>";
+  out += "<title>" + base::xmlEscaped(title) + "</title>";
+  if (!description.empty()) out += "<desc>" + base::xmlEscaped(description) + "</desc>";
   return out;
 }
 

@@ -1,5 +1,7 @@
 // FML of IEEE 1855-2016. Every name is an xs:ID and unique in the whole document, so terms carry their variable's.
+#include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/base/xml_text.h"
 #include "core/exchange/writers.h"
 
 namespace tactus::exchange {
@@ -7,28 +9,7 @@ namespace {
 
 using base::formatNumber;
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : base::oneLine(text)) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
+std::string escaped(std::string_view text) { return base::xmlEscaped(base::oneLine(text)); }
 
 std::string termName(const NamedVariable& variable, std::size_t term) {
   return variable.name + "__" + variable.terms[term].name;
