@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 
-#include "app/bundle/bundle_report.h"
 #include "app/bundle/file_errors.h"
 #include "core/analysis/check_points.h"
 #include "core/analysis/coverage.h"
@@ -20,16 +20,16 @@ namespace {
 constexpr std::string_view kModelPath = "model.tactus.json";
 
 /// Takes the accepted names into the model. Refused: a hole that nobody accepted, a name that is no hole.
-base::Result<void> acceptHoles(fuzzy::ForceModel& model, const std::vector<std::string>& accept,
-                               std::vector<std::string>& warnings) {
+base::Result<void> acceptHoles(fuzzy::ForceModel& model, const std::vector<std::string>& accept, Bundle& bundle) {
   std::vector<std::size_t> counted;
   for (std::size_t e = 0; e < model.experts.size(); ++e) {
     if (model.experts[e].weight > 0) counted.push_back(e);
   }
   const auto coverage = analysis::coverage(model, counted);
+  bundle.every_hole_is_known = coverage.complete;
   if (!coverage.complete)
-    warnings.emplace_back("the search for holes was cut off, because the model is too finely divided");
-  std::vector<std::string> holes;
+    bundle.warnings.emplace_back("the search for holes was cut off, because the model is too finely divided");
+  std::vector<std::string>& holes = bundle.holes;
   for (const analysis::Hole& hole : coverage.holes) holes.push_back(describe(hole, model));
   const auto among = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -53,7 +53,14 @@ base::Result<void> acceptHoles(fuzzy::ForceModel& model, const std::vector<std::
 /// Collects the files with their promises.
 class Collector {
  public:
-  explicit Collector(Bundle& bundle) : bundle_(bundle) {}
+  Collector(Bundle& bundle, const BundleSettings& settings, std::size_t all)
+      : bundle_(bundle), settings_(settings), all_(all) {}
+
+  /// Before each file: tells how far the work is. Returns whether it goes on.
+  bool next() {
+    if (settings_.progress) settings_.progress(done_++, all_);
+    return !settings_.stop.stop_requested();
+  }
 
   void add(std::string path, std::string kind, std::string bytes, std::optional<model_io::Promise> promise = {},
            std::string expert = {}) {
@@ -71,7 +78,12 @@ class Collector {
 
  private:
   Bundle& bundle_;
+  const BundleSettings& settings_;
+  std::size_t all_;
+  std::size_t done_ = 0;
 };
+
+base::Error cancelled() { return {base::ErrorCode::kCancelled, {}, "bundle", "a request to stop", "time to end"}; }
 
 std::string checksText(const fuzzy::ForceModel& model, const std::vector<fuzzy::Check>& checks) {
   std::vector<std::string> columns;
@@ -108,6 +120,7 @@ void addExperts(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& comp
     const std::string& id = model.experts[e].id;
     const std::string start = "experts/" + names[e];
     for (const exchange::Dialect dialect : exchange::kDialects) {
+      if (!collector.next()) return;
       collector.addOrWarn(start + std::string(suffix(dialect)), std::string(name(dialect)),
                           exchange::format(model, e, dialect), promiseOf(dialect, compiled, e, points), id);
     }
@@ -147,8 +160,7 @@ std::vector<std::string> expertFileNames(const fuzzy::ForceModel& model) {
 base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& settings) {
   Bundle bundle;
   if (const auto ok = fuzzy::validate(model); !ok) return tl::unexpected(ok.error());
-  if (const auto ok = acceptHoles(model, settings.accept_holes, bundle.warnings); !ok)
-    return tl::unexpected(ok.error());
+  if (const auto ok = acceptHoles(model, settings.accept_holes, bundle); !ok) return tl::unexpected(ok.error());
   model.checks = analysis::ownChecks(model);
   bundle.model = std::move(model);
   const fuzzy::ForceModel& made = bundle.model;
@@ -156,22 +168,28 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   if (!compiled) return tl::unexpected(compiled.error());
 
   bundle.manifest = {std::string(kModelPath), settings.created_utc, settings.generator, {}};
-  Collector collector(bundle);
+  // The model, the checks, the C source, the table and the report, beside the experts.
+  Collector collector(bundle, settings, 5 + made.experts.size() * std::size(exchange::kDialects));
+  collector.next();
   const std::string text = model_io::formatModel(made);
   // What is written must read, with its checks.
   if (const auto read = model_io::parseModel(text, std::string(kModelPath)); !read) return tl::unexpected(read.error());
   collector.add(std::string(kModelPath), "model", text, exactPromise(made));
+  if (!collector.next()) return tl::unexpected(cancelled());
   const auto points = analysis::checkPoints(made);
   collector.add("checks.csv", "checks", checksText(made, analysis::checksAt(made, points)), exactPromise(made));
   addExperts(made, *compiled, points, collector);
+  if (!collector.next()) return tl::unexpected(cancelled());
   if (const auto source = exchange::cSource(made)) {
     collector.add("c/force_model.h", "c", source->header);
     collector.add("c/force_model.c", "c", source->source, sourcePromise(made));
   } else {
     bundle.warnings.push_back("c/force_model.c is left out: " + source.error().message());
   }
+  if (!collector.next()) return tl::unexpected(cancelled());
   addTable(made, *compiled, points, collector);
-  collector.add("report.html", "report", bundleReport(made, bundle.manifest));
+  if (!collector.next()) return tl::unexpected(cancelled());
+  collector.add("report.html", "report", bundleReport(bundle, *compiled));
   bundle.files.emplace_back(std::string(model_io::kManifestName), model_io::formatManifest(bundle.manifest));
   return bundle;
 }

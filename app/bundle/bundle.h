@@ -1,11 +1,15 @@
 // A bundle: everything that a simulator team needs of one model, with what each file promises. Format: docs/bundle.md.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 #include "core/model_io/bundle_manifest.h"
 
@@ -15,6 +19,9 @@ struct BundleSettings {
   std::vector<std::string> accept_holes;  ///< names of holes that may stay, beside those that the model accepts
   std::string created_utc;
   std::string generator;
+  std::stop_token stop = {};  ///< the making ends soon after a request, with kCancelled
+  /// Called before each file, in the thread that makes the bundle.
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
 /// The files of a bundle in memory, the manifest last.
@@ -23,6 +30,8 @@ struct Bundle {
   model_io::BundleManifest manifest;
   std::vector<std::pair<std::string, std::string>> files;  ///< path, bytes
   std::vector<std::string> warnings;                       ///< files that are left out, and why
+  std::vector<std::string> holes;   ///< names of the holes of the averaged force that were found; all are accepted
+  bool every_hole_is_known = true;  ///< false: the search was cut off
 };
 
 /// Builds the bundle of a valid model and measures the error of each file. Refused: a hole where the averaged force has
@@ -33,7 +42,14 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
 /// different.
 std::vector<std::string> expertFileNames(const fuzzy::ForceModel& model);
 
-/// Writes all files into `folder`, whole or not at all. Refused: a folder that holds anything but an earlier bundle.
-base::Result<void> writeBundle(const Bundle& bundle, const std::string& folder);
+/// The page `report.html`, on two printed pages. `bundle`: with all other files; `compiled`: made from its model.
+std::string bundleReport(const Bundle& bundle, const fuzzy::CompiledModel& compiled);
+
+/// Refused: a folder that holds anything but an earlier bundle, which may be replaced.
+base::Result<void> mayHoldBundle(const std::string& folder);
+
+/// Writes all files into `folder`, whole or not at all. Refused as in `mayHoldBundle`. A request to stop ends it with
+/// kCancelled and nothing written, unless the last step has begun.
+base::Result<void> writeBundle(const Bundle& bundle, const std::string& folder, const std::stop_token& stop = {});
 
 }  // namespace tactus::bundle

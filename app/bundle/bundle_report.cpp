@@ -1,14 +1,14 @@
-#include "app/bundle/bundle_report.h"
+// The report of a bundle.
 
 #include <algorithm>
 #include <optional>
 #include <vector>
 
+#include "app/bundle/bundle.h"
 #include "app/report/html.h"
 #include "app/report/palette.h"
 #include "app/report/svg_plot.h"
 #include "core/analysis/reachable_range.h"
-#include "core/base/check.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 
@@ -116,11 +116,20 @@ report::Table fileTable(const model_io::BundleManifest& manifest) {
   return table;
 }
 
+/// What is known of the places without a force.
+std::string holeText(const Bundle& bundle) {
+  const std::string accepted =
+      bundle.holes.empty() ? std::string() : "Accepted: " + base::joined(bundle.holes, "; ") + ".";
+  if (bundle.every_hole_is_known) return bundle.holes.empty() ? "There is no such place." : accepted;
+  return (bundle.holes.empty() ? std::string("None was found") : accepted + " No other was found") +
+         ", but the search was cut off, because the model is too finely divided: there may be more.";
+}
+
 }  // namespace
 
-std::string bundleReport(const fuzzy::ForceModel& model, const model_io::BundleManifest& manifest) {
-  const auto compiled = fuzzy::compile(model);
-  TACTUS_CHECK(compiled);
+std::string bundleReport(const Bundle& bundle, const fuzzy::CompiledModel& compiled) {
+  const fuzzy::ForceModel& model = bundle.model;
+  const model_io::BundleManifest& manifest = bundle.manifest;
   report::HtmlPage page(model.name, "Force model for a simulator, " + manifest.created_utc + ", " + manifest.generator);
   if (const auto simulated = simulatedSources(model)) {
     page.notice("Simulated, not measured: data of " + *simulated + ". " + model.provenance->notes);
@@ -129,15 +138,13 @@ std::string bundleReport(const fuzzy::ForceModel& model, const model_io::BundleM
   }
 
   page.section("Model");
-  const auto range = analysis::reachableRange(model, *compiled);
+  const auto range = analysis::reachableRange(model, compiled);
   page.list({"Reachable force: " +
                  (range.fired > 0 ? formatFixed(range.min_n, 3) + " to " + formatFixed(range.max_n, 3)
                                   : std::string("none,")) +
                  " " + model.output.unit + ", seen at " + std::to_string(range.points) + " points.",
              "Where no rule of any expert fires the force is " + formatNumber(model.default_force_n) + " " +
-                 model.output.unit + " and fired is 0. " +
-                 (model.accepted_holes.empty() ? std::string("There is no such place.")
-                                               : "Accepted: " + base::joined(model.accepted_holes, "; ") + "."),
+                 model.output.unit + " and fired is 0. " + holeText(bundle),
              "A simulator adds its own limits: Tactus does not know the device or the person."});
   page.table(inputTable(model));
   page.table(expertTable(model));
@@ -145,7 +152,7 @@ std::string bundleReport(const fuzzy::ForceModel& model, const model_io::BundleM
   report::Figure figure;
   figure.caption = "The force over each input, the others in the middle of their universes.";
   figure.columns = 2;
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) figure.panels.push_back({"", curves(model, *compiled, i)});
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) figure.panels.push_back({"", curves(model, compiled, i)});
   page.figure(figure);
   page.section("Files");
   page.table(fileTable(manifest));

@@ -14,32 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether the folder may be replaced: nothing there, an empty folder, or a bundle with no file of anybody else.
-base::Result<void> checkFolder(const std::string& folder) {
-  std::error_code ignored;
-  if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored)) return {};
-  const auto refused = [&folder](std::string found) {
-    return tl::unexpected(base::Error{base::ErrorCode::kIo,
-                                      folder,
-                                      {},
-                                      std::move(found),
-                                      "a new or empty folder, or one with an earlier bundle and nothing else"});
-  };
-  if (!fs::is_directory(folder, ignored)) return refused("a file");
-  const std::string path = folder + "/" + std::string(model_io::kManifestName);
-  const auto text = base::readFile(path, std::size_t{4} << 20U);
-  const auto manifest = text ? model_io::parseManifest(*text, path) : tl::unexpected(text.error());
-  if (!manifest) return refused("a folder that holds other files");
-  std::set<std::string> own = {std::string(model_io::kManifestName)};
-  for (const model_io::BundleFile& file : manifest->files) own.insert(file.path);
-  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
-    if (entry.is_directory(ignored)) continue;
-    const std::string name = fs::relative(entry.path(), folder, ignored).generic_string();
-    if (!own.contains(name)) return refused("a bundle with a file that is not its own, " + base::quoted(name));
-  }
-  return {};
-}
-
 base::Error failed(const std::string& folder, const std::error_code& reason) {
   return {base::ErrorCode::kIo, folder, {}, reason.message(), "a folder that can be written"};
 }
@@ -64,11 +38,36 @@ base::Result<void> replace(const std::string& made, const std::string& folder) {
 
 }  // namespace
 
-base::Result<void> writeBundle(const Bundle& bundle, const std::string& folder_name) {
+base::Result<void> mayHoldBundle(const std::string& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored)) return {};
+  const auto refused = [&folder](std::string found) {
+    return tl::unexpected(base::Error{base::ErrorCode::kIo,
+                                      folder,
+                                      {},
+                                      std::move(found),
+                                      "a new or empty folder, or one with an earlier bundle and nothing else"});
+  };
+  if (!fs::is_directory(folder, ignored)) return refused("a file");
+  const std::string path = folder + "/" + std::string(model_io::kManifestName);
+  const auto text = base::readFile(path, std::size_t{4} << 20U);
+  const auto manifest = text ? model_io::parseManifest(*text, path) : tl::unexpected(text.error());
+  if (!manifest) return refused("a folder that holds other files");
+  std::set<std::string> own = {std::string(model_io::kManifestName)};
+  for (const model_io::BundleFile& file : manifest->files) own.insert(file.path);
+  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
+    if (entry.is_directory(ignored)) continue;
+    const std::string name = fs::relative(entry.path(), folder, ignored).generic_string();
+    if (!own.contains(name)) return refused("a bundle with a file that is not its own, " + base::quoted(name));
+  }
+  return {};
+}
+
+base::Result<void> writeBundle(const Bundle& bundle, const std::string& folder_name, const std::stop_token& stop) {
   // Without a slash at its end, so that names beside it can be made.
   std::string folder = fs::path(folder_name).lexically_normal().string();
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
-  if (const auto ok = checkFolder(folder); !ok) return ok;
+  if (const auto ok = mayHoldBundle(folder); !ok) return ok;
   const fs::path parent = fs::path(folder).parent_path();
   if (!parent.empty()) {
     if (const auto made = base::makeFolder(parent.string()); !made) return made;
@@ -80,6 +79,8 @@ base::Result<void> writeBundle(const Bundle& bundle, const std::string& folder_n
     const std::string file = work.path + "/" + path;
     auto done = base::makeFolder(fs::path(file).parent_path().string());
     if (done) done = base::writeFileAtomically(file, bytes);
+    if (done && stop.stop_requested())
+      done = base::fail(base::ErrorCode::kCancelled, "bundle", "a request to stop", "time to end");
     if (!done) {
       fs::remove_all(work.path, ignored);
       return done;

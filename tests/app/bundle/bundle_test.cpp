@@ -107,6 +107,60 @@ TEST_F(BundleTest, ItsChecksAreManyAndExact) {
   EXPECT_EQ(outside.size(), 2U);
 }
 
+TEST_F(BundleTest, ItsReportSaysWhatIsKnownOfHoles) {
+  const auto says = [this](const Bundle& bundle, const std::string& sentence) {
+    const auto compiled = fuzzy::compile(bundle.model);
+    return bundleReport(bundle, *compiled).find(sentence) != std::string::npos;
+  };
+  Bundle bundle = *made_;
+  EXPECT_TRUE(says(bundle, "There is no such place."));
+  bundle.every_hole_is_known = false;
+  EXPECT_FALSE(says(bundle, "There is no such place."));
+  EXPECT_TRUE(says(bundle, "None was found, but the search was cut off"));
+  bundle.holes = {"depth 460 to 600 mm"};
+  EXPECT_TRUE(says(bundle, "Accepted: depth 460 to 600 mm. No other was found, but the search was cut off"));
+  // What one expert alone leaves open is no place without a force.
+  bundle.every_hole_is_known = true;
+  bundle.holes.clear();
+  bundle.model.accepted_holes = {"depth 1 to 2 mm"};
+  EXPECT_TRUE(says(bundle, "There is no such place."));
+}
+
+TEST_F(BundleTest, TheMakingTellsHowFarItIsAndStops) {
+  std::vector<std::size_t> told;
+  std::stop_source source;
+  BundleSettings settings{{}, "2026-11-22T08:00:00Z", std::string(kProgram), source.get_token()};
+  settings.progress = [&](std::size_t done, std::size_t all) {
+    EXPECT_LT(done, all);
+    told.push_back(done);
+  };
+  ASSERT_TRUE(makeBundle(support::s4FiveRegions(), settings));
+  // The model, the checks, five files of the expert, the C source, the table and the report.
+  EXPECT_EQ(told, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  settings.progress = [&](std::size_t done, std::size_t) {
+    if (done == 3) source.request_stop();
+  };
+  const auto stopped = makeBundle(support::s4FiveRegions(), settings);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, base::ErrorCode::kCancelled);
+}
+
+TEST_F(BundleTest, AStopWhileWritingLeavesWhatWasThere) {
+  std::stop_source source;
+  source.request_stop();
+  const std::string before = contents("manifest.json");
+  Bundle other = *made_;
+  other.files.back().second += "\n";
+  const auto written = writeBundle(other, path_, source.get_token());
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, base::ErrorCode::kCancelled);
+  EXPECT_EQ(contents("manifest.json"), before);
+  const auto beside = folder_.file("new");
+  ASSERT_FALSE(writeBundle(other, beside, source.get_token()));
+  EXPECT_FALSE(fs::exists(beside));
+  EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path_).parent_path()), {}), 1);
+}
+
 TEST_F(BundleTest, EveryHarmIsFound) {
   for (const auto& file : made_->manifest.files) {
     SCOPED_TRACE(file.path);
