@@ -18,7 +18,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kFewestLetters = 12;  // of a choice, where there is little room
+constexpr int kFewestLetters = 12;         // of a choice, where there is little room
+constexpr std::size_t kMostChanges = 100;  // listed; the command line lists all
 
 QComboBox* choiceBox(const QString& name, QWidget* parent) {
   auto* box = new QComboBox(parent);
@@ -27,6 +28,23 @@ QComboBox* choiceBox(const QString& name, QWidget* parent) {
   box->setMinimumContentsLength(kFewestLetters);
   box->setMaxVisibleItems(20);
   return box;
+}
+
+/// `+ rule of S4: …`, `− term …`, `term 'slow' of 'speed': 0, 0, 40, 60 → 0, 0, 45, 60`.
+QString changeText(const analysis::ModelChange& change) {
+  using Kind = analysis::ModelChange::Kind;
+  const QString place = harmless(text(change.place));
+  const QString before = harmless(text(change.before));
+  const QString after = harmless(text(change.after));
+  switch (change.kind) {
+    case Kind::kAdded:
+      return QStringLiteral("+ %1: %2").arg(place, after);
+    case Kind::kRemoved:
+      return QStringLiteral("− %1: %2").arg(place, before);
+    case Kind::kChanged:
+      break;
+  }
+  return QStringLiteral("%1: %2 → %3").arg(place, before, after);
 }
 
 }  // namespace
@@ -40,16 +58,19 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
       result_(new QLabel(this)),
       place_(new QLabel(this)),
       go_(new QPushButton(tr("Go there"), this)),
+      changes_(new QLabel(this)),
       refresh_list_(new Refresh(this, [this] { list(); })),
       refresh_result_(new Refresh(this, [this] { showResult(); })) {
   auto* head = new QLabel(tr("Compare"), this);
   head->setFont(theme::headingFont());
-  for (QLabel* label : {result_, place_}) {
+  for (QLabel* label : {result_, place_, changes_}) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
   place_->setFont(theme::smallFont());
+  changes_->setFont(theme::smallFont());
+  changes_->setObjectName(QStringLiteral("compare_changes"));
   go_->setAccessibleName(go_->text());
   go_->setToolTip(tr("Move the operating point to the largest difference"));
   auto* layout = new QGridLayout(this);
@@ -65,6 +86,7 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
   layout->addWidget(result_, 3, 0, 1, 3);
   layout->addWidget(place_, 4, 0, 1, 3);
   layout->addWidget(go_, 5, 0, 1, 3, Qt::AlignRight);
+  layout->addWidget(changes_, 6, 0, 1, 3);
 
   connect(a_, &QComboBox::activated, this, [this] { choose(*a_, CompareSide::kA); });
   connect(b_, &QComboBox::activated, this, [this] { choose(*b_, CompareSide::kB); });
@@ -109,6 +131,7 @@ void CompareCard::showResult() {
   const auto& result = compare_.result();
   place_->setVisible(result && !result->at.empty());
   go_->setVisible(place_->isVisibleTo(this));
+  showChanges();
   if (!result) {
     result_->setText(scene_.model() != nullptr ? tr("Comparing…") : QString());
     return;
@@ -131,6 +154,21 @@ void CompareCard::showResult() {
   place_->setText(
       tr("A %1, B %2 at %3")
           .arg(forceText(result->a_n, unit), forceText(result->b_n, unit), values.join(QStringLiteral(", "))));
+}
+
+void CompareCard::showChanges() {
+  const auto& result = compare_.result();
+  changes_->setVisible(result.has_value());
+  if (!result) return;
+  const auto& changes = result->changes;
+  QStringList lines;
+  lines << (changes.empty() ? tr("No term, rule or setting differs.")
+                            : tr("%n term(s), rule(s) or setting(s) differ from A to B:", nullptr,
+                                 static_cast<int>(changes.size())));
+  for (std::size_t i = 0; i < std::min(changes.size(), kMostChanges); ++i) lines << changeText(changes[i]);
+  if (changes.size() > kMostChanges)
+    lines << tr("and %n more", nullptr, static_cast<int>(changes.size() - kMostChanges));
+  changes_->setText(lines.join(QLatin1Char('\n')));
 }
 
 void CompareCard::goThere() {

@@ -25,6 +25,7 @@ class CompareCard : public QWidget {
   void fill(QComboBox& box, CompareSide side);
   void choose(const QComboBox& box, CompareSide side);
   void showResult();
+  void showChanges();
   void goThere();
 
   CompareController& compare_;
@@ -34,6 +35,7 @@ class CompareCard : public QWidget {
   QLabel* result_;
   QLabel* place_;
   QPushButton* go_;
+  QLabel* changes_;  ///< what differs between the models, a line each
   Refresh* refresh_list_;
   Refresh* refresh_result_;
 };

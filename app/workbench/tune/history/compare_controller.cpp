@@ -50,8 +50,8 @@ std::optional<CompareResult> differenceOf(const OpenModel& a, const OpenModel& b
   if (stop.stop_requested()) return std::nullopt;
   // The same number as everywhere else; the even points are for the rest.
   const auto impact = shownImpact(a.model, a.compiled, b.model, b.compiled, curve);
-  return CompareResult{impact.largest_n,  impact.at,   impact.before_n,     impact.after_n,
-                       impact.noticeable, whole.rms_n, whole.only_one_fires};
+  return CompareResult{impact.largest_n,  impact.at,   impact.before_n,      impact.after_n,
+                       impact.noticeable, whole.rms_n, whole.only_one_fires, analysis::modelChanges(a.model, b.model)};
 }
 
 }  // namespace

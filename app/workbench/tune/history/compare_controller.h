@@ -14,6 +14,7 @@
 #include "app/workbench/base/background.h"
 #include "app/workbench/model/open_model.h"
 #include "app/workbench/model/shown_impact.h"
+#include "core/analysis/model_difference.h"
 
 namespace tactus::workbench {
 
@@ -37,7 +38,7 @@ struct CompareChoice {
 
 enum class CompareSide { kA, kB };
 
-/// The difference between the forces of A and B over the whole universe.
+/// The difference between A and B: of their forces over the whole universe, and of what they are made of.
 struct CompareResult {
   double largest_n = 0;    ///< largest |difference| found
   std::vector<double> at;  ///< its place, one value per input; empty if there is no difference
@@ -46,6 +47,7 @@ struct CompareResult {
   double noticeable = 0;     ///< largest difference in just-noticeable differences around the force of A
   double rms_n = 0;          ///< over evenly spread points
   std::size_t only_one = 0;  ///< points at which only one of the two has a force
+  std::vector<analysis::ModelChange> changes;  ///< terms, rules and settings that differ, as `tactus diff` lists them
 };
 
 /// Thread: gui. Computes the difference in the background; only the newest request counts.

@@ -205,6 +205,7 @@ void HistoryPanel::openMenu(const QPoint& at) {
   const auto as = [&](const QString& name, CompareSide side) {
     connect(menu.addAction(name), &QAction::triggered, this, [this, state, side] {
       compare_.choose(side, {CompareChoice::Kind::kState, state, {}});
+      showSide(true);
     });
   };
   as(tr("Compare: this is A"), CompareSide::kA);

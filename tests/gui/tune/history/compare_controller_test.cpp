@@ -69,6 +69,27 @@ TEST_F(CompareControllerTest, SaysHowFarAnExpertAloneIsFromTheMean) {
   EXPECT_GT(compare.result()->at[1], 6);
 }
 
+TEST_F(CompareControllerTest, ListsWhatDiffersBetweenAnyTwoStates) {
+  auto other = edits.model();
+  other.experts[0].rules[0].weight = 0.5;
+  edits.apply(editing::finished(other, "weight"));
+  other.inputs[1].terms[0].points = {0, 0, 5, 5.5};
+  edits.apply(editing::finished(other, "near"));
+  // From the first state to the last one.
+  compare.choose(CompareSide::kA, {Kind::kState, 0, {}});
+  compare.choose(CompareSide::kB, {Kind::kState, 2, {}});
+  compare.compute();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return compare.result().has_value(); }, 5000));
+  const auto& changes = compare.result()->changes;
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(changes[0].place, "term 'near' of 'depth'");
+  EXPECT_EQ(changes[1].place, "rule of 'A': depth near, speed slow");
+  compare.choose(CompareSide::kB, {Kind::kState, 1, {}});
+  compare.compute();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return compare.result().has_value(); }, 5000));
+  EXPECT_EQ(compare.result()->changes.size(), 1U);
+}
+
 TEST_F(CompareControllerTest, ShowsAnotherVersionAndLeavesTheOpenModelAlone) {
   raiseLow();
   const auto open = models.current();

@@ -192,6 +192,19 @@ TEST_F(HistoryPanelTest, TheComparisonSetsTheOperatingPointToTheLargestDifferenc
   EXPECT_EQ(bench.scene.value(1), bench.compare.result()->at[1]);
 }
 
+TEST_F(HistoryPanelTest, TheComparisonListsTheTermsAndRulesThatDiffer) {
+  revealSide();
+  auto other = bench.edits.model();
+  other.experts[0].rules[0].weight = 0.5;
+  bench.edits.apply(editing::finished(other, "weight"));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return bench.compare.result().has_value(); }, tests::kPatience));
+  settle();
+  const auto* const changes = bench.window.findChild<QLabel*>(QStringLiteral("compare_changes"));
+  ASSERT_NE(changes, nullptr);
+  EXPECT_TRUE(changes->text().contains(QStringLiteral("rule of 'A': depth near, speed slow")))
+      << changes->text().toStdString();
+}
+
 TEST_F(HistoryPanelTest, StatesOfAnotherHistoryAreGoneAtOnce) {
   reveal();
   for (const double to : {4.5, 4.6, 4.7}) edit(to);
