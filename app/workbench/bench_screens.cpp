@@ -20,6 +20,8 @@ BenchScreens::BenchScreens(MainWindow& window, const BenchPanels& panels) {
                     Place::below(panels.feel, 52, panels.curves), Place::behind(panels.map, panels.feel),
                     Place::behind(panels.surface, panels.feel), Place::behind(panels.rules_here, panels.feel),
                     Place::behind(panels.reading, panels.feel), Place::behind(panels.history, panels.feel)});
+  window.addScreen(Stage::kDeliver,
+                   {Place::first(panels.readiness), Place::right(panels.bundle, 52, panels.readiness)});
 }
 
 }  // namespace tactus::workbench

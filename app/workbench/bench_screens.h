@@ -18,6 +18,8 @@ struct BenchPanels {
   Panel& rule_editor;
   Panel& findings;
   Panel& history;
+  Panel& readiness;
+  Panel& bundle;
 };
 
 class BenchScreens {

@@ -56,11 +56,13 @@ void HistoryParts::buildMenu() {
   end_ = menus.addAction(MenuSlot::kEditCompare, tr("&End the comparison"), Qt::CTRL | Qt::SHIFT | Qt::Key_B);
   author_ = menus.addAction(MenuSlot::kEditAuthor, tr("&Your name…"));
   connect(snapshot_, &QAction::triggered, this, [this] { reveal(&HistoryPanel::askSnapshot); });
-  connect(sign_off_, &QAction::triggered, this, [this] { reveal(&HistoryPanel::askSignOff); });
+  connect(sign_off_, &QAction::triggered, this, &HistoryParts::askSignOff);
   connect(author_, &QAction::triggered, this, [this] { reveal(&HistoryPanel::askAuthor); });
   connect(compare_sides_, &QAction::triggered, &compare_, &CompareController::toggle);
   connect(end_, &QAction::triggered, &compare_, &CompareController::end);
 }
+
+void HistoryParts::askSignOff() { reveal(&HistoryPanel::askSignOff); }
 
 void HistoryParts::reveal(void (HistoryPanel::*ask)()) {
   panel_->reveal();

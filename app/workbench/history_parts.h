@@ -26,6 +26,8 @@ class HistoryParts : public QObject {
                FeelController& feel, AuthorName& author, GhostController& ghost);
 
   Panel& panel() { return *panel_; }
+  /// Shows the panel with the focus in the field for a sign-off.
+  void askSignOff();
 
  private:
   void buildMenu();

@@ -59,6 +59,19 @@ base::Result<void> addStage(PictureAlbum& album, Workbench& bench, Stage stage) 
   return {};
 }
 
+/// The result of a bundle.
+base::Result<void> addBundle(PictureAlbum& album, Workbench& bench, const QString& folder) {
+  QEventLoop loop;
+  QObject::connect(&bench.bundles, &BundleMaker::changed, &loop, [&] {
+    if (bench.bundles.doing() == BundleMaker::Doing::kNothing) loop.quit();
+  });
+  bench.bundles.make(folder);
+  loop.exec();
+  bench.window.enter(Stage::kDeliver);
+  return album.add(stageId(Stage::kDeliver), QStringLiteral("bundle_made"),
+                   BundleMaker::tr("%1: a bundle").arg(stageName(Stage::kDeliver)), bench.window);
+}
+
 }  // namespace
 
 base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
@@ -77,9 +90,10 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
     return added;
   }
   if (auto opened = openStudy(bench, study); !opened) return opened;
-  for (const Stage stage : {Stage::kUnderstand, Stage::kTune}) {
+  for (const Stage stage : {Stage::kUnderstand, Stage::kTune, Stage::kDeliver}) {
     if (auto added = addStage(album, bench, stage); !added) return added;
   }
+  if (auto added = addBundle(album, bench, folder.filePath(QStringLiteral("ngt-demo-bundle"))); !added) return added;
   ShortcutSheet sheet(*bench.window.menuBar(), &bench.window);
   sheet.show();
   if (auto added = album.add(QStringLiteral("help"), QStringLiteral("shortcuts"), sheet.windowTitle(), sheet); !added) {

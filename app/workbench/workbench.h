@@ -3,6 +3,9 @@
 
 #include "app/workbench/bench_screens.h"
 #include "app/workbench/curve_parts.h"
+#include "app/workbench/deliver/bundle_maker.h"
+#include "app/workbench/deliver/readiness_controller.h"
+#include "app/workbench/deliver_parts.h"
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/edit_parts.h"
 #include "app/workbench/feel/feel_controller.h"
@@ -61,6 +64,8 @@ struct Workbench {
   GhostController ghost;
   ReferenceController references;
   FindingsController findings;
+  BundleMaker bundles;
+  ReadinessController readiness;
   StudyConnection study;
   StudyModels study_models;
   FeelStore feel_store;
@@ -79,6 +84,7 @@ struct Workbench {
   StudyParts study_parts;
   NoteParts note_parts;
   HistoryParts history_parts;
+  DeliverParts deliver_parts;
   RecoveryParts recovery_parts;
   PictureParts picture_parts;
   BenchScreens screens;

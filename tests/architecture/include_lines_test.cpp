@@ -38,9 +38,9 @@ const std::map<std::string, Permission>& permissions() {
 
   // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
   const std::set<std::string> below =
-      joined({"app", "app/editing", "app/figures", "app/link", "app/session", "app/devices", "core/analysis/gradient",
-              "core/render", "core/haptics/simulated", "core/store", "core/model_io", "core/exchange/import",
-              "experiments", "questionnaires"},
+      joined({"app", "app/bundle", "app/editing", "app/figures", "app/link", "app/session", "app/devices",
+              "core/analysis/gradient", "core/render", "core/haptics/simulated", "core/store", "core/model_io",
+              "core/exchange/import", "experiments", "questionnaires"},
              {base, haptics, elicitation, model});
   const auto room = [&](const std::set<std::string>& names, bool plots = false) {
     std::set<std::string> folders = below;
@@ -119,6 +119,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/anatomy", room({"base"})},
       {"app/workbench/model", room({"base"})},
       {"app/workbench/plot", room({"base", "kit", "model"}, true)},
+      {"app/workbench/deliver", room({"base", "kit", "model"})},
       {"app/workbench/tune/terms", room(shared, true)},
       {"app/workbench/tune/rules", room(shared, true)},
       {"app/workbench/tune/findings", room(shared, true)},
@@ -145,6 +146,7 @@ const std::map<std::string, Permission>& permissions() {
                               "kit",
                               "model",
                               "plot",
+                              "deliver",
                               "tune/terms",
                               "tune/rules",
                               "tune/findings",

@@ -54,7 +54,8 @@ TEST(ScreenPictures, AreAllListedWithTheirSize) {
   EXPECT_EQ(screens.size(), all.size());
   for (const char* name :
        {"start/start", "understand/overview", "understand/surface", "tune/overview", "tune/rule_editor",
-        "tune/findings", "tune/history", "take_part/welcome", "take_part/question_neck", "take_part/force_off"}) {
+        "tune/findings", "tune/history", "deliver/overview", "deliver/bundle_made", "take_part/welcome",
+        "take_part/question_neck", "take_part/force_off"}) {
     EXPECT_TRUE(screens.contains(QLatin1String(name))) << name;
   }
 }

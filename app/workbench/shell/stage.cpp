@@ -54,7 +54,7 @@ QString stageHint(Stage stage) {
     case Stage::kAgree:
       return StageText::tr("later: experts side by side");
     case Stage::kDeliver:
-      return StageText::tr("later: export and report");
+      return StageText::tr("a bundle for a simulator");
   }
   return {};
 }

@@ -1,0 +1,142 @@
+#include "app/workbench/deliver/bundle_maker.h"
+
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "app/bundle/bundle.h"
+#include "app/bundle/verify_bundle.h"
+#include "app/version.h"
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/model/edit_controller.h"
+#include "core/analysis/model_difference.h"
+#include "core/base/clock.h"
+
+namespace tactus::workbench {
+namespace {
+
+DeliveredFile shown(const model_io::FileCheck& check) {
+  DeliveredFile file{text(check.file.path), {}, {}, 0, check.ok, text(check.wrong)};
+  if (check.file.promise) {
+    file.rule = text(check.file.promise->rule);
+    file.error_n = check.largest_error_n;
+    file.tolerance_n = check.file.promise->tolerance_n;
+  }
+  return file;
+}
+
+}  // namespace
+
+BundleMaker::BundleMaker(EditController& edits, QObject* parent) : QObject(parent), edits_(edits) {
+  connect(&edits_, &EditController::changed, this, [this] {
+    const bool was_old = old_;
+    compare();
+    if (delivered_ && was_old != old_) emit changed();
+  });
+  // What was said of another model does not matter for this one.
+  connect(&edits_, &EditController::modelReset, this, [this] {
+    if (doing_ != Doing::kNothing) return;
+    delivered_.reset();
+    failure_.clear();
+    emit changed();
+  });
+}
+
+BundleMaker::~BundleMaker() { stop_.request_stop(); }
+
+bool BundleMaker::mayCancel() const {
+  return (doing_ == Doing::kMaking || doing_ == Doing::kWriting) && !stop_.stop_requested();
+}
+
+void BundleMaker::compare() {
+  if (!delivered_ || !edits_.isOpen()) return;
+  // Nobody reads it during a drag.
+  old_ = edits_.inGesture() || !analysis::modelChanges(delivered_->model, edits_.model()).empty();
+}
+
+BundleMaker::End BundleMaker::readBackIn(const QString& folder) {
+  auto check = bundle::verifyBundle(folder.toStdString(), kGenerator);
+  if (!check) return {std::nullopt, text(check.error().message())};
+  Delivered out{folder, false, check->ok(), {}, {}, {}};
+  for (const model_io::FileCheck& file : check->files) out.files.push_back(shown(file));
+  out.model = std::move(check->model);
+  return {std::move(out), {}};
+}
+
+void BundleMaker::begin(Doing doing, const QString& folder) {
+  stop_ = std::stop_source();
+  folder_ = folder;
+  delivered_.reset();
+  failure_.clear();
+  tell(doing, 0, 0);
+}
+
+void BundleMaker::tell(Doing doing, std::size_t done, std::size_t all) {
+  doing_ = doing;
+  done_ = done;
+  all_ = all;
+  emit changed();
+}
+
+void BundleMaker::make(const QString& folder) {
+  if (doing_ != Doing::kNothing || !edits_.isOpen()) return;
+  edits_.commit();
+  begin(Doing::kMaking, folder);
+  const auto told = [this](Doing doing, std::size_t done, std::size_t all) {
+    answers_.post([this, doing, done, all] { tell(doing, done, all); });
+  };
+  worker_.run([this, folder, told, stop = stop_.get_token(),
+               model = edits_.history().ready()](const std::stop_token&) -> Background::Deliver {
+    const auto end = [this](End what) -> Background::Deliver {
+      return [this, what = std::make_shared<End>(std::move(what))] { take(std::move(*what)); };
+    };
+    const auto failed = [&end](const base::Error& error) {
+      return end({std::nullopt, error.code == base::ErrorCode::kCancelled ? tr("Canceled: nothing was written.")
+                                                                          : text(error.message())});
+    };
+    const bundle::BundleSettings settings{
+        {},
+        base::formatUtc(std::chrono::system_clock::now()),
+        std::string(kGenerator),
+        stop,
+        [&told](std::size_t done, std::size_t all) { told(Doing::kMaking, done, all); }};
+    // A folder that may not be taken is said before the work.
+    if (const auto ok = bundle::mayHoldBundle(folder.toStdString()); !ok) return failed(ok.error());
+    const auto made = bundle::makeBundle(model->model, settings);
+    if (!made) return failed(made.error());
+    told(Doing::kWriting, made->files.size(), made->files.size());
+    if (const auto written = bundle::writeBundle(*made, folder.toStdString(), stop); !written)
+      return failed(written.error());
+    told(Doing::kReadingBack, made->files.size(), made->files.size());
+    End out = readBackIn(folder);
+    if (out.delivered) {
+      out.delivered->made = true;
+      for (const std::string& warning : made->warnings) out.delivered->warnings << text(warning);
+    }
+    return end(std::move(out));
+  });
+}
+
+void BundleMaker::readBack(const QString& folder) {
+  if (doing_ != Doing::kNothing) return;
+  begin(Doing::kReadingBack, folder);
+  worker_.run([this, folder](const std::stop_token&) -> Background::Deliver {
+    auto end = std::make_shared<End>(readBackIn(folder));
+    return [this, end] { take(std::move(*end)); };
+  });
+}
+
+void BundleMaker::cancel() {
+  if (!mayCancel()) return;
+  stop_.request_stop();
+  emit changed();
+}
+
+void BundleMaker::take(End end) {
+  delivered_ = std::move(end.delivered);
+  failure_ = std::move(end.failure);
+  compare();
+  tell(Doing::kNothing, 0, 0);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,248 @@
+#include "app/workbench/deliver/bundle_panel.h"
+
+#include <QDesktopServices>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/refresh.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/deliver/readiness_controller.h"
+#include "app/workbench/deliver/readiness_sign.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/say.h"
+
+namespace tactus::workbench {
+namespace {
+
+QLabel* wrapped(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  return label;
+}
+
+/// The one button that the stage is about.
+void setPrimary(QPushButton& button) {
+  button.setFont(theme::headingFont());
+  QPalette colors = button.palette();
+  for (const auto group : {QPalette::Active, QPalette::Inactive}) {
+    colors.setColor(group, QPalette::Button, theme::accent());
+    colors.setColor(group, QPalette::ButtonText, Qt::white);
+  }
+  button.setPalette(colors);
+  button.setMinimumHeight(5 * theme::kGrid);
+  button.setMinimumWidth(24 * theme::kGrid);
+}
+
+}  // namespace
+
+BundlePanel::BundlePanel(BundleMaker& maker, const ReadinessController& readiness, QWidget* parent)
+    : Card(parent),
+      maker_(maker),
+      readiness_(readiness),
+      make_(new QPushButton(tr("Make the bundle…"), this)),
+      waits_for_(wrapped({}, this)),
+      body_(new QStackedWidget(this)) {
+  setPrimary(*make_);
+  make_->setObjectName(QStringLiteral("make_bundle"));
+  setMuted(*waits_for_);
+  for (QWidget* page : {contents_ = makeContents(), work_ = makeWork(), result_ = makeResult()}) body_->addWidget(page);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(2 * theme::kGrid);
+  head->addWidget(make_);
+  head->addWidget(waits_for_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid);
+  layout->setSpacing(2 * theme::kGrid);
+  layout->addLayout(head);
+  layout->addWidget(body_, 1);
+
+  connect(make_, &QPushButton::clicked, this, &BundlePanel::wanted);
+  auto* refresh = new Refresh(this, [this] { showState(); });
+  connect(&maker_, &BundleMaker::changed, refresh, &Refresh::request);
+  connect(&readiness_, &ReadinessController::changed, refresh, &Refresh::request);
+  refresh->request();
+}
+
+QWidget* BundlePanel::makeContents() {
+  auto* page = new QWidget(body_);
+  auto* layout = new QGridLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setHorizontalSpacing(2 * theme::kGrid);
+  layout->setVerticalSpacing(theme::kGrid);
+  layout->setColumnStretch(1, 1);
+  auto* head = wrapped(
+      tr("A bundle is one folder with everything that a simulator team needs, and how exact each file is:"), page);
+  layout->addWidget(head, 0, 0, 1, 2);
+  const std::pair<QString, QString> parts[] = {
+      {QStringLiteral("model.tactus.json"), tr("the model itself, for libtactus: C, C++, Python and C#")},
+      {QStringLiteral("checks.csv"), tr("points with their exact forces, to test a reader of one's own")},
+      {QStringLiteral("experts/"), tr("each expert for fuzzylite, jFuzzyLogic, MATLAB, Octave and IEEE 1855")},
+      {QStringLiteral("c/"), tr("the model as C source without any library")},
+      {QStringLiteral("table/"), tr("a look-up table, where nothing else is possible")},
+      {QStringLiteral("report.html"), tr("the model on two printed pages")}};
+  int row = 1;
+  for (const auto& [name, what] : parts) {
+    auto* file = new QLabel(name, page);
+    file->setFont(theme::headingFont());
+    layout->addWidget(file, row, 0, Qt::AlignTop);
+    layout->addWidget(wrapped(what, page), row++, 1);
+  }
+  layout->setRowStretch(row, 1);
+  return page;
+}
+
+QWidget* BundlePanel::makeWork() {
+  auto* page = new QWidget(body_);
+  doing_ = wrapped({}, page);
+  progress_ = new QProgressBar(page);
+  progress_->setTextVisible(false);
+  progress_->setAccessibleName(tr("Progress of the bundle"));
+  cancel_ = new QPushButton(tr("Cancel"), page);
+  auto* bar = new QHBoxLayout;
+  bar->setSpacing(theme::kGrid);
+  bar->addWidget(progress_, 1);
+  bar->addWidget(cancel_);
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(doing_);
+  layout->addLayout(bar);
+  layout->addStretch(1);
+  connect(cancel_, &QPushButton::clicked, &maker_, &BundleMaker::cancel);
+  return page;
+}
+
+QWidget* BundlePanel::makeResult() {
+  auto* page = new QWidget(body_);
+  sign_ = new ReadinessSign(page);
+  said_ = wrapped({}, page);
+  said_->setFont(theme::headingFont());
+  said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  folder_ = new ElidedLabel(page);
+  setMuted(*folder_);
+  notes_ = wrapped({}, page);
+  open_ = new QPushButton(tr("Open folder"), page);
+  table_ = new QTableView(page);
+  table_->setModel(&files_);
+  table_->setObjectName(QStringLiteral("bundle_files"));
+  table_->setAccessibleName(tr("Files of the bundle, with the largest error of each"));
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setShowGrid(false);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  table_->setTextElideMode(Qt::ElideMiddle);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(3 * theme::kGrid);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(DeliveredModel::kFile, QHeaderView::Stretch);
+
+  auto* layout = new QGridLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setHorizontalSpacing(theme::kGrid + theme::kGrid / 2);
+  layout->setVerticalSpacing(theme::kGrid / 2);
+  layout->setColumnStretch(1, 1);
+  layout->addWidget(sign_, 0, 0, Qt::AlignTop);
+  layout->addWidget(said_, 0, 1);
+  layout->addWidget(folder_, 1, 1);
+  layout->addWidget(open_, 0, 2, 2, 1, Qt::AlignVCenter);
+  layout->addWidget(notes_, 2, 1, 1, 2);
+  layout->addWidget(table_, 3, 0, 1, 3);
+  layout->setRowStretch(3, 1);
+  connect(open_, &QPushButton::clicked, this, &BundlePanel::openFolder);
+  return page;
+}
+
+QString BundlePanel::waitsFor() const {
+  if (readiness_.lines().empty()) return tr("Open a model first.");
+  if (readiness_.blocks()) return tr("Settle the holes first: a simulator must know where there is no force.");
+  return {};
+}
+
+QString BundlePanel::workText() const {
+  const QString name = shownFileName(maker_.folder());
+  switch (maker_.doing()) {
+    case BundleMaker::Doing::kMaking:
+      if (!maker_.mayCancel()) break;
+      return maker_.all() == 0 ? tr("Making %1…").arg(name)
+                               : tr("Making %1: part %2 of %3…").arg(name).arg(maker_.done() + 1).arg(maker_.all());
+    case BundleMaker::Doing::kWriting:
+      if (!maker_.mayCancel()) break;
+      return tr("Writing %1…").arg(name);
+    case BundleMaker::Doing::kReadingBack:
+      return tr("Reading %1 back…").arg(name);
+    case BundleMaker::Doing::kNothing:
+      return {};
+  }
+  return tr("Canceling…");
+}
+
+void BundlePanel::showState() {
+  const bool works = maker_.doing() != BundleMaker::Doing::kNothing;
+  const QString waits_for = waitsFor();
+  make_->setEnabled(!works && waits_for.isEmpty());
+  waits_for_->setText(waits_for);
+  if (works) {
+    doing_->setText(workText());
+    // Without a maximum the bar only says that there is work.
+    progress_->setMaximum(maker_.doing() == BundleMaker::Doing::kMaking ? static_cast<int>(maker_.all()) : 0);
+    progress_->setValue(static_cast<int>(maker_.done()));
+    cancel_->setEnabled(maker_.mayCancel());
+    body_->setCurrentWidget(work_);
+    return;
+  }
+  showResult();
+}
+
+void BundlePanel::showResult() {
+  const auto& delivered = maker_.delivered();
+  const bool any = delivered || !maker_.failure().isEmpty();
+  body_->setCurrentWidget(any ? result_ : contents_);
+  if (!any) return;
+  files_.setFiles(delivered ? delivered->files : std::vector<DeliveredFile>());
+  table_->setVisible(delivered.has_value());
+  open_->setVisible(delivered.has_value());
+  folder_->setVisible(delivered.has_value());
+  QStringList notes;
+  if (!delivered) {
+    sign_->setState(Readiness::kBlocks);
+    said_->setText(maker_.failure());
+  } else {
+    const int files = static_cast<int>(delivered->files.size());
+    sign_->setState(!delivered->ok ? Readiness::kBlocks : maker_.isOld() ? Readiness::kLook : Readiness::kReady);
+    said_->setText(delivered->ok ? (delivered->made ? tr("Made and read back: %n file(s), each within its tolerance",
+                                                         nullptr, files)
+                                                    : tr("Read: %n file(s), each within its tolerance", nullptr, files))
+                                 : tr("Not every file is what it promises"));
+    folder_->setFullText(harmless(delivered->folder));
+    const auto wrong = std::find_if(delivered->files.begin(), delivered->files.end(),
+                                    [](const DeliveredFile& file) { return !file.ok; });
+    if (wrong != delivered->files.end()) notes << wrong->wrong;
+    notes << delivered->warnings;
+    if (maker_.isOld()) notes << tr("The open model is another one: its forces differ, or how it is felt.");
+  }
+  notes_->setText(notes.join(QLatin1Char('\n')));
+  notes_->setVisible(!notes.isEmpty());
+}
+
+void BundlePanel::openFolder() {
+  const auto& delivered = maker_.delivered();
+  if (!delivered) return;
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(delivered->folder)))
+    sayError(*this,
+             tr("No program of this computer shows folders. The bundle is in %1").arg(harmless(delivered->folder)));
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,60 @@
+// The panel with the one button of the stage Deliver: makes the bundle, shows how far it is, and what each file
+// promises.
+#pragma once
+
+#include "app/workbench/deliver/bundle_maker.h"
+#include "app/workbench/kit/card.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+class QTableView;
+
+namespace tactus::workbench {
+
+class ElidedLabel;
+class ReadinessController;
+class ReadinessSign;
+
+class BundlePanel : public Card {
+  Q_OBJECT
+
+ public:
+  BundlePanel(BundleMaker& maker, const ReadinessController& readiness, QWidget* parent = nullptr);
+
+ signals:
+  /// The user wants a bundle; the receiver asks for the folder.
+  void wanted();
+
+ private:
+  QWidget* makeContents();
+  QWidget* makeWork();
+  QWidget* makeResult();
+  void showState();
+  void showResult();
+  QString waitsFor() const;
+  QString workText() const;
+  void openFolder();
+
+  BundleMaker& maker_;
+  const ReadinessController& readiness_;
+  DeliveredModel files_;
+  QPushButton* make_;
+  QLabel* waits_for_;
+  QStackedWidget* body_;
+  QWidget* contents_ = nullptr;  ///< what a bundle holds, before the first one
+  QWidget* work_ = nullptr;      ///< the work in progress
+  QWidget* result_ = nullptr;
+  QLabel* doing_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  ReadinessSign* sign_ = nullptr;
+  QLabel* said_ = nullptr;
+  ElidedLabel* folder_ = nullptr;
+  QLabel* notes_ = nullptr;
+  QPushButton* open_ = nullptr;
+  QTableView* table_ = nullptr;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,157 @@
+#include "app/workbench/deliver/readiness.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace tactus::workbench {
+namespace {
+
+struct ReadinessText {
+  Q_DECLARE_TR_FUNCTIONS(ReadinessText)
+};
+
+using Topic = ReadinessTopic;
+
+ReadinessLine holes(const ReadinessFacts& facts) {
+  const DeliverFindings& found = facts.findings;
+  ReadinessLine line{Topic::kHoles, Readiness::kReady, ReadinessText::tr("Holes"), {}, ReadinessText::tr("Findings")};
+  const auto open =
+      std::count_if(found.holes.begin(), found.holes.end(), [](const auto& hole) { return !hole.accepted; });
+  if (!found.current) {
+    line.state = Readiness::kUnknown;
+    line.sentence = ReadinessText::tr("Looking for places without a force…");
+  } else if (open > 0) {
+    line.state = Readiness::kBlocks;
+    line.sentence = ReadinessText::tr("No rule fires at %n place(s): add a rule there, or accept each by its name.",
+                                      nullptr, static_cast<int>(open));
+  } else if (!found.complete) {
+    line.state = Readiness::kLook;
+    line.sentence =
+        ReadinessText::tr("The model is too finely divided to find every place without a force; there may be more.");
+  } else if (!found.holes.empty()) {
+    line.sentence = ReadinessText::tr("At %n accepted place(s) no rule fires; the force there is %1.", nullptr,
+                                      static_cast<int>(found.holes.size()))
+                        .arg(facts.default_force);
+  } else {
+    line.sentence = ReadinessText::tr("Every place has a force.");
+  }
+  return line;
+}
+
+ReadinessLine conflicts(const ReadinessFacts& facts) {
+  ReadinessLine line{
+      Topic::kConflicts, Readiness::kReady, ReadinessText::tr("Conflicts"), {}, ReadinessText::tr("Findings")};
+  if (!facts.findings.current) {
+    line.state = Readiness::kUnknown;
+    line.sentence = ReadinessText::tr("Looking for rules that contradict each other…");
+  } else if (facts.findings.conflicts > 0) {
+    line.state = Readiness::kLook;
+    line.sentence = ReadinessText::tr("%n pair(s) of rules have the same conditions and different forces.", nullptr,
+                                      static_cast<int>(facts.findings.conflicts));
+  } else {
+    line.sentence = ReadinessText::tr("No two rules of an expert contradict each other.");
+  }
+  return line;
+}
+
+ReadinessLine apart(const ReadinessFacts& facts) {
+  ReadinessLine line{
+      Topic::kExpertsApart, Readiness::kReady, ReadinessText::tr("Experts apart"), {}, ReadinessText::tr("Findings")};
+  if (facts.experts < 2) {
+    line.sentence = ReadinessText::tr("The model is of one expert.");
+  } else if (!facts.findings.current) {
+    line.state = Readiness::kUnknown;
+    line.sentence = ReadinessText::tr("Comparing the experts…");
+  } else if (facts.findings.apart > 0) {
+    line.state = Readiness::kLook;
+    line.sentence = ReadinessText::tr(
+                        "At %n place(s) two experts are more than two just-noticeable differences apart, by up to %1.",
+                        nullptr, static_cast<int>(facts.findings.apart))
+                        .arg(facts.findings.most_apart);
+  } else {
+    line.sentence = ReadinessText::tr("No two experts are more than two just-noticeable differences apart.");
+  }
+  return line;
+}
+
+ReadinessLine signOff(const ReadinessFacts& facts) {
+  ReadinessLine line{
+      Topic::kSignOff, Readiness::kReady, ReadinessText::tr("Sign-off"), {}, ReadinessText::tr("Sign off…")};
+  if (facts.signed_by) {
+    line.sentence = ReadinessText::tr("%1 signed off this state.").arg(*facts.signed_by);
+  } else if (facts.edits > 0) {
+    line.state = Readiness::kLook;
+    line.sentence =
+        ReadinessText::tr("No expert has signed off the last %n edit(s).", nullptr, static_cast<int>(facts.edits));
+  } else {
+    line.sentence = ReadinessText::tr("No edit waits for a sign-off.");
+  }
+  return line;
+}
+
+ReadinessLine simulated(const ReadinessFacts& facts) {
+  ReadinessLine line{
+      Topic::kSimulated, Readiness::kReady, ReadinessText::tr("Origin of the data"), {}, ReadinessText::tr("Origin")};
+  if (facts.simulated) {
+    line.state = Readiness::kLook;
+    line.sentence = ReadinessText::tr("Some data are simulated: the model and the report of the bundle say so.");
+  } else if (!facts.origin_known) {
+    line.state = Readiness::kLook;
+    line.sentence = ReadinessText::tr("The file does not say what data the model is from.");
+  } else {
+    line.sentence = ReadinessText::tr("No data are marked as simulated.");
+  }
+  return line;
+}
+
+ReadinessLine checks(const ReadinessFacts& facts) {
+  ReadinessLine line{
+      Topic::kChecks, Readiness::kLook, ReadinessText::tr("Checks"), {}, ReadinessText::tr("Verify a bundle…")};
+  if (!facts.bundle) {
+    line.sentence = ReadinessText::tr("No bundle of this model has been made and read back yet.");
+  } else if (!facts.bundle->holds) {
+    line.sentence = ReadinessText::tr("The bundle %1 does not hold what it promises.").arg(facts.bundle->folder);
+  } else if (facts.bundle->old) {
+    line.sentence = ReadinessText::tr("The model is not the one in the bundle %1.").arg(facts.bundle->folder);
+  } else {
+    line.state = Readiness::kReady;
+    line.sentence =
+        ReadinessText::tr("The bundle %1 was read back: each file is within its tolerance.").arg(facts.bundle->folder);
+  }
+  return line;
+}
+
+}  // namespace
+
+std::vector<ReadinessLine> readinessLines(const ReadinessFacts& facts) {
+  return {holes(facts), conflicts(facts), apart(facts), signOff(facts), simulated(facts), checks(facts)};
+}
+
+QString readinessSummary(const std::vector<ReadinessLine>& lines) {
+  const auto count = [&](Readiness state) {
+    return static_cast<int>(
+        std::count_if(lines.begin(), lines.end(), [state](const auto& line) { return line.state == state; }));
+  };
+  if (const int blocks = count(Readiness::kBlocks); blocks > 0)
+    return ReadinessText::tr("%n thing(s) to settle first", nullptr, blocks);
+  if (count(Readiness::kUnknown) > 0) return ReadinessText::tr("Looking…");
+  if (const int look = count(Readiness::kLook); look > 0)
+    return ReadinessText::tr("Ready, with %n thing(s) to know", nullptr, look);
+  return ReadinessText::tr("Ready");
+}
+
+QString readinessName(Readiness state) {
+  switch (state) {
+    case Readiness::kReady:
+      return ReadinessText::tr("Ready");
+    case Readiness::kLook:
+      return ReadinessText::tr("To know");
+    case Readiness::kBlocks:
+      return ReadinessText::tr("To settle first");
+    case Readiness::kUnknown:
+      return ReadinessText::tr("Looking…");
+  }
+  return {};
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,78 @@
+// Whether the open model is ready for a simulator: one line for each thing to know before it is delivered.
+#pragma once
+
+#include <QString>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tactus::workbench {
+
+enum class ReadinessTopic { kHoles, kConflicts, kExpertsApart, kSignOff, kSimulated, kChecks };
+
+enum class Readiness {
+  kReady,
+  kLook,     ///< the researcher should know it; the bundle can be made
+  kBlocks,   ///< no bundle before it is settled
+  kUnknown,  ///< still being looked for
+};
+
+struct ReadinessLine {
+  ReadinessTopic topic = ReadinessTopic::kHoles;
+  Readiness state = Readiness::kUnknown;
+  QString name;      ///< `Holes`
+  QString sentence;  ///< one sentence
+  QString act;       ///< of the button, which leads to the place or to the act
+
+  bool operator==(const ReadinessLine&) const = default;
+};
+
+/// What the lint says about the open model.
+struct DeliverFindings {
+  /// A place where no rule of any expert fires.
+  struct Hole {
+    std::string name;  ///< as analysis::describe gives it, and as --accept-hole takes it
+    QString words;     ///< the same with the labels of the model
+    bool accepted = false;
+
+    bool operator==(const Hole&) const = default;
+  };
+
+  bool current = false;  ///< they are of the open model; otherwise they are being looked for
+  bool complete = true;  ///< false: the search for holes was cut off
+  std::vector<Hole> holes;
+  std::size_t conflicts = 0;
+  std::size_t apart = 0;  ///< places where two experts are more than two just-noticeable differences apart
+  QString most_apart;     ///< the largest of these differences, with its unit
+
+  bool operator==(const DeliverFindings&) const = default;
+};
+
+struct ReadinessFacts {
+  DeliverFindings findings;
+  std::size_t experts = 0;
+  QString default_force;             ///< where no rule fires
+  std::size_t edits = 0;             ///< since the last sign-off on the way to the current state
+  std::optional<QString> signed_by;  ///< of the current state
+  bool simulated = false;
+  bool origin_known = true;  ///< the file says what data the model is from
+  /// The bundle that was made or read back last.
+  struct Bundle {
+    QString folder;      ///< its name
+    bool holds = false;  ///< each file is within its tolerance
+    bool old = false;    ///< the model has changed since
+  };
+  std::optional<Bundle> bundle;
+};
+
+/// A line for each topic, in the order of the topics.
+std::vector<ReadinessLine> readinessLines(const ReadinessFacts& facts);
+
+/// The lines in one heading: what stops the bundle, or else how many lines to look at.
+QString readinessSummary(const std::vector<ReadinessLine>& lines);
+
+/// `Ready`, `Look at it`, …: the state for people who do not see its sign.
+QString readinessName(Readiness state);
+
+}  // namespace tactus::workbench

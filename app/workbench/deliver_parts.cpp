@@ -1,0 +1,156 @@
+#include "app/workbench/deliver_parts.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSettings>
+#include <algorithm>
+#include <variant>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/deliver/bundle_maker.h"
+#include "app/workbench/deliver/bundle_panel.h"
+#include "app/workbench/deliver/bundle_place.h"
+#include "app/workbench/deliver/readiness_controller.h"
+#include "app/workbench/deliver/readiness_panel.h"
+#include "app/workbench/history_parts.h"
+#include "app/workbench/kit/notes_popup.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/panel.h"
+#include "app/workbench/tune/findings/finding_words.h"
+#include "app/workbench/tune/findings/findings_controller.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr auto kFolderKey = "bundle_folder";
+
+using Kind = elicitation::RuleFinding::Kind;
+
+/// A place where no rule of any expert fires; null for every other finding.
+const analysis::Hole* holeOfMean(const ShownFinding& shown) {
+  const bool is_one =
+      shown.finding.kind == Kind::kHole && shown.finding.experts.empty() && shown.acceptance != Acceptance::kLapsed;
+  return is_one ? std::get_if<analysis::Hole>(&shown.finding.where) : nullptr;
+}
+
+DeliverFindings summary(const FindingsController& findings) {
+  DeliverFindings out;
+  const fuzzy::ForceModel* model = findings.lintedModel();
+  out.current = findings.isCurrent() && model != nullptr;
+  if (!out.current) return out;
+  out.complete = findings.lint()->model.coverage_complete;
+  double most_apart = 0;
+  for (const ShownFinding& shown : findings.findings()) {
+    if (const analysis::Hole* hole = holeOfMean(shown)) {
+      out.holes.push_back(
+          {describe(*hole, *model), holeText(*model, *hole), shown.acceptance == Acceptance::kAccepted});
+    }
+    if (shown.finding.kind == Kind::kConflict) ++out.conflicts;
+    if (shown.finding.kind != Kind::kExpertsApart) continue;
+    ++out.apart;
+    most_apart = std::max(most_apart, shown.finding.newtons.value_or(0));
+  }
+  out.most_apart = forceText(most_apart, model->output.unit);
+  return out;
+}
+
+bool isAbout(const ShownFinding& shown, ReadinessTopic topic) {
+  switch (topic) {
+    case ReadinessTopic::kHoles:
+      return holeOfMean(shown) != nullptr;
+    case ReadinessTopic::kConflicts:
+      return shown.finding.kind == Kind::kConflict;
+    default:
+      return shown.finding.kind == Kind::kExpertsApart;
+  }
+}
+
+}  // namespace
+
+DeliverParts::DeliverParts(MainWindow& window, const ModelController& models, FindingsController& findings,
+                           Panel& findings_panel, HistoryParts& history, BundleMaker& maker,
+                           ReadinessController& readiness, QSettings& settings)
+    : window_(window),
+      models_(models),
+      findings_(findings),
+      findings_panel_(findings_panel),
+      history_(history),
+      maker_(maker),
+      settings_(settings) {
+  auto* lines = new ReadinessPanel(readiness);
+  auto* bundle = new BundlePanel(maker, readiness);
+  readiness_panel_ = &window.addPanel(QStringLiteral("readiness"), tr("Readiness"), lines);
+  bundle_panel_ = &window.addPanel(QStringLiteral("bundle"), tr("Bundle"), bundle);
+  connect(lines, &ReadinessPanel::asked, this, &DeliverParts::lead);
+  connect(bundle, &BundlePanel::wanted, this, &DeliverParts::make);
+  connect(&findings_, &FindingsController::changed, &readiness,
+          [this, &readiness] { readiness.setFindings(summary(findings_)); });
+  readiness.setFindings(summary(findings_));
+}
+
+void DeliverParts::lead(ReadinessTopic topic) {
+  switch (topic) {
+    case ReadinessTopic::kHoles:
+    case ReadinessTopic::kConflicts:
+    case ReadinessTopic::kExpertsApart:
+      showFindings(topic);
+      break;
+    case ReadinessTopic::kSignOff:
+      window_.enter(Stage::kTune);
+      history_.askSignOff();
+      break;
+    case ReadinessTopic::kSimulated:
+      showOrigin();
+      break;
+    case ReadinessTopic::kChecks:
+      readBack();
+      break;
+  }
+}
+
+void DeliverParts::showFindings(ReadinessTopic topic) {
+  window_.enter(Stage::kTune);
+  findings_panel_.reveal();
+  if (!findings_.isCurrent()) return;
+  const auto& all = findings_.findings();
+  const auto first =
+      std::find_if(all.begin(), all.end(), [topic](const ShownFinding& shown) { return isAbout(shown, topic); });
+  if (first != all.end()) findings_.choose(static_cast<std::size_t>(first - all.begin()));
+}
+
+void DeliverParts::showOrigin() {
+  const auto open = models_.current();
+  if (!open) return;
+  NoteGroup group{tr("Origin of the data"), {}};
+  if (const auto& origin = open->model.provenance) {
+    if (!origin->study.empty()) group.sentences << tr("Study: %1").arg(harmless(text(origin->study)));
+    if (!origin->notes.empty()) group.sentences << harmless(text(origin->notes));
+    for (const fuzzy::NamedJson& source : origin->sources)
+      group.sentences << tr("%1: %2").arg(harmless(text(source.key)), harmless(text(source.json)));
+  }
+  if (group.sentences.isEmpty()) group.sentences << tr("The file does not say what data the model is from.");
+  showNotesPopup(window_, readiness_panel_->mapToGlobal(readiness_panel_->rect().center()), {group});
+}
+
+QString DeliverParts::askFolder(const QString& title) {
+  const auto open = models_.current();
+  const QString before = settings_.value(QLatin1String(kFolderKey)).toString();
+  const QString start = !before.isEmpty() ? before : open ? QFileInfo(open->path).absolutePath() : QString();
+  const QString folder = QFileDialog::getExistingDirectory(&window_, title, start);
+  if (!folder.isEmpty()) settings_.setValue(QLatin1String(kFolderKey), folder);
+  return folder;
+}
+
+void DeliverParts::make() {
+  const QString chosen = askFolder(tr("Folder for the bundle"));
+  const auto open = models_.current();
+  if (!chosen.isEmpty() && open) maker_.make(bundleFolder(chosen, open->path));
+}
+
+void DeliverParts::readBack() {
+  const QString folder = askFolder(tr("Folder of a bundle"));
+  if (!folder.isEmpty()) maker_.readBack(folder);
+}
+
+}  // namespace tactus::workbench

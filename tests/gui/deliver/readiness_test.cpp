@@ -1,0 +1,107 @@
+#include "app/workbench/deliver/readiness.h"
+
+#include <gtest/gtest.h>
+
+namespace tactus::workbench {
+namespace {
+
+/// A model with nothing to say about it but that no bundle was made yet.
+ReadinessFacts cleanFacts() {
+  ReadinessFacts facts;
+  facts.findings.current = true;
+  facts.experts = 2;
+  facts.default_force = QStringLiteral("0 N");
+  return facts;
+}
+
+ReadinessLine lineOf(const ReadinessFacts& facts, ReadinessTopic topic) {
+  return readinessLines(facts)[static_cast<std::size_t>(topic)];
+}
+
+TEST(Readiness, HasALineWithASentenceAndAnActForEachTopic) {
+  const auto lines = readinessLines(cleanFacts());
+  ASSERT_EQ(lines.size(), 6U);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(lines[i].topic), i);
+    EXPECT_FALSE(lines[i].name.isEmpty());
+    EXPECT_TRUE(lines[i].sentence.endsWith(QLatin1Char('.'))) << lines[i].sentence.toStdString();
+    EXPECT_FALSE(lines[i].act.isEmpty());
+  }
+  EXPECT_EQ(readinessSummary(lines), QStringLiteral("Ready, with 1 thing to know"));
+}
+
+TEST(Readiness, OnlyAHoleThatNobodyAcceptedStopsABundle) {
+  ReadinessFacts facts = cleanFacts();
+  facts.findings.holes = {{"depth 5 to 6 mm", QStringLiteral("Depth 5 to 6 mm"), false}};
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kHoles).state, Readiness::kBlocks);
+  EXPECT_EQ(readinessSummary(readinessLines(facts)), QStringLiteral("1 thing to settle first"));
+  facts.findings.holes[0].accepted = true;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kHoles).state, Readiness::kReady);
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kHoles).sentence.contains(QStringLiteral("0 N")));
+}
+
+TEST(Readiness, DoesNotSayThatThereIsNoHoleWhereTheSearchWasCutOff) {
+  ReadinessFacts facts = cleanFacts();
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kHoles).sentence, QStringLiteral("Every place has a force."));
+  facts.findings.complete = false;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kHoles).state, Readiness::kLook);
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kHoles).sentence.contains(QStringLiteral("there may be more")));
+}
+
+TEST(Readiness, KnowsNothingBeforeTheLintHasEnded) {
+  ReadinessFacts facts = cleanFacts();
+  facts.findings.current = false;
+  for (const auto topic : {ReadinessTopic::kHoles, ReadinessTopic::kConflicts, ReadinessTopic::kExpertsApart})
+    EXPECT_EQ(lineOf(facts, topic).state, Readiness::kUnknown);
+  EXPECT_EQ(readinessSummary(readinessLines(facts)), QStringLiteral("Looking…"));
+}
+
+TEST(Readiness, CountsConflictsAndExpertsApart) {
+  ReadinessFacts facts = cleanFacts();
+  facts.findings.conflicts = 2;
+  facts.findings.apart = 3;
+  facts.findings.most_apart = QStringLiteral("0.610 N");
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kConflicts).sentence.startsWith(QStringLiteral("2 pairs")));
+  const auto apart = lineOf(facts, ReadinessTopic::kExpertsApart);
+  EXPECT_EQ(apart.state, Readiness::kLook);
+  EXPECT_TRUE(apart.sentence.startsWith(QStringLiteral("At 3 places"))) << apart.sentence.toStdString();
+  EXPECT_TRUE(apart.sentence.contains(QStringLiteral("0.610 N")));
+  facts.experts = 1;
+  facts.findings.apart = 0;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kExpertsApart).sentence, QStringLiteral("The model is of one expert."));
+}
+
+TEST(Readiness, AsksForASignOffOfEdits) {
+  ReadinessFacts facts = cleanFacts();
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSignOff).state, Readiness::kReady);
+  facts.edits = 1;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSignOff).state, Readiness::kLook);
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kSignOff).sentence.contains(QStringLiteral("the last 1 edit.")));
+  facts.signed_by = QStringLiteral("S4");
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSignOff).state, Readiness::kReady);
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kSignOff).sentence.startsWith(QStringLiteral("S4")));
+}
+
+TEST(Readiness, NeverCallsSimulatedOrUnknownDataReady) {
+  ReadinessFacts facts = cleanFacts();
+  facts.simulated = true;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSimulated).state, Readiness::kLook);
+  facts.simulated = false;
+  facts.origin_known = false;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSimulated).state, Readiness::kLook);
+}
+
+TEST(Readiness, TheChecksAreReadyWhenTheBundleOfThisModelHolds) {
+  ReadinessFacts facts = cleanFacts();
+  facts.bundle = {QStringLiteral("ngt-bundle"), true, false};
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kChecks).state, Readiness::kReady);
+  EXPECT_EQ(readinessSummary(readinessLines(facts)), QStringLiteral("Ready"));
+  facts.bundle->old = true;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kChecks).state, Readiness::kLook);
+  facts.bundle->holds = false;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kChecks).state, Readiness::kLook);
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kChecks).sentence.contains(QStringLiteral("ngt-bundle")));
+}
+
+}  // namespace
+}  // namespace tactus::workbench
