@@ -86,12 +86,12 @@ QWidget* BundlePanel::makeContents() {
       tr("A bundle is one folder with everything that a simulator team needs, and how exact each file is:"), page);
   layout->addWidget(head, 0, 0, 1, 2);
   const std::pair<QString, QString> parts[] = {
-      {QStringLiteral("model.tactus.json"), tr("the model itself, for libtactus: C, C++, Python and C#")},
-      {QStringLiteral("checks.csv"), tr("points with their exact forces, to test a reader of one's own")},
-      {QStringLiteral("experts/"), tr("each expert for fuzzylite, jFuzzyLogic, MATLAB, Octave and IEEE 1855")},
-      {QStringLiteral("c/"), tr("the model as C source without any library")},
-      {QStringLiteral("table/"), tr("a look-up table, where nothing else is possible")},
-      {QStringLiteral("report.html"), tr("the model on two printed pages")}};
+      {tr("Model"), tr("the native file, for libtactus: C, C++, Python and C#")},
+      {tr("Checks"), tr("points with their exact forces, to test a reader of one's own")},
+      {tr("Experts"), tr("each expert for fuzzylite, jFuzzyLogic, MATLAB, Octave and IEEE 1855")},
+      {tr("C source"), tr("the fastest way to a force, without any library")},
+      {tr("Table"), tr("a look-up table, where nothing else is possible")},
+      {tr("Report"), tr("the model on two printed pages")}};
   int row = 1;
   for (const auto& [name, what] : parts) {
     auto* file = new QLabel(name, page);

@@ -662,6 +662,182 @@
     </message>
 </context>
 <context>
+    <name>ReadinessText</name>
+    <message>
+        <source>Holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for places without a force…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>No rule fires at %n place(s): add a rule there, or accept each by its name.</source>
+        <translation>
+            <numerusform>No rule fires at %n place: add a rule there, or accept it by its name.</numerusform>
+            <numerusform>No rule fires at %n places: add a rule there, or accept each by its name.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The model is too finely divided to find every place without a force; there may be more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n accepted place(s) no rule fires; the force there is %1.</source>
+        <translation>
+            <numerusform>At %n accepted place no rule fires; the force there is %1.</numerusform>
+            <numerusform>At %n accepted places no rule fires; the force there is %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Every place has a force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conflicts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for rules that contradict each other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of rules have the same conditions and different forces.</source>
+        <translation>
+            <numerusform>%n pair of rules has the same conditions and different forces.</numerusform>
+            <numerusform>%n pairs of rules have the same conditions and different forces.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No two rules of an expert contradict each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model is of one expert.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing the experts…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n place(s) two experts are more than two just-noticeable differences apart, by up to %1.</source>
+        <translation>
+            <numerusform>At %n place two experts are more than two just-noticeable differences apart, by up to %1.</numerusform>
+            <numerusform>At %n places two experts are more than two just-noticeable differences apart, by up to %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No two experts are more than two just-noticeable differences apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign-off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign off…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 signed off this state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>No expert has signed off the last %n edit(s).</source>
+        <translation>
+            <numerusform>No expert has signed off the last edit.</numerusform>
+            <numerusform>No expert has signed off the last %n edits.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No edit waits for a sign-off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin of the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some data are simulated: the model and the report of the bundle say so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not say what data the model is from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data are marked as simulated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verify a bundle…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No bundle of this model has been made and read back yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bundle %1 does not hold what it promises.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model is not the one in the bundle %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bundle %1 was read back: each file is within its tolerance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) to settle first</source>
+        <translation>
+            <numerusform>%n thing to settle first</numerusform>
+            <numerusform>%n things to settle first</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready, with %n thing(s) to know</source>
+        <translation>
+            <numerusform>Ready, with %n thing to know</numerusform>
+            <numerusform>Ready, with %n things to know</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To know</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To settle first</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ReviewNotes</name>
     <message>
         <source>These notes are of a build from the answers as they are now. The model of the study began as another one: built with other settings, from other answers, or put in from a file.</source>
@@ -826,7 +1002,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>later: export and report</source>
+        <source>a bundle for a simulator</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -978,6 +1154,146 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::BundleMaker</name>
+    <message>
+        <source>Canceled: nothing was written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::BundlePanel</name>
+    <message>
+        <source>Make the bundle…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A bundle is one folder with everything that a simulator team needs, and how exact each file is:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points with their exact forces, to test a reader of one&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each expert for fuzzylite, jFuzzyLogic, MATLAB, Octave and IEEE 1855</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a look-up table, where nothing else is possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the model on two printed pages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of the bundle, with the largest error of each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a model first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settle the holes first: a simulator must know where there is no force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making %1: part %2 of %3…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1 back…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canceling…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Made and read back: %n file(s), each within its tolerance</source>
+        <translation>
+            <numerusform>Made and read back: %n file, each within its tolerance</numerusform>
+            <numerusform>Made and read back: %n files, each within its tolerance</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Read: %n file(s), each within its tolerance</source>
+        <translation>
+            <numerusform>Read: %n file, each within its tolerance</numerusform>
+            <numerusform>Read: %n files, each within its tolerance</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not every file is what it promises</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open model is another one: its forces differ, or how it is felt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program of this computer shows folders. The bundle is in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the native file, for libtactus: C, C++, Python and C#</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fastest way to a force, without any library</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::CompareCard</name>
     <message>
         <source>Go there</source>
@@ -1026,6 +1342,24 @@
     <message>
         <source>Move the operating point to the largest difference</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No term, rule or setting differs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n term(s), rule(s) or setting(s) differ from A to B:</source>
+        <translation>
+            <numerusform>%n term, rule or setting differs from A to B:</numerusform>
+            <numerusform>%n terms, rules or settings differ from A to B:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1202,6 +1536,84 @@
     </message>
     <message>
         <source>Reference %1 and %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DeliverParts</name>
+    <message>
+        <source>Readiness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin of the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not say what data the model is from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for the bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of a bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DeliveredModel</name>
+    <message>
+        <source>%1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middles of %1 cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>linear between nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not as promised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centroid</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2636,6 +3048,28 @@
     <message>
         <source>%1 of %2: %3</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ReadinessRow</name>
+    <message>
+        <source>Accept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept the hole %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accept that there is no force here; the model keeps the name of the hole (undo: Ctrl+Z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more, in the findings</source>
+        <translation>
+            <numerusform>and %n more, in the findings</numerusform>
+            <numerusform>and %n more, in the findings</numerusform>
+        </translation>
     </message>
 </context>
 <context>

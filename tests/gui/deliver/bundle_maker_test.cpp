@@ -146,13 +146,13 @@ TEST_F(BundleMakerTest, ReadinessCountsTheEditsSinceASignOff) {
   auto other = bench.edits.model();
   other.experts[0].rules[0].weight = 0.5;
   bench.edits.apply(editing::finished(other, "weight"));
-  EXPECT_TRUE(sign_off().sentence.contains(QStringLiteral("2 edits"))) << sign_off().sentence.toStdString();
+  EXPECT_TRUE(sign_off().sentence.contains(QStringLiteral("2 edit"))) << sign_off().sentence.toStdString();
   bench.edits.signOff(QStringLiteral("S4"));
   EXPECT_EQ(sign_off().state, Readiness::kReady);
   EXPECT_TRUE(sign_off().sentence.startsWith(QStringLiteral("S4")));
   other.experts[0].rules[0].weight = 0.25;
   bench.edits.apply(editing::finished(other, "weight"));
-  EXPECT_TRUE(sign_off().sentence.contains(QStringLiteral("1 edit."))) << sign_off().sentence.toStdString();
+  EXPECT_TRUE(sign_off().sentence.contains(QStringLiteral("1 edit"))) << sign_off().sentence.toStdString();
 }
 
 }  // namespace
