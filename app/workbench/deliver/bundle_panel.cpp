@@ -32,12 +32,15 @@ QLabel* wrapped(const QString& text, QWidget* parent) {
   return label;
 }
 
+constexpr int kDarker = 130;  // percent
+
 /// The one button that the stage is about.
 void setPrimary(QPushButton& button) {
   button.setFont(theme::headingFont());
   QPalette colors = button.palette();
   for (const auto group : {QPalette::Active, QPalette::Inactive}) {
-    colors.setColor(group, QPalette::Button, theme::accent());
+    // The style draws buttons in a lighter color; white text needs the contrast.
+    colors.setColor(group, QPalette::Button, theme::accent().darker(kDarker));
     colors.setColor(group, QPalette::ButtonText, Qt::white);
   }
   button.setPalette(colors);
