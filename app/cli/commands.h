@@ -124,8 +124,9 @@ base::Result<Output> verify(const VerifyOptions& options);
 
 struct ConvertOptions {
   std::string model;
-  std::string to;   ///< fll, fcl, fcl-fuzzylite, fis, fml or c
-  std::string out;  ///< folder
+  std::string to;                  ///< fll, fcl, fcl-fuzzylite, fis, fml or c
+  std::string out;                 ///< folder
+  std::vector<std::string> fixed;  ///< `INPUT=VALUE`, for c: inputs that stay at a value
 };
 /// Writes a model for other programs: one file per expert, or C source.
 base::Result<Output> convert(const ConvertOptions& options);

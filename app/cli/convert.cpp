@@ -24,11 +24,34 @@ base::Result<Files> expertFiles(const fuzzy::ForceModel& model, exchange::Dialec
   return files;
 }
 
-base::Result<Files> filesOf(const fuzzy::ForceModel& model, const std::string& to) {
-  for (const exchange::Dialect dialect : exchange::kDialects) {
-    if (to == name(dialect)) return expertFiles(model, dialect);
+/// `lubrication=1` as an input of the model and its value.
+base::Result<exchange::FixedInput> fixedInput(const fuzzy::ForceModel& model, const std::string& text) {
+  const auto equals = text.find('=');
+  const auto value = equals == std::string::npos ? std::nullopt : base::parseNumber(text.substr(equals + 1));
+  if (!value)
+    return base::fail(base::ErrorCode::kValue, "--fix", base::quoted(text), "INPUT=VALUE, such as lubrication=1");
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    if (model.inputs[i].id == text.substr(0, equals)) return exchange::FixedInput{i, *value};
+    ids.push_back(model.inputs[i].id);
   }
-  auto source = exchange::cSource(model);
+  return base::fail(base::ErrorCode::kReference, "--fix", base::quoted(text.substr(0, equals)),
+                    "an input of the model: " + base::joined(ids, ", "));
+}
+
+base::Result<Files> filesOf(const fuzzy::ForceModel& model, const ConvertOptions& options) {
+  if (options.to != "c" && !options.fixed.empty())
+    return base::fail(base::ErrorCode::kValue, "--fix", "--to " + options.to, "--to c, which alone can fix inputs");
+  for (const exchange::Dialect dialect : exchange::kDialects) {
+    if (options.to == name(dialect)) return expertFiles(model, dialect);
+  }
+  std::vector<exchange::FixedInput> fixed;
+  for (const std::string& text : options.fixed) {
+    const auto one = fixedInput(model, text);
+    if (!one) return tl::unexpected(one.error());
+    fixed.push_back(*one);
+  }
+  auto source = exchange::cSource(model, fixed);
   if (!source) return tl::unexpected(source.error());
   return Files{{"force_model.h", std::move(source->header)}, {"force_model.c", std::move(source->source)}};
 }
@@ -38,7 +61,7 @@ base::Result<Files> filesOf(const fuzzy::ForceModel& model, const std::string& t
 base::Result<Output> convert(const ConvertOptions& options) {
   const auto read = model_io::readModel(options.model);
   if (!read) return tl::unexpected(read.error());
-  const auto files = filesOf(read->model, options.to);
+  const auto files = filesOf(read->model, options);
   if (!files) return base::inFile(files.error(), options.model);
   if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
   Output output{{}, read->warnings};

@@ -2,23 +2,31 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/exchange/expert_view.h"
+#include "core/fuzzy/closed_form.h"
 
 namespace tactus::exchange {
+
+/// The inputs that are fixed when the source is written: a value for each fixed input, nothing for the others.
+using FixedInputs = std::vector<std::optional<double>>;
 
 /// The memberships that the source computes once per point: `m[0]`, `m[1]`, … Terms that several experts share count
 /// once.
 class MembershipCode {
  public:
-  explicit MembershipCode(const fuzzy::ForceModel& model);
+  /// `fixed`: one entry per input of the model.
+  MembershipCode(const fuzzy::ForceModel& model, FixedInputs fixed);
 
   /// The index of `term` of input `input`.
   std::size_t index(std::size_t input, const fuzzy::Term& term);
+  /// The membership of `term` where `input` is fixed; nothing where it is not.
+  std::optional<double> fixedAt(std::size_t input, const fuzzy::Term& term) const;
 
   std::size_t count() const { return terms_.size(); }
   /// The function `memberships`, which fills `m` and returns NaN where an input is not finite, else 0.
@@ -31,25 +39,39 @@ class MembershipCode {
   std::string expression(std::size_t input, const fuzzy::Term& term) const;
 
   const fuzzy::ForceModel& model_;
+  FixedInputs fixed_;
   bool odd_;
   std::vector<std::pair<std::size_t, fuzzy::Term>> terms_;  ///< input, term
 };
 
-/// The strengths of an expert's output terms in C: `s0`, `s1`, … for those that a rule can reach.
-struct StrengthCode {
-  std::string text;
-  std::vector<std::size_t> reached;  ///< output terms, ascending
+/// The strengths of an expert's output terms that a rule can reach.
+struct Strength {
+  std::size_t term = 0;
+  std::string text;  ///< an expression in `m`
 };
-StrengthCode strengthCode(const ExpertView& view, MembershipCode& memberships);
+/// Ascending by term.
+std::vector<Strength> strengthsOf(const ExpertView& view, MembershipCode& memberships);
 
-/// The body of an expert's function behind the strengths: `*offset` from the lower end of the universe.
-/// `index`: of the expert. `tables`: receives what must stand before the function. `general`: set where the function
-/// `general_offset` is needed.
-std::string centroidCode(const ExpertView& view, std::size_t index, const StrengthCode& strengths, std::string& tables,
-                         bool& general);
+/// Experts whose output terms have an order and are the same: their centroids are the same function of the strengths.
+struct CentroidGroup {
+  std::vector<fuzzy::Term> terms;
+  fuzzy::ClosedForm form;
+  std::vector<std::size_t> live;  ///< output terms that a rule of one of them reaches, ascending
+};
 
-/// The text of `general_offset`.
+/// The function `centroid_INDEX(s, n, &area, &moment)`: the strength of the term live[k] is `s[k * n]`.
+std::string centroidFunction(const fuzzy::ForceModel& model, const CentroidGroup& group, std::size_t index);
+
+/// The body of an expert's function where the output terms have no order, or some of them are Gaussians: `*offset` from
+/// the lower end of the universe. `tables`: receives what must stand before the function.
+std::string walkedCode(const ExpertView& view, std::size_t index, const std::vector<Strength>& strengths,
+                       std::string& tables);
+
+/// The functions that such bodies call: `general_offset` and, with Gaussians, `gaussian_offset`.
 std::string generalOffsetText();
+std::string gaussianOffsetText();
+/// What both need.
+std::string outputSetText();
 
 /// `parts` joined by calls of `function`, which takes two: a tree, because a chain would be deeper than compilers
 /// accept and slower. `parts` must not be empty.

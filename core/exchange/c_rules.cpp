@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/exchange/c_parts.h"
+#include "core/fuzzy/membership.h"
 
 namespace tactus::exchange {
 namespace {
@@ -104,7 +105,14 @@ std::string number(double value) {
   return value < 0 ? "(" + text + ")" : text;
 }
 
-MembershipCode::MembershipCode(const fuzzy::ForceModel& model) : model_(model), odd_(isOddModel(model)) {}
+MembershipCode::MembershipCode(const fuzzy::ForceModel& model, FixedInputs fixed)
+    : model_(model), fixed_(std::move(fixed)), odd_(isOddModel(model)) {}
+
+std::optional<double> MembershipCode::fixedAt(std::size_t input, const fuzzy::Term& term) const {
+  if (!fixed_[input]) return std::nullopt;
+  const fuzzy::Variable& variable = model_.inputs[input];
+  return fuzzy::MembershipFunction::of(term)(std::clamp(*fixed_[input], variable.min, variable.max));
+}
 
 std::size_t MembershipCode::index(std::size_t input, const fuzzy::Term& term) {
   const auto same = [&](const auto& known) {
@@ -117,11 +125,13 @@ std::size_t MembershipCode::index(std::size_t input, const fuzzy::Term& term) {
 }
 
 bool MembershipCode::usesExp() const {
-  return std::any_of(terms_.begin(), terms_.end(),
-                     [](const auto& one) { return one.second.shape == fuzzy::Shape::kGaussian; });
+  return std::any_of(terms_.begin(), terms_.end(), [this](const auto& one) {
+    return one.second.shape == fuzzy::Shape::kGaussian && !fixed_[one.first];
+  });
 }
 
 std::string MembershipCode::expression(std::size_t input, const fuzzy::Term& term) const {
+  if (const auto fixed = fixedAt(input, term)) return number(*fixed);
   const std::string x = "x" + std::to_string(input);
   if (term.shape == fuzzy::Shape::kGaussian) {
     const std::string u = "((" + x + " - " + number(term.points[0]) + ") / " + number(term.points[1]) + ")";
@@ -153,25 +163,28 @@ std::string MembershipCode::function() const {
   std::string out =
       "PART double memberships(const double *inputs, double *m) {\n"
       "  double nothing = 0.0;\n";
-  for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+  std::vector<std::string> place(model_.inputs.size());  // of each free input in `inputs`
+  std::size_t free = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (!fixed_[i]) place[i] = "inputs[" + std::to_string(free++) + "]";
+  }
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (fixed_[i]) continue;
     const fuzzy::Variable& input = model_.inputs[i];
-    const std::string x = "x" + std::to_string(i);
-    const std::string from = "inputs[" + std::to_string(i) + "]";
-    out += "  double " + x + " = lower(larger(" + from + ", " + number(input.min) + "), " + number(input.max) +
-           ");  /* " + comment(input.id) + " */\n";
+    out += "  double x" + std::to_string(i) + " = lower(larger(" + place[i] + ", " + number(input.min) + "), " +
+           number(input.max) + ");  /* " + comment(input.id) + " */\n";
   }
-  for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
-    const std::string from = "inputs[" + std::to_string(i) + "]";
-    out += "  nothing += " + from + " - " + from + ";  /* NaN where it is not finite */\n";
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (!fixed_[i]) out += "  nothing += " + place[i] + " - " + place[i] + ";  /* NaN where it is not finite */\n";
   }
-  for (std::size_t i = 0; i < model_.inputs.size() && !odd_; ++i) {
+  for (std::size_t i = 0; i < place.size() && !odd_; ++i) {
     // A ramp that ends at 0: next to it, memberships would be too small for a double.
     const auto ends_at_zero = [i](const auto& one) {
       if (one.first != i || one.second.shape == fuzzy::Shape::kGaussian) return false;
       const Corners f = cornersOf(one.second);
       return (f.a == 0 && f.b > 0) || (f.d == 0 && f.c < 0);
     };
-    if (std::none_of(terms_.begin(), terms_.end(), ends_at_zero)) continue;
+    if (fixed_[i] || std::none_of(terms_.begin(), terms_.end(), ends_at_zero)) continue;
     const std::string x = "x" + std::to_string(i);
     out += "  " + x + " = off_zero(" + x + ");\n";
   }
@@ -179,34 +192,39 @@ std::string MembershipCode::function() const {
     out += "  " + membership(t) + " = " + expression(terms_[t].first, terms_[t].second) + ";\n";
   }
   // What no rule asks for.
-  for (std::size_t i = 0; i < model_.inputs.size(); ++i) out += "  (void)x" + std::to_string(i) + ";\n";
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (!fixed_[i]) out += "  (void)x" + std::to_string(i) + ";\n";
+  }
   if (terms_.empty()) out += "  (void)m;\n";
   return out + "  return nothing;\n}\n";
 }
 
-StrengthCode strengthCode(const ExpertView& view, MembershipCode& memberships) {
+std::vector<Strength> strengthsOf(const ExpertView& view, MembershipCode& memberships) {
   // By output term, then by weight: w min(a, b) = min(w a, w b) and w max(a, b) = max(w a, w b) hold for every bit.
   std::map<std::size_t, std::map<double, std::vector<Premise>>> rules;
   for (const IndexedRule& rule : view.rules) {
     if (rule.weight == 0) continue;
     Premise premise;
+    bool can_fire = true;
     for (const auto& [input, term] : rule.conditions) {
-      premise.push_back(memberships.index(input, *view.inputs[input].terms[term].term));
+      const fuzzy::Term& condition = *view.inputs[input].terms[term].term;
+      const auto fixed = memberships.fixedAt(input, condition);
+      can_fire = can_fire && fixed != 0.0;
+      if (fixed != 1.0 && fixed != 0.0) premise.push_back(memberships.index(input, condition));
     }
-    rules[rule.then][rule.weight].push_back(std::move(premise));
+    if (can_fire) rules[rule.then][rule.weight].push_back(std::move(premise));
   }
-  StrengthCode out;
+  std::vector<Strength> out;
   for (auto& [term, by_weight] : rules) {
     std::vector<std::string> alternatives;
     for (auto& [weight, premises] : by_weight) {
-      const std::string held = strongest(std::move(premises));
+      const std::string inner = strongest(std::move(premises));
+      const std::string held = inner.empty() ? "1.0" : inner;
       const std::string scaled =
           memberships.isOdd() ? "kept_product(" + number(weight) + ", " + held + ")" : number(weight) + " * " + held;
       alternatives.push_back(weight == 1 ? held : scaled);
     }
-    out.text += "  double s" + std::to_string(term) + " = " + tree(alternatives, "larger") + ";  /* " +
-                comment(view.output.terms[term].term->id) + " */\n";
-    out.reached.push_back(term);
+    out.push_back({term, tree(alternatives, "larger")});
   }
   return out;
 }

@@ -85,6 +85,24 @@ TEST_F(DeliveryTest, ConvertsToEachFormat) {
   EXPECT_EQ(ProgramRun({"convert", model, "--to", "xls", "--out", folder_.file("out")}).status, 2);
 }
 
+TEST_F(DeliveryTest, FixesInputsInTheCSource) {
+  const std::string model = modelFile("m.json", support::s4Shifted());
+  const std::string out = folder_.file("out");
+  const ProgramRun made(
+      {"convert", model, "--to", "c", "--out", out, "--fix", "lubrication=1", "--fix", "neck_flexion=45"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const std::string header = readText(out + "/force_model.h");
+  EXPECT_NE(header.find("#define FORCE_MODEL_INPUTS 2\n"), std::string::npos) << header;
+  EXPECT_NE(header.find(" * Fixed:\n *   lubrication 1 1\n *   neck_flexion 45 deg\n"), std::string::npos) << header;
+  for (const auto& [to, fix, says] : {std::tuple{"c", "lubrication", "INPUT=VALUE"},
+                                      {"c", "wetness=1", "an input of the model: lubrication, neck_flexion"},
+                                      {"fll", "lubrication=1", "--to c"}}) {
+    const ProgramRun refused({"convert", model, "--to", to, "--out", out, "--fix", fix});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find(says), std::string::npos) << refused.err;
+  }
+}
+
 TEST_F(DeliveryTest, DiffNamesTermsRulesAndNewtons) {
   const auto first = support::s4Shifted();
   auto second = first;

@@ -6,7 +6,10 @@
 #include <dlfcn.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iostream>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/random.h"
 #include "core/fuzzy/compiled_model.h"
@@ -18,26 +21,34 @@
 namespace tactus::exchange {
 namespace {
 
+int wantedCount(const char* variable, int usual) {
+  const char* const set = std::getenv(variable);
+  return set != nullptr ? std::atoi(set) : usual;
+}
+
 /// The source of a model as a loaded library.
 class CompiledSource {
  public:
+  using Batch = void (*)(const double*, std::size_t, double*, unsigned char*);
   using Force = double (*)(const double*, int*);
   using ExpertForce = double (*)(std::size_t, const double*, int*);
 
-  CompiledSource(const fuzzy::ForceModel& model, const std::string& options = "-O1") {
-    const auto source = cSource(model);
+  CompiledSource(const fuzzy::ForceModel& model, const std::string& options = "-O1",
+                 std::span<const FixedInput> fixed = {}, const std::string& compiler = TACTUS_CC) {
+    const auto source = cSource(model, fixed);
     if (!source) {
       ADD_FAILURE() << source.error().message();
       return;
     }
     std::ofstream(folder_.file("force_model.h")) << source->header;
     std::ofstream(folder_.file("force_model.c")) << source->source;
-    const std::string command = TACTUS_CC " -std=c99 -pedantic -Wall -Wextra -Werror " + options + " -shared -fPIC " +
-                                folder_.file("force_model.c") + " -o " + folder_.file("force_model.so");
+    const std::string command = compiler + " -std=c99 -pedantic -Wall -Wextra -Werror " + options + " -shared -fPIC " +
+                                folder_.file("force_model.c") + " -o " + folder_.file("force_model.so") + " -lm";
     EXPECT_EQ(std::system(command.c_str()), 0) << source->source;
     library_ = dlopen(folder_.file("force_model.so").c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library_ == nullptr) return;
     force = reinterpret_cast<Force>(dlsym(library_, "force_model"));
+    batch = reinterpret_cast<Batch>(dlsym(library_, "force_model_batch"));
     expert_force = reinterpret_cast<ExpertForce>(dlsym(library_, "force_model_expert"));
   }
   ~CompiledSource() {
@@ -48,32 +59,46 @@ class CompiledSource {
 
   Force force = nullptr;
   ExpertForce expert_force = nullptr;
+  Batch batch = nullptr;
 
  private:
   support::TempFolder folder_;
   void* library_ = nullptr;
 };
 
-/// `points` random points, a third of them on vertices or a few ulps beside one.
-void expectSame(const fuzzy::ForceModel& model, base::Random& random, int points) {
-  const CompiledSource source(model);
+/// `points` random points, a third of them on vertices or a few ulps beside one, one by one and as a batch.
+void expectSame(const fuzzy::ForceModel& model, base::Random& random, int points, const std::string& options = "-O1",
+                const std::string& compiler = TACTUS_CC) {
+  const CompiledSource source(model, options, {}, compiler);
   ASSERT_NE(source.force, nullptr);
+  ASSERT_NE(source.batch, nullptr);
   const auto compiled = fuzzy::compile(model);
   ASSERT_TRUE(compiled);
   const double most = 1e-12 * (model.output.max - model.output.min);
+  std::vector<double> inputs;
+  std::vector<fuzzy::Evaluation> wanted;
   for (int p = 0; p < points; ++p) {
     const auto point = support::randomPoint(random, model);
+    inputs.insert(inputs.end(), point.begin(), point.end());
     int fired = 7;
-    const auto wanted = compiled->evaluate(point);
+    wanted.push_back(compiled->evaluate(point));
     const double found = source.force(point.data(), &fired);
-    ASSERT_EQ(fired != 0, wanted.fired) << p;
-    ASSERT_NEAR(found, wanted.force_n, most) << p;
+    ASSERT_EQ(fired != 0, wanted.back().fired) << p;
+    ASSERT_NEAR(found, wanted.back().force_n, most) << p;
     for (std::size_t e = 0; e < model.experts.size(); ++e) {
       const auto alone = compiled->evaluateExpert(e, point);
       ASSERT_NEAR(source.expert_force(e, point.data(), &fired), alone.force_n, most) << p << ", expert " << e;
       ASSERT_EQ(fired != 0, alone.fired) << p << ", expert " << e;
     }
   }
+  std::vector<double> forces(wanted.size(), -7);
+  std::vector<unsigned char> fired(wanted.size(), 7);
+  source.batch(inputs.data(), wanted.size(), forces.data(), fired.data());
+  for (std::size_t p = 0; p < wanted.size(); ++p) {
+    ASSERT_EQ(fired[p], wanted[p].fired ? 1 : 0) << p;
+    ASSERT_NEAR(forces[p], wanted[p].force_n, most) << p;
+  }
+  source.batch(inputs.data(), wanted.size(), forces.data(), nullptr);
 }
 
 TEST(CSource, HasTheForcesOfTheNgtModels) {
@@ -85,11 +110,88 @@ TEST(CSource, HasTheForcesOfTheNgtModels) {
 
 TEST(CSource, HasTheForcesOfRandomModels) {
   base::Random random(12);
-  for (int m = 0; m < 40; ++m) {
+  const int models = wantedCount("TACTUS_C_MODELS", 24);
+  const int points = wantedCount("TACTUS_C_POINTS", 2000);
+  for (int m = 0; m < models; ++m) {
     SCOPED_TRACE("model " + std::to_string(m));
-    expectSame(support::randomModel(random, {.adversarial = false}), random, 500);
+    expectSame(support::randomModel(random, {.gaussians = m % 4 == 3, .adversarial = false}), random,
+               m % 4 == 3 ? points / 10 : points);
     if (HasFatalFailure()) return;
   }
+}
+
+TEST(CSource, IsTheSameForOtherCompilersAndOptions) {
+  base::Random random(15);
+  for (const auto* const options : {"-O0", "-O2", "-O3 -march=native"}) {
+    SCOPED_TRACE(options);
+    expectSame(support::s4Shifted(), random, 2000, options);
+  }
+  if (std::system("clang --version >/dev/null 2>&1") != 0) {
+    std::cout << "SKIPPED: clang is not installed, so only gcc compiled the C source\n";
+    return;
+  }
+  expectSame(support::s4Shifted(), random, 2000, "-O2", "clang");
+}
+
+TEST(CSource, ABatchTakesWhateverTheCallerPasses) {
+  const CompiledSource source(support::s4Shifted(), "-O3");
+  ASSERT_NE(source.batch, nullptr);
+  // More than a block, with one odd point in it.
+  std::vector<double> inputs;
+  for (int p = 0; p < 70; ++p) inputs.insert(inputs.end(), {1, 45, 30, 30});
+  inputs[4 * 20 + 1] = std::nan("");
+  inputs[4 * 69] = -INFINITY;
+  std::vector<double> forces(70);
+  std::vector<unsigned char> fired(70, 7);
+  source.batch(inputs.data(), 70, forces.data(), fired.data());
+  for (std::size_t p = 0; p < 70; ++p) {
+    const bool odd = p == 20 || p == 69;
+    EXPECT_EQ(std::isnan(forces[p]), odd) << p;
+    EXPECT_EQ(fired[p], odd ? 0 : 1) << p;
+    if (!odd) {
+      EXPECT_NEAR(forces[p], 0.12666666666666668, 1e-15) << p;
+    }
+  }
+}
+
+TEST(CSource, FoldsFixedInputsIn) {
+  base::Random random(16);
+  for (int m = 0; m < 12; ++m) {
+    SCOPED_TRACE("model " + std::to_string(m));
+    const auto model = support::randomModel(random, {.adversarial = false});
+    if (model.inputs.size() < 2) continue;
+    const auto compiled = fuzzy::compile(model);
+    const auto at = support::randomPoint(random, model);
+    const FixedInput fixed[] = {{static_cast<std::size_t>(m) % model.inputs.size(), 0}};
+    std::vector<FixedInput> chosen(std::begin(fixed), std::end(fixed));
+    chosen[0].value = at[chosen[0].input];
+    const CompiledSource source(model, "-O1", chosen);
+    ASSERT_NE(source.force, nullptr);
+    const double most = 1e-12 * (model.output.max - model.output.min);
+    for (int p = 0; p < 500; ++p) {
+      auto point = support::randomPoint(random, model);
+      point[chosen[0].input] = chosen[0].value;
+      auto free = point;
+      free.erase(free.begin() + static_cast<std::ptrdiff_t>(chosen[0].input));
+      int fired = 7;
+      const auto wanted = compiled->evaluate(point);
+      ASSERT_NEAR(source.force(free.data(), &fired), wanted.force_n, most) << p;
+      ASSERT_EQ(fired != 0, wanted.fired) << p;
+    }
+  }
+}
+
+TEST(CSource, RefusesToFixWhatCannotBeFixed) {
+  const auto model = support::s4Shifted();
+  const auto message = [&](std::vector<FixedInput> fixed) {
+    const auto source = cSource(model, fixed);
+    return source ? std::string() : source.error().message();
+  };
+  EXPECT_EQ(message({{0, std::nan("")}}), "input 'lubrication': found nan, wanted a finite number to fix it at");
+  EXPECT_EQ(message({{0, 1}, {0, 0.5}}), "input 'lubrication': found two values to fix it at, wanted one");
+  EXPECT_EQ(message({{0, 1}, {1, 45}, {2, 30}, {3, 30}}),
+            "inputs: found all of them fixed, wanted one at least that varies");
+  EXPECT_EQ(message({{0, 1}, {1, 45}}), "");
 }
 
 TEST(CSource, FiresAsTheEvaluatorWhereMembershipsAreTiny) {
@@ -128,14 +230,13 @@ TEST(CSource, TakesWhateverTheCallerPasses) {
   EXPECT_EQ(fired, 0);
 }
 
-TEST(CSource, AGaussianOutputIsRefused) {
+TEST(CSource, HasTheForcesOfGaussianOutputs) {
   auto model = support::s4Shifted();
   model.output.terms[1] = {"small", "small", fuzzy::Shape::kGaussian, {0.35, 0.1}};
-  const auto source = cSource(model);
-  ASSERT_FALSE(source);
-  EXPECT_EQ(
-      source.error().message(),
-      "output term 'small': found a Gaussian, wanted trapezoids and triangles, whose centroid has a closed form in C");
+  base::Random random(17);
+  expectSame(model, random, 2000);
+  model.implication = fuzzy::Implication::kScale;
+  expectSame(model, random, 2000);
 }
 
 TEST(CSource, TextOfPeopleCannotLeaveAComment) {
