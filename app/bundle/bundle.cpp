@@ -182,7 +182,7 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   if (!collector.next()) return tl::unexpected(cancelled());
   if (const auto source = exchange::cSource(made)) {
     collector.add("c/force_model.h", "c", source->header);
-    collector.add("c/force_model.c", "c", source->source, sourcePromise(made));
+    collector.add("c/force_model.c", "c", source->source, promiseOf(*source, *compiled, points, settings.stop));
   } else {
     bundle.warnings.push_back("c/force_model.c is left out: " + source.error().message());
   }

@@ -109,9 +109,10 @@ report::Table fileTable(const model_io::BundleManifest& manifest) {
       {headingCell("file"), headingCell("centroid"), headingCell("largest error (N)"), headingCell("tolerance (N)")}};
   for (const model_io::BundleFile& file : manifest.files) {
     if (!file.promise) continue;
-    table.body.push_back({headingCell(file.path), report::Cell{file.promise->rule},
-                          numberCell(formatNumber(file.promise->largest_error_n)),
-                          numberCell(formatNumber(file.promise->tolerance_n))});
+    table.body.push_back(
+        {headingCell(file.path), report::Cell{file.promise->rule},
+         numberCell((file.promise->measured ? "" : "at most ") + formatNumber(file.promise->largest_error_n)),
+         numberCell(formatNumber(file.promise->tolerance_n))});
   }
   return table;
 }

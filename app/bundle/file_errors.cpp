@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "app/bundle/compiled_source.h"
 #include "core/analysis/sampled_centroid.h"
 
 namespace tactus::bundle {
@@ -63,10 +64,21 @@ model_io::Promise exactPromise(const fuzzy::ForceModel& model) {
   return {"exact", kRounding * (model.output.max - model.output.min), 0, {}};
 }
 
-model_io::Promise sourcePromise(const fuzzy::ForceModel& model) {
-  model_io::Promise promise = exactPromise(model);
-  promise.largest_error_n = promise.tolerance_n;
-  return promise;
+model_io::Promise promiseOf(const exchange::CSource& source, const fuzzy::CompiledModel& model,
+                            const std::vector<std::vector<double>>& points, const std::stop_token& stop) {
+  const double bound_n = kRounding * (model.outputMax() - model.outputMin());
+  const auto forces = forcesOf(source, points, stop);
+  if (!forces) {
+    model_io::Promise promise{"exact", bound_n, bound_n, {}};
+    promise.measured = false;
+    return promise;
+  }
+  std::size_t next = 0;
+  return measured("exact", bound_n, points, [&](std::span<const double> point) {
+    const double difference = (*forces)[next++] - model.evaluate(point).force_n;
+    // A force that is none at all.
+    return std::isnan(difference) ? model.outputMax() - model.outputMin() : difference;
+  });
 }
 
 }  // namespace tactus::bundle

@@ -1,9 +1,11 @@
 // How far the forces of a bundle's files are from the model's.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "app/bundle/force_table.h"
+#include "core/exchange/c_source.h"
 #include "core/exchange/dialect.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/bundle_manifest.h"
@@ -22,7 +24,9 @@ model_io::Promise promiseOf(const ForceTable& table, const fuzzy::CompiledModel&
 /// A file that holds the exact forces: 1e-12 of the output's range is left for rounding.
 model_io::Promise exactPromise(const fuzzy::ForceModel& model);
 
-/// The C source, which is not run here: the bound that its tests hold stands for the error.
-model_io::Promise sourcePromise(const fuzzy::ForceModel& model);
+/// The C source, compiled and run at `points` where a C compiler is there. Otherwise the bound that its tests hold
+/// stands for the error, with `measured` false.
+model_io::Promise promiseOf(const exchange::CSource& source, const fuzzy::CompiledModel& model,
+                            const std::vector<std::vector<double>>& points, const std::stop_token& stop = {});
 
 }  // namespace tactus::bundle

@@ -46,6 +46,7 @@ BundleFile fileOf(base::JsonValue value, std::optional<base::Error>& error) {
     members.number(required("tolerance_n"), promise.tolerance_n, kNotNegative);
     members.number(required("largest_error_n"), promise.largest_error_n, kNotNegative);
     members.numbers(required("at"), promise.at);
+    members.flag("measured", promise.measured);
     file.promise = std::move(promise);
   }
   return file;
@@ -87,6 +88,7 @@ std::string formatManifest(const BundleManifest& manifest) {
     if (file.promise) {
       json.key("rule").value(file.promise->rule).key("tolerance_n").value(file.promise->tolerance_n);
       json.key("largest_error_n").value(file.promise->largest_error_n).key("at").values(file.promise->at);
+      if (!file.promise->measured) json.key("measured").value(false);
     }
     json.endObject();
   }

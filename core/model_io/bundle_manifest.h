@@ -18,6 +18,7 @@ struct Promise {
   double tolerance_n = 0;
   double largest_error_n = 0;  ///< as measured when the bundle was written
   std::vector<double> at;      ///< the inputs of that point; empty without an error
+  bool measured = true;        ///< false: `largest_error_n` is a bound, because the file could not be run there
 
   bool operator==(const Promise&) const = default;
 };

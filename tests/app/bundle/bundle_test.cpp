@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -159,6 +160,28 @@ TEST_F(BundleTest, AStopWhileWritingLeavesWhatWasThere) {
   ASSERT_FALSE(writeBundle(other, beside, source.get_token()));
   EXPECT_FALSE(fs::exists(beside));
   EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path_).parent_path()), {}), 1);
+}
+
+TEST_F(BundleTest, TheErrorOfTheCSourceIsMeasuredOrCalledABound) {
+  const auto promise = [](const Bundle& bundle) {
+    const auto file = std::find_if(bundle.manifest.files.begin(), bundle.manifest.files.end(),
+                                   [](const model_io::BundleFile& one) { return one.path == "c/force_model.c"; });
+    return file->promise.value();
+  };
+  // A compiler built this test.
+  EXPECT_TRUE(promise(*made_).measured);
+  EXPECT_LT(promise(*made_).largest_error_n, 1e-15);
+  const char* const path = std::getenv("PATH");
+  const std::string before = path != nullptr ? path : "";
+  setenv("PATH", folder_.file("nothing").c_str(), 1);
+  const Bundle without = ngtBundle();
+  setenv("PATH", before.c_str(), 1);
+  EXPECT_FALSE(promise(without).measured);
+  EXPECT_EQ(promise(without).largest_error_n, promise(without).tolerance_n);
+  EXPECT_NE(without.files.back().second.find("\"measured\": false"), std::string::npos) << without.files.back().second;
+  const auto read = model_io::parseManifest(without.files.back().second, "manifest.json");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(*read, without.manifest);
 }
 
 TEST_F(BundleTest, EveryHarmIsFound) {
