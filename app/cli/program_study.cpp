@@ -68,6 +68,30 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
           if (!o.yes && !o.dry_run) throw CLI::RequiredError("--yes or --dry-run");
         });
       });
+  addCommand(study, chosen, "protocol", "Show or set what everybody in the study is asked", studyProtocol,
+             [](CLI::App& command, StudyProtocolOptions& o) {
+               addFile(command, o.file);
+               command.add_option("--set", o.set, "NAME=VALUE, with a name that the command lists; repeatable")
+                   ->type_name("NAME=VALUE")
+                   ->expected(1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+               command.add_option("--consent", o.consent, "The consent text in a language, from a file; repeatable")
+                   ->type_name("LANGUAGE=FILE")
+                   ->expected(1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+               command.add_option("--from", o.from, "Begin with the protocol in this JSON file")->check(notEmpty());
+               command.add_option("--reason", o.reason, "Why it changes; needed once participants follow it");
+               command.add_option("--author", o.author, "Who changes it");
+               addJson(command, o.json);
+             });
+  addCommand(study, chosen, "key", "Set the key that leads from the participant's screens to the researcher's",
+             studyKey, [](CLI::App& command, StudyKeyOptions& o) {
+               addFile(command, o.file);
+               auto* const from =
+                   command.add_option("--from", o.from, "File whose first line is the key; else the standard input")
+                       ->check(notEmpty());
+               command.add_flag("--remove", o.remove, "Take the key away")->excludes(from);
+             });
   addCommand(study, chosen, "erase", "Finish an erasure that was interrupted", studyErase,
              [](CLI::App& command, StudyEraseOptions& o) { addFile(command, o.file); });
 }

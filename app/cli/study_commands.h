@@ -75,6 +75,27 @@ struct StudyWithdrawOptions {
 /// For a participant who withdrew already, removes the rest of an interrupted erasure.
 base::Result<Output> studyWithdraw(const StudyWithdrawOptions& options);
 
+struct StudyProtocolOptions {
+  std::string file;
+  std::vector<std::string> set;      ///< `NAME=VALUE` (session/protocol_values.h)
+  std::vector<std::string> consent;  ///< `LANGUAGE=FILE`, the text in that language
+  std::string from;                  ///< a protocol as JSON to begin with; empty: the study's own
+  std::string reason;                ///< of an amendment
+  std::string author;
+  bool json = false;
+};
+/// Prints the protocol of the study. With `set`, `consent` or `from` stores another one first: a draft, or, once
+/// participants follow the present version, its amendment.
+base::Result<Output> studyProtocol(const StudyProtocolOptions& options);
+
+struct StudyKeyOptions {
+  std::string file;
+  std::string from;  ///< file whose first line is the key; empty: the first line of the standard input
+  bool remove = false;
+};
+/// Sets or removes the research key.
+base::Result<Output> studyKey(const StudyKeyOptions& options);
+
 struct StudyEraseOptions {
   std::string file;
 };

@@ -89,7 +89,7 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   state->settings = std::move(settings);
   state->simulated = person->simulated;
   // Everything that can be refused is refused before the session is in the file.
-  if (auto ok = state->makeProtocols(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = state->makeProtocols(file); !ok) return tl::unexpected(ok.error());
   const auto latest = latestSession(file, start.person);
   if (!latest) return tl::unexpected(latest.error());
   // The session and the first line of its log are stored together or not at all.
@@ -118,7 +118,9 @@ Result<Session> Session::resume(store::StudyFile& file, const study::RecordId& s
   for (const auto& person : *persons) {
     if (person.id == record->person) state->simulated = person.simulated;
   }
-  if (auto ok = state->readBack(); !ok) return tl::unexpected(ok.error());
+  const auto events = store::events(file, {{}, record->id, true});
+  if (!events) return tl::unexpected(events.error());
+  if (auto ok = state->readBack(file, *events); !ok) return tl::unexpected(ok.error());
   state->announced = state->part();
   if (auto ok = state->log(kResumed, detail("stage", name(state->announced))); !ok) return tl::unexpected(ok.error());
   return Session(std::move(state));

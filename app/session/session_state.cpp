@@ -42,7 +42,7 @@ study::Entry SessionState::entry() {
   return entry;
 }
 
-bool SessionState::isDone(Block block) const {
+bool SessionRecords::isDone(Block block) const {
   switch (block) {
     case Block::kSpeed:
       return speed->next().finished;
@@ -54,14 +54,14 @@ bool SessionState::isDone(Block block) const {
   return true;
 }
 
-std::optional<Block> SessionState::block() const {
+std::optional<Block> SessionRecords::block() const {
   for (const Block block : settings.blocks) {
     if (!skipped.contains(block) && !(isDone(block) && rated.contains(block))) return block;
   }
   return std::nullopt;
 }
 
-SessionPart SessionState::part() const {
+SessionPart SessionRecords::part() const {
   if (aborted) return SessionPart::kAborted;
   if (!profile) return SessionPart::kProfile;
   const auto at = block();
@@ -91,7 +91,7 @@ Result<void> SessionState::tell(study::ProfileRecord made, const std::optional<N
       made, [&] { profile = made; }, beside);
 }
 
-Result<void> SessionState::makeProtocols() {
+Result<void> SessionRecords::makeProtocols(const store::StudyFile& file) {
   const store::Selection history{{}, record.id, true};
   for (const Block block : settings.blocks) {
     const std::uint64_t seed = blockSeed(record.seed, block);
@@ -107,14 +107,15 @@ Result<void> SessionState::makeProtocols() {
       auto made = experiments::ForceProtocol::create(settings.force, seed, *judgements);
       if (!made) return tl::unexpected(made.error());
       force = std::move(*made);
-    } else if (auto ok = makeForm(seed, history); !ok) {
+    } else if (auto ok = makeForm(file, seed, history); !ok) {
       return ok;
     }
   }
   return {};
 }
 
-Result<void> SessionState::makeForm(std::uint64_t seed, const store::Selection& history) {
+Result<void> SessionRecords::makeForm(const store::StudyFile& file, std::uint64_t seed,
+                                      const store::Selection& history) {
   auto worded = questionnaires::questionnaire(settings.form, record.language);
   if (!worded) return tl::unexpected(worded.error());
   form.emplace(std::move(*worded), settings.item_order, seed);
@@ -126,31 +127,29 @@ Result<void> SessionState::makeForm(std::uint64_t seed, const store::Selection& 
   return {};
 }
 
-Result<void> SessionState::readBack() {
+Result<void> SessionRecords::readBack(const store::StudyFile& file, const std::vector<study::EventRecord>& events) {
   const store::Selection all{{}, record.id, true};
   const auto profiles = store::profiles(file, {{}, record.id, false});
   if (!profiles) return tl::unexpected(profiles.error());
   if (!profiles->empty()) profile = profiles->back();
   const auto ratings = store::ratings(file, all);
   if (!ratings) return tl::unexpected(ratings.error());
-  const auto events = store::events(file, all);
-  if (!events) return tl::unexpected(events.error());
   for (const Block block : settings.blocks) {
     for (const auto& rating : *ratings) {
       if (rating.block == name(block)) rated.insert(block);
     }
-    for (const auto& event : *events) {
+    for (const auto& event : events) {
       if (event.detail != detail("block", name(block))) continue;
       if (event.kind == kBlockSkipped) skipped.insert(block);
       if (event.kind == kBlockClosed) rated.insert(block);
     }
   }
-  for (const auto& event : *events) {
+  for (const auto& event : events) {
     if (event.kind == kPaused) paused = true;
     if (event.kind == kUnpaused) paused = false;
     if (event.kind == kAborted) aborted = true;
   }
-  return makeProtocols();
+  return makeProtocols(file);
 }
 
 }  // namespace tactus::session

@@ -1,4 +1,4 @@
-// The state of a session, and how it is read back from the file. For session.cpp only.
+// The state of a session, and how it is read back from the file. For session.cpp and session_progress.cpp only.
 #pragma once
 
 #include <optional>
@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "app/session/session.h"
 #include "core/store/batch.h"
@@ -26,17 +27,12 @@ inline constexpr const char* kAborted = "aborted";
 /// `{"key":"value"}`, the detail of an event.
 std::string detail(const char* key, std::string_view value);
 
-struct SessionState {
-  SessionState(store::StudyFile& study_file, SessionTools session_tools, study::SessionRecord session)
-      : file(study_file), tools(std::move(session_tools)), record(std::move(session)) {}
+/// What is stored of a session, and what follows from it.
+struct SessionRecords {
+  explicit SessionRecords(study::SessionRecord session) : record(std::move(session)) {}
 
-  store::StudyFile& file;
-  SessionTools tools;
   study::SessionRecord record;
   SessionSettings settings;
-  bool simulated = false;
-  study::EnteredBy entered_by = study::EnteredBy::kParticipant;
-
   std::optional<study::ProfileRecord> profile;
   std::optional<experiments::SpeedProtocol> speed;
   std::optional<experiments::ForceProtocol> force;
@@ -45,22 +41,35 @@ struct SessionState {
   std::set<Block> skipped;
   bool paused = false;
   bool aborted = false;
-  SessionPart announced = SessionPart::kProfile;  ///< of the last event `stage_entered`
 
   bool isDone(Block block) const;
   /// The current block (in progress or being rated).
   std::optional<Block> block() const;
   SessionPart part() const;
 
+  /// Makes the protocols for the settings and feeds them the stored records.
+  base::Result<void> makeProtocols(const store::StudyFile& file);
+  /// Reads all stored records of the session. `events`: its log.
+  base::Result<void> readBack(const store::StudyFile& file, const std::vector<study::EventRecord>& events);
+
+ private:
+  base::Result<void> makeForm(const store::StudyFile& file, std::uint64_t seed, const store::Selection& history);
+};
+
+struct SessionState : SessionRecords {
+  SessionState(store::StudyFile& study_file, SessionTools session_tools, study::SessionRecord session)
+      : SessionRecords(std::move(session)), file(study_file), tools(std::move(session_tools)) {}
+
+  store::StudyFile& file;
+  SessionTools tools;
+  bool simulated = false;
+  study::EnteredBy entered_by = study::EnteredBy::kParticipant;
+  SessionPart announced = SessionPart::kProfile;  ///< of the last event `stage_entered`
+
   /// The entry for a new record.
   study::Entry entry();
   base::Result<void> log(const char* kind, std::string text = {});
   base::Result<void> tell(study::ProfileRecord made, const std::optional<Note>& beside);
-
-  /// Makes the protocols for the settings and feeds them the stored records.
-  base::Result<void> makeProtocols();
-  /// Reads all stored records of the session.
-  base::Result<void> readBack();
 
   /// Stores `made`, and `beside` with it, if given: both or none. Then `take` changes the state.
   template <class Record, class Take>
@@ -75,9 +84,6 @@ struct SessionState {
     if (part() != announced && log(kStageEntered, detail("stage", name(part())))) announced = part();
     return {};
   }
-
- private:
-  base::Result<void> makeForm(std::uint64_t seed, const store::Selection& history);
 };
 
 }  // namespace tactus::session

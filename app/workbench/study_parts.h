@@ -26,11 +26,15 @@ class StudyParts : public QObject {
              FeelController& feel, FeelPanel& panel, FeelStore& store, const ModelController& models,
              RecentFiles& recent);
 
+  /// Asks for the place of a new study and makes it.
+  void chooseNew();
+  /// Asks for a study and opens it.
+  void chooseStudy();
+
  private:
   void buildMenu();
   void addRecordings(FeelPanel& panel);
   void connectAll();
-  void chooseNew();
   void showState();
   void onOpened();
   void onFailed(const QString& path, const QString& sentence);

@@ -17,7 +17,11 @@ TakePart::TakePart(StudyConnection& study, DeviceSession& device, const Particip
       hand_(window_, look_, device) {
   connect(&course_, &ParticipantController::changed, this, &TakePart::giveHand);
   connect(&views_, &ParticipantViews::finished, this, &TakePart::finished);
-  connect(&window_, &ParticipantWindow::forceOff, &course_, &ParticipantController::forceOff);
+  connect(&window_, &ParticipantWindow::forceOff, this, [this](ForceOffCause cause) {
+    // In a pause of the researcher, who types in the monitor, there is no force, and nothing to ask the participant.
+    if (cause == ForceOffCause::kDeactivated && course_.state().paused) return;
+    course_.forceOff();
+  });
   connect(&window_, &ParticipantWindow::leaveAsked, this, &TakePart::askForPassphrase);
 }
 

@@ -36,6 +36,7 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
       edit_parts(window, edits, terms, scene, ghost),
       finding_parts(window, findings, terms, rules),
       study_parts(window, files, study, study_models, feel, feel_parts.view(), feel_store, models, recent),
+      collect_parts(window, files, study_parts, study, study_models, models, device, author),
       note_parts(window, study, study_models, edit_parts.editor()),
       history_parts(window, edits, compare, scene, feel, author, ghost),
       deliver_parts(window, models, findings, finding_parts.panel(), history_parts, bundles, readiness, settings),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/workbench/bench_screens.h"
+#include "app/workbench/collect_parts.h"
 #include "app/workbench/curve_parts.h"
 #include "app/workbench/deliver/bundle_maker.h"
 #include "app/workbench/deliver/readiness_controller.h"
@@ -82,6 +83,7 @@ struct Workbench {
   EditParts edit_parts;
   FindingParts finding_parts;
   StudyParts study_parts;
+  CollectParts collect_parts;
   NoteParts note_parts;
   HistoryParts history_parts;
   DeliverParts deliver_parts;

@@ -64,6 +64,14 @@ constexpr Exception kExceptions[] = {
     {"participant/kit/language.cpp", "DejaVu Sans", "the name of a font"},
     {"participant/kit/language.cpp", "Noto Sans CJK TC", "the name of a font"},
     {"participant/kit/language.cpp", "Noto Sans CJK SC", "the name of a font"},
+    {"collect/step_words.cpp", "English", "a language by its own name"},
+    {"collect/step_words.cpp", "Deutsch", "a language by its own name"},
+    {"collect/step_words.cpp", "zh-Hant", "the id of a language"},
+    {"collect/step_words.cpp", "zh-Hans", "the id of a language"},
+    {"collect/protocol_controller.cpp", "language '", "the place in an error"},
+    {"workbench/collect_pictures.cpp", "zh-Hant", "the id of a language"},
+    {"workbench/collect_pictures.cpp", "This study is run by the School of Nursing. Questions: ask the researcher.",
+     "stored in the study of the pictures"},
     {"feel/recordings/feel_store.cpp", " alone", "stored in the study, the same in every language"},
 };
 

@@ -90,7 +90,14 @@ void ParticipantController::newHere() {
 }
 
 void ParticipantController::enterCode(const QString& code) {
-  if (state_.screen != Screen::kWelcome || !takesInput()) return;
+  if (state_.screen == Screen::kWelcome && takesInput()) lookUp(code);
+}
+
+void ParticipantController::sitDown(const QString& code) {
+  if (state_.screen == Screen::kWelcome && !person_) lookUp(code);
+}
+
+void ParticipantController::lookUp(const QString& code) {
   study_.read(*this, [this, typed = code.toStdString()](const store::StudyFile& file) -> StudyConnection::Deliver {
     const auto found = knownPerson(file, typed);
     return [this, found] {
@@ -104,7 +111,9 @@ void ParticipantController::enterCode(const QString& code) {
         newcomer_ = false;
         earlier_session_ = found->session;
         state_.code = QString::fromStdString(found->person->code);
-        state_.welcome = {WelcomeState::Step::kWelcomeBack, found->answers, false, {}};
+        const bool was_here = found->session.has_value();
+        state_.welcome = {
+            was_here ? WelcomeState::Step::kWelcomeBack : WelcomeState::Step::kNewCode, found->answers, false, {}};
       }
       look();
     };

@@ -56,6 +56,9 @@ class ParticipantController : public QObject {
   void setTextPercent(int percent);
   void newHere();
   void enterCode(const QString& code);
+  /// The researcher has chosen who sits down: as `enterCode`, but before anything is painted. A participant without a
+  /// session yet is shown the code to write it down.
+  void sitDown(const QString& code);
   // kConsent: `next` agrees
   void decline();
 
@@ -105,6 +108,8 @@ class ParticipantController : public QObject {
   void fillQuestion();
   void fillOwnModel();
   DeviceStep deviceStep() const;
+
+  void lookUp(const QString& code);
 
   // participant_steps.cpp: what happens by itself, and what an answer stores.
   void onAsked();

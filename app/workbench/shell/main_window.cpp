@@ -38,7 +38,8 @@ MainWindow::MainWindow(const ModelController& models, SceneController& scene, QS
       screens_(new QStackedWidget(this)),
       bench_(new BenchView(scene, settings, this)),
       rail_(new StageRail(this)),
-      strip_(new OperatingStrip(models, scene, this)) {
+      strip_(new OperatingStrip(models, scene, this)),
+      models_(models) {
   screens_->addWidget(bench_);
   auto* content = new QWidget(this);
   column_->setSpacing(theme::kGrid);
@@ -54,7 +55,7 @@ MainWindow::MainWindow(const ModelController& models, SceneController& scene, QS
   layout->addLayout(stage, 1);
   layout->addWidget(strip_);
   setCentralWidget(content);
-  // There is nothing to do in a stage before a model is open.
+  // There is nothing to do in a stage before a model or a study is open.
   rail_->hide();
   strip_->hide();
   setWindowTitle(tr("Tactus Workbench"));
@@ -70,15 +71,27 @@ MainWindow::MainWindow(const ModelController& models, SceneController& scene, QS
 }
 
 void MainWindow::setStartScreen(QWidget* screen) {
+  start_ = screen;
   screens_->addWidget(screen);
   screens_->setCurrentWidget(screen);
 }
 
-void MainWindow::addScreen(Stage stage, QWidget* screen) {
+void MainWindow::addScreen(Stage stage, QWidget* screen, Needs needs) {
   TACTUS_CHECK(!hasScreen(stage));
   if (screens_->indexOf(screen) < 0) screens_->addWidget(screen);
-  stages_.insert(static_cast<int>(stage), screen);
-  rail_->setReady(stage);
+  stages_.insert(static_cast<int>(stage), {screen, needs});
+  rail_->setReady(stage, canEnter(stage));
+}
+
+bool MainWindow::canEnter(Stage stage) const {
+  if (!hasScreen(stage)) return false;
+  const bool needs_study = stages_.value(static_cast<int>(stage)).needs == Needs::kStudy;
+  return needs_study ? study_open_ : models_.current() != nullptr;
+}
+
+void MainWindow::setStudyOpen(bool open) {
+  study_open_ = open;
+  showStages();
 }
 
 void MainWindow::addScreen(Stage stage, std::vector<PanelPlace> layout) {
@@ -100,8 +113,9 @@ void MainWindow::say(const QString& sentence) { strip_->showMessage(harmless(sen
 
 void MainWindow::enter(Stage stage) {
   TACTUS_CHECK(hasScreen(stage));
+  if (!canEnter(stage)) return;
   stage_ = stage;
-  QWidget* const screen = stages_.value(static_cast<int>(stage));
+  QWidget* const screen = stages_.value(static_cast<int>(stage)).screen;
   screens_->setCurrentWidget(screen);
   if (screen == bench_) {
     // The panels take their shares of the room that the window has now.
@@ -109,21 +123,34 @@ void MainWindow::enter(Stage stage) {
     panels().enter(stage);
   }
   rail_->setStage(stage);
+  strip_->showPoint(screen == bench_);
   settings_.setValue(QLatin1String(kStageKey), stageId(stage));
   emit entered(stage);
 }
 
 void MainWindow::showStages() {
-  rail_->show();
-  strip_->show();
-  if (!stage_) enter(lastStage());
+  for (const Stage stage : kStages) rail_->setReady(stage, canEnter(stage));
+  const bool any = std::any_of(kStages.begin(), kStages.end(), [this](Stage stage) { return canEnter(stage); });
+  rail_->setVisible(any);
+  strip_->setVisible(any);
+  if (stage_ && canEnter(*stage_)) return;
+  stage_.reset();
+  if (const auto last = lastStage()) {
+    enter(*last);
+  } else {
+    screens_->setCurrentWidget(start_);
+  }
 }
 
-Stage MainWindow::lastStage() const {
+// The stage of the last time, else Tune for a model, else where a study is.
+std::optional<Stage> MainWindow::lastStage() const {
   const QString id = settings_.value(QLatin1String(kStageKey)).toString();
   const auto last = std::find_if(kStages.begin(), kStages.end(),
-                                 [&](Stage stage) { return stageId(stage) == id && hasScreen(stage); });
-  return last == kStages.end() ? Stage::kTune : *last;
+                                 [&](Stage stage) { return stageId(stage) == id && canEnter(stage); });
+  if (last != kStages.end()) return *last;
+  if (canEnter(Stage::kTune)) return Stage::kTune;
+  const auto any = std::find_if(kStages.begin(), kStages.end(), [this](Stage stage) { return canEnter(stage); });
+  return any == kStages.end() ? std::nullopt : std::optional(*any);
 }
 
 // A field that refuses what was typed says so in a status tip.

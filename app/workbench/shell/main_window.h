@@ -34,10 +34,12 @@ class MainWindow : public QMainWindow, public MessagePlace {
   MainWindow(const ModelController& models, SceneController& scene, QSettings& settings);
 
   WindowMenus& menus() { return menus_; }
-  /// The screen that is shown until a stage is entered.
+  /// What must be open before a stage can be entered.
+  enum class Needs { kModel, kStudy };
+  /// The screen that is shown while no stage can be entered.
   void setStartScreen(QWidget* screen);
-  /// Adds the screen of `stage`, which can be entered from now on.
-  void addScreen(Stage stage, QWidget* screen);
+  /// Adds the screen of `stage`, which can be entered while what it needs is open.
+  void addScreen(Stage stage, QWidget* screen, Needs needs = Needs::kModel);
   /// Adds a panel; `id` is its name in the settings and nowhere else.
   Panel& addPanel(const QString& id, const QString& title, QWidget* content);
   /// Gives `stage` these panels as its screen.
@@ -58,11 +60,15 @@ class MainWindow : public QMainWindow, public MessagePlace {
 
   /// Whether `stage` has a screen.
   bool hasScreen(Stage stage) const { return stages_.contains(static_cast<int>(stage)); }
+  /// Whether `stage` has a screen, and what it needs is open.
+  bool canEnter(Stage stage) const;
   std::optional<Stage> stage() const { return stage_; }
 
  public slots:
-  /// `stage` has a screen.
+  /// `stage` has a screen. Where what it needs is not open, the start screen stays.
   void enter(tactus::workbench::Stage stage);
+  /// Whether a study is open.
+  void setStudyOpen(bool open);
 
  signals:
   void entered(tactus::workbench::Stage stage);
@@ -77,7 +83,7 @@ class MainWindow : public QMainWindow, public MessagePlace {
 
  private:
   void showStages();
-  Stage lastStage() const;
+  std::optional<Stage> lastStage() const;
 
   QSettings& settings_;
   WindowMenus menus_;
@@ -87,8 +93,15 @@ class MainWindow : public QMainWindow, public MessagePlace {
   BenchView* bench_;
   StageRail* rail_;
   OperatingStrip* strip_;
-  QHash<int, QWidget*> stages_;  ///< the screen of each stage that has one
+  struct Entrance {
+    QWidget* screen = nullptr;
+    Needs needs = Needs::kModel;
+  };
+  const ModelController& models_;
+  QWidget* start_ = nullptr;
+  QHash<int, Entrance> stages_;  ///< of each stage that has a screen
   std::optional<Stage> stage_;
+  bool study_open_ = false;
   std::vector<std::function<bool()>> close_guards_;
 };
 

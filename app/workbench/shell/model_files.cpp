@@ -24,11 +24,10 @@
 namespace tactus::workbench {
 
 ModelFiles::ModelFiles(MainWindow& window, ModelController& models, RecentFiles& recent)
-    : window_(window), models_(models), recent_(recent) {
-  auto* start = new StartView(recent);
-  window_.setStartScreen(start);
-  connect(start, &StartView::openRequested, this, &ModelFiles::choose);
-  connect(start, &StartView::recentRequested, this, &ModelFiles::open);
+    : window_(window), models_(models), recent_(recent), start_(new StartView(recent)) {
+  window_.setStartScreen(start_);
+  connect(start_, &StartView::openRequested, this, &ModelFiles::choose);
+  connect(start_, &StartView::recentRequested, this, &ModelFiles::open);
   connect(new FileDrop(window_), &FileDrop::dropped, this, &ModelFiles::open);
   window_.addCloseGuard([this] { return mayLoseChanges(); });
   buildMenu();

@@ -14,6 +14,7 @@ namespace tactus::workbench {
 class MainWindow;
 class ModelController;
 class RecentFiles;
+class StartView;
 
 class ModelFiles : public QObject {
   Q_OBJECT
@@ -21,6 +22,8 @@ class ModelFiles : public QObject {
  public:
   ModelFiles(MainWindow& window, ModelController& models, RecentFiles& recent);
 
+  /// The screen before anything is open.
+  StartView& start() { return *start_; }
   /// Asks the user about unsaved changes, if there are any. Returns whether another model may be opened.
   bool mayLoseChanges();
   /// The study that is open, by its file's name, in the title and beside the heading; empty: none.
@@ -54,6 +57,7 @@ class ModelFiles : public QObject {
   MainWindow& window_;
   ModelController& models_;
   RecentFiles& recent_;
+  StartView* start_;
   QString study_;    ///< file name of the open study
   QString unnamed_;  ///< path of an imported model, which does not exist yet; empty: none
   QMenu* recent_menu_ = nullptr;

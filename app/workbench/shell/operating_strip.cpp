@@ -68,6 +68,11 @@ void OperatingStrip::showLatency(const QString& latency) {
   latency_->setVisible(!latency.isEmpty());
 }
 
+void OperatingStrip::showPoint(bool shown) {
+  point_shown_ = shown;
+  point_->setVisible(shown);
+}
+
 void OperatingStrip::showMessage(const QString& sentence) {
   message_ = sentence;
   said_->setFullText(sentence);
@@ -88,6 +93,7 @@ void OperatingStrip::build() {
   delete point_;
   point_ = new QWidget(this);
   layout_->insertWidget(0, point_);
+  point_->setVisible(point_shown_);
   names_.clear();
   numbers_.clear();
   auto* row = new QHBoxLayout(point_);

@@ -31,6 +31,8 @@ class OperatingStrip : public QWidget {
   /// Shows where edits are stored if not in a file, in words; empty: shows the state of the file. `bad`: storing fails
   /// at the moment.
   void showStored(const QString& stored, bool bad);
+  /// Whether the operating point is shown: it is of no use where no model is.
+  void showPoint(bool shown);
   /// Shows one sentence, long enough to read it. The layout of the window does not change.
   void showMessage(const QString& sentence);
   const QString& message() const { return message_; }
@@ -56,6 +58,7 @@ class OperatingStrip : public QWidget {
   std::vector<QLabel*> names_;
   QString stored_;
   bool stored_bad_ = false;
+  bool point_shown_ = true;
   std::vector<NumberBox*> numbers_;
 };
 

@@ -46,7 +46,7 @@ QString stageName(Stage stage) {
 QString stageHint(Stage stage) {
   switch (stage) {
     case Stage::kCollect:
-      return StageText::tr("later: sessions with nurses");
+      return StageText::tr("sessions with nurses");
     case Stage::kUnderstand:
       return StageText::tr("maps, curves and rules");
     case Stage::kTune:

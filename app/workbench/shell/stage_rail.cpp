@@ -22,7 +22,7 @@ StageRail::StageRail(QWidget* parent) : QWidget(parent) {
   setFixedWidth(buttons_.first()->sizeHint().width());
 }
 
-void StageRail::setReady(Stage stage) { buttons_.value(stage)->setEnabled(true); }
+void StageRail::setReady(Stage stage, bool ready) { buttons_.value(stage)->setEnabled(ready); }
 
 void StageRail::setStage(Stage stage) { buttons_.value(stage)->setChecked(true); }
 

@@ -16,8 +16,8 @@ class StageRail : public QWidget {
  public:
   explicit StageRail(QWidget* parent = nullptr);
 
-  /// `stage` can be entered from now on. The others say what they will hold.
-  void setReady(Stage stage);
+  /// Whether `stage` can be entered now.
+  void setReady(Stage stage, bool ready);
   void setStage(Stage stage);
   /// True: a narrow rail.
   void setCompact(bool compact);

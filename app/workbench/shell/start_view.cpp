@@ -2,6 +2,7 @@
 
 #include <QCommandLinkButton>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -16,7 +17,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPanelWidth = 480;  // px
+constexpr int kPanelWidth = 640;  // px
 constexpr int kRecentShown = 4;   // more stand in the menu
 
 QLabel* makeLabel(const QString& text, const QFont& font, const QColor& color, QWidget* parent) {
@@ -26,37 +27,61 @@ QLabel* makeLabel(const QString& text, const QFont& font, const QColor& color, Q
   return label;
 }
 
+/// One way to begin: what it is for, and its buttons.
+QVBoxLayout* makeWay(const QString& title, const QString& note, std::initializer_list<QPushButton*> buttons,
+                     QWidget* parent) {
+  auto* way = new QVBoxLayout;
+  way->setSpacing(theme::kGrid);
+  way->addWidget(makeLabel(title, theme::titleFont(), theme::ink(), parent));
+  auto* text = makeLabel(note, parent->font(), theme::mutedInk(), parent);
+  text->setWordWrap(true);
+  text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  way->addWidget(text, 1);
+  way->addSpacing(theme::kGrid / 2);
+  for (QPushButton* button : buttons) {
+    button->setMinimumHeight(5 * theme::kGrid);
+    way->addWidget(button);
+  }
+  return way;
+}
+
 }  // namespace
 
 StartView::StartView(const RecentFiles& recent, QWidget* parent)
-    : QWidget(parent),
-      recent_(recent),
-      open_(new QPushButton(tr("Open a model or a study…"), this)),
-      panel_(new QWidget(this)) {
-  open_->setMinimumSize(open_->sizeHint().width() + 4 * theme::kGrid, 5 * theme::kGrid);
-  open_->setDefault(true);
+    : QWidget(parent), recent_(recent), panel_(new QWidget(this)) {
   panel_->setFixedWidth(kPanelWidth);
+  auto* make = new QPushButton(tr("&New study…"), panel_);
+  auto* study = new QPushButton(tr("Open a &study…"), panel_);
+  auto* open = new QPushButton(tr("&Open a model…"), panel_);
+  open->setDefault(true);
+  auto* ways = new QHBoxLayout;
+  ways->setSpacing(6 * theme::kGrid);
+  ways->addLayout(makeWay(tr("Ask nurses"),
+                          tr("A study (.tactus) holds the protocol, the sessions of every nurse, and the models made "
+                             "from their answers."),
+                          {make, study}, panel_),
+                  1);
+  auto* right = makeWay(tr("See and tune a force model"),
+                        tr("A model (.tactus.json) has membership functions and rules. You will see the force of "
+                           "every expert along the way of the tube."),
+                        {open}, panel_);
+  auto* drop = makeLabel(tr("or drop a file here"), theme::smallFont(), theme::mutedInk(), panel_);
+  drop->setMinimumHeight(5 * theme::kGrid);
+  drop->setAlignment(Qt::AlignCenter);
+  right->addWidget(drop);
+  ways->addLayout(right, 1);
   column_ = new QVBoxLayout(panel_);
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(theme::kGrid);
-  auto* title = makeLabel(tr("Open a model or a study, or drop it here"), theme::titleFont(), theme::ink(), panel_);
-  auto* note =
-      makeLabel(tr("A force model ends in .tactus.json, a study in .tactus. You will see membership functions and the "
-                   "force of every expert along the way of the tube."),
-                font(), theme::mutedInk(), panel_);
-  title->setAlignment(Qt::AlignHCenter);
-  note->setAlignment(Qt::AlignHCenter);
-  note->setWordWrap(true);
-  column_->addWidget(title);
-  column_->addWidget(note);
-  column_->addSpacing(theme::kGrid);
-  column_->addWidget(open_, 0, Qt::AlignHCenter);
+  column_->addLayout(ways);
 
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(panel_, 0, Qt::AlignCenter);
   listRecent();
 
-  connect(open_, &QPushButton::clicked, this, &StartView::openRequested);
+  connect(make, &QPushButton::clicked, this, &StartView::newStudyRequested);
+  connect(study, &QPushButton::clicked, this, &StartView::openStudyRequested);
+  connect(open, &QPushButton::clicked, this, &StartView::openRequested);
   connect(&recent_, &RecentFiles::changed, this, &StartView::listRecent);
 }
 

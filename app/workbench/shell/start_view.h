@@ -1,4 +1,4 @@
-// The screen before a model is open.
+// The screen before anything is open: the two ways to begin, and the files of the last times.
 #pragma once
 
 #include <QWidget>
@@ -17,6 +17,9 @@ class StartView : public QWidget {
   explicit StartView(const RecentFiles& recent, QWidget* parent = nullptr);
 
  signals:
+  void newStudyRequested();
+  void openStudyRequested();
+  /// A model, or a study.
   void openRequested();
   void recentRequested(const QString& path);
 
@@ -27,7 +30,6 @@ class StartView : public QWidget {
   void listRecent();
 
   const RecentFiles& recent_;
-  QPushButton* open_;
   QWidget* panel_;
   QWidget* recent_list_ = nullptr;
   QVBoxLayout* column_;

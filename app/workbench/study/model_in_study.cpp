@@ -64,8 +64,8 @@ void addBuilt(const store::StudyFile& file, const store::StudyInfo& info, const 
   if (!has_data) {
     out.note =
         ModelInStudyText::tr(
-            "%1 holds neither a model nor answers of experts. Open a model and put it into the study with Study, "
-            "or read tables into it with tactus study import.")
+            "%1 holds neither a model nor answers of experts. Sessions begin in Collect; or open a model and put it "
+            "into the study with Study, or read tables into it with tactus study import.")
             .arg(name);
     return;
   }

@@ -1,0 +1,163 @@
+// `tactus study protocol` and `tactus study key`: what the workbench sets in stage Collect, without a window.
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <utility>
+
+#include "app/cli/study_commands.h"
+#include "app/cli/study_text.h"
+#include "app/session/protocol_values.h"
+#include "app/session/study_protocol.h"
+#include "core/base/files/file.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/text.h"
+#include "core/store/protocols.h"
+#include "core/store/research_key.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::ErrorCode;
+using base::Result;
+using session::StudyProtocol;
+
+/// No protocol and no consent text is longer.
+constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+/// The longest line that is read as a key; a longer one is refused by the store.
+constexpr std::size_t kLongestKey = 600;
+
+Result<StudyProtocol> startOf(const StudyProtocolOptions& options, const store::ProtocolState& state) {
+  if (!options.from.empty()) {
+    const auto text = base::readFile(options.from, kMostBytes);
+    if (!text) return tl::unexpected(text.error());
+    auto read = session::parseStudyProtocol(*text);
+    if (!read) return base::inFile(read.error(), options.from);
+    return read;
+  }
+  return state.current ? session::parseStudyProtocol(state.current->text) : StudyProtocol();
+}
+
+Result<StudyProtocol> changed(StudyProtocol protocol, const StudyProtocolOptions& options) {
+  for (const std::string& set : options.set) {
+    const auto equals = set.find('=');
+    if (equals == std::string::npos) {
+      return base::fail(ErrorCode::kValue, "--set", base::quoted(set), "NAME=VALUE");
+    }
+    auto next = session::withProtocolValue(protocol, set.substr(0, equals), set.substr(equals + 1));
+    if (!next) return next;
+    protocol = std::move(*next);
+  }
+  for (const std::string& consent : options.consent) {
+    const auto equals = consent.find('=');
+    if (equals == std::string::npos) {
+      return base::fail(ErrorCode::kValue, "--consent", base::quoted(consent), "LANGUAGE=FILE");
+    }
+    auto text = base::readFile(consent.substr(equals + 1), kMostBytes);
+    if (!text) return tl::unexpected(text.error());
+    protocol.consent[consent.substr(0, equals)] = std::move(*text);
+  }
+  return protocol;
+}
+
+std::string stateText(const store::ProtocolState& state) {
+  if (!state.current) return "no protocol is set; these are the defaults";
+  return "version " + std::to_string(state.current->version) +
+         (state.locked ? ", which participants follow" : ", a draft");
+}
+
+std::string asText(const std::string& file, const store::ProtocolState& state, const StudyProtocol& protocol) {
+  std::string text = base::oneLine(file) + ": " + stateText(state) + '\n';
+  for (const auto& [name, value] : session::protocolValues(protocol)) {
+    text += "  " + name + " = " + base::oneLine(value) + '\n';
+  }
+  return text;
+}
+
+std::string asJson(const std::string& file, const store::ProtocolState& state, const StudyProtocol& protocol,
+                   const std::vector<study::ProtocolRecord>& records) {
+  base::JsonWriter json;
+  json.beginObject().key("file").value(file);
+  json.key("version").value(state.current ? state.current->version : 0).key("locked").value(state.locked);
+  json.key("protocol").raw(session::toJson(protocol)).key("records").beginArray();
+  for (const study::ProtocolRecord& record : records) {
+    json.beginObject(base::JsonWriter::Layout::kInline).key("version").value(record.version);
+    json.key("utc").value(utcText(record.utc_ms)).key("author").value(record.author);
+    json.key("reason").value(record.reason).endObject();
+  }
+  json.endArray().endObject();
+  return json.text();
+}
+
+Result<Output> shown(const store::StudyFile& file, const StudyProtocolOptions& options) {
+  const auto state = store::protocolState(file);
+  if (!state) return tl::unexpected(state.error());
+  const auto protocol = session::currentProtocol(file);
+  if (!protocol) return tl::unexpected(protocol.error());
+  const auto records = store::protocols(file);
+  if (!records) return tl::unexpected(records.error());
+  const StudyProtocol now = protocol->value_or(StudyProtocol());
+  return Output{options.json ? asJson(options.file, *state, now, *records) : asText(options.file, *state, now),
+                noticesOf(file)};
+}
+
+// The first line of the file, or of the standard input: a key on the command line would stay in its history.
+Result<std::string> readKey(const StudyKeyOptions& options) {
+  std::ifstream file;
+  if (!options.from.empty()) {
+    file.open(options.from, std::ios::binary);
+    if (!file) return base::fail(ErrorCode::kIo, options.from, "a file that cannot be read", "a file with the key");
+  }
+  std::istream& in = options.from.empty() ? std::cin : file;
+  std::string key;
+  for (char letter = 0; key.size() < kLongestKey && in.get(letter) && letter != '\n';) key += letter;
+  if (!key.empty() && key.back() == '\r') key.pop_back();
+  if (key.empty()) {
+    return base::fail(ErrorCode::kValue, "key", "an empty line", "the new key; --remove takes it away");
+  }
+  return key;
+}
+
+}  // namespace
+
+Result<Output> studyProtocol(const StudyProtocolOptions& options) {
+  const bool changes = !options.set.empty() || !options.consent.empty() || !options.from.empty();
+  auto file = store::StudyFile::open(options.file, {changes ? store::Access::kReadWrite : store::Access::kReadOnly});
+  if (!file) return tl::unexpected(file.error());
+  if (!changes) return shown(*file, options);
+  const auto state = store::protocolState(*file);
+  if (!state) return tl::unexpected(state.error());
+  auto protocol = startOf(options, *state);
+  if (!protocol) return tl::unexpected(protocol.error());
+  protocol = changed(std::move(*protocol), options);
+  if (!protocol) return tl::unexpected(protocol.error());
+  session::SessionTools tools = session::systemTools();
+  const auto stored = session::setProtocol(*file, *protocol, options.author, options.reason, tools);
+  if (!stored) return tl::unexpected(stored.error());
+  auto output = shown(*file, options);
+  if (auto closed = file->close(); output && !closed) output->warnings.push_back(closed.error().message());
+  return output;
+}
+
+Result<Output> studyKey(const StudyKeyOptions& options) {
+  std::string key;
+  if (!options.remove) {
+    auto read = readKey(options);
+    if (!read) return tl::unexpected(read.error());
+    key = std::move(*read);
+  }
+  auto file = store::StudyFile::open(options.file);
+  if (!file) return tl::unexpected(file.error());
+  if (auto ok = store::setResearchKey(*file, key, utcNowMs()); !ok) return tl::unexpected(ok.error());
+  auto warnings = noticesOf(*file);
+  for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
+  const std::string name = base::oneLine(options.file);
+  return Output{options.remove ? "The research key of " + name +
+                                     " is removed: anybody can leave the participant's "
+                                     "screens\n"
+                               : "The research key of " + name +
+                                     " is set: it leads from the participant's screens to "
+                                     "the researcher's\n",
+                std::move(warnings)};
+}
+
+}  // namespace tactus::cli

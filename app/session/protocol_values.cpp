@@ -1,0 +1,151 @@
+#include "app/session/protocol_values.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/base/close_match.h"
+#include "core/base/text.h"
+
+namespace tactus::session {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kConsent = "consent.";
+
+// The settings of sessions are most of a protocol: their names begin without `settings`.
+std::string nameOf(const std::string& path) {
+  constexpr std::string_view kSettings = "settings.";
+  return path.starts_with(kSettings) ? path.substr(kSettings.size()) : path;
+}
+
+std::string textOf(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_null()) return {};
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const Json& each : value) text += (text.empty() ? "" : ",") + textOf(each);
+  return text;
+}
+
+// Calls `visit` with the name of each value and its place in `json`.
+template <class Visit>
+void walk(Json& json, const std::string& path, const Visit& visit) {
+  for (auto& [key, value] : json.items()) {
+    const std::string name = path.empty() ? key : path + '.' + key;
+    if (value.is_object()) {
+      walk(value, name, visit);
+    } else {
+      visit(nameOf(name), value);
+    }
+  }
+}
+
+std::vector<std::string> partsOf(std::string_view text) {
+  std::vector<std::string> parts;
+  while (!text.empty()) {
+    const auto comma = text.find(',');
+    parts.emplace_back(base::trimmed(text.substr(0, comma)));
+    text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
+  }
+  return parts;
+}
+
+// Numbers and flags are JSON; anything else is text.
+Json scalarOf(const std::string& text, bool is_text) {
+  if (is_text) return text;
+  Json value = Json::parse(text, nullptr, false);
+  return value.is_number() || value.is_boolean() ? value : Json(text);
+}
+
+/// What the value at a place may be, by what it is now.
+enum class ValueKind { kText, kFlag, kWhole, kNumber, kNumberOrNone, kTexts, kNumbers };
+
+ValueKind kindOf(const std::string& name, const Json& now) {
+  if (now.is_array()) return name.ends_with("_n") ? ValueKind::kNumbers : ValueKind::kTexts;
+  if (now.is_null() || name.ends_with("friction_n")) return ValueKind::kNumberOrNone;
+  if (now.is_boolean()) return ValueKind::kFlag;
+  if (now.is_string()) return ValueKind::kText;
+  return now.is_number_integer() ? ValueKind::kWhole : ValueKind::kNumber;
+}
+
+const char* wantedOf(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::kFlag:
+      return "true or false";
+    case ValueKind::kWhole:
+      return "a whole number";
+    case ValueKind::kNumber:
+      return "a number";
+    case ValueKind::kNumberOrNone:
+      return "a number, or nothing";
+    case ValueKind::kNumbers:
+      return "numbers with commas between them";
+    case ValueKind::kText:
+    case ValueKind::kTexts:
+      break;
+  }
+  return "text";
+}
+
+std::optional<Json> read(ValueKind kind, const std::string& text) {
+  const bool is_list = kind == ValueKind::kTexts || kind == ValueKind::kNumbers;
+  if (is_list) {
+    Json list = Json::array();
+    for (const std::string& part : partsOf(text)) {
+      list.push_back(scalarOf(part, kind == ValueKind::kTexts));
+      if (kind == ValueKind::kNumbers && !list.back().is_number()) return std::nullopt;
+    }
+    return list;
+  }
+  if (kind == ValueKind::kNumberOrNone && text.empty()) return Json(nullptr);
+  Json value = scalarOf(text, kind == ValueKind::kText);
+  const bool fits = kind == ValueKind::kText    ? true
+                    : kind == ValueKind::kFlag  ? value.is_boolean()
+                    : kind == ValueKind::kWhole ? value.is_number_integer()
+                                                : value.is_number();
+  return fits ? std::optional(std::move(value)) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<ProtocolValue> protocolValues(const StudyProtocol& protocol) {
+  Json json = Json::parse(toJson(protocol));
+  std::vector<ProtocolValue> values;
+  walk(json, {}, [&](const std::string& name, const Json& value) { values.push_back({name, textOf(value)}); });
+  return values;
+}
+
+Result<StudyProtocol> withProtocolValue(const StudyProtocol& protocol, std::string_view name, std::string_view value) {
+  if (name.starts_with(kConsent) && name.size() > kConsent.size()) {
+    StudyProtocol out = protocol;
+    out.consent[std::string(name.substr(kConsent.size()))] = std::string(value);
+    return out;
+  }
+  Json json = Json::parse(toJson(protocol));
+  std::vector<std::string> known;
+  std::optional<base::Error> refused;
+  bool found = false;
+  walk(json, {}, [&](const std::string& one, Json& place) {
+    known.push_back(one);
+    if (one != name) return;
+    found = true;
+    const ValueKind kind = kindOf(one, place);
+    if (auto now = read(kind, std::string(value))) {
+      place = std::move(*now);
+    } else {
+      refused = base::Error{ErrorCode::kValue, {}, one, base::quoted(value), wantedOf(kind)};
+    }
+  });
+  if (refused) return tl::unexpected(*refused);
+  if (!found) {
+    return fail(ErrorCode::kReference, "protocol", base::quoted(name) + base::suggestion(name, known),
+                "the name of a value, as 'tactus study protocol FILE' lists them");
+  }
+  return parseStudyProtocol(json.dump());
+}
+
+}  // namespace tactus::session

@@ -1,0 +1,117 @@
+#include "app/workbench/collect/collect_controller.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "core/store/person_codes.h"
+#include "core/store/persons.h"
+
+namespace tactus::workbench {
+
+using base::Result;
+
+CollectController::CollectController(StudyConnection& study, QObject* parent) : QObject(parent), study_(study) {
+  connect(&study_, &StudyConnection::opened, this, &CollectController::refresh);
+  connect(&study_, &StudyConnection::contentsChanged, this, &CollectController::refresh);
+  connect(&study_, &StudyConnection::closed, this, [this] {
+    stale_ = false;
+    take({});
+  });
+}
+
+const ParticipantRow* CollectController::row(const study::RecordId& person) const {
+  const auto found = std::find_if(overview_.rows.begin(), overview_.rows.end(),
+                                  [&](const ParticipantRow& one) { return one.person == person; });
+  return found == overview_.rows.end() ? nullptr : &*found;
+}
+
+void CollectController::setSessionRunning(bool runs) {
+  if (runs == runs_) return;
+  runs_ = runs;
+  if (!runs_) refresh();
+  emit changed();
+}
+
+// Several requests while one is on its way become one more.
+void CollectController::refresh() {
+  if (!study_.isOpen()) return;
+  stale_ = true;
+  if (runs_ || reading_) return;
+  reading_ = true;
+  stale_ = false;
+  study_.read(*this, [this, path = study_.path()](const store::StudyFile& file) -> StudyConnection::Deliver {
+    auto read = std::make_shared<Result<StudyOverview>>(readOverview(file));
+    return [this, path, read] {
+      reading_ = false;
+      if (path == study_.path()) {
+        if (*read) {
+          take(std::move(**read));
+        } else {
+          emit refused(text(read->error().message()));
+        }
+      }
+      if (stale_) refresh();
+    };
+  });
+}
+
+void CollectController::take(StudyOverview overview) {
+  overview_ = std::move(overview);
+  emit changed();
+}
+
+void CollectController::addParticipant() {
+  if (!study_.takesOrders()) return;
+  const auto person = std::make_shared<study::Person>();
+  study_.order(
+      [person](store::StudyFile& file, study::RecordIds& ids) -> Result<void> {
+        store::PersonCodes codes;
+        const auto code = store::unusedCode(file, codes);
+        if (!code) return tl::unexpected(code.error());
+        *person = {ids.next(), *code, false};
+        return store::append(file, *person);
+      },
+      [this, person] {
+        study_.refresh();
+        emit added(person->id, text(person->code));
+      },
+      [this](const QString& sentence) { emit refused(sentence); });
+}
+
+void CollectController::previewWithdrawal(const study::RecordId& person) {
+  study_.read(*this, [this, person](const store::StudyFile& file) -> StudyConnection::Deliver {
+    const auto preview = store::previewWithdrawal(file, person);
+    return [this, person, preview] {
+      if (preview) {
+        emit previewed(person, *preview);
+      } else {
+        emit refused(text(preview.error().message()));
+      }
+    };
+  });
+}
+
+void CollectController::withdraw(const study::RecordId& person) {
+  const ParticipantRow* const found = row(person);
+  if (found == nullptr || withdrawing_ || !study_.takesOrders()) return;
+  withdrawing_ = true;
+  emit changed();
+  const auto end = [this] {
+    withdrawing_ = false;
+    emit changed();
+  };
+  study_.withdraw(
+      person,
+      [this, end, code = found->code] {
+        end();
+        emit withdrawn(code);
+      },
+      [this, end](const QString& sentence) {
+        end();
+        emit refused(sentence);
+      });
+}
+
+}  // namespace tactus::workbench

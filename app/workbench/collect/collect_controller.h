@@ -1,0 +1,69 @@
+// Stage Collect without widgets: who takes part in the open study and how far each has come, new participants, and
+// withdrawals. It reads the study when it is opened and when something in it has changed, never during a session.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <optional>
+
+#include "app/workbench/collect/study_overview.h"
+#include "app/workbench/study/connection/study_connection.h"
+#include "core/store/withdrawal_preview.h"
+
+namespace tactus::workbench {
+
+/// Thread: gui.
+class CollectController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `study` outlives this.
+  explicit CollectController(StudyConnection& study, QObject* parent = nullptr);
+
+  const StudyOverview& overview() const { return overview_; }
+  /// The overview is as the study is, or no study is open.
+  bool isCurrent() const { return !stale_; }
+  /// The row of `person`, or null.
+  const ParticipantRow* row(const study::RecordId& person) const;
+  StudyConnection& study() { return study_; }
+
+  /// While a session runs, the thread of the study belongs to it: the overview waits until the end.
+  void setSessionRunning(bool runs);
+  bool isSessionRunning() const { return runs_; }
+
+  /// Stores a new participant under a code that nobody has or had. Ends with `added` or `refused`.
+  void addParticipant();
+
+  /// Counts what a withdrawal of `person` would delete. Ends with `previewed` or `refused`.
+  void previewWithdrawal(const study::RecordId& person);
+  /// Deletes everything of `person`. Ends with `withdrawn` or `refused`.
+  void withdraw(const study::RecordId& person);
+  bool isWithdrawing() const { return withdrawing_; }
+
+ public slots:
+  /// Reads the study again.
+  void refresh();
+
+ signals:
+  /// `overview`, `isCurrent`, `isSessionRunning` or `isWithdrawing` changed.
+  void changed();
+  void added(const tactus::study::RecordId& person, const QString& code);
+  void previewed(const tactus::study::RecordId& person, const tactus::store::WithdrawalPreview& preview);
+  /// Everything of the participant who had `code` is deleted.
+  void withdrawn(const QString& code);
+  /// One sentence: what could not be done, and why.
+  void refused(const QString& sentence);
+
+ private:
+  void take(StudyOverview overview);
+
+  StudyConnection& study_;
+  StudyOverview overview_;
+  bool stale_ = false;
+  bool reading_ = false;
+  bool runs_ = false;
+  bool withdrawing_ = false;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,38 @@
+// The screen of stage Collect: the study's home, and the pages behind it.
+#pragma once
+
+#include <QStackedWidget>
+#include <functional>
+
+#include "app/workbench/collect/collect_controller.h"
+
+namespace tactus::workbench {
+
+class ProtocolController;
+class ProtocolView;
+class StudyHome;
+
+class CollectView : public QStackedWidget {
+  Q_OBJECT
+
+ public:
+  /// `author`: the name that a stored protocol bears; may be empty.
+  CollectView(CollectController& collect, ProtocolController& protocol, std::function<QString()> author,
+              QWidget* parent = nullptr);
+
+  StudyHome& home() { return *home_; }
+  ProtocolView& protocolPage() { return *protocol_; }
+
+ public slots:
+  void showHome();
+  void showProtocol();
+
+ private:
+  void askWithdrawal(const study::RecordId& person);
+
+  CollectController& collect_;
+  StudyHome* home_;
+  ProtocolView* protocol_;
+};
+
+}  // namespace tactus::workbench

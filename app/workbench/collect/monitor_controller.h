@@ -1,0 +1,102 @@
+// What the researcher sees of a session that is in progress: where the participant is, the force, the answers as they
+// are stored, and the researcher's own notes. It reads snapshots and samples, and nobody waits for it.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "app/session/session_progress.h"
+#include "app/workbench/collect/force_trace.h"
+#include "app/workbench/study/connection/session_proxy.h"
+#include "app/workbench/study/connection/study_connection.h"
+
+namespace tactus::workbench {
+
+/// The participant's screens, as the monitor says it.
+struct NurseView {
+  QString code;    ///< empty: not known yet
+  QString screen;  ///< `Forces`, `Questions`, …
+  QString now;     ///< what happens there: `feels 0.6 N`; may be empty
+  QString device;  ///< state of the device in words
+  bool simulated = false;
+  bool force_off = false;  ///< the participant has switched the force off
+  bool called = false;     ///< the participant has called the researcher
+  bool stopped = false;    ///< stopped, withdrawn, or no consent
+  bool device_trouble = false;
+
+  bool operator==(const NurseView&) const = default;
+};
+
+/// One line of the course of the session.
+struct MonitorLine {
+  enum class Kind { kStage, kAnswer, kUnscored, kNote, kCall };
+  Kind kind = Kind::kStage;
+  std::int64_t utc_ms = 0;
+  QString text;
+
+  bool operator==(const MonitorLine&) const = default;
+};
+
+/// Thread: gui.
+class MonitorController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `session` and `study` outlive this. `now_ms`: the wall clock.
+  MonitorController(SessionProxy& session, StudyConnection& study, std::function<std::int64_t()> now_ms,
+                    QObject* parent = nullptr);
+
+  const NurseView& nurse() const { return nurse_; }
+  const ForceTrace& trace() const { return trace_; }
+  /// Oldest first.
+  const std::vector<MonitorLine>& lines() const { return lines_; }
+  /// Things done of things planned in the present part; both 0 where there is nothing to count.
+  session::Share share() const;
+  /// The researcher has paused the session.
+  bool isPaused() const;
+  bool canPause() const;
+  /// What the disk says; empty: all is well.
+  QString failure() const { return session_.failure(); }
+
+  void show(const NurseView& nurse);
+  void add(std::span<const haptics::Sample> samples);
+  /// A sentence of the participant's screens for the researcher.
+  void say(const QString& sentence);
+
+ public slots:
+  void pause();
+  void goOn();
+  /// Stores the researcher's words in the log of the session. Nothing for empty ones, or without a session.
+  void note(const QString& words);
+
+ signals:
+  /// `nurse`, `share` or the pause changed.
+  void changed();
+  void lineAdded();
+  /// New samples are in the trace. At most 60 times a second.
+  void traced();
+
+ private:
+  void onSession();
+  void compare(const SessionSnapshot& before, const SessionSnapshot& now);
+  void compareStrokes(const SessionSnapshot& before, const SessionSnapshot& now);
+  void compareReplies(const SessionSnapshot& before, const SessionSnapshot& now);
+  void readJudgement(const study::RecordId& session);
+  void addLine(MonitorLine::Kind kind, const QString& text);
+
+  SessionProxy& session_;
+  StudyConnection& study_;
+  const std::function<std::int64_t()> now_ms_;
+  NurseView nurse_;
+  ForceTrace trace_;
+  std::vector<MonitorLine> lines_;
+  std::shared_ptr<const SessionSnapshot> seen_;
+  bool paused_here_ = false;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,64 @@
+// The researcher's window during a session, on another screen than the participant's. It never takes the keyboard from
+// her: only while the session is paused may the researcher type.
+#pragma once
+
+#include <QWidget>
+
+#include "app/workbench/collect/monitor_controller.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+class QTimer;
+
+namespace tactus::workbench {
+
+class Card;
+class ForcePlot;
+class PrimaryButton;
+
+class MonitorWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `monitor` outlives this.
+  explicit MonitorWindow(MonitorController& monitor, QWidget* parent = nullptr);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  QWidget* makeState();
+  QWidget* makeNotes();
+  QWidget* makeForce();
+  QWidget* makeCourse();
+  void follow();
+  void followForce();
+  void addLines();
+  void typeNotes(bool typing);
+  void storeNote();
+
+  MonitorController& monitor_;
+  QLabel* code_;
+  Card* simulated_;
+  Card* call_;
+  QLabel* call_text_;
+  QLabel* screen_;
+  QLabel* now_;
+  QLabel* device_;
+  QProgressBar* progress_;
+  QLabel* share_;
+  PrimaryButton* pause_;
+  QLineEdit* note_;
+  QPushButton* store_note_;
+  QLabel* note_hint_;
+  ForcePlot* plot_;
+  QLabel* force_;
+  QListWidget* course_;
+  QTimer* calm_;
+  int shown_lines_ = 0;
+};
+
+}  // namespace tactus::workbench

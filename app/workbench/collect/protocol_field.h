@@ -1,0 +1,51 @@
+// One value of the protocol on the page: its name, the field, the way back to the stored value, and what is wrong.
+#pragma once
+
+#include <QWidget>
+#include <string>
+#include <vector>
+
+class QLabel;
+class QToolButton;
+
+namespace tactus::workbench {
+
+class ProtocolController;
+
+/// How a value is entered.
+struct ProtocolFieldSpec {
+  enum class Kind { kNumber, kFlag, kWord, kText, kLongText };
+  std::string name;  ///< session/protocol_values.h
+  QString label;
+  Kind kind = Kind::kText;
+  QString unit;
+  QString help;  ///< one line below; may be empty
+  struct Word {
+    QString value;
+    QString label;
+  };
+  std::vector<Word> words;  ///< of kWord
+};
+
+class ProtocolField : public QWidget {
+  Q_OBJECT
+
+ public:
+  ProtocolField(ProtocolController& protocol, ProtocolFieldSpec spec, QWidget* parent = nullptr);
+
+  const std::string& name() const { return spec_.name; }
+  /// What is wrong with the value; empty: nothing.
+  QString trouble() const;
+
+ private:
+  QWidget* makeInput();
+  void follow();
+
+  ProtocolController& protocol_;
+  const ProtocolFieldSpec spec_;
+  QWidget* input_;
+  QToolButton* undo_;
+  QLabel* note_;
+};
+
+}  // namespace tactus::workbench

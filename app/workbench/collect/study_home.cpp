@@ -1,0 +1,303 @@
+#include "app/workbench/collect/study_home.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/collect/participant_table.h"
+#include "app/workbench/collect/primary_button.h"
+#include "app/workbench/collect/step_delegate.h"
+#include "app/workbench/collect/step_words.h"
+#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/note_groups.h"
+#include "app/workbench/kit/notes_button.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kInvitationWidth = 60 * theme::kGrid;  // px
+constexpr int kStepWidth = 9 * theme::kGrid;
+constexpr int kRowHeight = 7 * theme::kGrid;
+
+// The participants' table: quiet lines, one selected row.
+QTableView* makeTable(ParticipantTable& model, QWidget* parent) {
+  auto* view = new QTableView(parent);
+  view->setModel(&model);
+  view->setItemDelegate(new StepDelegate(view));
+  view->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view->setSelectionMode(QAbstractItemView::SingleSelection);
+  view->setTabKeyNavigation(false);
+  view->setShowGrid(false);
+  view->setFrameShape(QFrame::NoFrame);
+  view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view->setAccessibleName(ParticipantTable::tr("Participants"));
+  view->verticalHeader()->hide();
+  view->verticalHeader()->setDefaultSectionSize(kRowHeight);
+  QHeaderView* const head = view->horizontalHeader();
+  head->setFont(theme::smallFont());
+  head->setHighlightSections(false);
+  head->setSectionsClickable(false);
+  head->setDefaultAlignment(Qt::AlignCenter);
+  head->setMinimumHeight(4 * theme::kGrid);
+  const QFontMetrics metrics(theme::smallFont());
+  for (int column = 0; column < ParticipantTable::kColumns; ++column) {
+    const QString title = model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    const int width = std::max(metrics.horizontalAdvance(title) + theme::kGrid, kStepWidth);
+    view->setColumnWidth(column, ParticipantTable::stepOf(column) ? width : width + 2 * theme::kGrid);
+  }
+  // The longest words that stand there.
+  const int next = QFontMetrics(theme::headingFont()).horizontalAdvance(stepName(CollectStep::kDeviceCheck));
+  view->setColumnWidth(ParticipantTable::kNext, next + 3 * theme::kGrid);
+  head->setSectionResizeMode(ParticipantTable::kCode, QHeaderView::Stretch);
+  head->setMinimumSectionSize(6 * theme::kGrid);
+  return view;
+}
+
+}  // namespace
+
+StudyHome::StudyHome(CollectController& collect, QWidget* parent)
+    : QWidget(parent),
+      collect_(collect),
+      table_(new ParticipantTable(collect, this)),
+      name_(new ElidedLabel(this)),
+      summary_(new QLabel(this)),
+      data_(new NotesButton(this)),
+      protocol_(new QPushButton(tr("&Protocol…"), this)),
+      add_(new QPushButton(tr("&Add participant"), this)),
+      start_(new PrimaryButton(tr("S&tart a session"), this)),
+      hint_(new Card(this)),
+      hint_text_(new QLabel(hint_)),
+      hint_act_(new QPushButton(hint_)),
+      pages_(new QStackedWidget(this)),
+      view_(makeTable(*table_, this)),
+      chosen_(new QLabel(this)),
+      withdraw_(new QPushButton(tr("&Withdraw…"), this)) {
+  auto* hint = new QHBoxLayout(hint_);
+  hint->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  hint->setSpacing(2 * theme::kGrid);
+  hint_text_->setWordWrap(true);
+  hint_text_->setTextFormat(Qt::PlainText);
+  hint->addWidget(hint_text_, 1);
+  hint->addWidget(hint_act_);
+
+  auto* list = new Card(this);
+  auto* inside = new QVBoxLayout(list);
+  inside->setContentsMargins(1, theme::kGrid / 2, 1, 1);
+  inside->setSpacing(0);
+  inside->addWidget(view_, 1);
+  inside->addWidget(makeFoot());
+  pages_->addWidget(list);
+  pages_->addWidget(makeInvitation());
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setSpacing(theme::kGrid + 4);
+  layout->addWidget(makeHead());
+  layout->addWidget(hint_);
+  layout->addWidget(pages_, 1);
+  connectAll();
+  follow();
+}
+
+QWidget* StudyHome::makeHead() {
+  auto* head = new QWidget(this);
+  name_->setFont(theme::titleFont());
+  setInk(*summary_, theme::mutedInk());
+  summary_->setTextFormat(Qt::PlainText);
+  auto* titles = new QVBoxLayout;
+  titles->setSpacing(2);
+  titles->addWidget(name_);
+  auto* second = new QHBoxLayout;
+  second->setSpacing(theme::kGrid);
+  second->addWidget(summary_);
+  second->addWidget(data_);
+  second->addStretch(1);
+  titles->addLayout(second);
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(theme::kGrid);
+  row->addLayout(titles, 1);
+  for (QPushButton* button : {protocol_, add_}) {
+    button->setMinimumSize(button->sizeHint().width() + 2 * theme::kGrid, 4 * theme::kGrid);
+    row->addWidget(button, 0, Qt::AlignVCenter);
+  }
+  row->addWidget(start_, 0, Qt::AlignVCenter);
+  return head;
+}
+
+// Nothing is empty without saying what to do.
+QWidget* StudyHome::makeInvitation() {
+  auto* page = new Card(this);
+  auto* box = new QWidget(page);
+  box->setFixedWidth(kInvitationWidth);
+  auto* title = new QLabel(tr("Nobody takes part yet"), box);
+  title->setFont(theme::titleFont());
+  title->setAlignment(Qt::AlignHCenter);
+  auto* text = new QLabel(tr("Set the protocol first: forces, questions, languages and the consent text. Then add "
+                             "participants, or start a session: who is new gets a code of two words on the screen."),
+                          box);
+  text->setWordWrap(true);
+  text->setAlignment(Qt::AlignHCenter);
+  setInk(*text, theme::mutedInk());
+  auto* protocol = new QPushButton(tr("Set the protocol…"), box);
+  auto* add = new QPushButton(tr("Add the first participant"), box);
+  connect(protocol, &QPushButton::clicked, this, &StudyHome::protocolAsked);
+  connect(add, &QPushButton::clicked, &collect_, &CollectController::addParticipant);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(theme::kGrid);
+  buttons->addStretch(1);
+  for (QPushButton* button : {protocol, add}) {
+    button->setMinimumSize(button->sizeHint().width() + 3 * theme::kGrid, 5 * theme::kGrid);
+    buttons->addWidget(button);
+  }
+  buttons->addStretch(1);
+  auto* column = new QVBoxLayout(box);
+  column->setSpacing(2 * theme::kGrid);
+  column->addWidget(title);
+  column->addWidget(text);
+  column->addLayout(buttons);
+  auto* layout = new QVBoxLayout(page);
+  layout->addWidget(box, 0, Qt::AlignCenter);
+  return page;
+}
+
+QWidget* StudyHome::makeFoot() {
+  auto* foot = new QWidget(this);
+  chosen_->setTextFormat(Qt::PlainText);
+  setInk(*chosen_, theme::mutedInk());
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  row->setSpacing(theme::kGrid);
+  withdraw_->setMinimumSize(withdraw_->sizeHint().width() + 2 * theme::kGrid, 4 * theme::kGrid);
+  QSizePolicy kept = withdraw_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  withdraw_->setSizePolicy(kept);
+  row->addWidget(chosen_, 1);
+  row->addWidget(withdraw_);
+  return foot;
+}
+
+void StudyHome::connectAll() {
+  connect(&collect_, &CollectController::changed, this, &StudyHome::follow);
+  connect(&collect_, &CollectController::added, this, &StudyHome::showAdded);
+  connect(protocol_, &QPushButton::clicked, this, &StudyHome::protocolAsked);
+  connect(add_, &QPushButton::clicked, &collect_, &CollectController::addParticipant);
+  const auto start = [this] {
+    const auto person = selected();
+    const ParticipantRow* const row = person ? collect_.row(*person) : nullptr;
+    emit startAsked(row == nullptr || row->simulated ? QString() : row->code);
+  };
+  connect(start_, &QPushButton::clicked, this, start);
+  connect(view_, &QTableView::activated, this, start);
+  connect(withdraw_, &QPushButton::clicked, this, [this] {
+    if (const auto person = selected()) emit withdrawAsked(*person);
+  });
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &StudyHome::showSelection);
+  connect(hint_act_, &QPushButton::clicked, this, [this] {
+    if (std::exchange(newest_, std::nullopt)) {
+      showHints();
+    } else {
+      collect_.overview().protocol.version == 0 ? emit protocolAsked() : emit keyAsked();
+    }
+  });
+}
+
+void StudyHome::showData(const BuildNotes& notes) {
+  data_->setNotes(tr("Look at the data first: %1").arg(notes.data.size()), {dataGroup(notes)}, true);
+}
+
+std::optional<study::RecordId> StudyHome::selected() const {
+  const QModelIndexList rows = view_->selectionModel()->selectedRows();
+  if (rows.isEmpty()) return std::nullopt;
+  return table_->participant(rows.first().row()).person;
+}
+
+void StudyHome::select(const study::RecordId& person) {
+  const int row = table_->rowOf(person);
+  if (row < 0) return;
+  view_->selectRow(row);
+  view_->scrollTo(table_->index(row, 0));
+}
+
+void StudyHome::follow() {
+  const StudyOverview& overview = collect_.overview();
+  const auto count = static_cast<int>(overview.rows.size());
+  name_->setFullText(collect_.study().fileName());
+  const QString protocol = overview.protocol.version == 0 ? tr("no protocol yet")
+                           : overview.protocol.locked
+                               ? tr("protocol version %1").arg(overview.protocol.version)
+                               : tr("protocol version %1, a draft").arg(overview.protocol.version);
+  summary_->setText(tr("%n participant(s)", nullptr, count) + QStringLiteral(" · ") + protocol);
+  pages_->setCurrentIndex(count > 0 ? 0 : 1);
+  const bool open = collect_.study().isOpen() && !collect_.isSessionRunning();
+  for (QPushButton* button : {protocol_, add_, static_cast<QPushButton*>(start_)}) button->setEnabled(open);
+  if (newest_ && collect_.row(*newest_) != nullptr && selected() != newest_) select(*newest_);
+  showSelection();
+  showHints();
+}
+
+void StudyHome::showSelection() {
+  const auto person = selected();
+  const ParticipantRow* const row = person ? collect_.row(*person) : nullptr;
+  const bool real = row != nullptr && !row->simulated;
+  start_->setText(!real                   ? tr("S&tart a session")
+                  : row->last_seen_ms > 0 ? tr("Con&tinue with %1").arg(harmless(row->code))
+                                          : tr("S&tart with %1").arg(harmless(row->code)));
+  start_->updateGeometry();
+  withdraw_->setEnabled(row != nullptr && !collect_.isWithdrawing() && !collect_.isSessionRunning());
+  withdraw_->setVisible(row != nullptr);
+  if (row == nullptr) {
+    chosen_->setText(tr("Choose a participant to continue, or start a session for somebody new."));
+  } else if (!row->trouble.isEmpty()) {
+    chosen_->setText(harmless(row->trouble));
+  } else if (row->simulated) {
+    chosen_->setText(tr("%1 is simulated: a program gave all of these answers.").arg(harmless(row->code)));
+  } else if (row->next) {
+    chosen_->setText(tr("%1: the next step is %2.").arg(harmless(row->code), nextText(*row)));
+  } else {
+    chosen_->setText(tr("%1: everything is done.").arg(harmless(row->code)));
+  }
+}
+
+void StudyHome::showHints() {
+  const StudyOverview& overview = collect_.overview();
+  if (newest_ && collect_.row(*newest_) != nullptr) {
+    hint_->setColors(theme::card(), theme::accent());
+    setInk(*hint_text_, theme::ink());
+    hint_text_->setText(tr("The new participant has the code %1. Write it down and hand it over: it is the only way "
+                           "back to the answers.")
+                            .arg(harmless(collect_.row(*newest_)->code)));
+    hint_act_->setText(tr("Done"));
+    hint_->show();
+    return;
+  }
+  const bool without_protocol = overview.protocol.version == 0;
+  const bool warns = collect_.study().isOpen() && !overview.rows.empty() && (without_protocol || !overview.has_key);
+  hint_->setVisible(warns);
+  if (!warns) return;
+  hint_->setColors(theme::warningFill(), theme::warningFill());
+  setInk(*hint_text_, theme::warningInk());
+  hint_text_->setText(without_protocol
+                          ? tr("No protocol is set. Sessions follow the published experiment, with a general consent "
+                               "text.")
+                          : tr("No research key is set. Anybody can leave the participant's screens and read the "
+                               "answers of the others."));
+  hint_act_->setText(without_protocol ? tr("Set the protocol…") : tr("Set a key…"));
+}
+
+void StudyHome::showAdded(const study::RecordId& person, const QString& /*code*/) {
+  newest_ = person;
+  follow();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,70 @@
+// The home of a study: everybody who takes part, how far each is, and what to do next.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/workbench/base/build_note.h"
+#include "app/workbench/collect/collect_controller.h"
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QTableView;
+
+namespace tactus::workbench {
+
+class Card;
+class ElidedLabel;
+class NotesButton;
+class ParticipantTable;
+class PrimaryButton;
+
+class StudyHome : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StudyHome(CollectController& collect, QWidget* parent = nullptr);
+
+  /// What is odd in the data of the study.
+  void showData(const BuildNotes& notes);
+  /// The participant of the selected row, or nothing.
+  std::optional<study::RecordId> selected() const;
+  void select(const study::RecordId& person);
+
+ signals:
+  /// The nurse's screens for `code`; empty: whoever sits down says so.
+  void startAsked(const QString& code);
+  void protocolAsked();
+  void keyAsked();
+  void withdrawAsked(const tactus::study::RecordId& person);
+
+ private:
+  QWidget* makeHead();
+  QWidget* makeInvitation();
+  QWidget* makeFoot();
+  void connectAll();
+  void follow();
+  void showSelection();
+  void showHints();
+  void showAdded(const study::RecordId& person, const QString& code);
+
+  CollectController& collect_;
+  ParticipantTable* table_;
+  ElidedLabel* name_;
+  QLabel* summary_;
+  NotesButton* data_;
+  QPushButton* protocol_;
+  QPushButton* add_;
+  PrimaryButton* start_;
+  Card* hint_;
+  QLabel* hint_text_;
+  QPushButton* hint_act_;
+  QStackedWidget* pages_;  ///< the table, or the invitation where it is empty
+  QTableView* view_;
+  QLabel* chosen_;
+  QPushButton* withdraw_;
+  std::optional<study::RecordId> newest_;  ///< added just now; its code is to be handed over
+};
+
+}  // namespace tactus::workbench

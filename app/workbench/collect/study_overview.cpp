@@ -1,0 +1,195 @@
+#include "app/workbench/collect/study_overview.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/study/connection/study_contents.h"
+#include "core/store/entries.h"
+#include "core/store/persons.h"
+#include "core/store/protocols.h"
+#include "core/store/research_key.h"
+#include "core/store/sessions.h"
+#include "core/store/study_info.h"
+
+namespace tactus::workbench {
+namespace {
+
+using base::Result;
+using session::Block;
+using session::SessionProgress;
+using session::Share;
+using study::SessionKind;
+using Steps = std::array<StepState, kCollectSteps>;
+
+StepState& at(Steps& steps, CollectStep step) { return steps[static_cast<std::size_t>(step)]; }
+
+StepState ofShare(const std::optional<Share>& share) {
+  if (!share || share->wanted == 0) return {StepWord::kNotPart, {}};
+  if (share->isComplete()) return {StepWord::kDone, *share};
+  return {share->done > 0 ? StepWord::kPartly : StepWord::kOpen, *share};
+}
+
+StepState ofBlock(const std::optional<Share>& share, const SessionProgress& progress, Block block) {
+  const StepState state = ofShare(share);
+  const bool skipped = state.word != StepWord::kNotPart && progress.skipped.contains(block);
+  return skipped ? StepState{StepWord::kSkipped, state.share} : state;
+}
+
+// Tables that were imported, and rules that were given directly, take the place of a session.
+void addGiven(const store::SessionSummary& summary, long long rules, Steps& steps) {
+  const auto give = [&steps](CollectStep step, long long records) {
+    const StepWord word = at(steps, step).word;
+    if (records > 0 && (word == StepWord::kOpen || word == StepWord::kNotPart)) {
+      at(steps, step) = {StepWord::kGiven, {}};
+    }
+  };
+  give(CollectStep::kSpeed, summary.strokes);
+  give(CollectStep::kForces, summary.judgements);
+  give(CollectStep::kQuestions, summary.answers + rules);
+}
+
+/// The sessions of one person, by start time.
+using Visits = std::vector<store::SessionSummary>;
+
+class RowReader {
+ public:
+  RowReader(const store::StudyFile& file, const study::Person& person, const Visits& visits)
+      : file_(file), visits_(visits) {
+    row_.person = person.id;
+    row_.code = text(person.code);
+    row_.simulated = person.simulated;
+  }
+
+  Result<ParticipantRow> read() {
+    if (auto ok = readElicitation(); !ok) return tl::unexpected(ok.error());
+    if (auto ok = readOthers(); !ok) return tl::unexpected(ok.error());
+    row_.next = nextOf(row_.steps);
+    return std::move(row_);
+  }
+
+ private:
+  // The latest session that was not ended for good; else the latest.
+  Result<void> readElicitation() {
+    std::optional<SessionProgress> latest;
+    for (const store::SessionSummary& visit : visits_) {
+      row_.last_seen_ms = std::max(row_.last_seen_ms, visit.session.started.utc_ms);
+      if (!visit.session.language.empty()) row_.language = text(visit.session.language);
+      if (visit.session.kind != SessionKind::kElicitation) continue;
+      const auto progress = session::sessionProgress(file_, visit.session);
+      if (!progress) {
+        row_.trouble = text(progress.error().message());
+        continue;
+      }
+      row_.last_seen_ms = std::max(row_.last_seen_ms, progress->last_utc_ms);
+      const bool ended = progress->part == session::SessionPart::kAborted;
+      if (!ended || !latest) latest = *progress;
+      row_.stopped = ended;
+    }
+    if (latest) row_.steps = stepsOf(*latest);
+    at(row_.steps, CollectStep::kUsability).word = StepWord::kNotPart;
+    return {};
+  }
+
+  Result<void> readOthers() {
+    for (const store::SessionSummary& visit : visits_) {
+      if (visit.session.kind == SessionKind::kUsability && visit.answers > 0) {
+        at(row_.steps, CollectStep::kUsability) = {StepWord::kDone, {}};
+      }
+      const auto rules = store::rules(file_, {{}, visit.session.id, false});
+      if (!rules) return tl::unexpected(rules.error());
+      const bool imported = visit.session.kind == SessionKind::kImport;
+      if (imported) leaveOutScreens();
+      if (imported || !rules->empty()) addGiven(visit, static_cast<long long>(rules->size()), row_.steps);
+    }
+    return {};
+  }
+
+  // Who has not sat down here was asked elsewhere.
+  void leaveOutScreens() {
+    if (at(row_.steps, CollectStep::kConsent).word == StepWord::kDone) return;
+    row_.steps.fill({StepWord::kNotPart, {}});
+    for (const CollectStep step : {CollectStep::kSpeed, CollectStep::kForces, CollectStep::kQuestions}) {
+      at(row_.steps, step).word = StepWord::kOpen;
+    }
+    at(row_.steps, CollectStep::kConsent).word = StepWord::kGiven;
+  }
+
+  const store::StudyFile& file_;
+  const Visits& visits_;
+  ParticipantRow row_;
+};
+
+}  // namespace
+
+Steps stepsOf(const SessionProgress& progress) {
+  Steps steps;
+  at(steps, CollectStep::kConsent) = {StepWord::kDone, {}};  // without it there is no session
+  at(steps, CollectStep::kPractice) = ofShare(progress.practice);
+  at(steps, CollectStep::kSpeed) = ofBlock(progress.speed, progress, Block::kSpeed);
+  at(steps, CollectStep::kForces) = ofBlock(progress.force, progress, Block::kForce);
+  at(steps, CollectStep::kQuestions) = ofBlock(progress.form, progress, Block::kForm);
+  // The device is checked before the first movement, and before the own model is felt.
+  const bool moves = progress.speed || progress.force;
+  const bool moved = progress.practice.done > 0 || (progress.speed && progress.speed->done > 0) ||
+                     (progress.force && progress.force->done > 0);
+  const bool felt = progress.own_model_verdicts > 0;
+  at(steps, CollectStep::kDeviceCheck).word = moved || felt ? StepWord::kDone
+                                              : moves       ? StepWord::kOpen
+                                                            : StepWord::kNotPart;
+  const bool skipped_moves = !moved && at(steps, CollectStep::kSpeed).word != StepWord::kOpen &&
+                             at(steps, CollectStep::kForces).word != StepWord::kOpen;
+  if (moves && skipped_moves && !felt) {
+    at(steps, CollectStep::kDeviceCheck).word = at(steps, CollectStep::kPractice).word = StepWord::kSkipped;
+  }
+  // The practice of a part is over where the part is.
+  if (at(steps, CollectStep::kPractice).word == StepWord::kPartly && progress.part == session::SessionPart::kFinished) {
+    at(steps, CollectStep::kPractice).word = StepWord::kDone;
+  }
+  const StepWord questions = at(steps, CollectStep::kQuestions).word;
+  const bool left_out = questions == StepWord::kNotPart || questions == StepWord::kSkipped;
+  at(steps, CollectStep::kReview).word = left_out ? questions : progress.sealed ? StepWord::kDone : StepWord::kOpen;
+  at(steps, CollectStep::kOwnModel).word = felt ? StepWord::kDone : StepWord::kOpen;
+  return steps;
+}
+
+std::optional<CollectStep> nextOf(const Steps& steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i].word == StepWord::kOpen || steps[i].word == StepWord::kPartly) return static_cast<CollectStep>(i);
+  }
+  return std::nullopt;
+}
+
+Result<StudyOverview> readOverview(const store::StudyFile& file) {
+  const auto persons = store::persons(file);
+  if (!persons) return tl::unexpected(persons.error());
+  const auto sessions = store::sessionList(file);
+  if (!sessions) return tl::unexpected(sessions.error());
+  const auto info = store::studyInfo(file);
+  if (!info) return tl::unexpected(info.error());
+  const auto has_key = store::hasResearchKey(file);
+
+  std::map<study::RecordId, Visits> visits;
+  for (const store::SessionSummary& summary : *sessions) visits[summary.session.person].push_back(summary);
+  StudyOverview out;
+  out.protocol = {info->protocol_version, info->protocol_locked};
+  out.has_key = has_key && *has_key;
+  // Researchers who feel models have a code too, and take part in nothing.
+  const auto people = readPeople(file);
+  if (!people) return tl::unexpected(people.error());
+  std::set<study::RecordId> researchers;
+  for (const StudyPerson& one : *people) {
+    if (one.researcher) researchers.insert(one.id);
+  }
+  for (const study::Person& person : *persons) {
+    if (researchers.contains(person.id)) continue;
+    auto row = RowReader(file, person, visits[person.id]).read();
+    if (!row) return tl::unexpected(row.error());
+    out.rows.push_back(std::move(*row));
+  }
+  return out;
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,82 @@
+// The participants of a study and how far each has come: the rows of the study's home.
+#pragma once
+
+#include <QString>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "app/session/session_progress.h"
+#include "core/base/error.h"
+#include "core/store/study_file.h"
+#include "core/study/session_records.h"
+
+namespace tactus::workbench {
+
+/// What a participant goes through, in this order. The usability form is a session of its own.
+enum class CollectStep {
+  kConsent,
+  kDeviceCheck,
+  kPractice,
+  kSpeed,
+  kForces,
+  kQuestions,
+  kReview,
+  kOwnModel,
+  kUsability,
+};
+inline constexpr std::size_t kCollectSteps = 9;
+
+enum class StepWord {
+  kNotPart,  ///< the protocol has no such block
+  kOpen,     ///< nothing of it yet
+  kPartly,   ///< some of it
+  kDone,
+  kSkipped,  ///< left out by the researcher
+  kGiven,    ///< the data came otherwise: imported tables, rules given directly
+};
+
+struct StepState {
+  StepWord word = StepWord::kOpen;
+  session::Share share;  ///< of kPartly
+
+  bool operator==(const StepState&) const = default;
+};
+
+struct ParticipantRow {
+  study::RecordId person;
+  QString code;
+  bool simulated = false;
+  QString language;               ///< of the latest session; empty: none yet
+  std::int64_t last_seen_ms = 0;  ///< UTC; 0: never
+  std::array<StepState, kCollectSteps> steps;
+  std::optional<CollectStep> next;  ///< nothing: all is done
+  bool stopped = false;             ///< the latest session was ended for good
+  QString trouble;                  ///< why the steps cannot be told; empty: they can
+
+  const StepState& at(CollectStep step) const { return steps[static_cast<std::size_t>(step)]; }
+};
+
+/// The study's protocol, in short.
+struct ProtocolSummary {
+  int version = 0;  ///< 0: none was set
+  bool locked = false;
+};
+
+struct StudyOverview {
+  std::vector<ParticipantRow> rows;  ///< by code
+  ProtocolSummary protocol;
+  bool has_key = false;  ///< a research key is set
+};
+
+/// Reads no recordings. A session that cannot be read keeps its participant in the list, with `trouble`.
+/// Thread: that of `file`.
+base::Result<StudyOverview> readOverview(const store::StudyFile& file);
+
+/// The states that follow from `progress` of an elicitation session.
+std::array<StepState, kCollectSteps> stepsOf(const session::SessionProgress& progress);
+/// The first step that is open or partly done.
+std::optional<CollectStep> nextOf(const std::array<StepState, kCollectSteps>& steps);
+
+}  // namespace tactus::workbench

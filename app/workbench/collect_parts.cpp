@@ -1,0 +1,73 @@
+#include "app/workbench/collect_parts.h"
+
+#include <utility>
+
+#include "app/workbench/collect/collect_view.h"
+#include "app/workbench/collect/study_home.h"
+#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/model/author_name.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/model_files.h"
+#include "app/workbench/shell/start_view.h"
+#include "app/workbench/study/study_models.h"
+#include "app/workbench/study_parts.h"
+
+namespace tactus::workbench {
+
+CollectParts::CollectParts(MainWindow& window, ModelFiles& files, StudyParts& study_parts, StudyConnection& study,
+                           StudyModels& study_models, const ModelController& models, DeviceSession& device,
+                           const AuthorName& author)
+    : window_(window),
+      files_(files),
+      study_parts_(study_parts),
+      study_(study),
+      study_models_(study_models),
+      models_(models),
+      collect_(study),
+      protocol_(study),
+      view_(new CollectView(collect_, protocol_, [&author] { return author.name(); })),
+      run_(window, study, device) {
+  window_.addScreen(Stage::kCollect, view_, MainWindow::Needs::kStudy);
+  connectAll();
+}
+
+void CollectParts::connectAll() {
+  connect(&files_.start(), &StartView::newStudyRequested, this, [this] {
+    leads_here_ = true;
+    study_parts_.chooseNew();
+  });
+  connect(&files_.start(), &StartView::openStudyRequested, this, [this] {
+    leads_here_ = true;
+    study_parts_.chooseStudy();
+  });
+  connect(&study_, &StudyConnection::opened, this, &CollectParts::onOpened);
+  connect(&study_, &StudyConnection::closed, this, [this] { window_.setStudyOpen(false); });
+  connect(&study_models_, &StudyModels::notesChanged, this, [this] { view_->home().showData(study_models_.notes()); });
+  connect(&view_->home(), &StudyHome::startAsked, &run_, &SessionRun::start);
+  connect(&run_, &SessionRun::changed, this, [this] { collect_.setSessionRunning(run_.isRunning()); });
+  connect(&run_, &SessionRun::failed, this, [this](const QString& sentence) { window_.banner().showError(sentence); });
+  connect(&protocol_, &ProtocolController::refused, this,
+          [this](const QString& sentence) { window_.banner().showError(sentence); });
+  connect(&protocol_, &ProtocolController::stored, this, [this](int version) {
+    window_.say(tr("Version %1 of the protocol is stored in %2.").arg(version).arg(study_.fileName()));
+  });
+  connect(&protocol_, &ProtocolController::keyStored, this, [this](bool is_set) {
+    window_.say(is_set ? tr("The research key is set.") : tr("The research key is removed."));
+  });
+  connect(&collect_, &CollectController::refused, this,
+          [this](const QString& sentence) { window_.banner().showError(sentence); });
+  connect(&collect_, &CollectController::withdrawn, this, [this](const QString& code) {
+    window_.banner().showNote(
+        tr("Everything of %1 is deleted from %2. Backups and exports made before can still hold the data.")
+            .arg(code, study_.fileName()));
+  });
+}
+
+// A study without a model has nothing else to show.
+void CollectParts::onOpened() {
+  window_.setStudyOpen(true);
+  if (std::exchange(leads_here_, false) || !models_.current()) window_.enter(Stage::kCollect);
+}
+
+}  // namespace tactus::workbench

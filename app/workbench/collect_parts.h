@@ -1,0 +1,54 @@
+// Adds stage Collect to the window: the study's home, its protocol, sessions on the participant's screens, and the ways
+// to it from the start screen.
+#pragma once
+
+#include <QObject>
+
+#include "app/workbench/collect/collect_controller.h"
+#include "app/workbench/collect/protocol_controller.h"
+#include "app/workbench/session_run.h"
+
+namespace tactus::workbench {
+
+class AuthorName;
+class CollectView;
+class DeviceSession;
+class MainWindow;
+class ModelController;
+class ModelFiles;
+class StudyModels;
+class StudyParts;
+
+class CollectParts : public QObject {
+  Q_OBJECT
+
+ public:
+  CollectParts(MainWindow& window, ModelFiles& files, StudyParts& study_parts, StudyConnection& study,
+               StudyModels& study_models, const ModelController& models, DeviceSession& device,
+               const AuthorName& author);
+
+  CollectController& collect() { return collect_; }
+  ProtocolController& protocol() { return protocol_; }
+  CollectView& view() { return *view_; }
+  SessionRun& run() { return run_; }
+  /// The study is read.
+  bool isReady() const { return protocol_.isReady(); }
+
+ private:
+  void connectAll();
+  void onOpened();
+
+  MainWindow& window_;
+  ModelFiles& files_;
+  StudyParts& study_parts_;
+  StudyConnection& study_;
+  StudyModels& study_models_;
+  const ModelController& models_;
+  CollectController collect_;
+  ProtocolController protocol_;
+  CollectView* view_;
+  SessionRun run_;
+  bool leads_here_ = false;  ///< the study was asked for on the start screen
+};
+
+}  // namespace tactus::workbench

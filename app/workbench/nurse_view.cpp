@@ -1,0 +1,138 @@
+#include "app/workbench/nurse_view.h"
+
+#include <QCoreApplication>
+
+#include "app/workbench/base/display_text.h"
+
+namespace tactus::workbench {
+namespace {
+
+using Screen = ParticipantScreen;
+
+struct NurseViewText {
+  Q_DECLARE_TR_FUNCTIONS(NurseViewText)
+};
+
+QString screenText(const ParticipantState& state) {
+  switch (state.screen) {
+    case Screen::kWelcome:
+      return NurseViewText::tr("Welcome");
+    case Screen::kConsent:
+      return NurseViewText::tr("Consent");
+    case Screen::kAboutYou:
+      return NurseViewText::tr("About the participant");
+    case Screen::kDeviceCheck:
+      return NurseViewText::tr("Device check");
+    case Screen::kPractice:
+      return NurseViewText::tr("Practice");
+    case Screen::kSpeed:
+      return NurseViewText::tr("Speed");
+    case Screen::kForce:
+      return NurseViewText::tr("Forces");
+    case Screen::kRest:
+      return NurseViewText::tr("Rest");
+    case Screen::kGlossary:
+      return NurseViewText::tr("The words of the questions");
+    case Screen::kQuestion:
+      return NurseViewText::tr("Questions");
+    case Screen::kReview:
+      return NurseViewText::tr("Review");
+    case Screen::kOwnModel:
+      return NurseViewText::tr("Own model");
+    case Screen::kThanks:
+      return NurseViewText::tr("Done");
+    case Screen::kStopped:
+      break;
+  }
+  switch (state.stop) {
+    case StopReason::kForToday:
+      return NurseViewText::tr("Stopped for today");
+    case StopReason::kWithdrawn:
+      return NurseViewText::tr("Withdrawn");
+    case StopReason::kNoConsent:
+      return NurseViewText::tr("No consent");
+  }
+  return {};
+}
+
+QString forceText(const ForceState& state, const experiments::ForcePlan& plan) {
+  const QString force = NurseViewText::tr("%1 N%2").arg(
+      numberText(plan.step.force_n),
+      plan.attempt > 1 ? NurseViewText::tr(", attempt %1").arg(plan.attempt) : QString());
+  switch (state.stage) {
+    case ForceState::Stage::kPause:
+      return state.warm ? NurseViewText::tr("The device rests before %1").arg(force)
+                        : NurseViewText::tr("Pause before %1").arg(force);
+    case ForceState::Stage::kFeel:
+      return NurseViewText::tr("Feels %1").arg(force);
+    case ForceState::Stage::kAnswer:
+      return NurseViewText::tr("Answers %1").arg(force);
+  }
+  return {};
+}
+
+QString nowText(const ParticipantState& state, const experiments::ForcePlan* force) {
+  switch (state.screen) {
+    case Screen::kSpeed:
+      return NurseViewText::tr("%1, insertion %2 of %3")
+          .arg(state.speed.level)
+          .arg(state.speed.recorded + 1)
+          .arg(state.speed.wanted);
+    case Screen::kPractice:
+      if (!state.feels_force) return state.speed.level;
+      [[fallthrough]];
+    case Screen::kForce:
+      return force != nullptr && !force->finished ? forceText(state.force, *force) : QString();
+    case Screen::kQuestion:
+      return NurseViewText::tr("Question %1, the form's item %2").arg(state.question.position).arg(state.question.item);
+    case Screen::kOwnModel:
+      return state.own.count > 0 ? NurseViewText::tr("Region %1 of %2").arg(state.own.number).arg(state.own.count)
+                                 : QString();
+    default:
+      return {};
+  }
+}
+
+QString deviceText(DeviceStep step) {
+  switch (step) {
+    case DeviceStep::kWait:
+      return NurseViewText::tr("not in use");
+    case DeviceStep::kHold:
+      return NurseViewText::tr("ready, nobody holds it");
+    case DeviceStep::kStill:
+    case DeviceStep::kPush:
+    case DeviceStep::kRelease:
+      return NurseViewText::tr("being checked");
+    case DeviceStep::kReady:
+      return NurseViewText::tr("ready");
+    case DeviceStep::kWrong:
+      return NurseViewText::tr("stopped for safety");
+    case DeviceStep::kLost:
+      return NurseViewText::tr("not connected");
+  }
+  return {};
+}
+
+bool needsDevice(Screen screen) {
+  return screen == Screen::kDeviceCheck || screen == Screen::kPractice || screen == Screen::kSpeed ||
+         screen == Screen::kForce || screen == Screen::kOwnModel;
+}
+
+}  // namespace
+
+NurseView nurseView(const ParticipantState& state, const experiments::ForcePlan* force) {
+  NurseView view;
+  const bool needs = needsDevice(state.screen);
+  view.code = state.code;
+  view.screen = screenText(state);
+  view.now = nowText(state, force);
+  view.device = needs ? deviceText(state.device) : NurseViewText::tr("not in use");
+  view.simulated = state.simulated;
+  view.force_off = state.overlay != ForceOffOverlay::kNone;
+  view.called = state.overlay == ForceOffOverlay::kCalled;
+  view.stopped = state.screen == Screen::kStopped;
+  view.device_trouble = needs && (state.device == DeviceStep::kWrong || state.device == DeviceStep::kLost);
+  return view;
+}
+
+}  // namespace tactus::workbench
