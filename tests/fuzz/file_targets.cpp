@@ -36,7 +36,7 @@ void fuzzCsv(std::string_view bytes) {
   const auto table = base::CsvTable::parse(std::string(bytes), "fuzzed");
   if (!table) return;
   std::size_t characters = 0;
-  for (std::size_t row = 0; row < table->rows(); ++row) {
+  for (std::size_t row = 0; row < table->rowCount(); ++row) {
     TACTUS_CHECK(table->line(row) > 0);
     for (std::size_t column = 0; column < table->columns().size(); ++column)
       characters += table->cell(row, column).size();
