@@ -8,6 +8,7 @@
 #include "app/session/simulated_study.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect_pictures.h"
+#include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/participant_pictures.h"
 #include "app/workbench/picture_album.h"
 #include "app/workbench/shell/panel.h"
@@ -102,6 +103,12 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
     return added;
   }
   sheet.hide();
+  LinkDialog& link = bench.link_parts.dialog();
+  link.show();
+  if (auto added = album.add(QStringLiteral("deliver"), QStringLiteral("serve"), link.windowTitle(), link); !added) {
+    return added;
+  }
+  link.hide();
   if (auto added = addParticipantPictures(album, wanted.language, wanted.size); !added) return added;
   return album.finish();
 }

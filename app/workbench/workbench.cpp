@@ -8,6 +8,7 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
     : scene(models),
       device(std::move(devices)),
       feel(scene, device),
+      link(models),
       edits(models),
       compare(models, edits,
               [this] {
@@ -32,6 +33,7 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
       curve_parts(window, models, scene, edits, ghost, references, settings),
       map_parts(window, models, scene),
       feel_parts(window, models, scene, feel),
+      link_parts(window, models, scene, feel, link),
       rule_parts(window, rules),
       edit_parts(window, edits, terms, scene, ghost),
       finding_parts(window, findings, terms, rules),

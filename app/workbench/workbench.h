@@ -5,6 +5,7 @@
 #include "app/workbench/collect_parts.h"
 #include "app/workbench/curve_parts.h"
 #include "app/workbench/deliver/bundle_maker.h"
+#include "app/workbench/deliver/link/link_controller.h"
 #include "app/workbench/deliver/readiness_controller.h"
 #include "app/workbench/deliver_parts.h"
 #include "app/workbench/device/device_session.h"
@@ -15,6 +16,7 @@
 #include "app/workbench/finding_parts.h"
 #include "app/workbench/here_parts.h"
 #include "app/workbench/history_parts.h"
+#include "app/workbench/link_parts.h"
 #include "app/workbench/map_parts.h"
 #include "app/workbench/model/author_name.h"
 #include "app/workbench/model/edit_controller.h"
@@ -55,6 +57,7 @@ struct Workbench {
   SceneController scene;
   DeviceSession device;
   FeelController feel;  ///< before the window, so that the device gets an edit before the screen does
+  LinkController link;  ///< likewise, for simulators
   EditController edits;
   CompareController compare;
   AuthorName author;
@@ -79,6 +82,7 @@ struct Workbench {
   CurveParts curve_parts;
   MapParts map_parts;
   FeelParts feel_parts;
+  LinkParts link_parts;
   RuleParts rule_parts;
   EditParts edit_parts;
   FindingParts finding_parts;

@@ -21,7 +21,7 @@ std::vector<DepthRegion> depthRegions(const fuzzy::Variable& depth) {
     if (term && term != before) {
       // What touches begins where the one before ends.
       if (before) regions.back().to_mm = x;
-      regions.push_back({labelOf(depth.terms[*term]), x, x});
+      regions.push_back({labelOf(depth.terms[*term]), x, x, depth.terms[*term].id});
     } else if (term) {
       regions.back().to_mm = x;
     }

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/fuzzy/force_model.h"
@@ -14,6 +15,7 @@ struct DepthRegion {
   QString label;
   double from_mm = 0;
   double to_mm = 0;
+  std::string id = {};  ///< of the term
 };
 
 /// The regions of `depth`, from the nostril inward. Places without a term belong to no region. The boundaries are exact

@@ -29,6 +29,7 @@ enum class MenuSlot {
   kView,
   kFeelDevice,
   kFeelPatient,
+  kFeelLink,
   kHelp,
 };
 

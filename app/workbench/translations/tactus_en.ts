@@ -2462,6 +2462,110 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::LinkController</name>
+    <message>
+        <source>No model is open; open one to serve it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::LinkDialog</name>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Token file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the path of the token file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serve to a simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Programs of yours on this computer get the model that is shown, and each edit of it at once. They also get what the hand feels, while you feel the model. The program starts with this switched off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Token file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A simulator without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2), follows the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulator(s) connected</source>
+        <translation>
+            <numerusform>%n simulator connected</numerusform>
+            <numerusform>%n simulators connected</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No simulator can connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a simulator the address and the token file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::LinkParts</name>
+    <message>
+        <source>Serve to a s&amp;imulator…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulators can connect to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulators are no longer served.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::MainWindow</name>
     <message>
         <source>Tactus Workbench</source>

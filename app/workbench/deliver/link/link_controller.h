@@ -1,0 +1,63 @@
+// Serves the shown model to simulators over the live link (docs/live-link.md), from `start` to `stop`. Never by itself,
+// and never remembered: each run of the program begins without it.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/link/link_server.h"
+#include "app/link/token_file.h"
+#include "app/workbench/base/call_queue.h"
+
+namespace tactus::workbench {
+
+class ModelController;
+
+/// Thread: gui. The server has a thread of its own, which also writes the text of each model.
+class LinkController : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LinkController(const ModelController& models, QObject* parent = nullptr);
+  ~LinkController() override;
+
+  bool isServing() const { return server_ != nullptr; }
+  /// Where a simulator connects: `127.0.0.1:45123`; empty while nothing is served.
+  QString address() const;
+  /// The file with the token that it needs; empty while nothing is served.
+  QString tokenFile() const;
+  /// Who is connected.
+  const std::vector<link::LinkClient>& clients() const { return clients_; }
+  /// Whether a client wants to know what the hand feels.
+  bool wantsStates() const { return server_ && server_->wantsStates(); }
+  /// Tells the clients what the hand feels.
+  void tell(link::LinkStates states);
+
+ public slots:
+  /// Ends with `changed` or `failed`. Takes the port of the time before if it is free.
+  void start();
+  void stop();
+
+ signals:
+  /// Serving began or ended, or a client came or went.
+  void changed();
+  /// One sentence: why nothing can be served.
+  void failed(const QString& sentence);
+
+ private:
+  base::Result<void> serve(std::uint16_t port);
+  void publish();
+  void showClients();
+
+  const ModelController& models_;
+  std::uint16_t port_ = 0;  ///< of the time before
+  std::optional<link::TokenFile> token_;
+  std::vector<link::LinkClient> clients_;
+  CallQueue calls_;
+  std::unique_ptr<link::LinkServer> server_;  ///< last: its thread ends before the queue goes
+};
+
+}  // namespace tactus::workbench

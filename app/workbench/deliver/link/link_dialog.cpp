@@ -1,0 +1,146 @@
+#include "app/workbench/deliver/link/link_dialog.h"
+
+#include <QBoxLayout>
+#include <QClipboard>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/deliver/link/link_controller.h"
+#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/wrapped_label.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kWidth = 560;         // px
+constexpr int kClientsHeight = 80;  // px, five lines
+
+QLineEdit* makeReadOut(const QString& name, QWidget* parent) {
+  auto* field = new QLineEdit(parent);
+  field->setReadOnly(true);
+  field->setAccessibleName(name);
+  return field;
+}
+
+QToolButton* makeCopyButton(const QString& name, QLineEdit* field, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setText(LinkDialog::tr("Copy"));
+  button->setAccessibleName(name);
+  QObject::connect(button, &QToolButton::clicked, field,
+                   [field] { QGuiApplication::clipboard()->setText(field->text()); });
+  return button;
+}
+
+}  // namespace
+
+LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
+    : QDialog(parent),
+      link_(link),
+      state_(new QLabel(this)),
+      failure_(new WrappedLabel(this)),
+      toggle_(new QPushButton(this)),
+      address_(makeReadOut(tr("Address"), this)),
+      token_file_(makeReadOut(tr("Token file"), this)),
+      copy_address_(makeCopyButton(tr("Copy the address"), address_, this)),
+      copy_token_file_(makeCopyButton(tr("Copy the path of the token file"), token_file_, this)),
+      count_(new QLabel(this)),
+      clients_(new WrappedLabel(this)) {
+  setWindowTitle(tr("Serve to a simulator"));
+  setMinimumWidth(kWidth);
+  auto* what = new QLabel(this);
+  what->setWordWrap(true);
+  what->setText(
+      tr("Programs of yours on this computer get the model that is shown, and each edit of it at once. They also get "
+         "what the hand feels, while you feel the model. The program starts with this switched off."));
+  setInk(*failure_, theme::errorInk());
+  failure_->hide();
+  state_->setFont(theme::headingFont());
+  toggle_->setDefault(true);
+  connect(toggle_, &QPushButton::clicked, &link_, [this] {
+    failure_->hide();
+    link_.isServing() ? link_.stop() : link_.start();
+  });
+
+  auto* head = new QHBoxLayout;
+  head->addWidget(state_, 1);
+  head->addWidget(toggle_);
+
+  auto* fields = new QGridLayout;
+  fields->setHorizontalSpacing(2 * theme::kGrid);
+  fields->setVerticalSpacing(theme::kGrid);
+  const auto addRow = [&](const QString& label, QLineEdit* field, QToolButton* copy) {
+    const int row = fields->rowCount();
+    auto* name = new QLabel(label, this);
+    name->setMinimumWidth(name->sizeHint().width() + theme::kGrid / 2);
+    fields->addWidget(name, row, 0);
+    fields->addWidget(field, row, 1);
+    fields->addWidget(copy, row, 2);
+  };
+  addRow(tr("Address"), address_, copy_address_);
+  addRow(tr("Token file"), token_file_, copy_token_file_);
+  fields->setColumnStretch(1, 1);
+
+  auto* card = new Card(this);
+  auto* inside = new QVBoxLayout(card);
+  inside->setContentsMargins(2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid);
+  inside->setSpacing(2 * theme::kGrid);
+  inside->addLayout(head);
+  inside->addLayout(fields);
+  inside->addWidget(count_);
+  clients_->setMinimumHeight(kClientsHeight);
+  clients_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  clients_->setTextFormat(Qt::PlainText);
+  setInk(*clients_, theme::mutedInk());
+  inside->addWidget(clients_);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(3 * theme::kGrid, 3 * theme::kGrid, 3 * theme::kGrid, 3 * theme::kGrid);
+  layout->setSpacing(2 * theme::kGrid);
+  layout->addWidget(what);
+  layout->addWidget(failure_);
+  layout->addWidget(card, 1);
+
+  connect(&link_, &LinkController::changed, this, &LinkDialog::showState);
+  connect(&link_, &LinkController::failed, this, &LinkDialog::showFailure);
+  showState();
+}
+
+void LinkDialog::showState() {
+  const bool serving = link_.isServing();
+  state_->setText(serving ? tr("Serving") : tr("Off"));
+  toggle_->setText(serving ? tr("Stop") : tr("Start"));
+  address_->setText(link_.address());
+  token_file_->setText(link_.tokenFile());
+  // The end says which one it is.
+  token_file_->setToolTip(link_.tokenFile());
+  address_->setPlaceholderText(tr("none"));
+  token_file_->setPlaceholderText(tr("none"));
+  copy_address_->setEnabled(serving);
+  copy_token_file_->setEnabled(serving);
+  QStringList lines;
+  for (const auto& client : link_.clients()) {
+    const QString name = client.name.empty() ? tr("A simulator without a name") : harmless(text(client.name));
+    lines << (client.wants_state ? tr("%1 (%2), follows the hand").arg(name, text(client.address))
+                                 : QStringLiteral("%1 (%2)").arg(name, text(client.address)));
+  }
+  count_->setText(serving ? tr("%n simulator(s) connected", nullptr, static_cast<int>(lines.size()))
+                          : tr("No simulator can connect"));
+  clients_->setText(!lines.isEmpty() ? lines.join(QLatin1Char('\n'))
+                    : serving        ? tr("Give a simulator the address and the token file.")
+                                     : QString());
+}
+
+void LinkDialog::showFailure(const QString& sentence) {
+  failure_->setText(sentence);
+  failure_->setMinimumHeight(2 * failure_->fontMetrics().lineSpacing());
+  failure_->show();
+}
+
+}  // namespace tactus::workbench
