@@ -140,6 +140,30 @@ base::Result<study::JudgementRecord> ForceProtocol::record(const ForceAnswer& an
   return record;
 }
 
+const study::JudgementRecord* ForceProtocol::lastScored() const {
+  if (judgements_.empty() || !judgements_.back().scored) return nullptr;
+  return &judgements_.back();
+}
+
+base::Result<study::JudgementRecord> ForceProtocol::correction(Answer kind, const std::string& term) const {
+  const study::JudgementRecord* last = lastScored();
+  if (last == nullptr) return base::fail(base::ErrorCode::kValue, "correction", "no judgement", "one that counts");
+  const auto offered = allAnswers(settings_.terms);
+  const bool known = std::any_of(offered.begin(), offered.end(), [&](const ForceAnswerOption& option) {
+    return option.kind == kind && (kind != Answer::kTerm || option.id == term);
+  });
+  if (!known) {
+    return base::fail(base::ErrorCode::kValue, "correction", base::quoted(term),
+                      "one of the answers that were offered");
+  }
+  study::JudgementRecord record = *last;
+  record.kind = kind;
+  record.term = kind == Answer::kTerm ? term : std::string();
+  record.entry = {};
+  record.entry.supersedes = last->entry.id;
+  return record;
+}
+
 base::Result<void> ForceProtocol::add(const study::JudgementRecord& record) {
   const auto refuse = [&](std::string found, std::string wanted) {
     return base::fail(base::ErrorCode::kData, "judgement " + study::toText(record.entry.id), std::move(found),

@@ -97,6 +97,12 @@ class ForceProtocol {
   /// was not offered, or an impossible number (a negative distance or time). `kNoAnswer` is always allowed.
   base::Result<study::JudgementRecord> record(const ForceAnswer& answer) const;
 
+  /// The last judgement that counts, of a step that asked for a word; null if there is none.
+  const study::JudgementRecord* lastScored() const;
+  /// The correction of lastScored() with another of the answers: it keeps what was measured. The caller completes its
+  /// entry. Returns an error for an answer that was not offered, and if there is nothing to correct.
+  base::Result<study::JudgementRecord> correction(study::ForceJudgement::Kind kind, const std::string& term) const;
+
   /// Adds a stored record: the next step, or a correction of an earlier one. For any other record returns an error and
   /// changes nothing.
   base::Result<void> add(const study::JudgementRecord& record);

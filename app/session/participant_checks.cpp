@@ -1,14 +1,17 @@
 #include "app/session/participant_checks.h"
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <string>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "core/base/tables/odd_cell.h"
 #include "core/base/text.h"
+#include "core/store/person_codes.h"
 #include "core/study/code_key.h"
 #include "core/study/record_findings.h"
 #include "core/study/summary_word.h"
@@ -55,9 +58,21 @@ bool looksLikeName(std::string_view code) {
   return words >= 2;
 }
 
+/// Two words of our own list, as the program draws them.
+bool isDrawn(const std::string& code, const store::PersonCodes& codes) {
+  const std::size_t dash = code.find('-');
+  if (dash == std::string::npos) return false;
+  const auto holds = [](const std::vector<std::string_view>& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  return holds(codes.firstWords(), std::string_view(code).substr(0, dash)) &&
+         holds(codes.secondWords(), std::string_view(code).substr(dash + 1));
+}
+
 void addNames(const study::Study& study, std::vector<DataFinding>& out) {
+  const store::PersonCodes codes(0);
   for (const auto& participant : study.participants) {
-    if (!looksLikeName(participant.code)) continue;
+    if (!looksLikeName(participant.code) || isDrawn(participant.code, codes)) continue;
     out.push_back(study::remark(Kind::kCodeLikeName, Severity::kWarning, participant, "participant",
                                 "The code " + base::quoted(participant.code) +
                                     " looks like a name: give a random code, which every file then shows."));

@@ -27,8 +27,13 @@ tl::unexpected<base::Error> notNow(std::string what, SessionPart part) {
               "a call that fits this part");
 }
 
-std::optional<Note> noteOf(const study::RecordId& record, const std::optional<AnswerInput>& input) {
-  return input ? std::optional(answerInput(record, *input)) : std::nullopt;
+/// What the log says beside an answer.
+std::vector<Note> notesOf(const study::RecordId& record, const std::optional<AnswerInput>& input,
+                          std::optional<ResponseMark> mark) {
+  std::vector<Note> out;
+  if (input) out.push_back(answerInput(record, *input));
+  if (mark) out.push_back(responseMarked(record, *mark));
+  return out;
 }
 
 }  // namespace
@@ -201,8 +206,28 @@ Result<void> Session::judge(const experiments::ForceAnswer& answer, const std::o
   record->entry = state_->entry();
   auto after = *state_->force;
   if (auto ok = after.add(*record); !ok) return ok;
+  const bool asked = answer.kind != study::ForceJudgement::Kind::kNoAnswer;
+  const auto mark = asked ? responseMark(record->response_s) : std::nullopt;
   return state_->store(
-      *record, [&] { state_->force = std::move(after); }, noteOf(record->entry.id, input));
+      *record, [&] { state_->force = std::move(after); }, notesOf(record->entry.id, input, mark));
+}
+
+Result<void> Session::correctJudgement(study::ForceJudgement::Kind kind, const std::string& term,
+                                       const std::optional<AnswerInput>& input) {
+  const bool rates = part() == SessionPart::kRating && block() == Block::kForce;
+  if (part() != SessionPart::kForce && !rates) return notNow("a corrected judgement", part());
+  if (input) {
+    if (auto ok = validate(*input); !ok) return ok;
+  }
+  auto record = state_->force->correction(kind, term);
+  if (!record) return tl::unexpected(record.error());
+  const auto supersedes = record->entry.supersedes;
+  record->entry = state_->entry();
+  record->entry.supersedes = supersedes;
+  auto after = *state_->force;
+  if (auto ok = after.add(*record); !ok) return ok;
+  return state_->store(
+      *record, [&] { state_->force = std::move(after); }, notesOf(record->entry.id, input, std::nullopt));
 }
 
 Result<void> Session::reply(const questionnaires::Reply& reply, double response_s,
@@ -220,7 +245,7 @@ Result<void> Session::reply(const questionnaires::Reply& reply, double response_
   auto after = *state_->form;
   if (auto ok = after.add(*record); !ok) return ok;
   return state_->store(
-      *record, [&] { state_->form = std::move(after); }, noteOf(record->entry.id, input));
+      *record, [&] { state_->form = std::move(after); }, notesOf(record->entry.id, input, responseMark(response_s)));
 }
 
 void Session::back() {

@@ -104,8 +104,13 @@ class Session {
                                std::size_t recording_first);
   /// Rejects an accepted stroke of this session. The protocol then asks for it again.
   base::Result<void> rejectStroke(const study::RecordId& stroke, const std::string& reason);
-  /// `input`: how the answer was entered; stored with it, both or none.
+  /// `input`: how the answer was entered; stored with it, all or none. An answer that came very soon or very late gets
+  /// a note (responseMark).
   base::Result<void> judge(const experiments::ForceAnswer& answer, const std::optional<AnswerInput>& input = {});
+  /// Another word for the last judgement that counts, also after the last step until the block is ended: a record of
+  /// its own, which counts instead (ForceProtocol::correction).
+  base::Result<void> correctJudgement(study::ForceJudgement::Kind kind, const std::string& term,
+                                      const std::optional<AnswerInput>& input = {});
   base::Result<void> reply(const questionnaires::Reply& reply, double response_s,
                            const std::optional<AnswerInput>& input = {});
   /// Moves to the previous or the next question, or to the first one without an answer. Also possible from the rating

@@ -19,12 +19,14 @@ using base::required;
 using base::Result;
 
 constexpr const char* kAnswerInput = "answer_input";
+constexpr const char* kResponseTime = "response_time";
 constexpr const char* kOwnModelVerdict = "own_model_verdict";
 constexpr const char* kOwnModelMark = "own_model_mark";
 
 constexpr std::array kBands = {ExperienceBand{"years_1", 2.5}, ExperienceBand{"years_2", 7.5},
                                ExperienceBand{"years_3", 12.5}, ExperienceBand{"years_4", 20}};
 constexpr std::array<std::string_view, 5> kMeans = {"mouse", "keyboard", "touch", "device_button", "pedal"};
+constexpr std::array<std::string_view, 2> kMarks = {"soon", "late"};
 constexpr std::array<std::string_view, 3> kVerdicts = {"lighter", "about_right", "heavier"};
 
 constexpr base::NumberRange kCount{0, std::numeric_limits<int>::max()};
@@ -120,6 +122,32 @@ Note answerInput(const study::RecordId& record, const AnswerInput& input) {
     json.key("start_word").value(input.start_word).key("presses").value(input.presses);
   }
   return note(kAnswerInput, json);
+}
+
+std::string_view name(ResponseMark mark) noexcept { return kMarks[static_cast<std::size_t>(mark)]; }
+
+std::optional<ResponseMark> responseMark(double response_s) noexcept {
+  if (response_s < kSoonS) return ResponseMark::kSoon;
+  return response_s > kLateS ? std::optional(ResponseMark::kLate) : std::nullopt;
+}
+
+Note responseMarked(const study::RecordId& record, ResponseMark mark) {
+  auto json = object();
+  json.key("record").value(toText(record)).key("mark").value(name(mark));
+  return note(kResponseTime, json);
+}
+
+Result<std::optional<ResponseMarkLine>> responseMarkIn(const study::EventRecord& event) {
+  if (event.kind != kResponseTime) return std::nullopt;
+  ResponseMarkLine line;
+  const auto ok = readDetail(event, [&](JsonMembers& members) {
+    std::optional<study::RecordId> record;
+    readId(members, required("record"), record);
+    line.record = record.value_or(study::RecordId{});
+    if (const auto mark = members.word(required("mark"), kMarks)) line.mark = static_cast<ResponseMark>(*mark);
+  });
+  if (!ok) return tl::unexpected(ok.error());
+  return line;
 }
 
 std::string_view name(OwnModelVerdict verdict) noexcept { return kVerdicts[static_cast<std::size_t>(verdict)]; }

@@ -60,6 +60,18 @@ base::Result<void> validate(const AnswerInput& input);
 /// `record`: the judgement or the answer.
 Note answerInput(const study::RecordId& record, const AnswerInput& input);
 
+/// An answer that came sooner than a person can read and choose, or so late that something came in between.
+enum class ResponseMark { kSoon, kLate };
+inline constexpr double kSoonS = 0.3;  ///< less: the press was meant for something else (facts on the screens, part 3)
+inline constexpr double kLateS = 30;   ///< more: she was interrupted
+
+/// `soon`, `late`.
+std::string_view name(ResponseMark mark) noexcept;
+/// Of a response time, s; nothing between the limits. The answer counts all the same.
+std::optional<ResponseMark> responseMark(double response_s) noexcept;
+/// `record`: the judgement or the answer.
+Note responseMarked(const study::RecordId& record, ResponseMark mark);
+
 /// What the participant said of the own model in one region: in practice the force is …
 enum class OwnModelVerdict { kLighter, kAboutRight, kHeavier };
 
@@ -88,6 +100,11 @@ struct OwnModelLine {
   OwnModelPlace place;
   std::optional<OwnModelVerdict> verdict;  ///< nothing: a mark
 };
+struct ResponseMarkLine {
+  study::RecordId record;
+  ResponseMark mark = ResponseMark::kSoon;
+};
+base::Result<std::optional<ResponseMarkLine>> responseMarkIn(const study::EventRecord& event);
 base::Result<std::optional<AnswerInputLine>> answerInputIn(const study::EventRecord& event);
 base::Result<std::optional<OwnModelLine>> ownModelIn(const study::EventRecord& event);
 

@@ -88,7 +88,7 @@ Result<void> SessionState::tell(study::ProfileRecord made, const std::optional<N
   made.entry = entry();
   if (profile) made.entry.supersedes = profile->entry.id;
   return store(
-      made, [&] { profile = made; }, beside);
+      made, [&] { profile = made; }, beside ? std::vector{*beside} : std::vector<Note>());
 }
 
 Result<void> SessionRecords::makeProtocols(const store::StudyFile& file) {

@@ -71,13 +71,17 @@ struct SessionState : SessionRecords {
   base::Result<void> log(const char* kind, std::string text = {});
   base::Result<void> tell(study::ProfileRecord made, const std::optional<Note>& beside);
 
-  /// Stores `made`, and `beside` with it, if given: both or none. Then `take` changes the state.
+  /// Stores `made`, and the lines `beside` with it: all or none. Then `take` changes the state.
   template <class Record, class Take>
-  base::Result<void> store(const Record& made, Take take, const std::optional<Note>& beside = {}) {
-    const auto stored = !beside ? store::append(file, made) : store::inOneBatch(file, [&]() -> base::Result<void> {
-      if (auto ok = store::append(file, made); !ok) return ok;
-      return log(beside->kind.c_str(), beside->detail);
-    });
+  base::Result<void> store(const Record& made, Take take, const std::vector<Note>& beside = {}) {
+    const auto stored =
+        beside.empty() ? store::append(file, made) : store::inOneBatch(file, [&]() -> base::Result<void> {
+          if (auto ok = store::append(file, made); !ok) return ok;
+          for (const Note& note : beside) {
+            if (auto ok = log(note.kind.c_str(), note.detail); !ok) return ok;
+          }
+          return {};
+        });
     if (!stored) return stored;
     take();
     // The record is what counts. Where the log only repeats where it leads, a failure is left to the next write.

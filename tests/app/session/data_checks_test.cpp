@@ -34,8 +34,8 @@ TEST(DataChecks, CodesWithOtherNumbersAreNotAlike) {
 
 TEST(DataChecks, CodesThatLookLikeNames) {
   Study study;
-  for (const char* code :
-       {"Anna Schmidt", "anna.schmidt", "a.s@clinic.example", "S1", "NURSE A", "Nurse 12", "expert-one2"})
+  for (const char* code : {"Anna Schmidt", "anna.schmidt", "a.s@clinic.example", "S1", "NURSE A", "Nurse 12",
+                           "expert-one2", "crisp-ostrich"})
     study.participants.emplace_back().code = code;
   std::vector<std::string> named;
   for (const auto& finding : dataFindings(study)) {

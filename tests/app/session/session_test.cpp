@@ -310,6 +310,7 @@ TEST_F(SessionTest, HowAnAnswerWasEnteredIsStoredWithIt) {
   while (session_->force()->next().step.series == "familiarisation") ASSERT_TRUE(session_->judge(answer));
   answer.kind = Kind::kTerm;
   answer.term = "small";
+  answer.response_s = 1.2;
   const AnswerInput input{InputMeans::kDeviceButton, "large", 4};
   ASSERT_TRUE(session_->judge(answer, input));
   EXPECT_FALSE(session_->judge(answer, AnswerInput{InputMeans::kTouch, "large", 4}));
@@ -323,6 +324,64 @@ TEST_F(SessionTest, HowAnAnswerWasEnteredIsStoredWithIt) {
   const std::string before = shown();
   ASSERT_NO_FATAL_FAILURE(restart());
   EXPECT_EQ(shown(), before);
+}
+
+TEST_F(SessionTest, ACorrectedJudgementIsARecordOfItsOwnAndCountsInstead) {
+  auto with = start();
+  with.settings.blocks = {Block::kForce};
+  with.settings.force.familiarisation_n = {};
+  with.settings.force.ladder = {0.2, 0.4, 0.2};
+  with.settings.force.descending = false;
+  begin(with);
+  ASSERT_TRUE(session_->tell({}));
+  EXPECT_FALSE(session_->correctJudgement(Kind::kTerm, "small")) << "nothing was judged";
+  ForceAnswer answer;
+  answer.forward_mm = 40;
+  answer.forward_speed_mm_s = 60;
+  answer.response_s = 2;
+  answer.kind = Kind::kBeyondPractice;
+  ASSERT_TRUE(session_->judge(answer));
+  EXPECT_EQ(session_->part(), SessionPart::kRating) << "beyond practice ends the ascending series";
+  EXPECT_FALSE(session_->correctJudgement(Kind::kTerm, "no_such_term"));
+  // A slip: she meant a word, so the series goes on.
+  ASSERT_TRUE(session_->correctJudgement(Kind::kTerm, "small", AnswerInput{InputMeans::kMouse, "", 0}));
+  EXPECT_EQ(session_->part(), SessionPart::kForce);
+  ASSERT_TRUE(session_->correctJudgement(Kind::kTerm, "medium"));
+  const auto now = *store::judgements(*file_);
+  ASSERT_EQ(now.size(), 1U);
+  EXPECT_EQ(now[0].term, "medium");
+  EXPECT_EQ(now[0].forward_mm, 40);
+  EXPECT_EQ(now[0].response_s, 2);
+  EXPECT_TRUE(now[0].scored);
+  const auto all = *store::judgements(*file_, {{}, {}, true});
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].kind, Kind::kBeyondPractice);
+  EXPECT_EQ(all[1].entry.supersedes, all[0].entry.id);
+  EXPECT_EQ(all[2].entry.supersedes, all[1].entry.id);
+  const std::string before = shown();
+  ASSERT_NO_FATAL_FAILURE(restart());
+  EXPECT_EQ(shown(), before);
+  EXPECT_EQ(session_->force()->next().step.force_n, 0.4);
+}
+
+TEST_F(SessionTest, AnAnswerThatCameVerySoonOrVeryLateIsMarkedAndCounts) {
+  auto with = start();
+  with.settings.blocks = {Block::kForm};
+  begin(with);
+  ASSERT_TRUE(session_->tell({}));
+  for (const double response_s : {0.29, 0.3, 30.0, 30.1}) {
+    ASSERT_TRUE(session_->reply({Status::kAnswered, "medium"}, response_s));
+  }
+  const auto answers = *store::answers(*file_);
+  ASSERT_EQ(answers.size(), 4U);
+  std::vector<std::pair<study::RecordId, ResponseMark>> marked;
+  const auto events = *store::events(*file_);
+  for (const auto& event : events) {
+    if (const auto line = *responseMarkIn(event)) marked.emplace_back(line->record, line->mark);
+  }
+  const std::vector<std::pair<study::RecordId, ResponseMark>> wanted = {{answers[0].entry.id, ResponseMark::kSoon},
+                                                                        {answers[3].entry.id, ResponseMark::kLate}};
+  EXPECT_EQ(marked, wanted);
 }
 
 TEST_F(SessionTest, NotesGoToTheLogAndSteerNothing) {

@@ -80,6 +80,14 @@ bool SessionProxy::judge(SessionStep step, const experiments::ForceAnswer& given
                 [given, input = std::move(input)](session::Session& session) { return session.judge(given, input); });
 }
 
+bool SessionProxy::correctJudgement(SessionStep step, const experiments::ForceAnswerOption& word,
+                                    std::optional<session::AnswerInput> input) {
+  return answer(step, [word, input = std::move(input)](session::Session& session) {
+    const bool term = word.kind == study::ForceJudgement::Kind::kTerm;
+    return session.correctJudgement(word.kind, term ? word.id : std::string(), input);
+  });
+}
+
 bool SessionProxy::reply(SessionStep step, const questionnaires::Reply& reply, double response_s,
                          std::optional<session::AnswerInput> input) {
   return answer(step, [reply, response_s, input = std::move(input)](session::Session& session) {

@@ -53,6 +53,9 @@ class SessionProxy : public QObject {
   bool tell(SessionStep step, const study::ProfileRecord& profile, std::optional<session::ExperienceBand> band = {});
   bool addStroke(SessionStep step, session::CapturedStroke stroke);
   bool judge(SessionStep step, const experiments::ForceAnswer& answer, std::optional<session::AnswerInput> input = {});
+  /// Session::correctJudgement.
+  bool correctJudgement(SessionStep step, const experiments::ForceAnswerOption& word,
+                        std::optional<session::AnswerInput> input = {});
   bool reply(SessionStep step, const questionnaires::Reply& reply, double response_s,
              std::optional<session::AnswerInput> input = {});
   bool rate(SessionStep step, int effort, int comfort);

@@ -36,6 +36,9 @@ SessionSnapshot snapshotOf(const session::Session& session, SessionStep step, co
   if (session.profile() != nullptr) out.profile = *session.profile();
   if (session.speed() != nullptr) out.speed = session.speed()->next();
   if (session.force() != nullptr) out.force = session.force()->next();
+  const bool judges = out.part == session::SessionPart::kForce ||
+                      (out.part == session::SessionPart::kRating && out.block == session::Block::kForce);
+  if (judges && session.force()->lastScored() != nullptr) out.judged = *session.force()->lastScored();
   if (session.form() != nullptr) addForm(*session.form(), before, out);
   return out;
 }

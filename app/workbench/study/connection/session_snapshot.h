@@ -49,6 +49,8 @@ struct SessionSnapshot {
 
   std::optional<experiments::SpeedPlan> speed;  ///< what the speed experiment asks next; nothing: no such block
   std::optional<experiments::ForcePlan> force;  ///< likewise
+  /// The last judgement that counts, if it can be corrected now.
+  std::optional<study::JudgementRecord> judged;
   std::shared_ptr<const questionnaires::Questionnaire> form;  ///< null: no such block
   std::optional<ItemPage> page;                               ///< of the form; nothing after its last item
   std::vector<ItemReply> replies;                             ///< of the form, in its own order
