@@ -165,6 +165,12 @@ Note ownModelMark(const OwnModelPlace& place) {
   return note(kOwnModelMark, json);
 }
 
+Note effortRated(const std::string& block, int effort) {
+  auto json = object();
+  json.key("block").value(block).key("effort").value(effort);
+  return note("effort_rated", json);
+}
+
 Result<std::optional<AnswerInputLine>> answerInputIn(const study::EventRecord& event) {
   if (event.kind != kAnswerInput) return std::nullopt;
   AnswerInputLine line;

@@ -78,6 +78,10 @@ enum class OwnModelVerdict { kLighter, kAboutRight, kHeavier };
 /// `lighter`, `about_right`, `heavier`.
 std::string_view name(OwnModelVerdict verdict) noexcept;
 
+/// The label of a version that is the model of one participant's own answers: it is kept for the records that name it,
+/// and is no version of the researcher's model.
+inline constexpr const char* kOwnModelLabel = "own model";
+
 /// What was in the hand.
 struct OwnModelPlace {
   std::optional<study::RecordId> model_version;  ///< of the same study
@@ -90,6 +94,9 @@ struct OwnModelPlace {
 Note ownModelVerdict(const OwnModelPlace& place, OwnModelVerdict verdict);
 /// The participant marked this moment.
 Note ownModelMark(const OwnModelPlace& place);
+
+/// What the participant said of the effort of a block, 1 to 7, before the rest of its rating was asked.
+Note effortRated(const std::string& block, int effort);
 
 // Back from the log. Nothing for a line of another kind; an error for a detail that does not fit the kind.
 struct AnswerInputLine {

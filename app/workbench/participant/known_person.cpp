@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/session/session_settings.h"
 #include "core/store/entries.h"
 #include "core/store/person_codes.h"
 #include "core/store/persons.h"
@@ -18,6 +19,14 @@ Result<bool> endedEarly(const store::StudyFile& file, const study::RecordId& ses
   const auto events = store::events(file, {{}, session, true});
   if (!events) return tl::unexpected(events.error());
   return std::any_of(events->begin(), events->end(), [](const auto& event) { return event.kind == "aborted"; });
+}
+
+/// A session of these screens: an elicitation, or the usability form. Feeling a model is a session too.
+bool isOnScreens(const study::SessionRecord& session) {
+  if (session.kind != study::SessionKind::kUsability) return session.kind == study::SessionKind::kElicitation;
+  const auto settings = session::parseSessionSettings(session.settings);
+  const auto wanted = session::usabilitySession();
+  return !session.settings.empty() && settings && settings->blocks == wanted.blocks && settings->form == wanted.form;
 }
 
 Result<int> answersIn(const store::StudyFile& file, const study::RecordId& session) {
@@ -42,7 +51,7 @@ Result<KnownPerson> knownPerson(const store::StudyFile& file, const std::string&
   const auto sessions = store::sessions(file, out.person->id);
   if (!sessions) return tl::unexpected(sessions.error());
   for (auto session = sessions->rbegin(); session != sessions->rend() && !out.session; ++session) {
-    if (session->kind != study::SessionKind::kElicitation) continue;
+    if (!isOnScreens(*session)) continue;
     const auto ended = endedEarly(file, session->id);
     if (!ended) return tl::unexpected(ended.error());
     if (!*ended) out.session = session->id;

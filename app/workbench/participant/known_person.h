@@ -13,7 +13,7 @@ namespace tactus::workbench {
 struct KnownPerson {
   std::optional<study::Person> person;     ///< nothing: no code of this study
   std::string meant;                       ///< a code that may have been meant; may be empty
-  std::optional<study::RecordId> session;  ///< the latest elicitation session that was not ended early
+  std::optional<study::RecordId> session;  ///< the latest on these screens that was not ended early
   int answers = 0;                         ///< scored judgements and replies to questions in it, corrected ones once
 };
 

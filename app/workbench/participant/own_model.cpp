@@ -4,10 +4,12 @@
 #include <chrono>
 
 #include "app/session/known_forms.h"
+#include "app/session/session_notes.h"
 #include "app/session/study_view.h"
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/fuzzy/compiled_model.h"
+#include "core/model_io/model_file.h"
 #include "elicitation/model/model_builder.h"
 
 namespace tactus::workbench {
@@ -75,7 +77,8 @@ Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code)
   if (!view) return tl::unexpected(view.error());
   elicitation::BuildSettings settings;
   settings.name = code;
-  settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
+  const auto now = std::chrono::system_clock::now();
+  settings.created_utc = base::formatUtc(now);
   settings.generator = kGenerator;
   const auto built = elicitation::buildModel(dataOf(std::move(view->study), code), session::knownForms(), settings);
   if (!built) return tl::unexpected(built.error());
@@ -96,6 +99,10 @@ Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code)
   auto scene = haptics::ServoScene::make(model, *compiled, conditions);
   if (!scene) return tl::unexpected(scene.error());
   out.scene = std::move(*scene);
+  out.version.utc_ms = std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();
+  out.version.author = code;
+  out.version.label = session::kOwnModelLabel;
+  out.version.text = model_io::formatModel(model);
   out.regions = regionsOf(model.inputs[*depth]);
   out.curve = curveOf(*compiled, inputs, *depth, model.inputs[*depth]);
   return out;

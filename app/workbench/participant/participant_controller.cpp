@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/participant/known_person.h"
 #include "app/workbench/participant/questions.h"
 
 namespace tactus::workbench {
@@ -19,9 +18,14 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
       plan_(std::move(plan)),
       now_(std::move(now)),
       proxy_(study, nullptr, now_),
-      trial_(device) {
+      arrival_(study, proxy_, plan_),
+      trial_(device),
+      own_(std::make_unique<OwnModelTrial>(study, device)) {
   connect(&proxy_, &SessionProxy::changed, this, &ParticipantController::onProxy);
   connect(&proxy_, &SessionProxy::refused, this, &ParticipantController::onRefused);
+  connect(&arrival_, &Arrival::changed, this, &ParticipantController::look);
+  connect(&arrival_, &Arrival::refused, this, &ParticipantController::refused);
+  followOwnModel();
   connect(&device_, &DeviceSession::stateChanged, this, &ParticipantController::onDevice);
   connect(&device_, &DeviceSession::sampled, this, &ParticipantController::onSampled);
   connect(&device_, &DeviceSession::advanced, this, [this] {
@@ -71,53 +75,19 @@ void ParticipantController::setTextPercent(int percent) {
 }
 
 void ParticipantController::newHere() {
-  if (state_.screen != Screen::kWelcome || !takesInput()) return;
-  study_.read(*this, [this](const store::StudyFile& file) -> StudyConnection::Deliver {
-    const auto code = newCode(file);
-    return [this, code] {
-      if (!code) {
-        emit refused(text(code.error().message()));
-        return;
-      }
-      person_ = study::Person{ids_.next(), *code, plan_.simulated};
-      newcomer_ = true;
-      earlier_session_.reset();
-      state_.code = QString::fromStdString(*code);
-      state_.welcome = {WelcomeState::Step::kNewCode, 0, false, {}};
-      look();
-    };
-  });
+  if (state_.screen == Screen::kWelcome && takesInput()) arrival_.newHere(false);
+}
+
+void ParticipantController::teacherHere() {
+  if (state_.screen == Screen::kWelcome && takesInput()) arrival_.newHere(true);
 }
 
 void ParticipantController::enterCode(const QString& code) {
-  if (state_.screen == Screen::kWelcome && takesInput()) lookUp(code);
+  if (state_.screen == Screen::kWelcome && takesInput()) arrival_.enterCode(code);
 }
 
 void ParticipantController::sitDown(const QString& code) {
-  if (state_.screen == Screen::kWelcome && !person_) lookUp(code);
-}
-
-void ParticipantController::lookUp(const QString& code) {
-  study_.read(*this, [this, typed = code.toStdString()](const store::StudyFile& file) -> StudyConnection::Deliver {
-    const auto found = knownPerson(file, typed);
-    return [this, found] {
-      if (!found) {
-        emit refused(text(found.error().message()));
-      } else if (!found->person) {
-        state_.welcome.code_unknown = true;
-        state_.welcome.meant = QString::fromStdString(found->meant);
-      } else {
-        person_ = found->person;
-        newcomer_ = false;
-        earlier_session_ = found->session;
-        state_.code = QString::fromStdString(found->person->code);
-        const bool was_here = found->session.has_value();
-        state_.welcome = {
-            was_here ? WelcomeState::Step::kWelcomeBack : WelcomeState::Step::kNewCode, found->answers, false, {}};
-      }
-      look();
-    };
-  });
+  if (state_.screen == Screen::kWelcome && !arrival_.isKnown()) arrival_.enterCode(code);
 }
 
 void ParticipantController::decline() {
@@ -131,9 +101,9 @@ void ParticipantController::next() {
   if (!takesInput() || !state_.can_go_on) return;
   switch (state_.screen) {
     case Screen::kWelcome:
-      if (earlier_session_) {
+      if (arrival_.hasSession()) {
         resumes_ = true;
-        proxy_.resume(*earlier_session_);
+        arrival_.resume();
       } else {
         passed_.code = true;
       }
@@ -143,7 +113,7 @@ void ParticipantController::next() {
       break;
     case Screen::kAboutYou:
       if (about_.isLast()) {
-        tellProfile();
+        proxy_.tell(at()->step, about_.profile(), about_.experience());
       } else {
         about_.next();
       }
@@ -157,7 +127,7 @@ void ParticipantController::next() {
       break;
     case Screen::kPractice:
     case Screen::kForce:
-      judge();
+      correcting_ ? correct() : judge();
       break;
     case Screen::kSpeed:
       break;  // the hand does
@@ -170,8 +140,14 @@ void ParticipantController::next() {
     case Screen::kQuestion:
       answerQuestion();
       break;
+    case Screen::kScale:
+      answerScale();
+      break;
+    case Screen::kRating:
+      rate();
+      break;
     case Screen::kReview:
-      if (proxy_.closeBlock(at()->step)) proxy_.note({session::kAnswersSealed, {}});
+      review();
       break;
     case Screen::kOwnModel:
       goOnOwnModel();
@@ -188,15 +164,29 @@ void ParticipantController::back() {
   if (!takesInput() || !state_.can_go_back) return;
   switch (state_.screen) {
     case Screen::kWelcome:
-      person_.reset();
-      state_.code.clear();
-      state_.welcome = {};
+      arrival_.forget();
       break;
     case Screen::kConsent:
       passed_.code = false;
       break;
     case Screen::kAboutYou:
       about_.back();
+      break;
+    case Screen::kForce:
+    case Screen::kRest:
+      correcting_ = !correcting_;
+      break;
+    case Screen::kRating:
+      if (!rating_.isFirst()) {
+        rating_.back();
+      } else if (passed_.sealing) {
+        passed_.sealing = false;
+      } else {
+        correcting_ = true;
+      }
+      break;
+    case Screen::kScale:
+      proxy_.back(at()->step);
       break;
     case Screen::kQuestion:
       from_review_ = false;
@@ -215,7 +205,13 @@ void ParticipantController::choose(const QString& id) {
       about_.choose(id);
       break;
     case Screen::kForce:
-      if (trial_.stage() == ForceTrial::Stage::kFelt && answerOf(id)) chosen_ = id;
+      if ((correcting_ || trial_.stage() == ForceTrial::Stage::kFelt) && answerOf(id)) chosen_ = id;
+      break;
+    case Screen::kRating:
+      rating_.choose(id);
+      break;
+    case Screen::kScale:
+      if (scalePoints(id)) chosen_ = id;
       break;
     case Screen::kQuestion:
       if (form_ && replyOf(*form_, id)) chosen_ = id;
@@ -237,18 +233,16 @@ void ParticipantController::feelAgain() {
 }
 
 void ParticipantController::lightNext() {
-  if (state_.screen != Screen::kForce || !takesInput() || trial_.stage() != ForceTrial::Stage::kFelt) return;
-  const auto& words = at()->force->question.answers;
-  if (words.empty()) return;
-  // From a fixed end the first word would be the cheapest answer: it begins with one drawn by chance.
-  if (lit_presses_ == 0) lit_first_ = std::uniform_int_distribution<std::size_t>(0, words.size() - 1)(chance_);
-  lit_ = QString::fromStdString(words[(lit_first_ + static_cast<std::size_t>(lit_presses_)) % words.size()].id);
-  ++lit_presses_;
+  const bool asks = state_.screen == Screen::kForce && (correcting_ || trial_.stage() == ForceTrial::Stage::kFelt);
+  if (!asks || !takesInput()) return;
+  lit_.next(forceAnswers(), chance_);
   look();
 }
 
-void ParticipantController::chooseLit() {
-  if (!lit_.isEmpty()) choose(lit_);
+void ParticipantController::answerLit() {
+  if (lit_.id().isEmpty()) return;
+  choose(lit_.id());
+  next();
 }
 
 void ParticipantController::changeItem(int item) {
@@ -257,9 +251,8 @@ void ParticipantController::changeItem(int item) {
 }
 
 void ParticipantController::mark() {
-  if (state_.screen != Screen::kOwnModel || !own_ || !takesInput()) return;
-  ++own_marks_;
-  proxy_.note(session::ownModelMark(ownModelPlace()));
+  if (state_.screen != Screen::kOwnModel || !own_->isThere() || !takesInput()) return;
+  proxy_.note(own_->mark());
   look();
 }
 

@@ -16,9 +16,13 @@
 
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/participant/about_you.h"
+#include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/block_rating.h"
+#include "app/workbench/participant/device_button.h"
 #include "app/workbench/participant/device_check.h"
 #include "app/workbench/participant/force_trial.h"
-#include "app/workbench/participant/own_model.h"
+#include "app/workbench/participant/lit_word.h"
+#include "app/workbench/participant/own_model_trial.h"
 #include "app/workbench/participant/participant_course.h"
 #include "app/workbench/participant/participant_plan.h"
 #include "app/workbench/participant/participant_state.h"
@@ -55,6 +59,8 @@ class ParticipantController : public QObject {
   void setLanguage(const QString& language);
   void setTextPercent(int percent);
   void newHere();
+  /// A clinical teacher: the usability form in a session of its own. Also for the researcher's side, at the welcome.
+  void teacherHere();
   void enterCode(const QString& code);
   /// The researcher has chosen who sits down: as `enterCode`, but before anything is painted. A participant without a
   /// session yet is shown the code to write it down.
@@ -71,9 +77,9 @@ class ParticipantController : public QObject {
 
   // kForce
   void feelAgain();
-  /// The device's second way to answer: a press lights one word after another, from one drawn by chance.
+  /// The button of the device: a tap lights one word after another, from one drawn by chance; held, it answers with it.
   void lightNext();
-  void chooseLit();
+  void answerLit();
   // kReview
   void changeItem(int item);
   // kOwnModel
@@ -106,10 +112,9 @@ class ParticipantController : public QObject {
   void fillSpeed();
   void fillForce();
   void fillQuestion();
-  void fillOwnModel();
+  void fillScale();
   DeviceStep deviceStep() const;
 
-  void lookUp(const QString& code);
 
   // participant_steps.cpp: what happens by itself, and what an answer stores.
   void onAsked();
@@ -120,16 +125,23 @@ class ParticipantController : public QObject {
   void captureStroke(std::span<const haptics::Sample> samples);
   void startDevice();
   void stopDevice();
+  void pressedOnDevice(ButtonPress press);
   void beginSession();
-  void tellProfile();
+  void meetSession();
+  void goOnByItself();
+  std::vector<experiments::ForceAnswerOption> forceAnswers() const;
   std::optional<experiments::ForceAnswerOption> answerOf(const QString& id) const;
   std::optional<session::AnswerInput> answerInput() const;
+  double responseS() const;
   void judge();
+  void correct();
   void answerQuestion();
+  void answerScale();
+  void rate();
   void endRest();
+  void review();
+  void followOwnModel();
   void feelOwnModel();
-  void readOwnModel();
-  session::OwnModelPlace ownModelPlace() const;
   void goOnOwnModel();
   void leaveFor(StopReason reason);
   void finishLeaving();
@@ -147,41 +159,38 @@ class ParticipantController : public QObject {
   const ParticipantPlan plan_;
   const std::function<study::Moment()> now_;
   SessionProxy proxy_;
-  study::RecordIds ids_;
   std::mt19937_64 chance_{std::random_device{}()};
 
   ParticipantState state_;
   std::string asked_;  ///< what the screen asks; another one closes the gate
   ScreenGate gate_;
   CoursePassed passed_;
+  std::size_t replies_ = 0;  ///< to questions, not stored yet
   std::optional<StopReason> leaving_;
   bool paused_by_her_ = false;  ///< through the overlay; the researcher has a pause of their own
 
-  std::optional<study::Person> person_;
-  bool newcomer_ = false;
-  std::optional<study::RecordId> earlier_session_;
+  Arrival arrival_;
   QString consent_language_;  ///< of the text that she agreed to, until that is noted
-  bool resumes_ = false;      ///< that session is being continued
+  bool resumes_ = false;      ///< an earlier session is being continued
+  bool met_ = false;          ///< the session was seen
   AboutYou about_;
   DeviceCheck check_;
   bool device_lost_ = false;
+  bool restarts_ = false;      ///< the device is started again as soon as it has stopped
   std::uint32_t buttons_ = 0;  ///< of the last sample
+  DeviceButton button_;
   SpeedCapture capture_;
   SpeedState::Note capture_note_ = SpeedState::Note::kStart;
   bool at_start_ = false;  ///< the handle is where an insertion begins
   ForceTrial trial_;
+  bool correcting_ = false;  ///< the force before is asked for once more, without a force
   std::optional<study::Form> form_;
   QString chosen_;  ///< on the screen, not stored yet
   std::optional<session::InputMeans> means_;
-  QString lit_;
-  int lit_presses_ = 0;
-  std::size_t lit_first_ = 0;  ///< index of the word that the first press lit
+  LitWord lit_;
   bool from_review_ = false;
-  bool own_asked_ = false;
-  std::shared_ptr<const OwnModel> own_;
-  QString own_refused_;
-  std::size_t own_region_ = 0;
-  int own_marks_ = 0;
+  BlockRating rating_;
+  std::unique_ptr<OwnModelTrial> own_;
 };
 
 }  // namespace tactus::workbench

@@ -20,7 +20,12 @@ ParticipantScreen formScreen(const SessionSnapshot& at, const CoursePassed& pass
 }  // namespace
 
 std::string restBefore(const SessionSnapshot& at, const CoursePassed& passed) {
-  if (at.part == SessionPart::kRating && at.block != Block::kForm) return "after_" + std::string(name(*at.block));
+  const bool in_block =
+      at.part == SessionPart::kSpeed || at.part == SessionPart::kForce || at.part == SessionPart::kForm;
+  if (in_block && at.blocks_done > passed.blocks) {
+    const std::string between = "before_" + std::string(name(*at.block));
+    if (!passed.rests.contains(between)) return between;
+  }
   if (at.part == SessionPart::kForce && at.force->question.rest_first) {
     const auto& step = at.force->step;
     return step.series + ' ' + std::to_string(step.step) + ' ' + std::to_string(at.force->attempt);
@@ -29,6 +34,8 @@ std::string restBefore(const SessionSnapshot& at, const CoursePassed& passed) {
   const bool due = next_question && passed.replies > 0 && (at.page->position - 1) % kQuestionsToRest == 0;
   return due ? "question_" + std::to_string(at.page->position) : std::string();
 }
+
+bool isUsability(const SessionSnapshot& at) { return at.record && at.record->kind == study::SessionKind::kUsability; }
 
 bool usesDevice(ParticipantScreen screen) {
   switch (screen) {
@@ -46,8 +53,12 @@ bool usesDevice(ParticipantScreen screen) {
 ParticipantScreen screenOf(const SessionSnapshot* at, const CoursePassed& passed) {
   if (passed.stopped) return ParticipantScreen::kStopped;
   if (at == nullptr) return passed.code ? ParticipantScreen::kConsent : ParticipantScreen::kWelcome;
+  if (at->part == SessionPart::kAborted) return ParticipantScreen::kStopped;
+  if (isUsability(*at)) {
+    return at->part == SessionPart::kFinished ? ParticipantScreen::kThanks : ParticipantScreen::kScale;
+  }
   const std::string rest = restBefore(*at, passed);
-  if (!rest.empty() && rest != passed.rest) return ParticipantScreen::kRest;
+  if (!rest.empty() && !passed.rests.contains(rest)) return ParticipantScreen::kRest;
   switch (at->part) {
     case SessionPart::kProfile:
       return ParticipantScreen::kAboutYou;
@@ -60,8 +71,9 @@ ParticipantScreen screenOf(const SessionSnapshot* at, const CoursePassed& passed
     case SessionPart::kForm:
       return formScreen(*at, passed);
     case SessionPart::kRating:
-      return at->block == Block::kForm ? ParticipantScreen::kReview : ParticipantScreen::kRest;
+      return at->block == Block::kForm && !passed.sealing ? ParticipantScreen::kReview : ParticipantScreen::kRating;
     case SessionPart::kFinished:
+      if (at->form && !passed.sealed) return ParticipantScreen::kReview;
       return passed.own_model ? ParticipantScreen::kThanks : withDevice(passed, ParticipantScreen::kOwnModel);
     case SessionPart::kAborted:
       break;

@@ -9,7 +9,9 @@ namespace tactus::workbench {
 using Screen = ParticipantScreen;
 
 void ParticipantController::look() {
-  state_.screen = screenOf(at(), passed_);
+  state_.screen = correcting_ ? Screen::kForce : screenOf(at(), passed_);
+  state_.code = arrival_.code();
+  state_.welcome = arrival_.welcome();
   state_.paused = at() != nullptr && at()->paused && !paused_by_her_;
   if (std::string now_asked = asked(); now_asked != asked_) {
     asked_ = std::move(now_asked);
@@ -28,7 +30,9 @@ std::string ParticipantController::asked() const {
                     std::to_string(static_cast<int>(state_.welcome.step)) + (state_.paused ? "/paused" : "");
   if (at() != nullptr) out += '/' + std::to_string(at()->step);
   if (state_.screen == Screen::kAboutYou) out += '/' + std::to_string(static_cast<int>(about_.state().question));
-  if (state_.screen == Screen::kOwnModel) out += '/' + std::to_string(own_region_);
+  if (state_.screen == Screen::kRating) out += rating_.isFirst() ? "/effort" : "/comfort";
+  if (state_.screen == Screen::kOwnModel) out += '/' + std::to_string(own_->region());
+  if (correcting_) out += "/correcting";
   return out;
 }
 
@@ -41,11 +45,12 @@ void ParticipantController::fill() {
   state_.can_go_back = false;
   switch (state_.screen) {
     case Screen::kWelcome:
-      state_.can_go_on = state_.can_go_back = person_.has_value();
+      state_.can_go_on = state_.can_go_back = arrival_.isKnown();
       break;
     case Screen::kConsent: {
       const auto text = plan_.consent_texts.find(state_.language);
-      state_.consent = {plan_.consent_version, text == plan_.consent_texts.end() ? QString() : text->second};
+      state_.consent = {plan_.consent_version, text == plan_.consent_texts.end() ? QString() : text->second,
+                        arrival_.isForUsability()};
       state_.can_go_back = true;
       break;
     }
@@ -61,7 +66,7 @@ void ParticipantController::fill() {
     case Screen::kPractice:
     case Screen::kSpeed:
     case Screen::kForce:
-      state_.feels_force = at()->part == session::SessionPart::kForce;
+      state_.feels_force = correcting_ || at()->part == session::SessionPart::kForce;
       state_.feels_force ? fillForce() : fillSpeed();
       break;
     case Screen::kQuestion:
@@ -69,15 +74,23 @@ void ParticipantController::fill() {
       break;
     case Screen::kReview:
       if (form_) state_.review = reviewState(*form_, at()->replies);
-      state_.can_go_on = at()->part == session::SessionPart::kRating;
+      state_.review.sealed = at()->part == session::SessionPart::kFinished;
+      break;
+    case Screen::kRating:
+    case Screen::kScale:
+      fillScale();
       break;
     case Screen::kOwnModel:
-      fillOwnModel();
+      state_.own = own_->state(hasDevice());
+      state_.own.chosen = chosen_;
+      state_.can_go_on = !state_.own.unavailable.isEmpty() || (state_.own.ready && !chosen_.isEmpty());
       break;
     case Screen::kThanks:
-      state_.thanks.curve = own_ ? own_->curve : std::vector<QPointF>();
+      state_.thanks.curve = own_->curve();
       break;
     case Screen::kRest:
+      state_.can_go_back = at()->judged.has_value();
+      break;
     case Screen::kGlossary:
     case Screen::kStopped:
       break;
@@ -118,10 +131,11 @@ void ParticipantController::fillSpeed() {
 
 void ParticipantController::fillForce() {
   ForceState out;
-  out.asks = !at()->force->question.answers.empty();
+  out.asks = correcting_ || !at()->force->question.answers.empty();
   out.chosen = chosen_;
-  out.lit = lit_;
+  out.lit = lit_.id();
   out.again = at()->force->attempt > 1;
+  out.before = correcting_;
   switch (trial_.stage()) {
     case ForceTrial::Stage::kNone:
     case ForceTrial::Stage::kPause:
@@ -136,7 +150,9 @@ void ParticipantController::fillForce() {
       out.stage = ForceState::Stage::kAnswer;
       break;
   }
+  if (correcting_) out.stage = ForceState::Stage::kAnswer;
   state_.can_go_on = out.stage == ForceState::Stage::kAnswer && (!out.asks || !chosen_.isEmpty());
+  state_.can_go_back = correcting_ || (out.asks && at()->judged);
   state_.force = std::move(out);
 }
 
@@ -148,21 +164,20 @@ void ParticipantController::fillQuestion() {
   state_.can_go_back = page.position > 1;
 }
 
-void ParticipantController::fillOwnModel() {
-  OwnModelState out;
-  out.unavailable = own_refused_;
-  out.marks = own_marks_;
-  out.chosen = chosen_;
-  out.ready = own_ != nullptr && hasDevice();
-  if (own_ != nullptr) {
-    const OwnRegion& region = own_->regions[own_region_];
-    out.region = QString::fromStdString(region.id);
-    out.from_mm = region.from_mm;
-    out.number = static_cast<int>(own_region_) + 1;
-    out.count = static_cast<int>(own_->regions.size());
+void ParticipantController::fillScale() {
+  if (state_.screen == Screen::kRating) {
+    state_.scale = rating_.state();
+    state_.can_go_on = rating_.isAnswered();
+    state_.can_go_back = !rating_.isFirst() || passed_.sealing || at()->judged;
+    return;
   }
-  state_.can_go_on = !out.unavailable.isEmpty() || (out.ready && !chosen_.isEmpty());
-  state_.own = std::move(out);
+  state_.can_go_on = !chosen_.isEmpty();
+  if (!at()->page) return;  // the last answer ends it
+  const ItemPage& page = *at()->page;
+  state_.scale = {QStringLiteral("u.%1").arg(page.item), static_cast<int>(page.position), static_cast<int>(page.count),
+                  chosen_, false};
+  state_.can_go_on = state_.can_go_on && at()->part == session::SessionPart::kForm;
+  state_.can_go_back = page.position > 1;
 }
 
 }  // namespace tactus::workbench

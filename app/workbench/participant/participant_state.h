@@ -19,9 +19,11 @@ enum class ParticipantScreen {
   kSpeed,        ///< part 1: insertions at a named speed
   kForce,        ///< part 2: feel, then choose a word
   kRest,         ///< the force is off, as long as she likes
+  kRating,       ///< effort and comfort of the part that is done
   kGlossary,     ///< the words of the questions
   kQuestion,     ///< part 3: one of the questions
-  kReview,       ///< her answers as grids
+  kReview,       ///< her answers as grids; also the page that says they are locked
+  kScale,        ///< a clinical teacher: one statement about the simulator
   kOwnModel,     ///< feels the force of her own answers
   kThanks,       ///< the end, with her own curve
   kStopped,      ///< stopped for today, withdrawn, or no consent
@@ -50,7 +52,8 @@ struct WelcomeState {
 
 struct ConsentState {
   QString version;
-  QString text;  ///< the study's own; may be empty
+  QString text;            ///< the study's own; may be empty
+  bool usability = false;  ///< of a clinical teacher, without the parts on the device
 };
 
 struct AboutYouState {
@@ -78,11 +81,12 @@ struct ForceState {
     kAnswer,  ///< felt: a word may be chosen, or she feels it again
   };
   Stage stage = Stage::kPause;
-  bool asks = true;    ///< for a word; not in the practice
-  QString chosen;      ///< a term id, `not_felt`, `beyond_practice`; empty: none
-  QString lit;         ///< the word that the button of the device would choose; may be empty
-  bool again = false;  ///< the step came again: once more, please
-  bool warm = false;   ///< the pause is long because the device rests
+  bool asks = true;     ///< for a word; not in the practice
+  QString chosen;       ///< a term id, `not_felt`, `beyond_practice`; empty: none
+  QString lit;          ///< the word that the button of the device would choose; may be empty
+  bool again = false;   ///< the step came again: once more, please
+  bool warm = false;    ///< the pause is long because the device rests
+  bool before = false;  ///< it is about the force before, whose word may be changed
 };
 
 struct QuestionState {
@@ -107,6 +111,16 @@ struct ReviewAnswer {
 struct ReviewState {
   std::vector<ReviewAnswer> answers;  ///< in the order of the form
   int gaps = 0;                       ///< answers that are still open
+  bool sealed = false;                ///< they are locked
+};
+
+/// A statement or question with seven points.
+struct ScaleState {
+  QString sentence;  ///< id of the word book; `.low` and `.high` of it say the ends, or `u.low` and `u.high`
+  int position = 1;
+  int count = 0;
+  QString chosen;  ///< `1` to `7`, `not_say`; empty: none
+  bool may_not_say = false;
 };
 
 struct OwnModelState {
@@ -153,6 +167,7 @@ struct ParticipantState {
   bool feels_force = false;  ///< the practice is one of the force part
   QuestionState question;
   ReviewState review;
+  ScaleState scale;  ///< of kRating and kScale
   OwnModelState own;
   ThanksState thanks;
   StopReason stop = StopReason::kForToday;

@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 #include <QGuiApplication>
+#include <QInputDevice>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QTimer>
 #include <QWidget>
 
@@ -66,6 +68,10 @@ void ParticipantViews::show() {
     case ParticipantScreen::kQuestion:
       showQuestion();
       break;
+    case ParticipantScreen::kRating:
+    case ParticipantScreen::kScale:
+      showScale();
+      break;
     case ParticipantScreen::kReview:
       showReview();
       break;
@@ -111,6 +117,7 @@ void ParticipantViews::showWelcome() {
             [this](nurse::Language language) { course_.setLanguage(nurse::idOf(language)); });
     connect(&made, &nurse::WelcomeScreen::textSizePicked, &course_, &ParticipantController::setTextPercent);
     connect(&made, &nurse::WelcomeScreen::newHere, &course_, &ParticipantController::newHere);
+    connect(&made, &nurse::WelcomeScreen::teacherHere, &course_, &ParticipantController::teacherHere);
     connect(&made, &nurse::WelcomeScreen::codeEntered, &course_, &ParticipantController::enterCode);
     connect(&made, &nurse::WelcomeScreen::goOn, &course_, &ParticipantController::next);
     const auto enter = [this](bool entering) {
@@ -180,12 +187,20 @@ void ParticipantViews::showReview() {
   auto* review = screen<nurse::ReviewScreen>([this](nurse::ReviewScreen& made) {
     made.setPage(review_page_);
     connect(&made, &nurse::ReviewScreen::seal, &course_, &ParticipantController::next);
+    connect(&made, &nurse::ReviewScreen::goOn, &course_, &ParticipantController::next);
     connect(&made, &nurse::ReviewScreen::cellPicked, this, [this, shown = &made](int item) {
       review_page_ = shown->page();
       course_.changeItem(item);
     });
   });
   review->setState(shownReview(course_.state()));
+}
+
+void ParticipantViews::showScale() {
+  auto* scale = screen<nurse::ScaleScreen>([this](nurse::ScaleScreen& made) {
+    connect(&made, &nurse::ScaleScreen::confirmed, &course_, &ParticipantController::next);
+  });
+  scale->setState(shownScale(course_.state()));
 }
 
 void ParticipantViews::showOwnModel() {
@@ -247,7 +262,22 @@ void ParticipantViews::showOverlay() {
   }
 }
 
+// A finger that nothing takes as a touch comes as a mouse.
+void ParticipantViews::tellMeans(const QEvent& event) {
+  using session::InputMeans;
+  if (event.type() == QEvent::KeyPress) {
+    course_.usesMeans(InputMeans::kKeyboard);
+  } else if (event.type() == QEvent::TouchBegin) {
+    course_.usesMeans(InputMeans::kTouch);
+  } else if (event.type() == QEvent::MouseButtonPress) {
+    const auto& press = static_cast<const QMouseEvent&>(event);
+    const bool touch = press.deviceType() == QInputDevice::DeviceType::TouchScreen;
+    course_.usesMeans(touch ? InputMeans::kTouch : InputMeans::kMouse);
+  }
+}
+
 bool ParticipantViews::eventFilter(QObject* watched, QEvent* event) {
+  tellMeans(*event);
   switch (event->type()) {
     case QEvent::Paint:
       if (watched == &window_ && painted_ != course_.state().serial && !frame_pending_) {

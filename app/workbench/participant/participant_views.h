@@ -53,6 +53,7 @@ class ParticipantViews : public QObject {
   void showGlossary();
   void showQuestion();
   void showReview();
+  void showScale();
   void showOwnModel();
   void showThanks();
   void showStopped();
@@ -60,6 +61,7 @@ class ParticipantViews : public QObject {
   void end();
   void frameWasPainted();
   void tellHeld();
+  void tellMeans(const QEvent& event);
 
   ParticipantController& course_;
   nurse::Look& look_;

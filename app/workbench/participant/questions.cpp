@@ -75,6 +75,13 @@ QString wordOf(const std::optional<questionnaires::Reply>& reply) {
   return reply->status == Status::kAnswered ? QString::fromStdString(reply->value) : QString();
 }
 
+QString wordOf(const study::JudgementRecord& judgement) {
+  using Kind = study::ForceJudgement::Kind;
+  if (judgement.kind == Kind::kNotFelt) return QStringLiteral("not_felt");
+  if (judgement.kind == Kind::kBeyondPractice) return QStringLiteral("beyond_practice");
+  return QString::fromStdString(judgement.term);
+}
+
 std::optional<questionnaires::Reply> replyOf(const study::Form& form, const QString& word) {
   if (word == QLatin1String(kCantTell)) return questionnaires::Reply{Status::kCantTell, {}};
   for (const study::AnswerWord& answer : form.answers) {

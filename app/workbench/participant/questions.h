@@ -21,6 +21,8 @@ ReviewState reviewState(const study::Form& form, const std::vector<ItemReply>& r
 
 /// A term id, or `cant_tell`; empty where there is no reply, or it was skipped or taken back.
 QString wordOf(const std::optional<questionnaires::Reply>& reply);
+/// Of a judged force: a term id, `not_felt`, `beyond_practice`.
+QString wordOf(const study::JudgementRecord& judgement);
 /// The reply that `word` stands for; nothing for a word that the form does not offer.
 std::optional<questionnaires::Reply> replyOf(const study::Form& form, const QString& word);
 

@@ -97,7 +97,7 @@ nurse::WelcomeState shownWelcome(const ParticipantState& state, bool entering_co
 }
 
 nurse::ConsentState shownConsent(const ParticipantState& state) {
-  return {state.consent.text.split(QLatin1Char('\n'), Qt::SkipEmptyParts), state.simulated};
+  return {state.consent.text.split(QLatin1Char('\n'), Qt::SkipEmptyParts), state.simulated, state.consent.usability};
 }
 
 nurse::AboutYouState shownAboutYou(const ParticipantState& state) {
@@ -132,6 +132,7 @@ nurse::ForceState shownForce(const ParticipantState& state) {
   shown.again = state.force.again;
   shown.warm = state.force.warm;
   shown.lit = state.force.lit;
+  shown.before = state.force.before;
   shown.chosen = state.force.chosen;
   shown.left_handed = state.left_handed;
   shown.simulated = state.simulated;
@@ -144,8 +145,31 @@ nurse::QuestionState shownQuestion(const ParticipantState& state) {
           asked.region,   asked.chosen, state.left_handed, state.simulated};
 }
 
+nurse::ScaleState shownScale(const ParticipantState& state) {
+  const ScaleState& asked = state.scale;
+  nurse::ScaleState shown;
+  const bool rating = state.screen == ParticipantScreen::kRating;
+  if (rating) {
+    shown.title = nurse::phrase(QStringLiteral("rate.title"));
+  } else {
+    shown.title =
+        nurse::phrase(QStringLiteral("u.title"), {QString::number(asked.position), QString::number(asked.count)});
+    shown.instructions = nurse::phrase(QStringLiteral("u.instructions"));
+  }
+  const QString ends = rating ? asked.sentence : QStringLiteral("u");
+  shown.low = nurse::phrase(ends + QStringLiteral(".low"));
+  shown.high = nurse::phrase(ends + QStringLiteral(".high"));
+  shown.sentence = nurse::phrase(asked.sentence);
+  shown.chosen = asked.chosen;
+  shown.may_not_say = asked.may_not_say;
+  shown.is_last = !rating && asked.position == asked.count;
+  shown.simulated = state.simulated;
+  return shown;
+}
+
 nurse::ReviewState shownReview(const ParticipantState& state) {
   nurse::ReviewState shown;
+  shown.sealed = state.review.sealed;
   shown.simulated = state.simulated;
   for (const ReviewAnswer& answer : state.review.answers)
     shown.answers.push_back({answer.item, answer.condition, answer.term, answer.region, answer.word});

@@ -9,6 +9,7 @@
 #include "app/workbench/participant/screens/own_model_screen.h"
 #include "app/workbench/participant/screens/question_screen.h"
 #include "app/workbench/participant/screens/review_screen.h"
+#include "app/workbench/participant/screens/scale_screen.h"
 #include "app/workbench/participant/screens/stopped_screen.h"
 #include "app/workbench/participant/screens/stroke_screen.h"
 #include "app/workbench/participant/screens/thanks_screen.h"
@@ -24,6 +25,7 @@ nurse::DeviceCheckState shownDeviceCheck(const ParticipantState& state);
 nurse::StrokeState shownStrokes(const ParticipantState& state);
 nurse::ForceState shownForce(const ParticipantState& state);
 nurse::QuestionState shownQuestion(const ParticipantState& state);
+nurse::ScaleState shownScale(const ParticipantState& state);
 nurse::ReviewState shownReview(const ParticipantState& state);
 nurse::OwnModelState shownOwnModel(const ParticipantState& state);
 nurse::StoppedState shownStopped(const ParticipantState& state);

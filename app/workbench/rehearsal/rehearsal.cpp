@@ -5,6 +5,7 @@
 
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/participant/participant_controller.h"
+#include "app/workbench/participant/participant_window.h"
 
 namespace tactus::workbench {
 namespace {
@@ -45,7 +46,8 @@ void Rehearsal::wake() {
       emit done();
     } else {
       emit stuck(nurse_.isSentAway() ? tr("The screens ended the session before the nurse was done.")
-                                     : tr("Nothing has happened on the screen for fifteen minutes."));
+                                     : tr("Nothing has happened for fifteen minutes on the screen \"%1\".")
+                                           .arg(stage_.window.screen()->accessibleName()));
     }
     return;
   }

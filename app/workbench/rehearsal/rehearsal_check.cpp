@@ -95,6 +95,13 @@ QString comparisonOf(session::OwnModelVerdict verdict) {
   return QStringLiteral("right");
 }
 
+Result<void> checkRatings(const store::StudyFile& file, const store::Selection& all, const NurseMemory& memory) {
+  const auto ratings = store::ratings(file, all);
+  if (!ratings) return tl::unexpected(ratings.error());
+  if (static_cast<int>(ratings->size()) == memory.ratings) return {};
+  return refuse("rated parts", std::to_string(ratings->size()), std::to_string(memory.ratings));
+}
+
 Result<void> checkLog(const store::StudyFile& file, const store::Selection& all, const NurseMemory& memory) {
   const auto events = store::events(file, all);
   if (!events) return tl::unexpected(events.error());
@@ -133,6 +140,7 @@ Result<void> checkRehearsal(const store::StudyFile& file, const NurseMemory& mem
   if (auto ok = checkStrokes(file, all, memory); !ok) return ok;
   if (auto ok = checkJudgements(file, all, memory); !ok) return ok;
   if (auto ok = checkAnswers(file, {{}, session->id, false}, memory); !ok) return ok;
+  if (auto ok = checkRatings(file, all, memory); !ok) return ok;
   return checkLog(file, all, memory);
 }
 

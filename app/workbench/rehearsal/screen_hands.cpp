@@ -36,8 +36,10 @@ Kind* around(QWidget* widget) {
 
 bool ScreenHands::press(const char* id) const { return press(QString::fromLatin1(id)); }
 
-bool ScreenHands::press(const QString& id) const {
-  const QAbstractButton* found = button(id);
+bool ScreenHands::press(const QString& id) const { return press(nurse::phrase(id)); }
+
+bool ScreenHands::press(const nurse::Phrase& text) const {
+  const QAbstractButton* found = button(text);
   if (found != nullptr) click(*found);
   return found != nullptr;
 }
@@ -51,8 +53,8 @@ bool ScreenHands::pressCell(int item) const {
   return found != nullptr;
 }
 
-QAbstractButton* ScreenHands::button(const QString& id) const {
-  const QString wanted = look_.say(nurse::phrase(id));
+QAbstractButton* ScreenHands::button(const nurse::Phrase& text) const {
+  const QString wanted = look_.say(text);
   return buttonThat([&wanted](const QAbstractButton& each) { return each.text() == wanted; });
 }
 

@@ -6,13 +6,11 @@
 #include <QString>
 #include <functional>
 
+#include "app/workbench/participant/kit/look.h"
+
 class QAbstractButton;
 
 namespace tactus::workbench {
-
-namespace nurse {
-class Look;
-}
 
 class ParticipantWindow;
 
@@ -22,12 +20,11 @@ class ScreenHands {
   /// Both outlive this.
   ScreenHands(ParticipantWindow& window, const nurse::Look& look) : window_(window), look_(look) {}
 
-  /// `id`: of the word book. Whether a button or card that says this can be pressed: it is visible, enabled and not
-  /// covered.
-  bool sees(const char* id) const { return button(id) != nullptr; }
-  /// Clicks it. False: there is none.
+  /// Clicks the button or card that says this (`id`: of the word book). False: none can be pressed, as it is not
+  /// visible, waits or is covered.
   bool press(const char* id) const;
   bool press(const QString& id) const;
+  bool press(const nurse::Phrase& text) const;
   /// Clicks the cell of this item in the review. False: it is not on the page.
   bool pressCell(int item) const;
 
@@ -39,7 +36,7 @@ class ScreenHands {
   bool holds() const { return holds_; }
 
  private:
-  QAbstractButton* button(const QString& id) const;
+  QAbstractButton* button(const nurse::Phrase& text) const;
   QAbstractButton* buttonThat(const std::function<bool(const QAbstractButton&)>& is_it) const;
   void click(const QAbstractButton& button) const;
   QPointF freePlace() const;

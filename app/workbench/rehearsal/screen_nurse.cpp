@@ -62,8 +62,10 @@ void ScreenNurse::notice(const ParticipantState& state) {
   serial_ = state.serial;
   if (state.overlay != ForceOffOverlay::kNone) {
     said_.reset();
+    said_rating_ = false;
     hands_.letGo();
   }
+  if (std::exchange(said_rating_, false)) ++memory_.ratings;
   if (said_) memory_.judgements.push_back(*std::exchange(said_, std::nullopt));
   wait(0.6, 1.2);  // she looks at what is new
 }
@@ -98,13 +100,18 @@ void ScreenNurse::act(const ParticipantState& state) {
       wait(15, 40);
       hands_.press("nav.continue");
       return;
+    case Screen::kRating:
+      return rate(state.scale);
+    case Screen::kScale:
+      sent_away_ = true;  // of clinical teachers
+      return;
     case Screen::kGlossary:
       hands_.press("nav.next");
       return wait(3, 6);
     case Screen::kQuestion:
       return answer(state.question);
     case Screen::kReview:
-      return review();
+      return review(state.review);
     case Screen::kOwnModel:
       return feelOwnModel(state.own);
     case Screen::kThanks:
@@ -262,8 +269,22 @@ void ScreenNurse::answer(const QuestionState& question) {
   wait(1.5, 7);
 }
 
-void ScreenNurse::review() {
+void ScreenNurse::rate(const ScaleState& scale) {
+  const int points = scale.position == 1 ? 2 : 6;
   wait(1, 3);
+  if (scale.chosen.isEmpty()) {
+    hands_.press(nurse::plain(QString::number(points)));
+  } else if (hands_.press("nav.confirm") && scale.position == scale.count) {
+    said_rating_ = true;
+  }
+}
+
+void ScreenNurse::review(const ReviewState& shown) {
+  wait(1, 3);
+  if (shown.sealed) {
+    hands_.press("nav.next");
+    return;
+  }
   for (const auto& [item, right] : regrets_) {
     if (hands_.pressCell(item)) return;
   }

@@ -28,6 +28,7 @@ struct NurseMemory {
   std::map<int, QString> replies;   ///< the last word of each item
   std::vector<std::pair<QString, QString>> own_regions;  ///< region, comparison
   int marks = 0;
+  int ratings = 0;  ///< of parts, with effort and comfort
   bool sealed = false;
 };
 
@@ -59,7 +60,8 @@ class ScreenNurse {
   void feel();
   void judge(const ForceState& force);
   void answer(const QuestionState& question);
-  void review();
+  void rate(const ScaleState& scale);
+  void review(const ReviewState& shown);
   void feelOwnModel(const OwnModelState& own);
   QString wordFor(double felt_n);
   QString replyTo(int item) const;
@@ -77,6 +79,7 @@ class ScreenNurse {
   double felt_n_ = 0;                             ///< the largest force since the hand took the handle
   std::uint64_t serial_ = 0;                      ///< of the state before
   std::optional<QString> said_;                   ///< a word that she has just confirmed
+  bool said_rating_ = false;                      ///< the last point of a rating, likewise
   std::map<std::pair<QString, int>, int> tries_;  ///< of each insertion
   std::map<int, QString> regrets_;                ///< items that she will correct, and the right word
   bool again_ = false;                            ///< the same force once more: this time she moves

@@ -8,6 +8,7 @@
 #include "app/editing/history_versions.h"
 #include "app/session/data_checks.h"
 #include "app/session/known_forms.h"
+#include "app/session/session_notes.h"
 #include "app/session/study_view.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
@@ -43,6 +44,8 @@ QString expertsText(const fuzzy::ForceModel& model, const std::vector<study::Par
 Result<void> addVersions(const store::StudyFile& file, ModelInStudy& out) {
   auto versions = store::modelVersions(file);
   if (!versions) return tl::unexpected(versions.error());
+  // What participants felt of their own answers is no state of the researcher's model.
+  std::erase_if(*versions, [](const study::ModelVersion& version) { return version.label == session::kOwnModelLabel; });
   out.versions = *versions;
   if (versions->empty()) return {};
   auto last = store::modelVersion(file, versions->back().id);

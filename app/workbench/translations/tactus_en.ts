@@ -3404,7 +3404,7 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing has happened on the screen for fifteen minutes.</source>
+        <source>Nothing has happened for fifteen minutes on the screen &quot;%1&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

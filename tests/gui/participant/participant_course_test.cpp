@@ -53,10 +53,38 @@ TEST(ParticipantCourse, ARestComesOnceBeforeItsForce) {
   EXPECT_EQ(screenOf(&force, passed), Screen::kForce);
   force.force->question.rest_first = true;
   EXPECT_EQ(screenOf(&force, passed), Screen::kRest);
-  passed.rest = restBefore(force, passed);
+  passed.rests.insert(restBefore(force, passed));
   EXPECT_EQ(screenOf(&force, passed), Screen::kForce);
   force.force->attempt = 2;
   EXPECT_EQ(screenOf(&force, passed), Screen::kRest) << "another attempt may need another rest";
+}
+
+TEST(ParticipantCourse, APartIsRatedAndThenComesARest) {
+  CoursePassed passed = ready();
+  const auto rating = at(SessionPart::kRating, Block::kSpeed);
+  EXPECT_EQ(screenOf(&rating, passed), Screen::kRating);
+  auto force = at(SessionPart::kForce, Block::kForce);
+  force.blocks_done = 1;
+  EXPECT_EQ(screenOf(&force, passed), Screen::kRest);
+  passed.rests.insert(restBefore(force, passed));
+  EXPECT_EQ(screenOf(&force, passed), Screen::kForce);
+  CoursePassed back_again = ready();
+  back_again.blocks = 1;
+  EXPECT_EQ(screenOf(&force, back_again), Screen::kForce) << "she has just sat down";
+}
+
+TEST(ParticipantCourse, ATeacherIsAskedTheStatementsAlone) {
+  const CoursePassed passed = ready();
+  study::SessionRecord record;
+  record.kind = study::SessionKind::kUsability;
+  for (const SessionPart part : {SessionPart::kProfile, SessionPart::kForm, SessionPart::kRating}) {
+    auto form = at(part, Block::kForm);
+    form.record = std::make_shared<const study::SessionRecord>(record);
+    EXPECT_EQ(screenOf(&form, passed), Screen::kScale);
+  }
+  auto done = at(SessionPart::kFinished);
+  done.record = std::make_shared<const study::SessionRecord>(record);
+  EXPECT_EQ(screenOf(&done, passed), Screen::kThanks);
 }
 
 TEST(ParticipantCourse, ARestComesEveryFifteenQuestions) {
@@ -78,7 +106,13 @@ TEST(ParticipantCourse, TheEndIsReviewOwnModelThanks) {
   CoursePassed passed = ready();
   const auto rating = at(SessionPart::kRating, Block::kForm);
   EXPECT_EQ(screenOf(&rating, passed), Screen::kReview);
-  const auto done = at(SessionPart::kFinished);
+  passed.sealing = true;
+  EXPECT_EQ(screenOf(&rating, passed), Screen::kRating);
+  auto done = at(SessionPart::kFinished);
+  EXPECT_EQ(screenOf(&done, passed), Screen::kOwnModel) << "a session without questions";
+  done.form = std::make_shared<const questionnaires::Questionnaire>();
+  EXPECT_EQ(screenOf(&done, passed), Screen::kReview) << "her answers are locked";
+  passed.sealed = true;
   EXPECT_EQ(screenOf(&done, passed), Screen::kOwnModel);
   passed.own_model = true;
   EXPECT_EQ(screenOf(&done, passed), Screen::kThanks);

@@ -105,7 +105,8 @@ TEST_F(RehearsalTest, AWholeSessionIsInTheFileAndItsModelGivesTheAnswers) {
        {ParticipantScreen::kWelcome, ParticipantScreen::kConsent, ParticipantScreen::kAboutYou,
         ParticipantScreen::kDeviceCheck, ParticipantScreen::kPractice, ParticipantScreen::kSpeed,
         ParticipantScreen::kForce, ParticipantScreen::kRest, ParticipantScreen::kGlossary, ParticipantScreen::kQuestion,
-        ParticipantScreen::kReview, ParticipantScreen::kOwnModel, ParticipantScreen::kThanks}) {
+        ParticipantScreen::kReview, ParticipantScreen::kRating, ParticipantScreen::kOwnModel,
+        ParticipantScreen::kThanks}) {
     EXPECT_TRUE(seen.screens.contains(screen)) << static_cast<int>(screen);
     EXPECT_FALSE(seen.unmarked.contains(screen)) << static_cast<int>(screen);
   }

@@ -130,11 +130,16 @@ void ScreenFrame::arrange() {
   for (Button* extra : extras_) {
     if (!extra->isHidden()) row.push_back(extra);
   }
+  int row_width = primary_->isHidden() ? 0 : primary_->sizeHint().width();
+  for (const QWidget* widget : row) row_width += widget->sizeHint().width() + gap;
+  // In a narrow window the others stand above the primary button.
+  const bool two_rows = row_width > all.width() + 2 * kRingRoom && !row.empty();
+  const int row_top = two_rows ? buttons_top - buttons_height : buttons_top;
   int x = -kRingRoom;
   const auto put = [&](QWidget* widget, int at) {
     const int width = widget->sizeHint().width();
     const int left = free_hand_left_ ? all.right() + 1 - at - width : all.left() + at;
-    widget->setGeometry(left, buttons_top, width, buttons_height);
+    widget->setGeometry(left, widget == primary_ ? buttons_top : row_top, width, buttons_height);
   };
   for (QWidget* widget : row) {
     put(widget, x);
@@ -152,7 +157,7 @@ void ScreenFrame::arrange() {
     header = std::max(header, title_height + hint.height());
   }
   const int below_corner = all.top() + header + gap;
-  const int bottom = buttons_top + kRingRoom - gap;
+  const int bottom = row_top + kRingRoom - gap;
   const int answers_width = wide + 2 * kRingRoom;
   int answers_height = 0;
   if (answers_ != nullptr && !answers_->isHidden()) {

@@ -6,6 +6,8 @@ ConsentScreen::ConsentScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent), text_(new PagedText(look, this)) {
   setTitle(phrase(QStringLiteral("con.title")));
   setMain(text_);
+  // The room for the text is the same on each page.
+  primaryButton().reserve(phrase(QStringLiteral("con.agree")));
   auto* decline = new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("con.decline")), this);
   addExtra(decline);
   connect(decline, &QAbstractButton::clicked, this, &ConsentScreen::declined);
@@ -29,9 +31,12 @@ ConsentScreen::ConsentScreen(const Look& look, QWidget* parent)
 
 void ConsentScreen::setState(const ConsentState& state) {
   std::vector<Phrase> paragraphs;
-  for (const char* id :
-       {"con.purpose", "con.what", "con.force", "con.voluntary", "con.stop", "con.data", "con.withdraw"})
+  const std::vector<const char*> of_nurses = {"con.purpose", "con.what", "con.force",   "con.voluntary",
+                                              "con.stop",    "con.data", "con.withdraw"};
+  const std::vector<const char*> of_teachers = {"u.purpose", "con.voluntary", "con.stop", "u.data", "con.withdraw"};
+  for (const char* id : state.usability ? of_teachers : of_nurses) {
     paragraphs.push_back(phrase(QString::fromLatin1(id)));
+  }
   for (const QString& paragraph : state.study_text) paragraphs.push_back(plain(paragraph));
   text_->setParagraphs(std::move(paragraphs));
   setSimulated(state.simulated);

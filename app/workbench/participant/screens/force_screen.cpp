@@ -52,11 +52,12 @@ void ForceScreen::setState(const ForceState& state) {
     sentence = state.again ? QStringLiteral("for.again") : QStringLiteral("for.do");
   lead_->setPhrase(phrase(sentence));
   push_->setVisible(state.step == JudgingPhase::kFeel);
-  hint_->setVisible(state.step == JudgingPhase::kFeel && state.practice);
+  hint_->setPhrase(phrase(state.before ? QStringLiteral("for.before") : QStringLiteral("for.nothing")));
+  hint_->setVisible((state.step == JudgingPhase::kFeel && state.practice) || (answering && state.before));
   choices_->setVisible(answering && state.asks);
   choices_->choose(state.chosen);
   choices_->light(state.lit);
-  feel_again_->setVisible(answering && state.may_feel_again);
+  feel_again_->setVisible(answering && state.may_feel_again && !state.before);
   primaryButton().setVisible(answering);
   primaryButton().setPhrase(phrase(state.asks ? QStringLiteral("nav.confirm") : QStringLiteral("nav.next")));
   primaryButton().waitFor(state.asks && state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose")))

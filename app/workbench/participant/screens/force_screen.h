@@ -24,6 +24,7 @@ struct ForceState {
   QString lit;         ///< the word that the device's button would choose
   QString chosen;      ///< very_small … very_large, not_felt, beyond_practice; empty: none
   bool may_feel_again = true;
+  bool before = false;  ///< it is about the force before
   bool left_handed = false;
   bool simulated = false;
 };

@@ -12,6 +12,7 @@
 #include "app/workbench/participant/screens/question_screen.h"
 #include "app/workbench/participant/screens/rest_screen.h"
 #include "app/workbench/participant/screens/review_screen.h"
+#include "app/workbench/participant/screens/scale_screen.h"
 #include "app/workbench/participant/screens/stopped_screen.h"
 #include "app/workbench/participant/screens/stroke_screen.h"
 #include "app/workbench/participant/screens/thanks_screen.h"
@@ -114,6 +115,31 @@ ForceState force(JudgingPhase step, const char* chosen = "") {
   return state;
 }
 
+ScaleState rated(const char* question, const char* chosen) {
+  const QString id = QString::fromLatin1(question);
+  ScaleState state;
+  state.title = phrase(QStringLiteral("rate.title"));
+  state.sentence = phrase(id);
+  state.low = phrase(id + QStringLiteral(".low"));
+  state.high = phrase(id + QStringLiteral(".high"));
+  state.chosen = QString::fromLatin1(chosen);
+  state.may_not_say = true;
+  return state;
+}
+
+SampleScreen statement(int item) {
+  constexpr int kStatements = 6;
+  ScaleState state;
+  state.title = phrase(QStringLiteral("u.title"), {QString::number(item), QString::number(kStatements)});
+  state.instructions = phrase(QStringLiteral("u.instructions"));
+  state.sentence = phrase(QStringLiteral("u.%1").arg(item));
+  state.low = phrase(QStringLiteral("u.low"));
+  state.high = phrase(QStringLiteral("u.high"));
+  if (item > 1) state.chosen = QString::number(item);
+  state.is_last = item == kStatements;
+  return sample<ScaleScreen>(QStringLiteral("usability_%1").arg(item), state);
+}
+
 }  // namespace
 
 std::vector<SampleScreen> sampleScreens() {
@@ -123,6 +149,7 @@ std::vector<SampleScreen> sampleScreens() {
       sample<WelcomeScreen>("welcome_enter_code", welcome(WelcomeStep::kEnterCode)),
       sample<WelcomeScreen>("welcome_back", welcome(WelcomeStep::kWelcomeBack)),
       sample<ConsentScreen>("consent", ConsentState{}),
+      sample<ConsentScreen>("consent_teacher", ConsentState{{}, false, true}),
   };
   int number = 0;
   for (const AboutQuestion each : {AboutQuestion::kYears, AboutQuestion::kHand, AboutQuestion::kGloves,
@@ -135,7 +162,7 @@ std::vector<SampleScreen> sampleScreens() {
   all.push_back(sample<DeviceCheckScreen>("device_hold", DeviceCheckState{DeviceStep::kHold, true, false, true}));
   all.push_back(sample<DeviceCheckScreen>("device_ready", DeviceCheckState{DeviceStep::kReady, false, true, false}));
   all.push_back(sample<DeviceCheckScreen>("device_wrong", DeviceCheckState{DeviceStep::kWrong, false, true, false}));
-  all.push_back(sample<DeviceCheckScreen>("device_lost", DeviceCheckState{DeviceStep::kLost, false, false, false}));
+  all.push_back(sample<DeviceCheckScreen>("device_lost", DeviceCheckState{DeviceStep::kLost, false, true, false}));
 
   StrokeState stroke;
   stroke.practice = true;
@@ -166,6 +193,12 @@ std::vector<SampleScreen> sampleScreens() {
   left.left_handed = true;
   all.push_back(sample<ForceScreen>("force_answer_left_handed", left));
 
+  ForceState before = force(JudgingPhase::kAnswer, "large");
+  before.before = true;
+  all.push_back(sample<ForceScreen>("force_before", before));
+
+  all.push_back(sample<ScaleScreen>("rating_effort", rated("rate.effort", "")));
+  all.push_back(sample<ScaleScreen>("rating_comfort", rated("rate.comfort", "6")));
   all.push_back(panel<RestScreen>("rest"));
   for (int page = 0; page < 6; ++page) all.push_back(glossary(page));
   all.push_back(sample<QuestionScreen>("question_lubrication", asked("lubrication", "medium", "laryngopharynx", "")));
@@ -195,11 +228,14 @@ std::vector<SampleScreen> sampleScreens() {
         mm, 0.25 + 0.7 * std::exp(-std::pow((mm - 175.0) / 35, 2)) + 0.2 * std::exp(-std::pow((mm - 65.0) / 25, 2)));
   }
   all.push_back(sample<ThanksScreen>("thanks", thanks));
+  for (const int item : {1, 4, 6}) all.push_back(statement(item));
   for (const auto& [name, reason] :
        {std::pair{"stopped", StopReason::kForToday}, std::pair{"withdrawn", StopReason::kWithdrawn},
         std::pair{"paused", StopReason::kPaused}, std::pair{"not_saved", StopReason::kNotSaved}}) {
-    all.push_back(sample<StoppedScreen>(QString::fromLatin1(name),
-                                        StoppedState{reason, QStringLiteral("thunderstorm marmalade"), false, false}));
+    all.push_back(sample<StoppedScreen>(
+        QString::fromLatin1(name),
+        StoppedState{reason, QStringLiteral("thunderstorm marmalade"),
+                     reason == StopReason::kForToday || reason == StopReason::kWithdrawn, false}));
   }
   all.push_back(panel<ForceOffPanel>("force_off"));
   all.push_back({"force_off_called", [](const Look& look) {

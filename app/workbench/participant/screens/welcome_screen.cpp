@@ -34,8 +34,9 @@ WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
       lead_(nullptr),
       field_(new CodeField(look, texts_)),
       unknown_(nullptr),
-      meant_(nullptr),
-      have_code_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("code.have")), this)) {
+      meant_(new Button(look, ButtonKind::kPlain, plain(QStringLiteral(" ")), this)),
+      have_code_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("code.have")), this)),
+      teach_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("u.begin")), this)) {
   setTitle(phrase(QStringLiteral("wel.title")));
   texts_->add(languages_);
   size_title_ = texts_->add(TextRole::kTitle, phrase(QStringLiteral("wel.text_size")));
@@ -43,16 +44,17 @@ WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
   lead_ = texts_->add(TextRole::kLead, phrase(QStringLiteral("code.enter")));
   texts_->add(field_);
   unknown_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("code.unknown")));
-  meant_ = texts_->add(TextRole::kBody, plain(QStringLiteral(" ")));
   texts_->center();
   setMain(texts_);
-  addExtra(have_code_);
+  for (Button* button : {have_code_, teach_, meant_}) addExtra(button);
   languages_->setAnswers(languageAnswers());
   sizes_->setAnswers(sizeAnswers());
 
   connect(languages_, &Choices::picked, this, [this](const QString& id) { emit languagePicked(*languageWithId(id)); });
   connect(sizes_, &Choices::picked, this, [this](const QString& id) { emit textSizePicked(id.toInt()); });
   connect(have_code_, &QAbstractButton::clicked, this, &WelcomeScreen::haveCode);
+  connect(teach_, &QAbstractButton::clicked, this, &WelcomeScreen::teacherHere);
+  connect(meant_, &QAbstractButton::clicked, this, [this] { emit codeEntered(state_.meant); });
   connect(this, &ScreenFrame::primary, this, &WelcomeScreen::press);
   connect(field_, &CodeField::entered, this, &WelcomeScreen::press);
   connect(&look, &Look::changed, this, &WelcomeScreen::showChoices);
@@ -70,7 +72,7 @@ void WelcomeScreen::setState(const WelcomeState& state) {
   state_ = state;
   const bool start = state.step == WelcomeStep::kStart;
   for (QWidget* widget :
-       std::initializer_list<QWidget*>{line_, language_title_, languages_, size_title_, sizes_, have_code_})
+       std::initializer_list<QWidget*>{line_, language_title_, languages_, size_title_, sizes_, have_code_, teach_})
     widget->setVisible(start);
   lead_->setVisible(!start);
   if (state.step == WelcomeStep::kNewCode) lead_->setPhrase(phrase(QStringLiteral("code.yours"), {state.code}));
@@ -79,9 +81,8 @@ void WelcomeScreen::setState(const WelcomeState& state) {
     lead_->setPhrase(counted(QStringLiteral("code.back"), state.kept_answers));
   field_->setVisible(state.step == WelcomeStep::kEnterCode);
   unknown_->setVisible(state.step == WelcomeStep::kEnterCode && state.code_unknown);
-  showOrHide(*meant_, state.meant.isEmpty() || unknown_->isHidden()
-                          ? Phrase{}
-                          : phrase(QStringLiteral("code.meant"), {state.meant}));
+  meant_->setPhrase(phrase(QStringLiteral("code.meant"), {state.meant}));
+  meant_->setVisible(!state.meant.isEmpty() && !unknown_->isHidden());
   backButton().setVisible(!start);
   primaryButton().setPhrase(phrase(start ? QStringLiteral("code.new") : QStringLiteral("nav.next")));
   setSimulated(state.simulated);

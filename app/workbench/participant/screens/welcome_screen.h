@@ -36,6 +36,7 @@ class WelcomeScreen : public ScreenFrame {
   void languagePicked(tactus::workbench::nurse::Language language);
   void textSizePicked(int percent);
   void newHere();
+  void teacherHere();
   void haveCode();
   void codeEntered(const QString& code);
   void goOn();  ///< from the new code, or from Welcome back
@@ -54,8 +55,9 @@ class WelcomeScreen : public ScreenFrame {
   Label* lead_;
   CodeField* field_;
   Label* unknown_;
-  Label* meant_;
+  Button* meant_;
   Button* have_code_;
+  Button* teach_;
 };
 
 }  // namespace tactus::workbench::nurse

@@ -1,0 +1,39 @@
+// Words that the device's button lights one after another. From a fixed end the first word would be the cheapest
+// answer: it begins with one drawn by chance.
+#pragma once
+
+#include <QString>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+#include "experiments/force_protocol.h"
+
+namespace tactus::workbench {
+
+/// Plain state. Thread: gui.
+class LitWord {
+ public:
+  void reset() { presses_ = 0; }
+  /// Lights the next of `words`, which are the same until `reset` and not empty.
+  void next(const std::vector<experiments::ForceAnswerOption>& words, std::mt19937_64& chance) {
+    if (presses_ == 0) first_ = std::uniform_int_distribution<std::size_t>(0, words.size() - 1)(chance);
+    first_word_ = words[first_].id;
+    id_ = QString::fromStdString(words[(first_ + static_cast<std::size_t>(presses_)) % words.size()].id);
+    ++presses_;
+  }
+
+  /// Empty: none.
+  QString id() const { return presses_ > 0 ? id_ : QString(); }
+  int presses() const { return presses_; }
+  /// What the first press lit.
+  const std::string& firstWord() const { return first_word_; }
+
+ private:
+  int presses_ = 0;
+  std::size_t first_ = 0;
+  std::string first_word_;
+  QString id_;
+};
+
+}  // namespace tactus::workbench
