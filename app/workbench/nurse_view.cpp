@@ -31,12 +31,16 @@ QString screenText(const ParticipantState& state) {
       return NurseViewText::tr("Forces");
     case Screen::kRest:
       return NurseViewText::tr("Rest");
+    case Screen::kRating:
+      return NurseViewText::tr("Effort and comfort");
     case Screen::kGlossary:
       return NurseViewText::tr("The words of the questions");
     case Screen::kQuestion:
       return NurseViewText::tr("Questions");
     case Screen::kReview:
       return NurseViewText::tr("Review");
+    case Screen::kScale:
+      return NurseViewText::tr("Usability form");
     case Screen::kOwnModel:
       return NurseViewText::tr("Own model");
     case Screen::kThanks:
