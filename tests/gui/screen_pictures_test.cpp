@@ -56,8 +56,8 @@ TEST(ScreenPictures, AreAllListedWithTheirSize) {
   for (const char* name :
        {"start/start", "understand/overview", "understand/surface", "tune/overview", "tune/rule_editor",
         "tune/findings", "tune/history", "deliver/overview", "deliver/bundle_made", "take_part/welcome",
-        "take_part/question_neck", "take_part/force_off",
-         "collect/home", "collect/home_empty", "collect/protocol", "collect/withdrawal", "collect/monitor"}) {
+        "take_part/question_neck", "take_part/force_off", "collect/home", "collect/home_empty", "collect/protocol",
+        "collect/withdrawal", "collect/monitor"}) {
     EXPECT_TRUE(screens.contains(QLatin1String(name))) << name;
   }
 }

@@ -115,7 +115,6 @@ class ParticipantController : public QObject {
   void fillScale();
   DeviceStep deviceStep() const;
 
-
   // participant_steps.cpp: what happens by itself, and what an answer stores.
   void onAsked();
   void onProxy();

@@ -50,8 +50,8 @@ TEST_F(StudyProtocolCommands, SetsValuesAndConsentTexts) {
 }
 
 TEST_F(StudyProtocolCommands, RefusesWhatTheDeviceCannotHoldAndStoresNothing) {
-  const ProgramRun run = protocol(
-      {"--set", "force.ladder.highest_n=2.5", "--set", "consent_version=1", "--consent", "en=" + consent_});
+  const ProgramRun run =
+      protocol({"--set", "force.ladder.highest_n=2.5", "--set", "consent_version=1", "--consent", "en=" + consent_});
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.err.find("the force cap of the device"), std::string::npos) << run.err;
   EXPECT_EQ(json()["version"], 0);
