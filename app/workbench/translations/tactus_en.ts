@@ -2,6 +2,89 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>CollectText</name>
+    <message>
+        <source>Consent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usability</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>imported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not part of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>today %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CurveItems</name>
     <message numerus="yes">
         <source>%n expert(s)</source>
@@ -443,10 +526,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 holds neither a model nor answers of experts. Open a model and put it into the study with Study, or read tables into it with tactus study import.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 holds no model, and none can be built from its answers: %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -464,6 +543,10 @@
             <numerusform>There is a note about it beside the heading.</numerusform>
             <numerusform>There are %n notes about it beside the heading.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 holds neither a model nor answers of experts. Sessions begin in Collect; or open a model and put it into the study with Study, or read tables into it with tactus study import.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -490,6 +573,141 @@
     </message>
     <message>
         <source>Found when it was opened earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>NurseViewText</name>
+    <message>
+        <source>Welcome</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Effort and comfort</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The words of the questions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usability form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped for today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdrawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No consent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, attempt %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device rests before %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause before %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feels %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answers %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, insertion %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Question %1, the form&apos;s item %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Region %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ready, nobody holds it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>being checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped for safety</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not connected</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -986,10 +1204,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>later: sessions with nurses</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>maps, curves and rules</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1003,6 +1217,10 @@
     </message>
     <message>
         <source>a bundle for a simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sessions with nurses</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1290,6 +1508,25 @@
     </message>
     <message>
         <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CollectParts</name>
+    <message>
+        <source>Version %1 of the protocol is stored in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The research key is set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The research key is removed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything of %1 is deleted from %2. Backups and exports made before can still hold the data.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2199,6 +2436,21 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::ForcePlot</name>
+    <message>
+        <source>Force of the last seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No device is in use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ForceTracePlot</name>
     <message>
         <source>Time</source>
@@ -2496,14 +2748,6 @@
     </message>
     <message>
         <source>Programs of yours on this computer get the model that is shown, and each edit of it at once. They also get what the hand feels, while you feel the model. The program starts with this switched off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Address</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Token file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2819,10 +3063,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Models and studies (*.json *.tactus);;Force models (*.json);;Studies (*.tactus);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save the model</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2848,6 +3088,37 @@
     </message>
     <message>
         <source>Tactus Workbench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Notes of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Models and studies (*.json *.tactus *.fll *.fcl *.fis);;Force models (*.json);;Studies (*.tactus);;Models of other programs (*.fll *.fcl *.fis *.txt);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Several outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which output is the force?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>File, Notes of the file, lists %n more.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The model was imported. %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes of the file</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2901,6 +3172,212 @@
             <numerusform>%n notice</numerusform>
             <numerusform>%n notices</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MonitorController</name>
+    <message>
+        <source>skipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>can&apos;t tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A part is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All parts are done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The session was ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The participant has called you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The session has begun: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, insertion %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (practice)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not recorded, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Question %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, not scored: only %2 % of the force was delivered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, not scored</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MonitorWindow</name>
+    <message>
+        <source>Add the note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Session – Tactus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of this part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Talked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grip changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds this note with the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause the session to type: the keyboard is the participant&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force: commanded (filled) and delivered (line)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Course of the session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The participant calls you. The force is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device has stopped. Nothing is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not stored, and tried again every few seconds: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The participant has switched the force off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 N: cut by a limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3036,6 +3513,41 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::ParticipantTable</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::PatientControls</name>
     <message>
         <source>Lubrication</source>
@@ -3152,6 +3664,408 @@
     <message>
         <source>%1 of %2: %3</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ProtocolController</name>
+    <message>
+        <source>Found %1, wanted %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ProtocolField</name>
+    <message>
+        <source>Undo the change of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo this change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ProtocolView</name>
+    <message>
+        <source>Parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a session consists of. The practice before each part is not counted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed: insertions at a named speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces: a word for each force that is felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions: the force in 45 situations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insertions at each speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slow, medium and fast each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice before them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order of the speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slow, medium, fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawn for each participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ascending series of the published experiment, and two additions against its errors of habituation and expectation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Practice forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With commas between them. They are felt, not judged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ascending series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends at “beyond what I meet in practice”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Descending series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From where the ascending one ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random block</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces in an order drawn for each participant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random: lowest force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random: highest force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random: step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random: times each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random: share of catch trials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blanks and hidden repeats: 0.1 to 0.15, or 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause before each force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longer where the device must rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest hold of a large force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A rest after every</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: no rests.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts at a force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A judgement without movement, or of a force that was cut, is asked again so often.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order of the questions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as in the form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Languages and consent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The consent screen shows general statements and, below them, this text: who runs the study, the approval of the ethics committee, whom to ask.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version of the consent text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored with each consent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offer %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Consent text, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device that the forces are meant for. A force that it cannot hold is refused here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty: any device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its own friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured against forward motion; added to the felt force. Empty: not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest continuous force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0.88 N for a Touch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Research key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The passphrase that leads from the participant&apos;s screens back to this window. It is stored as a hash and can be changed at any time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New research key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same key again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New key, at least %1 letters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A key is set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No key is set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At least %1 letters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two are not the same yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device can hold %1 N for %2 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n force(s), from %1 to %2 N.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Discard the changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Store</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sections of the protocol</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>‹ &amp;Participants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protocol of the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why does it change?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason of the change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none is stored yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>version %1, which participants follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>version %1, a draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Store version %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One setting has to be corrected first. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Storing…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Participants follow version %1. The change becomes version %2, for the sessions from now on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store the protocol before the first session. It stays a draft until a participant follows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s) not stored.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everything is stored. A change would become a new version.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything is stored. The first session will lock it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes not stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s) of the protocol are not stored.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3991,19 +4905,39 @@ felt on the model %2</source>
 <context>
     <name>tactus::workbench::StartView</name>
     <message>
-        <source>Open a model or a study…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open a model or a study, or drop it here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A force model ends in .tactus.json, a study in .tactus. You will see membership functions and the force of every expert along the way of the tube.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a &amp;study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open a model…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask nurses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A study (.tactus) holds the protocol, the sessions of every nurse, and the models made from their answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See and tune a force model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A model (.tactus.json) has membership functions and rules. You will see the force of every expert along the way of the tube.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>or drop a file here</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4019,6 +4953,108 @@ felt on the model %2</source>
     </message>
     <message>
         <source>%1 has to be written first: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StudyHome</name>
+    <message>
+        <source>&amp;Protocol…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;tart a session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Withdraw…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody takes part yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the protocol first: forces, questions, languages and the consent text. Then add participants, or start a session: who is new gets a code of two words on the screen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the protocol…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the first participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the data first: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no protocol yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>protocol version %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>protocol version %1, a draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Con&amp;tinue with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;tart with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a participant to continue, or start a session for somebody new.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is simulated: a program gave all of these answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the next step is %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: everything is done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new participant has the code %1. Write it down and hand it over: it is the only way back to the answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No protocol is set. Sessions follow the published experiment, with a general consent text.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No research key is set. Anybody can leave the participant&apos;s screens and read the answers of the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set a key…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4119,6 +5155,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>The last changes are not stored in %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a study</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4324,6 +5364,95 @@ felt on the model %2</source>
     </message>
     <message>
         <source>&amp;Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::WithdrawalDialog</name>
+    <message>
+        <source>&amp;Keep the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdraw and &amp;delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdraw a participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdraw %1 from the study?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything of this participant is deleted for good. This cannot be undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the code %1 to confirm:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Code of the participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sessions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>insertions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>judgements of forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>answers to questions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>statements about the person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ratings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rules given directly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recordings of feeling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing but the code is stored of this participant. It is deleted for good.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n version(s) of models stay without the rules of this participant.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n version(s) of models stay as they are; the participant may have taken part in their terms.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Backups and exports made before can still hold the data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deleting…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
