@@ -3976,9 +3976,9 @@
     </message>
     <message numerus="yes">
         <source>%n force(s), from %1 to %2 N.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n force, from %1 to %2 N.</numerusform>
+            <numerusform>%n forces, from %1 to %2 N.</numerusform>
         </translation>
     </message>
     <message>
@@ -4043,9 +4043,9 @@
     </message>
     <message numerus="yes">
         <source>%n change(s) not stored.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n change not stored.</numerusform>
+            <numerusform>%n changes not stored.</numerusform>
         </translation>
     </message>
     <message>
@@ -4062,9 +4062,9 @@
     </message>
     <message numerus="yes">
         <source>%n change(s) of the protocol are not stored.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n change of the protocol is not stored.</numerusform>
+            <numerusform>%n changes of the protocol are not stored.</numerusform>
         </translation>
     </message>
 </context>
@@ -5008,9 +5008,9 @@ felt on the model %2</source>
     </message>
     <message numerus="yes">
         <source>%n participant(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n participant</numerusform>
+            <numerusform>%n participants</numerusform>
         </translation>
     </message>
     <message>
@@ -5435,16 +5435,16 @@ felt on the model %2</source>
     </message>
     <message numerus="yes">
         <source>%n version(s) of models stay without the rules of this participant.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n version of a model stays without the rules of this participant.</numerusform>
+            <numerusform>%n versions of models stay without the rules of this participant.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n version(s) of models stay as they are; the participant may have taken part in their terms.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n version of a model stays as it is; the participant may have taken part in its terms.</numerusform>
+            <numerusform>%n versions of models stay as they are; the participant may have taken part in their terms.</numerusform>
         </translation>
     </message>
     <message>
