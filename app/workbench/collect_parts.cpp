@@ -42,7 +42,10 @@ void CollectParts::connectAll() {
     study_parts_.chooseStudy();
   });
   connect(&study_, &StudyConnection::opened, this, &CollectParts::onOpened);
-  connect(&study_, &StudyConnection::closed, this, [this] { window_.setStudyOpen(false); });
+  connect(&study_, &StudyConnection::closed, this, [this] {
+    // A window that was closed leads nowhere any more.
+    if (window_.isVisible()) window_.setStudyOpen(false);
+  });
   connect(&study_models_, &StudyModels::notesChanged, this, [this] { view_->home().showData(study_models_.notes()); });
   connect(&view_->home(), &StudyHome::startAsked, &run_, &SessionRun::start);
   connect(&run_, &SessionRun::changed, this, [this] { collect_.setSessionRunning(run_.isRunning()); });

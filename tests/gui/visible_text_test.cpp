@@ -39,6 +39,8 @@ constexpr Untranslated kUntranslated[] = {
     {"\\b1\\.ta[a-z.]*", "names of the files, also cut to the width of a label"},
     {"Virtual device \\(simulated\\)", "names of devices come from core/haptics"},
     {"\\([^()]+ (19|20)\\d\\d[^()]*\\)", "sources of landmarks"},
+    {"no consent text|the text that participants agree to", "sentences of errors come from app/session"},
+    {"\\bEnglish\\b", "a language by its own name"},
     {"^Graph \\d+$", "what QCustomPlot calls a line without a name, never shown"},
 };
 

@@ -17,7 +17,6 @@
 #include "app/workbench/kit/card.h"
 #include "core/haptics/safety/limit_settings.h"
 #include "core/haptics/safety/thermal_rest.h"
-#include "questionnaires/questionnaire.h"
 
 namespace tactus::workbench {
 namespace {
@@ -32,11 +31,8 @@ const QStringList kBlockOrder = {QStringLiteral("speed"), QStringLiteral("force"
 
 QStringList listOf(const QString& value) { return value.split(QLatin1Char(','), Qt::SkipEmptyParts); }
 
-QStringList knownLanguages() {
-  QStringList out;
-  for (const std::string& language : questionnaires::languagesOf("ngt-force-v1")) out << text(language);
-  return out;
-}
+// Those of the participants' screens.
+QStringList knownLanguages() { return {QStringLiteral("en"), QStringLiteral("zh-Hant"), QStringLiteral("zh-Hans")}; }
 
 ProtocolFieldSpec number(const char* name, const QString& label, const QString& unit = {}, const QString& help = {}) {
   return {name, label, Kind::kNumber, unit, help, {}};

@@ -131,6 +131,9 @@ void WithdrawalDialog::showPreview(const store::WithdrawalPreview& preview) {
     number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     counts_->addWidget(number, place / kPairs, 2 * (place % kPairs));
     counts_->addWidget(name, place / kPairs, 2 * (place % kPairs) + 1);
+    // Shown at once, so that they count for the height.
+    number->show();
+    name->show();
     ++place;
   }
   if (place == 0) text_->setText(tr("Nothing but the code is stored of this participant. It is deleted for good."));

@@ -92,8 +92,8 @@ void OperatingStrip::resizeEvent(QResizeEvent* event) {
 void OperatingStrip::build() {
   delete point_;
   point_ = new QWidget(this);
+  if (!point_shown_) point_->hide();
   layout_->insertWidget(0, point_);
-  point_->setVisible(point_shown_);
   names_.clear();
   numbers_.clear();
   auto* row = new QHBoxLayout(point_);
