@@ -3108,9 +3108,9 @@
     </message>
     <message numerus="yes">
         <source>File, Notes of the file, lists %n more.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>File, Notes of the file, lists %n more.</numerusform>
+            <numerusform>File, Notes of the file, lists %n more.</numerusform>
         </translation>
     </message>
     <message>
