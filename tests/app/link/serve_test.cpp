@@ -55,7 +55,7 @@ class Program {
     if (const std::string line = lineOf(out_); !line.empty()) listening_ = json::parse(line);
   }
   ~Program() {
-    if (pid_ > 0) end(SIGKILL);
+    if (pid_ > 0) end(SIGTERM);
   }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;

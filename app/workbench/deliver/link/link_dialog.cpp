@@ -98,7 +98,7 @@ LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
   clients_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   clients_->setTextFormat(Qt::PlainText);
   setInk(*clients_, theme::mutedInk());
-  inside->addWidget(clients_);
+  inside->addWidget(clients_, 1);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * theme::kGrid, 3 * theme::kGrid, 3 * theme::kGrid, 3 * theme::kGrid);
