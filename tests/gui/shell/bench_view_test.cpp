@@ -331,9 +331,10 @@ TEST_F(BenchViewTest, TheLayoutIsThereAtTheNextStart) {
 }
 
 TEST_F(BenchViewTest, OnlyStagesThatWorkCanBeEntered) {
+  // A model alone: no study to collect for, and Agree is not built yet.
+  const QStringList work = {QStringLiteral("Understand"), QStringLiteral("Tune"), QStringLiteral("Deliver")};
   for (const StageButton* button : bench.window.findChildren<StageButton*>()) {
-    const bool works = button->text() == QStringLiteral("Understand") || button->text() == QStringLiteral("Tune");
-    EXPECT_EQ(button->isEnabled(), works) << button->text().toStdString();
+    EXPECT_EQ(button->isEnabled(), work.contains(button->text())) << button->text().toStdString();
     EXPECT_FALSE(button->accessibleDescription().isEmpty());
   }
 }
