@@ -109,7 +109,10 @@ TEST_F(CourseForceTest, TheButtonOfTheDeviceLightsWordsFromAnyEnd) {
   EXPECT_EQ(at().force.lit, first);
   nurse->answerLit();
   ASSERT_TRUE(stored());
-  ASSERT_EQ(screen(), Screen::kForce) << "the next force";
+  // The end is drawn: with "beyond what I meet in practice" the series ends here.
+  if (first != QStringLiteral("beyond_practice")) {
+    ASSERT_EQ(screen(), Screen::kForce) << "the next force";
+  }
   getUp();
   ASSERT_EQ(judgementsInFile().size(), 1U);
   const auto events = *store::events(tests::lookInto(path), {{}, {}, true});
