@@ -36,7 +36,7 @@ std::string oneOf(std::span<const std::string_view> words) {
   std::string list;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i > 0) list += i + 1 == words.size() ? " or " : ", ";
-    list += quoted(words[i]);
+    list += base::quoted(words[i]);
   }
   return list;
 }
@@ -56,8 +56,8 @@ std::optional<JsonValue> JsonMembers::find(JsonKey key, Wanted wanted) {
     error_ = Error{ErrorCode::kSchema,
                    {},
                    object_->pointer(),
-                   "no key " + quoted(key.name),
-                   "a key " + quoted(key.name) + " with " + std::string(wanted())};
+                   "no key " + base::quoted(key.name),
+                   "a key " + base::quoted(key.name) + " with " + std::string(wanted())};
   }
   return value;
 }

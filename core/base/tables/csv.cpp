@@ -30,7 +30,7 @@ std::size_t filledCells(const std::vector<std::string_view>& cells) {
 std::string separatorName(char separator) {
   if (separator == ';') return "semicolons between the cells";
   if (separator == '\t') return "tabs between the cells";
-  return quoted(std::string(1, separator)) + " between the cells";
+  return base::quoted(std::string(1, separator)) + " between the cells";
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Result<void> CsvTable::takeHeader(const std::vector<std::string_view>& names, st
     const std::string column(trimmed(names[i]));
     if (column.empty()) return fail(ErrorCode::kSchema, place, "a column without a name", "a name for every column");
     if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) {
-      return fail(ErrorCode::kSchema, place, "column " + quoted(column) + " twice", "each column once");
+      return fail(ErrorCode::kSchema, place, "column " + base::quoted(column) + " twice", "each column once");
     }
     columns_.push_back(column);
   }
@@ -179,7 +179,7 @@ std::optional<std::string> CsvTable::note() const {
 Result<std::size_t> CsvTable::require(std::string_view name) const {
   if (const auto column = find(name)) return *column;
   return tl::unexpected(Error{ErrorCode::kSchema, file_, "header", "the columns " + listed(columns_),
-                              "a column " + quoted(name) + suggestion(name, columns_)});
+                              "a column " + base::quoted(name) + suggestion(name, columns_)});
 }
 
 Result<double> CsvTable::number(std::size_t row, std::size_t column) const {
@@ -202,13 +202,13 @@ std::size_t CsvTable::line(std::size_t row) const {
 }
 
 std::string CsvTable::place(std::size_t row, std::size_t column) const {
-  return "line " + std::to_string(line(row)) + ", column " + quoted(columns_[column]);
+  return "line " + std::to_string(line(row)) + ", column " + base::quoted(columns_[column]);
 }
 
 tl::unexpected<Error> CsvTable::refuse(std::size_t row, std::size_t column, ErrorCode code, std::string wanted) const {
   const auto text = cell(row, column);
   return tl::unexpected(
-      Error{code, file_, place(row, column), text.empty() ? "an empty cell" : quoted(text), std::move(wanted)});
+      Error{code, file_, place(row, column), text.empty() ? "an empty cell" : base::quoted(text), std::move(wanted)});
 }
 
 bool looksLikeFormula(std::string_view cell) noexcept {
