@@ -27,14 +27,18 @@ void addVertices(const std::vector<fuzzy::Term>& terms, std::vector<double>& pos
 
 }  // namespace
 
-std::vector<double> samplePositions(const fuzzy::ForceModel& model, std::size_t x_input) {
+std::vector<double> samplePositions(const fuzzy::ForceModel& model, std::size_t x_input,
+                                    std::optional<Interval> shown) {
   const fuzzy::Variable& variable = model.inputs[x_input];
   std::vector<double> positions;
   const std::size_t samples = model.experts.size() > kManyExperts ? kCurveSamplesOfMany : kCurveSamples;
-  for (std::size_t i = 0; i < samples; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(samples - 1);
-    positions.push_back(std::lerp(variable.min, variable.max, share));
-  }
+  const auto sample = [&](double low, double high) {
+    for (std::size_t i = 0; i < samples; ++i) {
+      positions.push_back(std::lerp(low, high, static_cast<double>(i) / static_cast<double>(samples - 1)));
+    }
+  };
+  sample(variable.min, variable.max);
+  if (shown && (shown->low > variable.min || shown->high < variable.max)) sample(shown->low, shown->high);
   addVertices(variable.terms, positions);
   for (const fuzzy::Expert& expert : model.experts) {
     for (const fuzzy::TermOverride& override_list : expert.overrides) {
@@ -48,14 +52,14 @@ std::vector<double> samplePositions(const fuzzy::ForceModel& model, std::size_t 
 }
 
 ForceCurves computeCurves(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t x_input,
-                          std::span<const double> values) {
+                          std::span<const double> values, std::optional<Interval> shown) {
   TACTUS_CHECK(values.size() == compiled.inputCount() && x_input < values.size());
   std::array<double, fuzzy::kMostInputs> buffer{};
   std::copy(values.begin(), values.end(), buffer.begin());
   const std::span<double> inputs(buffer.data(), values.size());
 
   ForceCurves curves;
-  curves.x = samplePositions(model, x_input);
+  curves.x = samplePositions(model, x_input, shown);
   curves.mean.reserve(curves.x.size());
   curves.experts.resize(compiled.expertCount());
   for (auto& curve : curves.experts) curve.reserve(curves.x.size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,13 +32,15 @@ struct Interval {
   double high = 0;
 };
 
-/// The sample positions of input `x_input`: even over its universe, at every vertex of its term lists, and at the two
-/// floating-point neighbors of each vertex. So kinks, jumps and the ends of gaps are exact.
-std::vector<double> samplePositions(const fuzzy::ForceModel& model, std::size_t x_input);
+/// The sample positions of input `x_input`: even over its universe, and as many over the part `shown` if it is smaller;
+/// at every vertex of its term lists, and at the two floating-point neighbors of each vertex. So kinks, jumps and the
+/// ends of gaps are exact.
+std::vector<double> samplePositions(const fuzzy::ForceModel& model, std::size_t x_input,
+                                    std::optional<Interval> shown = std::nullopt);
 
-/// The curves along `x_input`. `values` has one value per input; the value of `x_input` is not used.
+/// The curves along `x_input` at these positions. `values` has one value per input; the value of `x_input` is not used.
 ForceCurves computeCurves(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::size_t x_input,
-                          std::span<const double> values);
+                          std::span<const double> values, std::optional<Interval> shown = std::nullopt);
 
 /// Steps of the force along `x_input` that a hand on a device notices, or that are steeper than the renderer's spring.
 /// Empty if the output is not a force in newtons, or for a model with more than `kManyExperts` experts.

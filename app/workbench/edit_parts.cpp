@@ -50,6 +50,7 @@ EditParts::EditParts(MainWindow& window, EditController& edits, TermController& 
 void EditParts::buildMenu() {
   undo_ = window_.menus().addAction(MenuSlot::kEditUndo, tr("&Undo"), Qt::CTRL | Qt::Key_Z);
   redo_ = window_.menus().addAction(MenuSlot::kEditUndo, tr("&Redo"), Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+  redo_->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
 }
 
 void EditParts::showUndo() {

@@ -42,6 +42,13 @@ SceneController::SceneController(const ModelController& models, QObject* parent)
   connect(&models_, &ModelController::shownChanged, this, &SceneController::adoptEdit);
   // Only the path differs, which nobody reads off the scene while it is looked at.
   connect(&models_, &ModelController::saved, this, [this] { model_ = models_.shown(); });
+  connect(&ranges_, &ShownRanges::changed, this, [this](const std::string& input) {
+    if (!model_ || input != xVariable().id) return;
+    // A part is sampled as finely as the whole.
+    curves_.reset();
+    family_curves_.reset();
+    emit curvesChanged();
+  });
 }
 
 const std::vector<fuzzy::Term>& SceneController::terms(const fuzzy::Variable& variable) const {
@@ -51,7 +58,7 @@ const std::vector<fuzzy::Term>& SceneController::terms(const fuzzy::Variable& va
 const figures::ForceCurves& SceneController::curves() const {
   TACTUS_CHECK(model_ != nullptr);
   if (!curves_) {
-    curves_ = figures::computeCurves(model_->model, model_->compiled, x_input_, values_);
+    curves_ = figures::computeCurves(model_->model, model_->compiled, x_input_, values_, ranges_.of(xVariable()));
     countEvaluations(curves_->x.size() * (1 + curves_->experts.size()));
   }
   return *curves_;

@@ -16,6 +16,7 @@
 #include "app/workbench/model/curve_family.h"
 #include "app/workbench/model/figure_presets.h"
 #include "app/workbench/model/model_controller.h"
+#include "app/workbench/model/shown_ranges.h"
 #include "core/analysis/explain.h"
 
 namespace tactus::workbench {
@@ -45,6 +46,10 @@ class SceneController : public QObject {
   double value(std::size_t input) const { return values_[input]; }
   /// One value per input.
   const std::vector<double>& values() const { return values_; }
+
+  /// The parts of the inputs' universes that the plots show.
+  ShownRanges& ranges() { return ranges_; }
+  const ShownRanges& ranges() const { return ranges_; }
 
   /// The expert whose own terms are shown; nothing: the shared terms.
   std::optional<std::size_t> termsOf() const { return terms_of_; }
@@ -113,6 +118,7 @@ class SceneController : public QObject {
   void announceCurves();
 
   const ModelController& models_;
+  ShownRanges ranges_;
   std::shared_ptr<const OpenModel> model_;
   std::size_t x_input_ = 0;
   std::vector<double> values_;

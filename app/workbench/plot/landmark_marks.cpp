@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
@@ -46,6 +47,19 @@ int LandmarkMarks::height() const {
          1;
 }
 
+// Their parts in the range of the axis.
+std::vector<Landmark> LandmarkMarks::inSight(const QCPAxis& axis) const {
+  const QCPRange shown = axis.range();
+  std::vector<Landmark> out;
+  for (Landmark mark : landmarks_) {
+    if (mark.to_mm < shown.lower || mark.from_mm > shown.upper) continue;
+    mark.from_mm = std::max(mark.from_mm, shown.lower);
+    mark.to_mm = std::min(mark.to_mm, shown.upper);
+    out.push_back(std::move(mark));
+  }
+  return out;
+}
+
 void LandmarkMarks::applyDefaultAntialiasingHint(QCPPainter* painter) const { painter->setAntialiasing(true); }
 
 void LandmarkMarks::draw(QCPPainter* painter) {
@@ -60,9 +74,10 @@ void LandmarkMarks::draw(QCPPainter* painter) {
   const bool hang = place_ == Place::kUnder;
   const double edge = place_ == Place::kAbove ? area->top() - 1.0 : hang ? area->top() + kLandmarkBar : area->bottom();
   std::vector<Label> labels;
+  const std::vector<Landmark> marks = inSight(*axis);
   painter->setPen(Qt::NoPen);
   painter->setBrush(theme::mutedInk());
-  for (const Landmark& mark : landmarks_) {
+  for (const Landmark& mark : marks) {
     const double left = axis->coordToPixel(mark.from_mm);
     const double right = axis->coordToPixel(mark.to_mm);
     painter->drawRect(QRectF(left - 0.75, edge - kLandmarkBar, std::max(1.5, right - left), kLandmarkBar));
@@ -76,7 +91,7 @@ void LandmarkMarks::draw(QCPPainter* painter) {
   const int rows = hang ? std::clamp(static_cast<int>(free / metrics.height()), 0, kNameRows) : kNameRows;
   const auto places = placeLabels(labels, rows, room.left() + 2.0, room.right() - 2.0, kNameGap);
   painter->setFont(font_);
-  for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+  for (std::size_t i = 0; i < marks.size(); ++i) {
     if (!places[i]) continue;
     const double away = kLandmarkLeader + places[i]->row * metrics.height();
     const double base = hang ? edge + away + metrics.height() : edge - kLandmarkBar - away;
@@ -88,7 +103,7 @@ void LandmarkMarks::draw(QCPPainter* painter) {
     painter->fillRect(QRectF(places[i]->left - 2, base - metrics.height(), labels[i].width + 4, metrics.height()),
                       halo);
     painter->setPen(theme::mutedInk());
-    painter->drawText(QPointF(places[i]->left, base - metrics.descent()), landmarks_[i].name);
+    painter->drawText(QPointF(places[i]->left, base - metrics.descent()), marks[i].name);
   }
 }
 
@@ -100,7 +115,8 @@ void LandmarkMarks::drawBeside(QCPPainter& painter) const {
   painter.setBrush(theme::ink());
   // From the top of the screen down, which is from the deepest up.
   std::vector<Label> labels;
-  for (auto mark = landmarks_.rbegin(); mark != landmarks_.rend(); ++mark) {
+  const std::vector<Landmark> marks = inSight(*axis);
+  for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
     const double low = axis->coordToPixel(mark->from_mm);
     const double high = axis->coordToPixel(mark->to_mm);
     painter.drawRect(QRectF(area->left(), high - 0.75, kLandmarkBar, std::max(1.5, low - high)));
@@ -112,7 +128,7 @@ void LandmarkMarks::drawBeside(QCPPainter& painter) const {
   halo.setAlphaF(0.75F);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!places[i]) continue;
-    const QString& name = landmarks_[landmarks_.size() - 1 - i].name;
+    const QString& name = marks[marks.size() - 1 - i].name;
     const double left = area->left() + kLandmarkBar + 3 * kLandmarkLeader;
     const double top = places[i]->left;
     painter.setPen(QPen(theme::ink(), 0.8));

@@ -37,6 +37,7 @@ class LandmarkMarks : public QCPLayerable {
 
  private:
   void drawBeside(QCPPainter& painter) const;
+  std::vector<Landmark> inSight(const QCPAxis& axis) const;
 
   Place place_;
   bool named_ = true;

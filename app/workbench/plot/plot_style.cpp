@@ -92,7 +92,7 @@ QCPGraph& addShape(QCustomPlot& plot, const QColor& color, double width, float f
 
 void styleAxis(QCPAxis& axis, const fuzzy::Variable& variable) {
   axis.setRange(variable.min, variable.max);
-  axis.setTicker(QSharedPointer<UniverseTicker>::create());
+  axis.setTicker(QSharedPointer<UniverseTicker>::create(variable.min, variable.max));
   axis.setNumberFormat(QStringLiteral("g"));
   axis.setNumberPrecision(5);
   axis.setSubTicks(false);
@@ -123,12 +123,16 @@ void paintPlot(QCustomPlot& plot, QCPPainter& painter, const QSize& size, std::i
 
 QVector<double> UniverseTicker::createTickVector(double step, const QCPRange& range) {
   QVector<double> ticks;
+  // The end of a part of the universe is no number to remember.
+  const bool low_end = range.lower <= min_;
+  const bool high_end = range.upper >= max_;
   // A round number too near to an end would print over it.
   for (const double tick : QCPAxisTicker::createTickVector(step, range)) {
-    if (tick - range.lower > 0.6 * step && range.upper - tick > 0.6 * step) ticks << tick;
+    if (tick < range.lower || tick > range.upper) continue;
+    if ((!low_end || tick - range.lower > 0.6 * step) && (!high_end || range.upper - tick > 0.6 * step)) ticks << tick;
   }
-  ticks.prepend(range.lower);
-  ticks.append(range.upper);
+  if (low_end) ticks.prepend(range.lower);
+  if (high_end) ticks.append(range.upper);
   return ticks;
 }
 

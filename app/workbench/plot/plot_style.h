@@ -29,10 +29,17 @@ QColor fadedLine(const QColor& line);
 /// A line of the model before an edit: dashed, and fainter than `line`.
 QPen ghostPen(const QColor& line, bool fast = false);
 
-/// Ticks at round numbers and at both ends of the universe.
+/// Ticks at round numbers and at the ends of the universe that are in sight.
 class UniverseTicker : public QCPAxisTicker {
+ public:
+  UniverseTicker(double min, double max) : min_(min), max_(max) {}
+
  protected:
   QVector<double> createTickVector(double step, const QCPRange& range) override;
+
+ private:
+  double min_;
+  double max_;
 };
 
 }  // namespace tactus::workbench

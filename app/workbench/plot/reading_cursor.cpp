@@ -23,6 +23,7 @@ class ReadingCursor::Dots : public QCPLayerable {
 
   void draw(QCPPainter* painter) override {
     const QCPAxisRect* area = mParentPlot->axisRect();
+    if (!area->axis(QCPAxis::atBottom)->range().contains(cursor_.x_)) return;
     const double x = area->axis(QCPAxis::atBottom)->coordToPixel(cursor_.x_);
     for (const Dot& dot : cursor_.dots_) {
       painter->setPen(QPen(theme::card(), 1.5));
@@ -51,6 +52,7 @@ void ReadingCursor::applyDefaultAntialiasingHint(QCPPainter* painter) const { pa
 
 void ReadingCursor::draw(QCPPainter* painter) {
   const QCPAxisRect* area = mParentPlot->axisRect();
+  if (!area->axis(QCPAxis::atBottom)->range().contains(x_)) return;
   const double x = area->axis(QCPAxis::atBottom)->coordToPixel(x_);
   painter->setPen(QPen(theme::accent(), 1.2));
   painter->drawLine(QLineF(x, area->top(), x, area->bottom()));

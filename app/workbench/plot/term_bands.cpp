@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QLinearGradient>
 #include <QtMath>
+#include <algorithm>
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/term_colors.h"
@@ -74,7 +75,8 @@ void TermBands::paint(QPainter& painter, const QRectF& room) const {
   for (const double place : places_) gradient.setColorAt((place - min_) / (max_ - min_), colorAt(place));
   painter.setPen(Qt::NoPen);
   painter.setBrush(gradient);
-  painter.drawRect(QRectF(QPointF(left, room.top()), QPointF(right, room.bottom())));
+  painter.drawRect(
+      QRectF(QPointF(std::max(left, room.left()), room.top()), QPointF(std::min(right, room.right()), room.bottom())));
 }
 
 QColor TermBands::colorAt(double place) const {

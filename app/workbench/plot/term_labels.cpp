@@ -54,13 +54,20 @@ void TermLabels::draw(QCPPainter* painter) {
   if (!above) painter->rotate(90);
   const double plot = (above ? area->top() : -area->right() - 1.0) - distance_;
   const double edge = plot - barRoom();
+  const QCPRange shown = axis().range();
   std::vector<Label> labels;
+  std::vector<const Name*> named;  // in sight, in the order of the labels
   for (const Name& name : names_) {
-    labels.push_back({axis().coordToPixel(name.center), metrics.horizontalAdvance(name.text)});
+    const double low = std::max(name.half.low, shown.lower);
+    const double high = std::min(name.half.high, shown.upper);
+    if (!(low < high)) continue;
+    named.push_back(&name);
+    const double center = shown.contains(name.center) ? name.center : low / 2 + high / 2;
+    labels.push_back({axis().coordToPixel(center), metrics.horizontalAdvance(name.text)});
     if (!bars_) continue;
-    const double low = axis().coordToPixel(name.half.low);
-    const double high = axis().coordToPixel(name.half.high);
-    const QRectF bar(std::min(low, high) + 0.5, plot - kBar, std::abs(high - low) - 1, kBar);
+    const double from = axis().coordToPixel(low);
+    const double to = axis().coordToPixel(high);
+    const QRectF bar(std::min(from, to) + 0.5, plot - kBar, std::abs(to - from) - 1, kBar);
     if (bar.width() > 0) painter->fillRect(bar, name.color);
   }
   const QRect viewport = mParentPlot->viewport();
@@ -68,20 +75,20 @@ void TermLabels::draw(QCPPainter* painter) {
                                   (above ? viewport.right() : viewport.bottom()) - 2, kGap);
 
   painter->setFont(font_);
-  for (std::size_t i = 0; i < names_.size(); ++i) {
+  for (std::size_t i = 0; i < named.size(); ++i) {
     if (!places[i]) continue;
-    painter->setPen(QPen(theme::readableLine(names_[i].color), 1));
+    painter->setPen(QPen(theme::readableLine(named[i]->color), 1));
     painter->drawLine(QLineF(lineStart(labels[i], *places[i]), edge - kLeader - places[i]->row * metrics.height(),
                              labels[i].center, edge + 1.0));
   }
   // The names cover the lines: where one has to run through a name, the name stays readable.
-  for (std::size_t i = 0; i < names_.size(); ++i) {
+  for (std::size_t i = 0; i < named.size(); ++i) {
     if (!places[i]) continue;
     const double bottom = edge - kLeader - places[i]->row * metrics.height();
     painter->fillRect(QRectF(places[i]->left - 1, bottom - metrics.height(), labels[i].width + 2, metrics.height()),
                       theme::card());
-    painter->setPen(theme::readableText(names_[i].color));
-    painter->drawText(QPointF(places[i]->left, bottom - metrics.descent()), names_[i].text);
+    painter->setPen(theme::readableText(named[i]->color));
+    painter->drawText(QPointF(places[i]->left, bottom - metrics.descent()), named[i]->text);
   }
   painter->restore();
 }

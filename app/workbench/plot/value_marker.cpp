@@ -19,6 +19,7 @@ void ValueMarker::applyDefaultAntialiasingHint(QCPPainter* painter) const { pain
 void ValueMarker::draw(QCPPainter* painter) {
   if (!value_) return;
   const QCPAxisRect* area = mParentPlot->axisRect();
+  if (!area->axis(QCPAxis::atBottom)->range().contains(*value_)) return;
   const double x = area->axis(QCPAxis::atBottom)->coordToPixel(*value_);
   painter->setPen(QPen(theme::accent(), 1.4));
   painter->drawLine(QLineF(x, area->top(), x, area->bottom()));

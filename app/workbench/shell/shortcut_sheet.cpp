@@ -17,6 +17,16 @@ namespace {
 
 using Line = std::pair<QString, QString>;  // what it does, keys
 
+struct Section {
+  QString title;
+  QList<Line> lines;
+};
+
+constexpr int kColumns = 3;  // that the sheet fits on a small screen
+
+/// In lines, with the title and the space before the next one.
+qsizetype heightOf(const Section& section) { return section.lines.size() + 2; }
+
 QString plainText(QString text) { return text.remove(QLatin1Char('&')).remove(QStringLiteral("…")); }
 
 QList<Line> linesOf(const QMenu& menu) {
@@ -29,14 +39,14 @@ QList<Line> linesOf(const QMenu& menu) {
   return lines;
 }
 
-QGridLayout* makeSection(const QString& title, const QList<Line>& lines, QWidget* parent) {
+QGridLayout* makeSection(const Section& section, QWidget* parent) {
   auto* grid = new QGridLayout;
-  grid->setHorizontalSpacing(3 * theme::kGrid);
+  grid->setHorizontalSpacing(2 * theme::kGrid);
   grid->setVerticalSpacing(4);
-  auto* head = new QLabel(title, parent);
+  auto* head = new QLabel(section.title, parent);
   head->setFont(theme::headingFont());
   grid->addWidget(head, 0, 0, 1, 2);
-  for (const Line& line : lines) {
+  for (const Line& line : section.lines) {
     const int row = grid->rowCount();
     auto* keys = new QLabel(line.second, parent);
     setInk(*keys, theme::mutedInk());
@@ -50,53 +60,60 @@ QGridLayout* makeSection(const QString& title, const QList<Line>& lines, QWidget
 
 ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Keyboard shortcuts"));
-  auto* menu_column = new QVBoxLayout;
-  menu_column->setSpacing(2 * theme::kGrid);
+  QList<Section> sections;
   for (const QAction* entry : menus.actions()) {
     const QList<Line> lines = linesOf(*entry->menu());
-    if (!lines.isEmpty()) menu_column->addLayout(makeSection(plainText(entry->text()), lines, this));
+    if (!lines.isEmpty()) sections << Section{plainText(entry->text()), lines};
   }
-  menu_column->addStretch(1);
+  sections << Section{tr("Plots"),
+                      {{tr("Read the force"), tr("move the mouse")},
+                       {tr("Set the operating point"), tr("click or drag")},
+                       {tr("Zoom"), tr("wheel")},
+                       {tr("Move the zoomed part"), tr("Shift and drag")},
+                       {tr("Show all"), tr("double click")}}};
+  sections << Section{tr("Numbers and sliders"),
+                      {{tr("One step"), tr("arrow keys")},
+                       {tr("Ten steps"), tr("Page up, page down")},
+                       {tr("Accept a typed number"), tr("Enter")}}};
+  sections << Section{tr("Rule grids"),
+                      {{tr("Answer and go on"), tr("1 to 9")},
+                       {tr("Skip a cell"), tr("Space")},
+                       {tr("Empty a cell"), tr("Delete")},
+                       {tr("Next grid"), tr("Page down")},
+                       {tr("Choose from a menu"), tr("Enter")}}};
+  sections << Section{tr("Membership functions"),
+                      {{tr("Move a vertex, an edge or a term"), tr("drag, or its slider")},
+                       {tr("Fine step, coarse step"), tr("left, right; with Shift")},
+                       {tr("Next vertex"), tr("up, down")},
+                       {tr("Take a drag back"), tr("Esc")}}};
+  sections << Section{tr("While a model is felt"),
+                      {{tr("Hold the tube"), tr("Space")},
+                       {tr("Move the hand"), tr("left, right; with Shift farther")},
+                       {tr("No force, at once"), tr("F12, or Esc outside a drag")}}};
+  sections << Section{tr("Panels"),
+                      {{tr("Move, or put behind another"), tr("drag the title or tab")},
+                       {tr("Take out of the window, or back"), tr("double click the title")},
+                       {tr("Float, close, reset the layout"), tr("right button on the title")}}};
 
-  auto* plot_column = new QVBoxLayout;
-  plot_column->setSpacing(2 * theme::kGrid);
-  plot_column->addLayout(makeSection(
-      tr("Plots"), {{tr("Read the force"), tr("move the mouse")}, {tr("Set the operating point"), tr("click or drag")}},
-      this));
-  plot_column->addLayout(makeSection(tr("Numbers and sliders"),
-                                     {{tr("One step"), tr("arrow keys")},
-                                      {tr("Ten steps"), tr("Page up, page down")},
-                                      {tr("Accept a typed number"), tr("Enter")}},
-                                     this));
-  plot_column->addLayout(makeSection(tr("Rule grids"),
-                                     {{tr("Answer and go on"), tr("1 to 9")},
-                                      {tr("Skip a cell"), tr("Space")},
-                                      {tr("Empty a cell"), tr("Delete")},
-                                      {tr("Next grid"), tr("Page down")},
-                                      {tr("Choose from a menu"), tr("Enter")}},
-                                     this));
-  plot_column->addLayout(makeSection(tr("Membership functions"),
-                                     {{tr("Move a vertex, an edge or a term"), tr("drag, or its slider")},
-                                      {tr("Fine step, coarse step"), tr("left, right; with Shift")},
-                                      {tr("Next vertex"), tr("up, down")},
-                                      {tr("Take a drag back"), tr("Esc")}},
-                                     this));
-  plot_column->addLayout(makeSection(tr("While a model is felt"),
-                                     {{tr("Hold the tube"), tr("Space")},
-                                      {tr("Move the hand"), tr("left, right; with Shift farther")},
-                                      {tr("No force, at once"), tr("F12, or Esc while nothing is dragged")}},
-                                     this));
-  plot_column->addLayout(makeSection(tr("Panels"),
-                                     {{tr("Move, or put behind another"), tr("drag the title or tab")},
-                                      {tr("Take out of the window, or back"), tr("double click the title or tab")},
-                                      {tr("Float, close, reset the layout"), tr("right button on the title or tab")}},
-                                     this));
-  plot_column->addStretch(1);
-
+  qsizetype height = 0;
+  for (const Section& section : sections) height += heightOf(section);
   auto* columns = new QHBoxLayout;
-  columns->setSpacing(6 * theme::kGrid);
-  columns->addLayout(menu_column);
-  columns->addLayout(plot_column);
+  columns->setSpacing(4 * theme::kGrid);
+  QVBoxLayout* column = nullptr;
+  qsizetype filled = 0;
+  for (const Section& section : sections) {
+    // A section belongs to the column in which most of it lies.
+    const bool next = column == nullptr || (filled + heightOf(section) / 2) * kColumns > height * columns->count();
+    if (next) {
+      if (column != nullptr) column->addStretch(1);
+      column = new QVBoxLayout;
+      column->setSpacing(2 * theme::kGrid);
+      columns->addLayout(column, 1);
+    }
+    column->addLayout(makeSection(section, this));
+    filled += heightOf(section);
+  }
+  column->addStretch(1);
   auto* close = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(close, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);

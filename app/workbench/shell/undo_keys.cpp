@@ -11,6 +11,7 @@ namespace {
 
 bool isUndoOrRedo(const QKeyEvent& key) {
   return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo) ||
+         (key.key() == Qt::Key_Y && key.modifiers() == Qt::ControlModifier) ||
          (key.key() == Qt::Key_Z &&
           (key.modifiers() == Qt::ControlModifier || key.modifiers() == (Qt::ControlModifier | Qt::ShiftModifier)));
 }

@@ -1,6 +1,7 @@
 #include "app/workbench/model/scene_controller.h"
 
 #include <QSignalSpy>
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -202,6 +203,27 @@ TEST_F(SceneControllerTest, AFigureWithAFamilyShowsTheMeanAtEveryValue) {
   scene.applyPreset(preset);
   scene.clearFamily();
   EXPECT_FALSE(scene.family().has_value());
+}
+
+TEST_F(SceneControllerTest, APartIsSampledAsFinelyAsTheWholeAndOutlivesAnEdit) {
+  const auto between = [this](double low, double high) {
+    const std::vector<double>& x = scene.curves().x;
+    return std::count_if(x.begin(), x.end(), [&](double place) { return place >= low && place <= high; });
+  };
+  EXPECT_LT(between(2, 3), 80);
+  QSignalSpy redrawn(&scene, &SceneController::curvesChanged);
+  scene.ranges().show(scene.xVariable(), {2, 3});
+  EXPECT_EQ(redrawn.count(), 1);
+  EXPECT_GE(between(2, 3), static_cast<std::ptrdiff_t>(figures::kCurveSamples));
+  // What another input shows changes nothing here.
+  scene.ranges().show(scene.model()->model.inputs[kSpeed], {10, 20});
+  EXPECT_EQ(redrawn.count(), 1);
+
+  fuzzy::ForceModel model = tests::twoExperts();
+  model.experts[0].rules[0].then = "high";
+  ASSERT_TRUE(models.edit(model));
+  EXPECT_EQ(scene.ranges().of(scene.xVariable()).low, 2);
+  EXPECT_EQ(scene.ranges().of(scene.xVariable()).high, 3);
 }
 
 }  // namespace

@@ -346,6 +346,9 @@ TEST_F(BenchViewTest, TheSheetListsEveryShortcutOnce) {
   for (const char* keys : {"Ctrl+O", "Ctrl+S", "F5", "Ctrl+3", "F1", "Ctrl+Shift+R"}) {
     EXPECT_EQ(texts.count(QLatin1String(keys)), 1) << keys;
   }
+  // On a small screen, with a title bar.
+  EXPECT_LE(sheet.sizeHint().width(), 1280);
+  EXPECT_LE(sheet.sizeHint().height(), 680);
 }
 
 }  // namespace

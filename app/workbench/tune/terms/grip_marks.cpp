@@ -33,6 +33,8 @@ QPointF GripMarks::pixelOf(double x, double membership) const {
   return {area->axis(QCPAxis::atBottom)->coordToPixel(x), area->axis(QCPAxis::atLeft)->coordToPixel(membership)};
 }
 
+QRect GripMarks::clipRect() const { return mParentPlot->axisRect()->rect().adjusted(-10, -40, 10, 10); }
+
 void GripMarks::draw(QCPPainter* painter) {
   const QCPAxisRect* area = mParentPlot->axisRect();
   QColor beyond = theme::border();

@@ -43,6 +43,8 @@ class GripMarks : public QCPLayerable {
  protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
   void draw(QCPPainter* painter) override;
+  /// The plot area and room for a handle at its edge: of a part of the universe, what lies beside it is hidden.
+  QRect clipRect() const override;
 
  private:
   QPointF pixelOf(double x, double membership) const;

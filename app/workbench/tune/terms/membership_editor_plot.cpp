@@ -9,6 +9,8 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/patient.h"
+#include "app/workbench/model/shown_ranges.h"
+#include "app/workbench/plot/axis_zoom.h"
 #include "app/workbench/plot/landmark_marks.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_colors.h"
@@ -31,7 +33,8 @@ constexpr double kDragFrom = 3;            // px that tell a drag from a click
 
 }  // namespace
 
-MembershipEditorPlot::MembershipEditorPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+MembershipEditorPlot::MembershipEditorPlot(ShownRanges& ranges, QWidget* parent)
+    : QWidget(parent), ranges_(ranges), plot_(makePlot(this)), zoom_(new AxisZoom(*plot_, ranges)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
@@ -49,6 +52,10 @@ MembershipEditorPlot::MembershipEditorPlot(QWidget* parent) : QWidget(parent), p
   plot_->axisRect()->setAutoMargins(QCP::msBottom);
   plot_->axisRect()->setMargins(QMargins(kMargin, labels_->height() + 4, 3 * theme::kGrid, 0));
 
+  connect(zoom_, &AxisZoom::changed, this, [this] {
+    fitAxis();
+    drawTerms();
+  });
   connect(plot_, &QCustomPlot::mousePress, this, &MembershipEditorPlot::onPress);
   connect(plot_, &QCustomPlot::mouseMove, this, &MembershipEditorPlot::onMove);
   connect(plot_, &QCustomPlot::mouseRelease, this, &MembershipEditorPlot::onRelease);
@@ -138,7 +145,9 @@ void MembershipEditorPlot::fitAxis() {
   }
   styleAxis(*plot_->xAxis, variable_);
   styleAxis(*plot_->yAxis, variable_);
-  plot_->xAxis->setRange(low, high);
+  zoom_->setInputs(variable_);
+  // All of it has room for the vertices beside the universe too.
+  if (!ranges_.isPart(variable_)) plot_->xAxis->setRange(low, high);
   plot_->xAxis->setLabel(axisText(variable_));
   plot_->yAxis->setRange(0, kTop);
   auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();

@@ -16,8 +16,10 @@ class QMouseEvent;
 
 namespace tactus::workbench {
 
+class AxisZoom;
 class GripMarks;
 class LandmarkMarks;
+class ShownRanges;
 class TermLabels;
 class ValueMarker;
 struct PlotFrame;
@@ -26,7 +28,7 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
-  explicit MembershipEditorPlot(QWidget* parent = nullptr);
+  explicit MembershipEditorPlot(ShownRanges& ranges, QWidget* parent = nullptr);
 
   /// The terms to draw. During a drag the axis stays as it was at the beginning.
   void setTerms(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
@@ -102,7 +104,9 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
   bool sum_to_one_ = false;
   QString stopped_;
 
+  ShownRanges& ranges_;
   QCustomPlot* plot_;
+  AxisZoom* zoom_;
   TermLabels* labels_ = nullptr;
   LandmarkMarks* landmarks_;
   ValueMarker* marker_;

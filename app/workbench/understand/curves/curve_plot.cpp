@@ -8,6 +8,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/plot/axis_zoom.h"
 #include "app/workbench/plot/landmark_marks.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/reading_cursor.h"
@@ -73,7 +74,8 @@ void addLine(QCustomPlot& plot, const QString& name) {
 
 }  // namespace
 
-CurvePlot::CurvePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+CurvePlot::CurvePlot(ShownRanges& ranges, QWidget* parent)
+    : QWidget(parent), plot_(makePlot(this)), zoom_(new AxisZoom(*plot_, ranges)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
@@ -102,6 +104,7 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   output_ = output;
   styleAxis(*plot_->xAxis, x);
   styleAxis(*plot_->yAxis, output);
+  zoom_->setInputs(x);
   plot_->xAxis->setLabel(axisText(x));
   plot_->yAxis->setLabel(axisText(output));
   plot_->xAxis->grid()->setVisible(false);

@@ -21,9 +21,11 @@ class QMouseEvent;
 
 namespace tactus::workbench {
 
+class AxisZoom;
 class CurveOverlays;
 class LandmarkMarks;
 class ReadingCursor;
+class ShownRanges;
 class SilenceMarks;
 class TermBands;
 class TermLabels;
@@ -34,7 +36,7 @@ class CurvePlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
-  explicit CurvePlot(QWidget* parent = nullptr);
+  explicit CurvePlot(ShownRanges& ranges, QWidget* parent = nullptr);
   ~CurvePlot() override;
 
   /// The axes become the universes of `x` and of the output; `experts` gives the names of the lines.
@@ -93,6 +95,7 @@ class CurvePlot : public QWidget, public PlotSource {
   void styleLines();
 
   QCustomPlot* plot_;
+  AxisZoom* zoom_;
   TermBands* bands_;
   SilenceMarks* silence_;
   TermLabels* labels_;

@@ -56,7 +56,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
       references_(references),
       title_(new QLabel(this)),
       x_input_(new QComboBox(this)),
-      plot_(new CurvePlot(this)),
+      plot_(new CurvePlot(scene.ranges(), this)),
       menu_(new PlotMenu(
           *plot_, [this] { return table(); }, this)),
       legend_(new CurveLegend(this)),

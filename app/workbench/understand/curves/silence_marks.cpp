@@ -56,13 +56,24 @@ void SilenceMarks::applyDefaultAntialiasingHint(QCPPainter* painter) const { pai
 
 void SilenceMarks::draw(QCPPainter* painter) {
   painter->setFont(font_);
-  for (const figures::Interval& interval : everyone_) drawEveryone(*painter, interval);
+  for (const figures::Interval& interval : inSight(everyone_)) drawEveryone(*painter, interval);
   const double height = QFontMetricsF(font_).height();
   double bottom = mParentPlot->axisRect()->bottom() - foot_;
   for (const Lane& lane : lanes_) {
-    drawLane(*painter, lane, bottom);
+    drawLane(*painter, {lane.text, lane.color, inSight(lane.intervals)}, bottom);
     bottom -= height;
   }
+}
+
+// Their parts in the range of the axis.
+std::vector<figures::Interval> SilenceMarks::inSight(const std::vector<figures::Interval>& intervals) const {
+  const QCPRange shown = mParentPlot->axisRect()->axis(QCPAxis::atBottom)->range();
+  std::vector<figures::Interval> out;
+  for (const figures::Interval& interval : intervals) {
+    if (interval.high < shown.lower || interval.low > shown.upper) continue;
+    out.push_back({std::max(interval.low, shown.lower), std::min(interval.high, shown.upper)});
+  }
+  return out;
 }
 
 void SilenceMarks::drawEveryone(QCPPainter& painter, const figures::Interval& interval) const {

@@ -33,6 +33,7 @@ class SilenceMarks : public QCPLayerable {
   void draw(QCPPainter* painter) override;
 
  private:
+  std::vector<figures::Interval> inSight(const std::vector<figures::Interval>& intervals) const;
   void drawEveryone(QCPPainter& painter, const figures::Interval& interval) const;
   void drawLane(QCPPainter& painter, const Lane& lane, double bottom) const;
 

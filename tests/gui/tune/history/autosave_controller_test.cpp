@@ -1,8 +1,6 @@
 #include "app/workbench/tune/history/autosave_controller.h"
 
-#include <QDateTime>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QSignalSpy>
 #include <QTest>
@@ -327,38 +325,6 @@ TEST_F(AutosaveControllerTest, WhatIsStoredInAStudyIsNotKept) {
   run.autosave.flush();
   EXPECT_FALSE(QFileInfo::exists(kept));
   EXPECT_TRUE(files().empty());
-}
-
-TEST_F(AutosaveControllerTest, OldHistoriesMakeRoomForNewOnes) {
-  const auto keep = [&](const QString& name) {
-    const QString document = folder.path(name);
-    ASSERT_TRUE(QFile::copy(path, document));
-    Program run(root);
-    run.open(document);
-    run.edit(3);
-    run.autosave.flush();
-    run.models.save();
-  };
-  for (const QString& name : {QStringLiteral("a.tactus.json"), QStringLiteral("b.tactus.json"),
-                              QStringLiteral("c.tactus.json"), QStringLiteral("d.tactus.json")}) {
-    keep(name);
-  }
-  ASSERT_EQ(files().size(), 4);
-  // From the oldest to the newest: the second one was left by a crash.
-  const QStringList all = files();
-  for (int i = 0; i < 4; ++i) {
-    QFile file(QDir(root).filePath(all[i]));
-    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
-    ASSERT_TRUE(file.setFileTime(QDateTime(QDate(2026, 1, 1 + i), QTime(12, 0)), QFileDevice::FileModificationTime));
-  }
-  QFile journal(QDir(root).filePath(all[1] + QStringLiteral("-wal")));
-  ASSERT_TRUE(journal.open(QIODevice::WriteOnly));
-  const qint64 one = QFileInfo(QDir(root).filePath(all[3])).size();
-
-  HistoryFile::makeRoom(root, 100 * one);
-  EXPECT_EQ(files(), all);
-  HistoryFile::makeRoom(root, one);
-  EXPECT_EQ(files(), (QStringList{all[1], all[3]}));
 }
 
 TEST_F(AutosaveControllerTest, ADamagedHistoryIsReportedAndStays) {
