@@ -1372,6 +1372,25 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::AxisZoom</name>
+    <message>
+        <source>Zoom in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Airway, 0 to 250 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::BundleMaker</name>
     <message>
         <source>Canceled: nothing was written.</source>
@@ -4855,10 +4874,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>F12, or Esc while nothing is dragged</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Panels</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4875,15 +4890,43 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>double click the title or tab</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Float, close, reset the layout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>right button on the title or tab</source>
+        <source>Zoom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the zoomed part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F12, or Esc outside a drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>double click the title</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right button on the title</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
