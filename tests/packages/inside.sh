@@ -33,16 +33,17 @@ gio mime application/vnd.tactus.study | grep -q tactus-workbench.desktop
 say "the types of files are known, and the workbench opens them"
 
 install make pkgconf python3 mono-mcs mono-runtime
+work=$(mktemp -d)
 for test in points program examples python csharp; do
-  cmake -DSOURCE=/sources -DMODEL=/sources/tests/golden/models/ngt.tactus.json -DPREFIX=/usr -DWORK=/tmp/tests/consumer_$test \
+  cmake -DSOURCE=/sources -DMODEL=/sources/tests/golden/models/ngt.tactus.json -DPREFIX=/usr -DWORK="$work/consumer_$test" \
     -DGENERATOR="Unix Makefiles" -DC_COMPILER=/usr/bin/cc -DCXX_COMPILER=/usr/bin/c++ -DPYTHON=/usr/bin/python3 -DMCS=/usr/bin/mcs \
     -DMONO=/usr/bin/mono -DTACTUS=/usr/bin/tactus -DVERSION="$(dpkg-query -W -f='${Version}' libtactus-dev)" \
     -P /sources/tests/consumer/${test}_test.cmake
 done
-say "consumers in C, C++, Python and C#: the forces of tactus eval at $(($(wc -l </tmp/tests/consumer_points/points.csv) - 1)) points"
+say "consumers in C, C++, Python and C#: the forces of tactus eval at $(($(wc -l <"$work/consumer_points/points.csv") - 1)) points"
 cd / && python3 -c 'import tactus; print(tactus.version())'
 
-bash /sources/tests/packages/follow_guide.sh /sources/docs/guide/simulator.md /tmp/guide
+bash /sources/tests/packages/follow_guide.sh /sources/docs/guide/simulator.md "$work/guide"
 say "the guide, word by word"
 
 dpkg -P tactus libtactus-dev libtactus1
