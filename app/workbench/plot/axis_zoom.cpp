@@ -45,10 +45,6 @@ void AxisZoom::setInputs(const fuzzy::Variable& x, const std::optional<fuzzy::Va
 
 void AxisZoom::apply() {
   for (const Axis& axis : axes_) {
-    if (!ranges_.isPart(axis.input)) {
-      (axis.across ? plot_.xAxis : plot_.yAxis)->setRange(axis.input.min, axis.input.max);
-      continue;
-    }
     const figures::Interval range = ranges_.of(axis.input);
     (axis.across ? plot_.xAxis : plot_.yAxis)->setRange(range.low, range.high);
   }
@@ -57,6 +53,8 @@ void AxisZoom::apply() {
 double AxisZoom::valueAt(const Axis& axis, QPointF place) const {
   return axis.across ? plot_.xAxis->pixelToCoord(place.x()) : plot_.yAxis->pixelToCoord(place.y());
 }
+
+// Who shows a new range may give this the inputs again: the loops below work on copies of the list.
 
 void AxisZoom::zoom(QPointF around, double factor) {
   for (const Axis& axis : std::vector<Axis>(axes_)) ranges_.zoom(axis.input, valueAt(axis, around), factor);
