@@ -17,8 +17,8 @@
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/force_plot.h"
-#include "app/workbench/collect/primary_button.h"
 #include "app/workbench/kit/card.h"
+#include "app/workbench/kit/primary_button.h"
 
 namespace tactus::workbench {
 namespace {

@@ -13,13 +13,13 @@
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/participant_table.h"
-#include "app/workbench/collect/primary_button.h"
 #include "app/workbench/collect/step_delegate.h"
 #include "app/workbench/collect/step_words.h"
 #include "app/workbench/kit/card.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/kit/note_groups.h"
 #include "app/workbench/kit/notes_button.h"
+#include "app/workbench/kit/primary_button.h"
 
 namespace tactus::workbench {
 namespace {

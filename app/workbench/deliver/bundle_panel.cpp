@@ -20,6 +20,7 @@
 #include "app/workbench/deliver/readiness_controller.h"
 #include "app/workbench/deliver/readiness_sign.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/primary_button.h"
 #include "app/workbench/kit/say.h"
 
 namespace tactus::workbench {
@@ -32,32 +33,15 @@ QLabel* wrapped(const QString& text, QWidget* parent) {
   return label;
 }
 
-constexpr int kDarker = 130;  // percent
-
-/// The one button that the stage is about.
-void setPrimary(QPushButton& button) {
-  button.setFont(theme::headingFont());
-  QPalette colors = button.palette();
-  for (const auto group : {QPalette::Active, QPalette::Inactive}) {
-    // The style draws buttons in a lighter color; white text needs the contrast.
-    colors.setColor(group, QPalette::Button, theme::accent().darker(kDarker));
-    colors.setColor(group, QPalette::ButtonText, Qt::white);
-  }
-  button.setPalette(colors);
-  button.setMinimumHeight(5 * theme::kGrid);
-  button.setMinimumWidth(24 * theme::kGrid);
-}
-
 }  // namespace
 
 BundlePanel::BundlePanel(BundleMaker& maker, const ReadinessController& readiness, QWidget* parent)
     : Card(parent),
       maker_(maker),
       readiness_(readiness),
-      make_(new QPushButton(tr("Make the bundle…"), this)),
+      make_(new PrimaryButton(tr("Make the bundle…"), this)),
       waits_for_(wrapped({}, this)),
       body_(new QStackedWidget(this)) {
-  setPrimary(*make_);
   make_->setObjectName(QStringLiteral("make_bundle"));
   setMuted(*waits_for_);
   for (QWidget* page : {contents_ = makeContents(), work_ = makeWork(), result_ = makeResult()}) body_->addWidget(page);

@@ -12,11 +12,11 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/collect/monitor_window.h"
-#include "app/workbench/collect/primary_button.h"
 #include "app/workbench/collect/protocol_view.h"
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/collect/withdrawal_dialog.h"
 #include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/primary_button.h"
 #include "app/workbench/shell/start_view.h"
 #include "app/workbench/take_part.h"
 #include "app/workbench/workbench.h"

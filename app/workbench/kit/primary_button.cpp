@@ -1,4 +1,4 @@
-#include "app/workbench/collect/primary_button.h"
+#include "app/workbench/kit/primary_button.h"
 
 #include <QPainter>
 
