@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kModelPath = "model.tactus.json";
 
-/// Takes the accepted names into the model. Refused: a hole that nobody accepted, a name that is no hole.
+/// Takes the accepted names into the model. Refused: a hole that is not accepted, a name that is no hole.
 base::Result<void> acceptHoles(fuzzy::ForceModel& model, const std::vector<std::string>& accept, Bundle& bundle) {
   std::vector<std::size_t> counted;
   for (std::size_t e = 0; e < model.experts.size(); ++e) {
@@ -56,7 +56,7 @@ class Collector {
   Collector(Bundle& bundle, const BundleSettings& settings, std::size_t all)
       : bundle_(bundle), settings_(settings), all_(all) {}
 
-  /// Before each file: tells how far the work is. Returns whether it goes on.
+  /// Before each file: reports the progress. Returns false to cancel.
   bool next() {
     if (settings_.progress) settings_.progress(done_++, all_);
     return !settings_.stop.stop_requested();

@@ -1,4 +1,4 @@
-// How the history of a model goes on when its file is opened again: from the versions kept so far and the model that
+// How the history of a model is continued when its file is opened again: from the versions kept so far and the model that
 // the file has now.
 #pragma once
 
@@ -39,7 +39,7 @@ base::Result<EditHistory> wholeHistory(const KeptVersions& kept, study::RecordId
 /// The entries among `versions`.
 std::size_t editsIn(std::span<const study::ModelVersion> versions);
 
-/// A history that goes on.
+/// A continued history.
 struct EarlierHistory {
   EditHistory history;             ///< its current state is the model of the file
   std::size_t kept = 0;            ///< the first events, which need not be written before another one follows
@@ -50,7 +50,7 @@ struct EarlierHistory {
   bool changed_elsewhere = false;  ///< the file has a model that the history did not know; it is an edit of it now
 };
 
-/// Lets the history of `kept` go on with the model of the file, which the event `opened` of `fresh` has. Refused: no
+/// Continues the history of `kept` with the model of the file, which the event `opened` of `fresh` has. Refused: no
 /// versions, a text that is no model, and a model with other inputs than that of the file.
 base::Result<EarlierHistory> goOn(KeptVersions kept, const EditHistory& fresh, study::RecordIds ids,
                                   const std::string& changed_label, const Stamp& stamp);

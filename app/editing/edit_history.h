@@ -88,7 +88,7 @@ class EditHistory {
   std::string gestureLabel() const { return shown_ ? shown_->label : std::string(); }
   /// The model at the beginning of the gesture: what its edits start from.
   const fuzzy::ForceModel& base() const { return ready_->model; }
-  /// Shows `edit`; begins a gesture where none goes on.
+  /// Shows `edit`; begins a gesture if none is in progress.
   void update(Edit edit);
   /// Makes the last update an entry. Returns nothing if there was no update or no change.
   std::optional<StateId> commit(const Stamp& stamp);

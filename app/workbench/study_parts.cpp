@@ -132,7 +132,7 @@ void StudyParts::onFailed(const QString& path, const QString& sentence) {
 
 bool StudyParts::mayEnd() {
   if (!study_.isOpen()) return true;
-  // The placement and the recording that go on end, and are stored.
+  // The current placement and recording end and are stored.
   feel_.stop();
   store_.setRecording(false);
   ending_ = false;

@@ -27,7 +27,7 @@ TakePart::TakePart(StudyConnection& study, DeviceSession& device, const Particip
 
 void TakePart::begin(QScreen& screen) { window_.showOn(screen); }
 
-// Where she pushes and feels; elsewhere the keys choose and go on.
+// On screens where she pushes and feels; elsewhere the keys choose and continue.
 void TakePart::giveHand() {
   const ParticipantState& state = course_.state();
   using Screen = ParticipantScreen;

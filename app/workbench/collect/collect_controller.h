@@ -32,7 +32,7 @@ class CollectController : public QObject {
   void setSessionRunning(bool runs);
   bool isSessionRunning() const { return runs_; }
 
-  /// Stores a new participant under a code that nobody has or had. Ends with `added` or `refused`.
+  /// Stores a new participant under a code that no participant has or had. Ends with `added` or `refused`.
   void addParticipant();
 
   /// Counts what a withdrawal of `person` would delete. Ends with `previewed` or `refused`.

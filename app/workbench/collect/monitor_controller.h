@@ -1,5 +1,5 @@
 // What the researcher sees of a session that is in progress: where the participant is, the force, the answers as they
-// are stored, and the researcher's own notes. It reads snapshots and samples, and nobody waits for it.
+// are stored, and the researcher's own notes. It reads snapshots and samples; no other thread waits for it.
 #pragma once
 
 #include <QObject>

@@ -174,7 +174,7 @@ void FeelController::onModel() {
   if (isFelt()) postScene(kEditFadeS);
 }
 
-// What is felt is what is shown: the force of the model before must not go on.
+// The felt model is the shown model: the force of the previous model must stop.
 void FeelController::onAnotherModel() {
   if (isFelt() && !postScene(kEditFadeS)) stop();
 }

@@ -81,7 +81,7 @@ void PlacementCard::setSummary(const std::optional<PlacementSummary>& summary) {
 
 void PlacementCard::setRunning(bool running) {
   next_->setEnabled(running);
-  // Where nothing goes on, the whole line is for the placement that has ended.
+  // Without a current placement the whole line is for the last one.
   progress_->setVisible(running || !has_summary_);
 }
 

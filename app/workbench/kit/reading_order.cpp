@@ -68,7 +68,7 @@ QList<QWidget*> stopsIn(const QWidget& parent) {
   for (QObject* child : parent.children()) {
     auto* widget = qobject_cast<QWidget*>(child);
     if (!widget || widget->isWindow() || !widget->isVisible()) continue;
-    // Tab bars of docks that nobody needs are parked outside.
+    // Qt keeps unused tab bars of docks outside the visible area.
     if (!parent.rect().intersects(widget->geometry())) continue;
     QList<QWidget*> stops;
     if (takesTab(*widget)) stops << widget;

@@ -11,8 +11,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kFrameMs = 16;         // a refresh of the screen at 60 Hz; more often nobody sees
-constexpr auto kNobody = "unnamed";  // nobody said who edits
+constexpr int kFrameMs = 16;         // one refresh of the screen at 60 Hz; more often is not visible
+constexpr auto kNobody = "unnamed";  // the author is unknown
 
 }  // namespace
 

@@ -45,7 +45,7 @@ class EditController : public QObject {
   void adopt(editing::EditHistory history, VersionReader read = {});
   /// The model of any state, read where it is not in memory.
   base::Result<editing::SharedModel> readyOf(editing::StateId state);
-  /// Who edits, from now on; empty where nobody said.
+  /// The author of edits from now on; empty if unknown.
   void setAuthor(const QString& name);
   const QString& author() const { return author_; }
   /// The author (`unnamed` if not known) and the current time.

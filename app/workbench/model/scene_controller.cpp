@@ -40,7 +40,7 @@ SceneController::SceneController(const ModelController& models, QObject* parent)
   connect(&models_, &ModelController::opened, this, &SceneController::adoptModel);
   connect(&models_, &ModelController::edited, this, &SceneController::adoptEdit);
   connect(&models_, &ModelController::shownChanged, this, &SceneController::adoptEdit);
-  // Only the path differs, which nobody reads off the scene while it is looked at.
+  // Only the path differs, and no panel reads the path from the scene.
   connect(&models_, &ModelController::saved, this, [this] { model_ = models_.shown(); });
   connect(&ranges_, &ShownRanges::changed, this, [this](const std::string& input) {
     if (!model_ || input != xVariable().id) return;

@@ -1,4 +1,4 @@
-// How a participant comes in: her code, new or known, and the session that begins or goes on with her consent.
+// Arrival of a participant: her code, new or known, and the session that begins or is resumed with her consent.
 #pragma once
 
 #include <QObject>
@@ -21,12 +21,12 @@ class Arrival : public QObject {
   /// All outlive this. The study must be open.
   Arrival(StudyConnection& study, SessionProxy& proxy, const ParticipantPlan& plan);
 
-  /// Draws a code that nobody has. `usability`: a clinical teacher who answers the usability form, in a session of its
+  /// Draws an unused code. `usability`: a clinical teacher who answers the usability form, in a session of its
   /// own. Ends with `changed` or `refused`.
   void newHere(bool usability);
   /// Looks for the participant with this code. Ends with `changed` or `refused`.
   void enterCode(const QString& code);
-  /// Back to the first question: nobody is there yet.
+  /// Back to the first question: no participant is known yet.
   void forget();
 
   bool isKnown() const { return person_.has_value(); }
@@ -34,7 +34,7 @@ class Arrival : public QObject {
   /// She is in the study file, or will be with her session.
   bool isNewcomer() const { return newcomer_; }
   bool isForUsability() const { return usability_; }
-  /// A session that she can go on with.
+  /// A session that she can resume.
   bool hasSession() const { return session_.has_value(); }
   QString code() const;
   const WelcomeState& welcome() const { return welcome_; }

@@ -12,7 +12,7 @@ namespace tactus::workbench {
 /// The handle must be let go before it counts as held, so a stuck button is found. Plain state. Thread: gui.
 class DeviceCheck {
  public:
-  static constexpr double kStillS = 1;   ///< long enough to see drift, short enough to bore nobody
+  static constexpr double kStillS = 1;   ///< long enough to see drift, short enough not to tire her
   static constexpr double kStillMm = 3;  ///< more than tremor and the play of the handle
   static constexpr double kPushMm = 20;  ///< as in the self-test: a movement that no drift reaches
 

@@ -20,7 +20,7 @@ struct KnownPerson {
 /// Thread: that of `file`.
 base::Result<KnownPerson> knownPerson(const store::StudyFile& file, const std::string& typed);
 
-/// A code that nobody has or had. Thread: that of `file`.
+/// A code that no participant has or had. Thread: that of `file`.
 base::Result<std::string> newCode(const store::StudyFile& file);
 
 }  // namespace tactus::workbench

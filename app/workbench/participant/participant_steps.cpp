@@ -60,14 +60,14 @@ void ParticipantController::onProxy() {
   look();
 }
 
-// The first look at a session that begins or goes on.
+// The first snapshot of a new or resumed session.
 void ParticipantController::meetSession() {
   passed_.blocks = at()->blocks_done;
   form_ = formWithConditions(at()->settings->form);
   if (const QString language = std::exchange(consent_language_, {}); !language.isEmpty()) {
     proxy_.note(session::consentGiven(at()->record->consent_version, language.toStdString()));
   }
-  // She sat down again: what she stopped with goes on.
+  // She sat down again: the interrupted part is resumed.
   if (std::exchange(resumes_, false) && at()->paused) {
     paused_by_her_ = true;
     proxy_.unpause();

@@ -116,7 +116,7 @@ void ParticipantWindow::arrange() {
     layer->raise();
     layer->setEnabled(layer == top());
   }
-  // In the corner where nobody presses by accident.
+  // In the corner, where it is not pressed by accident.
   const QSize leave = leave_button_->sizeHint();
   leave_button_->setGeometry(QRect(QPoint(margin, height() - margin - leave.height()), leave));
   leave_button_->setVisible(cover_ != nullptr && question_ == nullptr);

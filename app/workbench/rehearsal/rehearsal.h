@@ -37,7 +37,7 @@ class Rehearsal : public QObject {
  signals:
   /// She is done with the last screen.
   void done();
-  /// One sentence: why she cannot go on.
+  /// One sentence: why she cannot continue.
   void stuck(const QString& sentence);
 
  private:

@@ -78,7 +78,7 @@ Panel& PanelArea::addPanel(const QString& id, const QString& title, QWidget* con
   panels_ << dock;
   const auto titles_change = [this] { titles_.start(); };
   connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
-    // The window leaves a panel behind a tab visible to itself, out of sight; it would go on computing.
+    // QMainWindow keeps a panel behind a tab visible to itself; it would continue computing out of sight.
     setSeen(*dock, visible);
     titles_.start();
   });

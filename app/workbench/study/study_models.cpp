@@ -53,7 +53,7 @@ StudyModels::StudyModels(StudyConnection& study, ModelController& models, EditCo
   study_.attach(*this);
   connect(&study_, &StudyConnection::changed, this, &StudyModels::savedChanged);
   connect(&study_, &StudyConnection::openedAgain, this, &StudyModels::openModel);
-  // Rules of somebody who withdrew were taken out of versions that are on the screen.
+  // Rules of a participant who withdrew were removed from versions on the screen.
   connect(&study_, &StudyConnection::modelsErased, this, [this] {
     if (keepsModel()) openModel();
   });

@@ -56,7 +56,7 @@ std::optional<study::RecordId> FeelStore::replayed() const {
 
 void FeelStore::setWho(std::optional<study::RecordId> who) {
   if (who == who_) return;
-  // What goes on belongs to the person before.
+  // The current recording belongs to the previous person.
   if (recorder_) setRecording(false);
   endPlacement();
   who_ = who;
@@ -191,7 +191,7 @@ void FeelStore::follow(std::size_t sample) {
 void FeelStore::onPlacementEnded() {
   const auto summary = feel_.lastPlacement();
   const auto felt = std::exchange(felt_, std::nullopt);
-  // A replay is nobody's placement.
+  // A replay is not a placement.
   if (!summary || !study_.takesOrders() || feel_.isReplay()) return;
   study::PlacementRecord record;
   record.entry = entry();
@@ -207,7 +207,7 @@ void FeelStore::onPlacementEnded() {
   });
 }
 
-// What the hand did until now is stored as it was; what comes belongs to somebody or something else.
+// The movement so far is stored unchanged; what follows belongs to another person or model.
 void FeelStore::endPlacement() {
   if (feel_.isRunning() && !feel_.isReplay()) feel_.newPlacement();
 }

@@ -150,7 +150,7 @@ void RecordingsCard::showWho() {
 void RecordingsCard::listRecordings() {
   const QString kept = list_->currentData().toString();
   const auto& recordings = study_.recordings();
-  // One that has just begun is what somebody wants to see next.
+  // The recording that has just begun is the most interesting one.
   const bool is_new = std::exchange(listed_, recordings.size()) < recordings.size();
   list_->clear();
   // The newest first.

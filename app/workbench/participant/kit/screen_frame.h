@@ -27,7 +27,7 @@ class ScreenFrame : public QWidget {
  public:
   explicit ScreenFrame(const Look& look, QWidget* parent = nullptr);
 
-  /// Data that nobody gave: SIMULATED stands beside the title.
+  /// The data are simulated: SIMULATED stands beside the title.
   void setSimulated(bool simulated);
   /// The primary button stands at the hand that does not hold the device.
   void setFreeHandLeft(bool left);

@@ -1,4 +1,4 @@
-// After "Force off": the force is zero, and she says how it goes on. Nothing here needs the researcher.
+// After "Force off": the force is zero, and she chooses what happens next. Nothing here needs the researcher.
 #pragma once
 
 #include "app/workbench/participant/screens/panel_card.h"

@@ -1,4 +1,4 @@
-// One sentence over a screen that waits for somebody else: the researcher, or the disk.
+// One sentence over a screen that waits for the researcher or the disk.
 #pragma once
 
 #include "app/workbench/participant/screens/panel_card.h"

@@ -1,4 +1,4 @@
-// A rest: the force is off, nothing counts down, she goes on when she likes.
+// A rest: the force is off, there is no countdown, she continues whenever she likes.
 #pragma once
 
 #include "app/workbench/participant/kit/screen_frame.h"

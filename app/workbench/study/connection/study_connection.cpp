@@ -142,7 +142,7 @@ void StudyConnection::finishErasure() {
   const auto end = std::make_shared<ErasureEnd>();
   erasing_ = true;
   emit noticesChanged();
-  // A failure is no error of the order: it would be done again and again, and nobody could leave the study meanwhile.
+  // A permanent failure is dropped: retrying it for ever would keep the user from closing the study.
   order(
       [end](store::StudyFile& file, study::RecordIds&) -> Result<void> {
         const auto erasure = store::erase(file);
@@ -189,7 +189,7 @@ void StudyConnection::refresh() {
   });
 }
 
-// A study whose disk refuses keeps what was ordered; nobody gets away from it by accident.
+// If the disk refuses, the orders are kept and the study cannot be closed by accident.
 bool StudyConnection::mayLeave(const QString& path) {
   if (opening_) return false;
   if (failure().isEmpty()) return true;

@@ -90,7 +90,7 @@ Result<StudyContents> readContents(const store::StudyFile& file) {
   auto people = readPeople(file);
   if (!people) return tl::unexpected(people.error());
   out.people = std::move(*people);
-  // Recordings that only a newer program can read keep nobody from the rest of the study.
+  // Recordings of a newer program do not prevent reading the rest of the study.
   auto recordings = store::feelRecordings(file);
   if (recordings) out.recordings = std::move(*recordings);
   auto notices = readNotices(file);

@@ -172,7 +172,7 @@ class Words {
     return out + tr(" where %1 is %2").arg(inputText(where.input), region) + nearMean() + notAsked(where);
   }
 
-  // Whether somebody's own force is near the mean of those who are apart: if not, nobody feels the mean.
+  // Whether an expert's own force is near the mean of the disagreeing experts: if not, the mean is no expert's force.
   QString nearMean() const {
     const double mean = compiled_.evaluate(finding_.from).force_n;
     const double noticeable = elicitation::justNoticeableDifference(std::abs(mean));

@@ -65,7 +65,7 @@ void AutosaveController::writeWithin(int delay_ms) {
   if (!due_.isActive() || due_.remainingTime() > delay_ms) due_.start(delay_ms);
 }
 
-// Another document was opened, or the same one goes on with another history.
+// Another document was opened, or the same document got another history.
 void AutosaveController::onReset() {
   due_.stop();
   again_ = false;

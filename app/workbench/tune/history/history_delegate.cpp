@@ -87,7 +87,7 @@ void HistoryDelegate::paintTree(QPainter& painter, const QRect& area, int row_nu
   const double bottom = area.bottom() + 1;
   painter.setPen(QPen(theme::border(), 1.5));
   painter.setBrush(Qt::NoBrush);
-  // The lines that a branch leaves go on below it.
+  // The lines beside a branch continue below it.
   for (int outer = 0; outer < level; ++outer) painter.drawLine(QPointF(x(outer), top), QPointF(x(outer), bottom));
   if (row.starts && level > 0) {
     QPainterPath bend(QPointF(x(level - 1), top));

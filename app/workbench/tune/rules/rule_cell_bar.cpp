@@ -78,7 +78,7 @@ void RuleCellBar::showCell() {
   enabled_->setEnabled(cell.rule.has_value());
   const QSignalBlocker no_weight(weight_);
   const QSignalBlocker no_enabled(enabled_);
-  // What somebody types stays until it is entered.
+  // Typed text stays until it is committed.
   if (weight_->exact() != cell.weight) weight_->setExact(cell.weight);
   enabled_->setChecked(cell.rule && cell.enabled);
 }

@@ -82,7 +82,7 @@ QWidget* RuleListDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
   auto* words = new QComboBox(parent);
   words->setAccessibleName(tr("Consequent"));
   for (const fuzzy::Term& word : rules_.words()) words->addItem(labelOf(word));
-  // A word that is picked is an answer; nobody has to confirm it.
+  // Choosing a word commits it; no confirmation follows.
   connect(words, &QComboBox::activated, this, [this, words] {
     auto* self = const_cast<RuleListDelegate*>(this);
     emit self->commitData(words);

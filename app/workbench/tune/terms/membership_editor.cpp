@@ -123,7 +123,7 @@ void MembershipEditor::buildPlace() {
   layout->addWidget(variables_);
   layout->addLayout(modes);
   layout->addWidget(plot_, 1);
-  // Beside the hint: the row above has no room to spare where somebody's scope is chosen.
+  // Beside the hint: the row above is full while the scope is one expert.
   auto* hints = new QHBoxLayout;
   hints->setSpacing(theme::kGrid);
   hints->addWidget(hint_, 1);

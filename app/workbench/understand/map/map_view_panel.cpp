@@ -68,7 +68,7 @@ void MapViewPanel::showChoice() {
 
 void MapViewPanel::showMap() { content_.view->setMap(map_.map()); }
 
-// At once where somebody sees it, so that an edit is on the screen within its frame.
+// At once while the panel is visible, so that an edit is painted within its frame.
 void MapViewPanel::onMap() {
   compute_->setRefining(!map_.isFinest());
   if (isVisible()) {

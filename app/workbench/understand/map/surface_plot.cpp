@@ -70,7 +70,7 @@ void SurfacePlot::setLook(const SurfaceLook& look) {
 void SurfacePlot::paintPicture(QCPPainter& painter, const QSize& size) {
   SurfaceFrame frame = frame_;
   frame.size = size;
-  // Half as fine as the map: a file of vectors holds every cell, and nobody sees the difference.
+  // Half as fine as the map: a vector file holds every cell, and the difference is not visible.
   const std::size_t stride = map_ && map_->side - 1 > kPictureCells ? 2 : 1;
   paintSurface(painter, frame, map_ ? mesh(stride) : nullptr, SurfacePainting::Quality::kSmooth);
 }
@@ -101,7 +101,7 @@ void SurfacePlot::changeEvent(QEvent* event) {
 
 void SurfacePlot::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  // What nobody sees is not refined; shown again it begins anew.
+  // A hidden surface is not refined; refinement restarts when it is shown.
   rest_.stop();
   slices_.stop();
   stale_ = stale_ || !rested_;
