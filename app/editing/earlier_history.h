@@ -1,5 +1,5 @@
-// How the history of a model is continued when its file is opened again: from the versions kept so far and the model that
-// the file has now.
+// How the history of a model is continued when its file is opened again: from the versions kept so far and the model
+// that the file has now.
 #pragma once
 
 #include <cstddef>

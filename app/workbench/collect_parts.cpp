@@ -48,6 +48,7 @@ void CollectParts::connectAll() {
   });
   connect(&study_models_, &StudyModels::notesChanged, this, [this] { view_->home().showData(study_models_.notes()); });
   connect(&view_->home(), &StudyHome::startAsked, &run_, &SessionRun::start);
+  connect(&view_->home(), &StudyHome::usabilityAsked, &run_, &SessionRun::startUsability);
   connect(&run_, &SessionRun::changed, this, [this] { collect_.setSessionRunning(run_.isRunning()); });
   connect(&run_, &SessionRun::failed, this, [this](const QString& sentence) { window_.banner().showError(sentence); });
   connect(&protocol_, &ProtocolController::refused, this,

@@ -34,10 +34,15 @@ SessionRun::SessionRun(MainWindow& window, StudyConnection& study, DeviceSession
 
 SessionRun::~SessionRun() = default;
 
-void SessionRun::start(const QString& code) {
+void SessionRun::start(const QString& code) { prepare(code, false); }
+
+void SessionRun::startUsability() { prepare({}, true); }
+
+void SessionRun::prepare(const QString& code, bool usability) {
   if (isRunning() || !study_.takesOrders()) return;
   preparing_ = true;
   code_ = code;
+  usability_ = usability;
   device_.stop();  // whatever was felt ends
   search_.search();
   emit changed();
@@ -64,6 +69,7 @@ void SessionRun::begin(ParticipantPlan plan) {
   // The window is closed from within its own button.
   connect(take_part_.get(), &TakePart::left, this, &SessionRun::end, Qt::QueuedConnection);
   if (!code_.isEmpty()) take_part_->course().sitDown(code_);
+  if (usability_) take_part_->course().sitDownAsTeacher();
   // The window of the one mode is gone before that of the other comes.
   quits_with_last_window_ = QGuiApplication::quitOnLastWindowClosed();
   QGuiApplication::setQuitOnLastWindowClosed(false);

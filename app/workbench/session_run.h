@@ -42,6 +42,8 @@ class SessionRun : public QObject {
  public slots:
   /// `code`: of the participant who sits down; empty: the screens ask. Ends with `changed` or `failed`.
   void start(const QString& code);
+  /// The usability form for a clinical teacher with a new code. Ends as `start`.
+  void startUsability();
 
  signals:
   void changed();
@@ -49,6 +51,7 @@ class SessionRun : public QObject {
   void failed(const QString& sentence);
 
  private:
+  void prepare(const QString& code, bool usability);
   void plan();
   void begin(ParticipantPlan plan);
   void watch(QScreen& nurse, QScreen& researcher);
@@ -62,6 +65,7 @@ class SessionRun : public QObject {
   DeviceSession& device_;
   DeviceSearch search_;
   QString code_;
+  bool usability_ = false;
   bool preparing_ = false;
   bool quits_with_last_window_ = true;  ///< as it was before
   std::unique_ptr<TakePart> take_part_;

@@ -74,6 +74,7 @@ StudyHome::StudyHome(CollectController& collect, QWidget* parent)
       data_(new NotesButton(this)),
       protocol_(new QPushButton(tr("&Protocol…"), this)),
       add_(new QPushButton(tr("&Add participant"), this)),
+      usability_(new QPushButton(tr("&Usability form"), this)),
       start_(new PrimaryButton(tr("S&tart a session"), this)),
       hint_(new Card(this)),
       hint_text_(new QLabel(hint_)),
@@ -112,6 +113,7 @@ StudyHome::StudyHome(CollectController& collect, QWidget* parent)
 QWidget* StudyHome::makeHead() {
   auto* head = new QWidget(this);
   name_->setFont(theme::titleFont());
+  usability_->setToolTip(tr("Six questions for a clinical teacher who tried the model, with a code of their own"));
   setInk(*summary_, theme::mutedInk());
   summary_->setTextFormat(Qt::PlainText);
   auto* titles = new QVBoxLayout;
@@ -127,7 +129,7 @@ QWidget* StudyHome::makeHead() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(theme::kGrid);
   row->addLayout(titles, 1);
-  for (QPushButton* button : {protocol_, add_}) {
+  for (QPushButton* button : {protocol_, usability_, add_}) {
     button->setMinimumSize(button->sizeHint().width() + 2 * theme::kGrid, 4 * theme::kGrid);
     row->addWidget(button, 0, Qt::AlignVCenter);
   }
@@ -192,6 +194,7 @@ void StudyHome::connectAll() {
   connect(&collect_, &CollectController::added, this, &StudyHome::showAdded);
   connect(protocol_, &QPushButton::clicked, this, &StudyHome::protocolAsked);
   connect(add_, &QPushButton::clicked, &collect_, &CollectController::addParticipant);
+  connect(usability_, &QPushButton::clicked, this, &StudyHome::usabilityAsked);
   const auto start = [this] {
     const auto person = selected();
     const ParticipantRow* const row = person ? collect_.row(*person) : nullptr;
@@ -240,7 +243,7 @@ void StudyHome::follow() {
   summary_->setText(tr("%n participant(s)", nullptr, count) + QStringLiteral(" · ") + protocol);
   pages_->setCurrentIndex(count > 0 ? 0 : 1);
   const bool open = collect_.study().isOpen() && !collect_.isSessionRunning();
-  for (QPushButton* button : {protocol_, add_, static_cast<QPushButton*>(start_)}) button->setEnabled(open);
+  for (QPushButton* button : {protocol_, usability_, add_, static_cast<QPushButton*>(start_)}) button->setEnabled(open);
   if (newest_ && collect_.row(*newest_) != nullptr && selected() != newest_) select(*newest_);
   showSelection();
   showHints();
@@ -257,7 +260,7 @@ void StudyHome::showSelection() {
   withdraw_->setEnabled(row != nullptr && !collect_.isWithdrawing() && !collect_.isSessionRunning());
   withdraw_->setVisible(row != nullptr);
   if (row == nullptr) {
-    chosen_->setText(tr("Choose a participant to continue, or start a session for somebody new."));
+    chosen_->setText(tr("Choose a participant to continue, or start a session for a new one."));
   } else if (!row->trouble.isEmpty()) {
     chosen_->setText(harmless(row->trouble));
   } else if (row->simulated) {

@@ -35,6 +35,8 @@ class StudyHome : public QWidget {
  signals:
   /// The nurse's screens for `code`; empty: whoever sits down says so.
   void startAsked(const QString& code);
+  /// The usability form for a clinical teacher, who gets a code of their own.
+  void usabilityAsked();
   void protocolAsked();
   void keyAsked();
   void withdrawAsked(const tactus::study::RecordId& person);
@@ -56,6 +58,7 @@ class StudyHome : public QWidget {
   NotesButton* data_;
   QPushButton* protocol_;
   QPushButton* add_;
+  QPushButton* usability_;
   PrimaryButton* start_;
   Card* hint_;
   QLabel* hint_text_;

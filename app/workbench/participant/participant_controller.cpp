@@ -90,6 +90,10 @@ void ParticipantController::sitDown(const QString& code) {
   if (state_.screen == Screen::kWelcome && !arrival_.isKnown()) arrival_.enterCode(code);
 }
 
+void ParticipantController::sitDownAsTeacher() {
+  if (state_.screen == Screen::kWelcome && !arrival_.isKnown()) arrival_.newHere(true);
+}
+
 void ParticipantController::decline() {
   if (state_.screen != Screen::kConsent || !takesInput()) return;
   passed_.stopped = true;

@@ -59,12 +59,14 @@ class ParticipantController : public QObject {
   void setLanguage(const QString& language);
   void setTextPercent(int percent);
   void newHere();
-  /// A clinical teacher: the usability form in a session of its own. Also for the researcher's side, at the welcome.
+  /// A clinical teacher: the usability form in a session of its own.
   void teacherHere();
   void enterCode(const QString& code);
   /// The researcher has chosen who sits down: as `enterCode`, but before anything is painted. A participant without a
   /// session yet is shown the code to write it down.
   void sitDown(const QString& code);
+  /// The same for a clinical teacher: a new code for the usability form.
+  void sitDownAsTeacher();
   // kConsent: `next` agrees
   void decline();
 

@@ -289,5 +289,13 @@ TEST_F(ParticipantControllerTest, ATeacherAnswersTheUsabilityFormInASessionOfIts
   EXPECT_EQ(store::answers(file, {{}, {}, true})->size(), 7U) << "the corrected one is kept";
 }
 
+TEST_F(ParticipantControllerTest, TheResearcherBeginsTheUsabilityFormBeforeAnythingIsPainted) {
+  nurse->sitDownAsTeacher();
+  ASSERT_TRUE(comesTrue([this] { return !at().code.isEmpty(); }));
+  next();
+  ASSERT_EQ(screen(), Screen::kConsent);
+  EXPECT_TRUE(at().consent.usability);
+}
+
 }  // namespace
 }  // namespace tactus::workbench

@@ -166,7 +166,8 @@ void FindingsController::onModel() {
   lint_worker_.drop();
   dropFixes();
   emit changed();
-  // A drag is linted when it ends: findings on its way are too short-lived to read, and the servo and the plots need the time.
+  // A drag is linted when it ends: findings on its way are too short-lived to read, and the servo and the plots need
+  // the time.
   if (!edits_.inGesture()) refresh();
 }
 
