@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/anatomy/anatomy_drawing.h"
+#include "app/workbench/anatomy/inset_view.h"
 
 namespace tactus::workbench::anatomy {
 namespace {
@@ -110,6 +111,16 @@ TEST(AnatomyDrawing, TheTubeRunsThroughTheRegions) {
     const double inside_mm = beginMm(region) + 15;
     EXPECT_TRUE(outlineOf(region, Posture::kUpright).contains(way.placeAt(inside_mm))) << idOf(region);
   }
+}
+
+TEST(InsetView, ShowsTheStomachOnThePatientsLeft) {
+  constexpr QColor kStomach(0xE8, 0xA5, 0x96);
+  InsetView view(Inset::kFront);
+  view.resize(560, 392);  // twice as wide as the drawing: it stays in the middle
+  const QImage picture = view.grab().toImage();
+  // The drawing is seen from the front, so the patient's left is on the right; 1 px is 1 mm, the middle is x = 0.
+  EXPECT_EQ(picture.pixelColor(280 + 80, 300), kStomach);
+  EXPECT_NE(picture.pixelColor(280 - 80, 300), kStomach);
 }
 
 }  // namespace

@@ -10,6 +10,8 @@ namespace tactus::workbench::nurse {
 namespace {
 
 constexpr double kPictureMm = 20;
+constexpr int kRegionsShare = 3;      // of the width; an inset has 1
+constexpr double kInStomachMm = 490;  // depth of the tip
 
 }  // namespace
 
@@ -62,7 +64,18 @@ void GlossaryPage::addRegions() {
   };
   connect(&look_, &Look::changed, view, name);
   name();
-  row_->addWidget(view, 1);
+  row_->addWidget(view, kRegionsShare);
+}
+
+void GlossaryPage::addWay(const Phrase& word) {
+  auto* view = new anatomy::AnatomyView(this);
+  view->setFraming(anatomy::Framing::kWhole);
+  view->setDepth(kInStomachMm);
+  addColumn(word, view, true);
+}
+
+void GlossaryPage::addInset(const Phrase& word, anatomy::Inset inset) {
+  addColumn(word, new anatomy::InsetView(inset, this), true);
 }
 
 }  // namespace tactus::workbench::nurse

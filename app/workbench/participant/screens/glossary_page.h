@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QWidget>
 
+#include "app/workbench/anatomy/inset_view.h"
 #include "app/workbench/anatomy/posture.h"
 #include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/pictures.h"
@@ -20,6 +21,9 @@ class GlossaryPage : public QWidget {
   void addPosture(const Phrase& word, anatomy::Posture posture);
   /// The five regions, each with its name.
   void addRegions();
+  /// The whole way from the side, with the tube in the stomach.
+  void addWay(const Phrase& word);
+  void addInset(const Phrase& word, anatomy::Inset inset);
 
  private:
   void addColumn(const Phrase& word, QWidget* picture, bool grows);

@@ -14,12 +14,16 @@ GlossaryScreen::GlossaryScreen(const Look& look, QWidget* parent)
     pages_->addWidget(page);
     return page;
   };
-  add("q.instructions", TextRole::kBody);
+  GlossaryPage* start = add("q.instructions", TextRole::kBody);
+  start->addWay(phrase(QStringLiteral("glo.from_side")));
+  start->addInset(phrase(QStringLiteral("glo.from_front")), anatomy::Inset::kFront);
   GlossaryPage* force = add("glo.force");
   for (const Answer& word : forceWords()) {
     if (!word.apart) force->addPicture(word.word, word.picture);
   }
-  add("glo.way")->addRegions();
+  GlossaryPage* way = add("glo.way");
+  way->addRegions();
+  way->addInset(phrase(QStringLiteral("glo.from_behind")), anatomy::Inset::kBehind);
   GlossaryPage* lubrication = add("glo.lubrication");
   int level = 0;
   for (const char* id : {"s.lubrication.poor", "s.lubrication.medium", "s.lubrication.well"})
