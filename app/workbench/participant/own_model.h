@@ -26,7 +26,8 @@ struct OwnModel {
   std::vector<OwnRegion> regions;  ///< along the way
   /// What a sample's depth lacks to the depth of the model, mm.
   double depthOffsetMm() const { return scene->renderer().depth_offset_mm; }
-  /// As the study keeps it, without its id: `isOwnModel` tells it from the versions of the researcher's model.
+  /// As the study keeps it, without its id. Its label (session::kOwnModelLabel) tells it from the versions of the
+  /// researcher's model.
   study::ModelVersion version;
   std::vector<QPointF> curve;  ///< depth in mm, share of the largest force; at the scene's conditions
 };

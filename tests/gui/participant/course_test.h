@@ -105,6 +105,15 @@ class CourseTest : public testing::Test {
     steps->moveTo(*device, 0, 200);
     next();
   }
+  // A short press of the device's first button, after it was open for a while.
+  void tapButton() {
+    std::vector<haptics::Sample> samples(500, device->latest());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      samples[i].time_ns = steps->nowNs() + static_cast<std::int64_t>(i) * 1'000'000;
+      samples[i].buttons = i >= 350 && i < 450 ? 1 : 0;
+    }
+    emit device->sampled(samples);
+  }
   // From the start, once the screen is settled.
   void insert(double to_mm = 70) {
     look();

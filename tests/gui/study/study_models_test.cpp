@@ -10,6 +10,7 @@
 
 #include "app/editing/history_versions.h"
 #include "app/editing/membership_edits.h"
+#include "app/session/session_notes.h"
 #include "core/model_io/model_file.h"
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
@@ -118,6 +119,22 @@ TEST_F(StudyModelsTest, OpensTheLatestModelWithItsHistory) {
   edits.redo();
   edits.redo();
   EXPECT_EQ(shoulder(), 2);
+}
+
+TEST_F(StudyModelsTest, ANursesOwnModelIsNoStateOfTheResearchersModel) {
+  makeTuned();
+  {
+    auto file = *store::StudyFile::open(path.toStdString());
+    study::RecordIds ids;
+    study::ModelVersion own = **store::latestModelVersion(file);
+    own.id = ids.next();
+    own.parent.reset();
+    own.label = session::kOwnModelLabel;
+    ASSERT_TRUE(store::append(file, own));
+  }
+  ASSERT_TRUE(open(path)) << failed.toStdString();
+  EXPECT_EQ(edits.history().line().size(), 3U);
+  EXPECT_TRUE(edits.canUndo());
 }
 
 TEST_F(StudyModelsTest, EveryEditBecomesAVersion) {
