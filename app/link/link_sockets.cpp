@@ -84,7 +84,7 @@ Result<void> LinkSockets::listenOnLoopback(std::uint16_t port) {
   if (!bindAndListen(socket, address)) {
     const bool taken = errno == EADDRINUSE;
     return portError(port, taken ? "another program that uses it" : base::systemReason(errno),
-                     "a free port, for example --port 0");
+                     "a free port; 0 takes any");
   }
   socklen_t size = sizeof address;
   if (::getsockname(socket.number(), reinterpret_cast<sockaddr*>(&address), &size) != 0)

@@ -324,8 +324,7 @@ TEST_F(LinkServerTest, ATakenPortIsOneSentence) {
   const auto second = LinkServer::start({server_->port(), {}, kToken, "x"}, served(named("x")));
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().message(), "port " + std::to_string(server_->port()) +
-                                          ": found another program that uses it, wanted a free port, for example "
-                                          "--port 0");
+                                          ": found another program that uses it, wanted a free port; 0 takes any");
 }
 
 TEST_F(LinkServerTest, WithoutDescriptorsConnectionsWaitUntilThereAreSome) {

@@ -224,7 +224,7 @@ TEST_F(Serve, WhatCannotBeServedIsOneSentence) {
   std::ofstream{empty};
   EXPECT_EQ(status, 1);
   EXPECT_EQ(sentence, "tactus: port " + std::to_string(taken.port()) +
-                          ": found another program that uses it, wanted a free port, for example --port 0\n");
+                          ": found another program that uses it, wanted a free port; 0 takes any\n");
   for (const auto& [arguments, words] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{folder_.file("none.json")}, "No such file or directory"},
            {{model_, "--socket", folder_.file("none/s")}, "No such file or directory"},

@@ -69,6 +69,23 @@ TEST_F(LinkControllerTest, IsOffUntilItIsStartedWithAModel) {
   EXPECT_EQ(controller.address(), address) << "a simulator finds it where it was";
 }
 
+TEST_F(LinkControllerTest, AChosenPortIsTheOneOrNone) {
+  open();
+  controller.start();
+  ASSERT_TRUE(controller.isServing());
+  const QString taken = controller.address();
+  LinkController second(models);
+  QString sentence;
+  QObject::connect(&second, &LinkController::failed, [&](const QString& text) { sentence = text; });
+  second.choosePort(static_cast<std::uint16_t>(taken.section(QLatin1Char(':'), 1).toUInt()));
+  second.start();
+  EXPECT_FALSE(second.isServing());
+  EXPECT_TRUE(sentence.contains(taken.section(QLatin1Char(':'), 1))) << sentence.toStdString();
+  controller.stop();
+  second.start();
+  EXPECT_EQ(second.address(), taken);
+}
+
 TEST_F(LinkControllerTest, EachEditIsSentAsSavingWouldWriteIt) {
   open();
   controller.start();

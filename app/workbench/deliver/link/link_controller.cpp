@@ -38,8 +38,8 @@ void LinkController::start() {
     emit failed(tr("No model is open; open one to serve it."));
     return;
   }
-  auto served = serve(port_);
-  if (!served && port_ != 0) served = serve(0);
+  auto served = serve(chosen_port_ != 0 ? chosen_port_ : port_);
+  if (!served && chosen_port_ == 0 && port_ != 0) served = serve(0);
   if (!served) {
     token_.reset();
     emit failed(text(served.error().message()));

@@ -29,6 +29,8 @@ class LinkController : public QObject {
   QString address() const;
   /// The file with the token that it needs; empty while nothing is served.
   QString tokenFile() const;
+  /// The port to serve at; 0: none is chosen. Takes effect with the next `start`.
+  void choosePort(std::uint16_t port) { chosen_port_ = port; }
   /// Who is connected.
   const std::vector<link::LinkClient>& clients() const { return clients_; }
   /// Whether a client wants to know what the hand feels.
@@ -37,7 +39,7 @@ class LinkController : public QObject {
   void tell(link::LinkStates states);
 
  public slots:
-  /// Ends with `changed` or `failed`. Takes the port of the time before if it is free.
+  /// Ends with `changed` or `failed`. Without a chosen port it takes the previous one if it is free, else any free one.
   void start();
   void stop();
 
@@ -53,7 +55,8 @@ class LinkController : public QObject {
   void showClients();
 
   const ModelController& models_;
-  std::uint16_t port_ = 0;  ///< of the time before
+  std::uint16_t chosen_port_ = 0;  ///< 0: any
+  std::uint16_t port_ = 0;         ///< the previous one
   std::optional<link::TokenFile> token_;
   std::vector<link::LinkClient> clients_;
   CallQueue calls_;

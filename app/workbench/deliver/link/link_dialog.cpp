@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QToolButton>
 
 #include "app/workbench/base/display_text.h"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int kWidth = 560;         // px
 constexpr int kClientsHeight = 80;  // px, five lines
+constexpr int kLargestPort = 65535;
 
 QLineEdit* makeReadOut(const QString& name, QWidget* parent) {
   auto* field = new QLineEdit(parent);
@@ -46,6 +48,7 @@ LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
       state_(new QLabel(this)),
       failure_(new WrappedLabel(this)),
       toggle_(new QPushButton(this)),
+      port_(new QSpinBox(this)),
       address_(makeReadOut(tr("Address"), this)),
       token_file_(makeReadOut(tr("Token file"), this)),
       copy_address_(makeCopyButton(tr("Copy the address"), address_, this)),
@@ -75,14 +78,21 @@ LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
   auto* fields = new QGridLayout;
   fields->setHorizontalSpacing(2 * theme::kGrid);
   fields->setVerticalSpacing(theme::kGrid);
-  const auto addRow = [&](const QString& label, QLineEdit* field, QToolButton* copy) {
+  const auto addRow = [&](const QString& label, QWidget* field, QWidget* copy) {
     const int row = fields->rowCount();
     auto* name = new QLabel(label, this);
     name->setMinimumWidth(name->sizeHint().width() + theme::kGrid / 2);
     fields->addWidget(name, row, 0);
     fields->addWidget(field, row, 1);
-    fields->addWidget(copy, row, 2);
+    if (copy != nullptr) fields->addWidget(copy, row, 2);
   };
+  port_->setRange(0, kLargestPort);
+  port_->setSpecialValueText(tr("Any free port"));
+  port_->setAccessibleName(tr("Port"));
+  port_->setToolTip(tr("Choose one if your simulator expects a fixed port; 0 takes any free one."));
+  connect(port_, &QSpinBox::valueChanged, &link_,
+          [this](int port) { link_.choosePort(static_cast<std::uint16_t>(port)); });
+  addRow(tr("Port"), port_, nullptr);
   addRow(tr("Address"), address_, copy_address_);
   addRow(tr("Token file"), token_file_, copy_token_file_);
   fields->setColumnStretch(1, 1);
@@ -122,6 +132,7 @@ void LinkDialog::showState() {
   token_file_->setToolTip(link_.tokenFile());
   address_->setPlaceholderText(tr("none"));
   token_file_->setPlaceholderText(tr("none"));
+  port_->setEnabled(!serving);
   copy_address_->setEnabled(serving);
   copy_token_file_->setEnabled(serving);
   QStringList lines;

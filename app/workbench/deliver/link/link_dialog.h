@@ -6,6 +6,7 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QSpinBox;
 class QToolButton;
 
 namespace tactus::workbench {
@@ -28,6 +29,7 @@ class LinkDialog : public QDialog {
   QLabel* state_;
   WrappedLabel* failure_;
   QPushButton* toggle_;
+  QSpinBox* port_;
   QLineEdit* address_;
   QLineEdit* token_file_;
   QToolButton* copy_address_;
