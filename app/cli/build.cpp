@@ -1,4 +1,3 @@
-#include <chrono>
 #include <optional>
 
 #include "app/cli/accepted_data.h"
@@ -6,61 +5,21 @@
 #include "app/cli/data_text.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/speeds_text.h"
+#include "app/cli/study_build.h"
 #include "app/cli/wrapped_text.h"
-#include "app/session/data_checks.h"
-#include "app/session/known_forms.h"
-#include "app/session/study_source.h"
-#include "app/version.h"
-#include "core/base/clock.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/rounded_number.h"
-#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
-#include "core/study/table_line.h"
 #include "elicitation/model/expert_weights_compared.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/rules/rule_lint.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
 
 using base::Result;
-using elicitation::WeightPolicy;
-
-Result<elicitation::WeightSettings> weightSettings(const std::string& word) {
-  elicitation::WeightSettings settings;
-  for (const auto policy :
-       {WeightPolicy::kEqual, WeightPolicy::kYears, WeightPolicy::kCategory, WeightPolicy::kColumn}) {
-    if (word != name(policy)) continue;
-    settings.policy = policy;
-    return settings;
-  }
-  const auto table = base::CsvTable::read(word);
-  if (!table) {
-    auto error = table.error();
-    if (error.code == base::ErrorCode::kIo) error.wanted = "equal, years, category, column or a CSV file for --weights";
-    return tl::unexpected(error);
-  }
-  auto weights = elicitation::readWeightTable(*table);
-  if (!weights) return tl::unexpected(weights.error());
-  settings.policy = WeightPolicy::kTable;
-  settings.table = std::move(*weights);
-  settings.table_file = word;
-  return settings;
-}
-
-/// An error of `buildModel`, told to whom it concerns: the file it names, an option, or the study.
-tl::unexpected<base::Error> explained(base::Error error, const BuildOptions& options, const std::string& weights_file) {
-  if (error.file.empty() && (error.place == "alpha" || error.place == "trim" || error.place == "force-end")) {
-    error.place = "--" + error.place;
-    return tl::unexpected(std::move(error));
-  }
-  if (!error.file.empty() && error.file == weights_file) return tl::unexpected(std::move(error));
-  return study::inStudyFolder(std::move(error), options.study);
-}
 
 /// What a build gives besides the model file.
 struct Results {
@@ -160,57 +119,25 @@ std::string asJson(const BuildOptions& options, const Results& results) {
 }  // namespace
 
 Result<Output> build(const BuildOptions& options) {
-  auto weights = weightSettings(options.weights);
-  if (!weights) return tl::unexpected(weights.error());
-  const auto accepted = acceptedKinds(options.accept);
-  if (!accepted) return tl::unexpected(accepted.error());
-  const auto tables = session::readStudy(options.study, elicitation::ngtInputIds());
-  if (!tables) return tl::unexpected(tables.error());
-  std::vector<std::string> notices;
-  for (const auto& notice : tables->notices) notices.push_back(options.study + ": " + notice);
-  const auto data = session::dataFindings(tables->study);
-  if (auto ok = study::refuseData(data, *accepted); !ok) return study::inStudyFolder(ok.error(), options.study);
-
-  elicitation::BuildSettings settings;
-  settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
-  settings.generator = kGenerator;
-  settings.speed.alpha = options.alpha;
-  settings.speed.trim = options.trim;
-  settings.speed.centres = options.centres;
-  settings.averaging = options.averaging;
-  settings.force_terms = options.force_terms;
-  settings.force_end_n = options.force_end_n;
-  if (auto members = acceptedJson(data, *accepted); !members.empty()) {
-    settings.extra.push_back({"accepted_data", std::move(members)});
-  }
-  const std::string weights_file = weights->table_file;
-  settings.weights = std::move(*weights);
-  settings.terms = options.own_terms ? elicitation::SpeedTermsOf::kOwn : elicitation::SpeedTermsOf::kAveraged;
-  auto built = elicitation::buildModel(tables->study, session::knownForms(), settings);
-  if (!built) return explained(built.error(), options, weights_file);
-  const auto compiled = fuzzy::compile(built->model);
+  auto made = buildStudy(options);
+  if (!made) return tl::unexpected(made.error());
+  auto& built = made->built;
+  const auto& study = made->tables.study;
+  const auto compiled = fuzzy::compile(built.model);
   if (!compiled) return inFile(compiled.error(), options.study);
   std::string no_intervals;
-  const auto intervals = speedIntervals(tables->study, *built, settings, options.replicates, no_intervals);
-  if (!no_intervals.empty()) built->notes.push_back(no_intervals);
-  for (auto& note : acceptedNotes(data, *accepted)) built->notes.push_back(std::move(note));
-  Results results{*built,
-                  data,
-                  notices,
-                  elicitation::ruleLint(built->model, *compiled, built->experts),
-                  {},
-                  intervals,
-                  options.force_terms,
-                  *accepted};
+  const auto intervals = speedIntervals(study, built, made->settings, options.replicates, no_intervals);
+  if (!no_intervals.empty()) built.notes.push_back(no_intervals);
+  for (auto& note : acceptedNotes(made->data, made->accepted)) built.notes.push_back(std::move(note));
+  Results results{built, made->data, made->notices,       elicitation::ruleLint(built.model, *compiled, built.experts),
+                  {},    intervals,  options.force_terms, made->accepted};
   if (options.json) {
-    auto weighted = elicitation::compareWeights(*built, tables->study, settings);
+    auto weighted = elicitation::compareWeights(built, study, made->settings);
     if (!weighted) return inFile(weighted.error(), options.study);
     results.weights = std::move(*weighted);
   }
-  if (auto written = model_io::writeModel(built->model, options.out); !written) return tl::unexpected(written.error());
-  auto warnings = notices;
-  warnings.insert(warnings.end(), tables->notes.begin(), tables->notes.end());
-  return Output{options.json ? asJson(options, results) : summary(options, results), std::move(warnings)};
+  if (auto written = model_io::writeModel(built.model, options.out); !written) return tl::unexpected(written.error());
+  return Output{options.json ? asJson(options, results) : summary(options, results), made->warnings()};
 }
 
 }  // namespace tactus::cli

@@ -50,6 +50,12 @@ inline void addJson(CLI::App& command, bool& json) { command.add_flag("--json", 
 /// `--accept KIND`, as often as there are kinds (accepted_data.h); `what` is what they do not stop.
 void addAccept(CLI::App& command, std::vector<std::string>& kinds, const std::string& what);
 
+/// STUDY and the options of `build` for how a model is made; `stops`: what `--accept` lets go on.
+void addBuildOptions(CLI::App& command, BuildOptions& options, const std::string& stops);
+
+/// `build`, `report`, `vote`.
+void addBuildCommands(CLI::App& app, Chosen& chosen);
+
 /// `study` with its subcommands (study_commands.h).
 void addStudyCommands(CLI::App& app, Chosen& chosen);
 

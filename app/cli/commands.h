@@ -88,6 +88,11 @@ struct BuildOptions {
 /// Elicits the averaged model file from a study.
 base::Result<Output> build(const BuildOptions& options);
 
+/// The options of `build`; `out` is the page.
+struct ReportOptions : BuildOptions {};
+/// Writes the report of a study (app/report/study_report.h). What the study lacks is said in it.
+base::Result<Output> writeReport(const ReportOptions& options);
+
 struct SimulateOptions {
   std::string model;
   std::string scenario;  ///< docs/scenario.md

@@ -42,44 +42,10 @@ std::optional<analysis::Sampling> parseMethod(const std::string& text) {
       static_cast<std::size_t>(*count)};
 }
 
-/// A policy of weights, or the name of a file: that has a dot or a slash, or is there.
-CLI::Validator weightsWord() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        const std::vector<std::string> policies = {"equal", "years", "category", "column"};
-        const bool known = std::find(policies.begin(), policies.end(), text) != policies.end();
-        if (known || text.find_first_of("./") != std::string::npos || CLI::ExistingFile(text).empty())
-          return std::string();
-        return "found " + base::quoted(text) + ", wanted one of " + base::joined(policies, ", ") + " or a CSV file" +
-               base::suggestion(text, policies);
-      },
-      "");
-}
-
 std::vector<std::string> readingIds() {
   std::vector<std::string> ids;
   for (const auto& reading : questionnaires::s4Readings()) ids.push_back(reading.id);
   return ids;
-}
-
-/// The options of `build` and `vote` for the terms of the force.
-template <class Options>
-void addForceTerms(CLI::App& command, Options& o) {
-  command
-      .add_option_function<std::string>(
-          "--force-terms",
-          [&o](const std::string& word) {
-            using enum elicitation::ForceTermsFrom;
-            o.force_terms = word == name(kFrequency) ? kFrequency : word == name(kThresholds) ? kThresholds : kVote;
-          },
-          "Terms of the force from the judgements")
-      ->check(oneOf({"vote", "frequency", "thresholds"}))
-      ->default_str("vote");
-  command
-      .add_option(
-          "--force-end", o.force_end_n,
-          "End of the universe of the force in N (default: the last force that half of the participants judged)")
-      ->check(numberThat("a number from 0.001 to 100", [](double x) { return x >= 0.001 && x <= 100; }));
 }
 
 void addCommands(CLI::App& app, Chosen& chosen) {
@@ -94,56 +60,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                    ->default_str(std::string(questionnaires::kDefaultReading));
                addJson(command, o.json);
              });
-  addCommand(
-      app, chosen, "build", "Elicitation: from a study to its averaged force model", build,
-      [](CLI::App& command, BuildOptions& o) {
-        command.add_option("STUDY", o.study, "Study file, or folder with the CSV tables")
-            ->required()
-            ->check(notEmpty());
-        command.add_option("--out", o.out, "Model file to write")->required()->check(notEmpty());
-        command
-            .add_option("--weights", o.weights,
-                        "equal, years, category (beginner 1, intermediate 2, expert 3), column, or a CSV file "
-                        "participant,weight")
-            ->check(weightsWord());
-        command.add_option("--alpha", o.alpha, "Membership at which a cluster's core ends, in (0.5, 1]")
-            ->check(numberThat("a number above 0.5 and at most 1", [](double x) { return x > 0.5 && x <= 1; }));
-        command.add_option("--trim", o.trim, "Drop samples below this share of their stroke's peak speed, in [0, 1)")
-            ->check(numberThat("a share of 0 or more and below 1", [](double x) { return x >= 0 && x < 1; }));
-        command
-            .add_option_function<std::string>(
-                "--centres",
-                [&o](const std::string& word) {
-                  using enum elicitation::SpeedCentres;
-                  o.centres = word == name(kLevelMeans) ? kLevelMeans : kClusters;
-                },
-                "Middles of a participant's speed terms")
-            ->check(oneOf({"clusters", "level_means"}))
-            ->default_str("clusters");
-        command
-            .add_option_function<std::string>(
-                "--averaging",
-                [&o](const std::string& word) {
-                  using enum elicitation::Averaging;
-                  o.averaging = word == name(kMedian) ? kMedian : word == name(kWeightedMean) ? kWeightedMean : kMean;
-                },
-                "Of the speed terms over the participants; weighted_mean goes by --weights")
-            ->check(oneOf({"mean", "weighted_mean", "median"}))
-            ->default_str("mean");
-        addForceTerms(command, o);
-        addAccept(command, o.accept, "build");
-        command
-            .add_option("--replicates", o.replicates,
-                        "Draws of whole strokes for the intervals of the speeds, 0 for none")
-            ->check(wholeNumberUpTo(1000000));
-        command
-            .add_option_function<std::string>(
-                "--terms", [&o](const std::string& terms) { o.own_terms = terms == "own"; },
-                "Speed terms of the experts")
-            ->check(oneOf({"averaged", "own"}))
-            ->default_str("averaged");
-        addJson(command, o.json);
-      });
+  addBuildCommands(app, chosen);
   addCommand(app, chosen, "cluster", "Fuzzy C-Means of one column of speeds", cluster,
              [](CLI::App& command, ClusterOptions& o) {
                command.add_option("SPEEDS", o.speeds, "CSV file")->required()->check(notEmpty());
@@ -155,15 +72,6 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("-m", o.m, "Fuzziness, above 1 and at most 100")
                    ->check(numberThat("a number above 1 and at most 100", [](double x) { return x > 1 && x <= 100; }));
                command.add_option("--column", o.column, "Column to cluster")->check(notEmpty());
-               addJson(command, o.json);
-             });
-  addCommand(app, chosen, "vote", "The vote on force judgements and the terms that follow", vote,
-             [](CLI::App& command, VoteOptions& o) {
-               command.add_option("JUDGEMENTS", o.judgements, "Table of judgements, or of vote counts as in Table 2")
-                   ->required()
-                   ->check(notEmpty());
-               command.add_option("--series", o.series, "Series of stimuli to count")->check(notEmpty());
-               addForceTerms(command, o);
                addJson(command, o.json);
              });
   addCommand(app, chosen, "agreement", "How far raters agree: answers, judgements or a table of counts", agreement,

@@ -60,6 +60,11 @@ std::string HtmlPage::anchorFor(std::string_view title) {
   return anchor;
 }
 
+std::string HtmlPage::numberText(std::string_view kind, int& count) {
+  if (!numbered_) return {};
+  return "<span class=\"caption-number\">" + std::string(kind) + ' ' + std::to_string(++count) + ".</span> ";
+}
+
 void HtmlPage::section(std::string_view title) {
   const std::string anchor = anchorFor(title);
   contents_ += "<li><a href=\"#" + anchor + "\">" + base::xmlEscaped(title) + "</a></li>\n";
@@ -95,8 +100,11 @@ void HtmlPage::table(const Table& table) {
     for (const Cell& cell : row) columns += cell.columns;
     return columns;
   };
-  body_ += table.wide ? "<div class=\"table wide\"><table>\n" : "<div class=\"table\"><table>\n";
-  body_ += "<caption>" + table.caption.html() + "</caption>\n<thead>\n";
+  // A table that fills a page by itself may be torn; its head is repeated.
+  constexpr std::size_t kRowsOfAPage = 30;
+  const std::string tall = table.body.size() > kRowsOfAPage ? " tall" : "";
+  body_ += (table.wide ? "<div class=\"table wide" : "<div class=\"table") + tall + "\"><table>\n";
+  body_ += "<caption>" + numberText("Table", tables_) + table.caption.html() + "</caption>\n<thead>\n";
   for (const auto& row : table.head) {
     TACTUS_CHECK(width(row) == width(table.head.front()));
     appendRow(body_, row, true);
@@ -113,13 +121,15 @@ void HtmlPage::table(const Table& table) {
 
 void HtmlPage::figure(const Figure& figure) {
   TACTUS_CHECK(figure.columns >= 1 && figure.columns <= 3);
-  body_ += "<figure>\n<div class=\"panels columns-" + std::to_string(figure.columns) + "\">\n";
+  body_ += figure.panels.size() > 2 ? "<figure class=\"long\">\n" : "<figure>\n";
+  body_ += "<div class=\"panels columns-" + std::to_string(figure.columns) + "\">\n";
   for (const Panel& panel : figure.panels) {
     body_ += "<div class=\"panel\">";
     if (!panel.heading.empty()) body_ += "<div class=\"panel-heading\">" + panel.heading.html() + "</div>";
     body_ += panel.svg + "</div>\n";
   }
-  body_ += "</div>\n<figcaption>" + figure.caption.html() + "</figcaption>\n</figure>\n";
+  body_ +=
+      "</div>\n<figcaption>" + numberText("Figure", figures_) + figure.caption.html() + "</figcaption>\n</figure>\n";
 }
 
 std::string HtmlPage::html() const {

@@ -51,6 +51,9 @@ class HtmlPage {
  public:
   HtmlPage(std::string title, Markup subtitle);
 
+  /// From here on each caption begins with a number: `Table 1.`, `Figure 1.`
+  void numberCaptions() { numbered_ = true; }
+
   /// Starts a section (level 2) or a subsection (level 3). Both get an anchor from the title; the table of contents
   /// lists sections.
   void section(std::string_view title);
@@ -70,12 +73,17 @@ class HtmlPage {
 
  private:
   std::string anchorFor(std::string_view title);
+  /// `Table 3. ` where captions are numbered.
+  std::string numberText(std::string_view kind, int& count);
 
   std::string title_;
   Markup subtitle_;
   std::string contents_;
   std::string body_;
   std::vector<std::string> anchors_;
+  bool numbered_ = false;
+  int tables_ = 0;
+  int figures_ = 0;
 };
 
 }  // namespace tactus::report

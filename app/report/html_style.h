@@ -49,11 +49,13 @@ nav li { margin-bottom: 0; }
 .table { margin: 18px 0 26px; overflow-x: auto; }
 table { border-collapse: collapse; min-width: 60%; font-size: 14.5px; line-height: 1.4; }
 .table.wide table { width: 100%; }
+.caption-number { font-weight: 600; }
 caption { text-align: left; font-size: 14.5px; padding-bottom: 8px; line-height: 1.5; }
 th, td { padding: 5px 10px; text-align: left; vertical-align: top; border-bottom: 1px solid var(--line); }
 thead th { border-bottom: 1px solid var(--line); font-weight: 600; vertical-align: bottom; }
 thead tr:last-child th { border-bottom: 1.5px solid #8b949e; }
 thead tr + tr th.number { font-weight: 400; color: var(--muted); }
+thead th.number { white-space: normal; }
 thead th.span { text-align: center; }
 thead th.blank { border-bottom: 0; }
 tbody th { font-weight: 600; }
@@ -83,7 +85,7 @@ figcaption { font-size: 14.5px; line-height: 1.5; margin-top: 8px; max-width: 96
   .panels.columns-2, .panels.columns-3 { grid-template-columns: 1fr; }
 }
 @media print {
-  @page { size: A4; margin: 16mm 15mm; }
+  @page { size: A4; margin: 16mm 15mm 18mm; @bottom-center { content: counter(page) " of " counter(pages); font: 9pt Arial, sans-serif; color: #57606a; } }
   body { font-size: 10.5pt; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
   header { background: none; color: var(--ink); padding: 0 0 8px; border-bottom: 2px solid var(--line); }
   header .subtitle { color: var(--muted); }
@@ -94,7 +96,9 @@ figcaption { font-size: 14.5px; line-height: 1.5; margin-top: 8px; max-width: 96
   .panels.columns-3 { grid-template-columns: repeat(3, minmax(0, 1fr)); }
   h2, h3 { break-after: avoid; }
   h2 { margin-top: 26px; }
-  .panel, .key-numbers, .notice, tr, .table:not(.wide) { break-inside: avoid; }
+  .panel, .key-numbers, .notice, tr, figure:not(.long), .table:not(.wide):not(.tall) { break-inside: avoid; }
+  .panel svg { max-height: 225mm; }
+  thead { display: table-header-group; }
   figcaption { break-before: avoid; }
   .key-numbers .value { font-size: 14pt; }
   .key-numbers .what { font-size: 9pt; }

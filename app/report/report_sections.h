@@ -1,4 +1,4 @@
-// The sections of the demo report, one function each. Internal to the report.
+// The sections of the reports, one function each. Internal to the report.
 #pragma once
 
 #include <optional>
@@ -9,22 +9,51 @@
 #include "app/report/force_curves.h"
 #include "app/report/html.h"
 #include "app/report/regions.h"
+#include "app/report/study_report.h"
 #include "elicitation/model/speed_bootstrap.h"
 
 namespace tactus::report {
 
 /// The data of all sections.
 struct ReportContext {
-  const DemoReportInputs& in;
-  const ForceCurves& curves;  ///< of the averaged model
-  std::vector<Region> regions;
-  std::vector<Claim> claims;
+  const StudyReportInputs& in;
+  const DemoReportInputs* demo = nullptr;  ///< what only the demo's report has; null in the report of another study
+  const ForceCurves* curves = nullptr;     ///< of the averaged model; null without experts
+  std::vector<Region> regions = {};
+  std::vector<Claim> claims = {};                                        ///< of the demo
   std::optional<elicitation::StudySpeedIntervals> speed_intervals = {};  ///< absent if there are too few strokes
+
+  /// Whether the data of a participant, or of any one, are simulated.
+  bool simulated(const std::string& participant) const;
+  bool simulated() const;
 };
+
+/// Participants and experts that are drawn one by one; with more of them only some, or the range of all.
+inline constexpr std::size_t kMostDrawn = 12;
+
+/// The badges of a table or figure of the demo. In the report of another study there is nothing published, and
+/// `simulated` only if a participant is.
+Markup marks(const ReportContext& context, std::initializer_list<Badge> list);
+/// The intervals of the speeds; nothing without speeds, or with too few strokes to draw from.
+std::optional<elicitation::StudySpeedIntervals> speedIntervals(const StudyReportInputs& inputs);
+/// The depth of the model.
+const fuzzy::Variable& depthVariable(const fuzzy::ForceModel& model);
 
 // sections_overview.cpp
 void addOverview(HtmlPage& page, const ReportContext& context);
 void addOrigin(HtmlPage& page, const ReportContext& context);
+// sections_study.cpp
+/// Numbers and what is missing.
+void addStudyOverview(HtmlPage& page, const ReportContext& context);
+void addParticipants(HtmlPage& page, const ReportContext& context);
+void addDataFindings(HtmlPage& page, const ReportContext& context);
+// sections_rules.cpp
+void addRules(HtmlPage& page, const ReportContext& context);
+// sections_conflicts.cpp
+void addConflicts(HtmlPage& page, const ReportContext& context);
+// sections_method.cpp
+void addMethod(HtmlPage& page, const ReportContext& context);
+void addReferences(HtmlPage& page, const ReportContext& context);
 // sections_speed.cpp
 void addSpeeds(HtmlPage& page, const ReportContext& context);
 void addClusters(HtmlPage& page, const ReportContext& context);
@@ -38,6 +67,7 @@ void addVotes(HtmlPage& page, const ReportContext& context);
 void addFrequency(HtmlPage& page, const ReportContext& context);
 // sections_model.cpp
 void addMembershipFunctions(HtmlPage& page, const ReportContext& context);
+void addVertices(HtmlPage& page, const ReportContext& context);
 void addReachableRange(HtmlPage& page, const ReportContext& context);
 // sections_force.cpp
 void addSurface(HtmlPage& page, const ReportContext& context);

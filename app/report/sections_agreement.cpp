@@ -22,8 +22,21 @@ std::vector<std::string> termIds(const ReportContext& context) {
   return ids;
 }
 
-Markup numberOr(const OrReason<double>& value) {
-  return value ? Markup(base::formatFixed(*value, 3)) : muted("none: " + value.error());
+Markup numberOr(const OrReason<double>& value) { return value ? Markup(base::formatFixed(*value, 3)) : muted("none"); }
+
+/// Why a measure has no value, each reason once.
+std::string reasons(const Agreement& agreement) {
+  std::vector<std::string> out;
+  const auto take = [&out](const auto& value) {
+    if (value || std::find(out.begin(), out.end(), value.error()) != out.end()) return;
+    out.push_back(value.error());
+  };
+  take(agreement.alpha_ordinal);
+  take(agreement.alpha_interval);
+  take(agreement.alpha_nominal);
+  take(agreement.kendall_w);
+  take(agreement.fleiss_kappa);
+  return out.empty() ? std::string() : " None: " + base::joined(out, "; ") + ".";
 }
 
 std::string meanConsensus(const Agreement& agreement) {
@@ -47,9 +60,9 @@ std::vector<Cell> measures(const Markup& what, const AgreementData& data, const 
           numberCell(meanConsensus(agreement)),
           numberCell(numberOr(agreement.alpha_interval), true),
           numberCell(numberOr(agreement.alpha_nominal)),
-          numberCell(w ? Markup(base::formatFixed(w->w, 3)) : muted("none: " + w.error())),
+          numberCell(w ? Markup(base::formatFixed(w->w, 3)) : muted("none")),
           numberCell(kappa ? base::formatFixed(kappa->kappa, 3) + " (" + base::formatFixed(kappa->z, 2) + ")"
-                           : muted("none: " + kappa.error()))};
+                           : muted("none"))};
 }
 
 /// Consensus of each force as bars.
@@ -61,7 +74,8 @@ std::string consensusPlot(const ReportContext& context, const AgreementData& dat
                 .width = 460,
                 .height = 240,
                 .x = {.label = "Insertion force (N)", .min = 0, .max = force.max + 2 * kHalfBarN},
-                .y = {.label = "Consensus", .min = 0, .max = 1.05, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
+                .y = {.label = "Consensus", .min = 0, .max = 1.05, .ticks = {0, 0.25, 0.5, 0.75, 1}},
+                .simulated = context.simulated()});
   for (std::size_t i = 0; i < data.units.size(); ++i) {
     if (!agreement.items[i]) continue;
     const double at_n = data.units[i].force_n.value_or(0);
@@ -108,7 +122,7 @@ void addItemTable(HtmlPage& page, const ReportContext& context, const study::For
   }
   if (cells.empty()) return;
   Table table{.caption = strong("Consensus on each item of the form.") + " " +
-                         badges({Badge::kComputed, Badge::kSimulated}) +
+                         marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " Tastle–Wierman consensus of the answers, and in brackets how many terms the answers are "
                          "apart. "
                          "Bold: two terms or more.",
@@ -137,9 +151,10 @@ void addItemTable(HtmlPage& page, const ReportContext& context, const study::For
 void addAgreement(HtmlPage& page, const ReportContext& context) {
   page.section("How far the experts agree");
   const auto ids = termIds(context);
-  const auto judgements = elicitation::agreementData(context.in.study.judgements, "ascending", ids);
+  const auto judgements =
+      elicitation::agreementData(context.in.study.judgements, context.in.build_settings.series, ids);
   const auto answers = elicitation::agreementData(context.in.study.answers, {}, context.in.forms, ids);
-  Table table{.caption = strong("Agreement in words.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+  Table table{.caption = strong("Agreement in words.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " Ordinal alpha and consensus know that neighbouring terms are close. 1 is full agreement, 0 "
                          "is what chance gives.",
               .head = {{{.text = "Ratings"},
@@ -155,25 +170,36 @@ void addAgreement(HtmlPage& page, const ReportContext& context) {
               .wide = true};
   if (judgements) {
     const auto agreement = elicitation::agreement(*judgements);
-    table.body.push_back(measures("Judgements (Table 2)", *judgements, agreement));
-    table.note +=
-        " Table 2 says how many chose a term, not who: its W is that of one reconstructed split of the "
-        "votes over four persons, the other measures need the votes alone.";
+    table.body.push_back(
+        measures(context.demo != nullptr ? "Judgements (Table 2)" : "Judgements", *judgements, agreement));
+    table.note += reasons(agreement);
+    if (context.demo != nullptr) {
+      table.note +=
+          " Table 2 says how many chose a term, not who: its W is that of one reconstructed split of the "
+          "votes over four persons, the other measures need the votes alone.";
+    }
   }
   if (answers) {
-    table.body.push_back(measures("Answers (simulated)", *answers, elicitation::agreement(*answers)));
-    table.note += " The answers are those of " + base::joined(answers->raters, ", ") + "; " +
-                  context.in.published_expert + "’s rules were given directly and answer no item.";
+    const auto agreement = elicitation::agreement(*answers);
+    table.body.push_back(measures(context.demo != nullptr ? "Answers (simulated)" : "Answers", *answers, agreement));
+    table.note += reasons(agreement);
+    if (context.demo != nullptr) {
+      table.note += " The answers are those of " + base::joined(answers->raters, ", ") + "; " +
+                    context.demo->published_expert + "’s rules were given directly and answer no item.";
+    }
+  }
+  if (!judgements && !answers) {
+    page.paragraph("There are no judgements and no answers of two participants to compare.");
+    return;
   }
   page.table(table);
   if (judgements) {
-    page.figure(
-        {.caption =
-             strong("Consensus at each force.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-             " From the votes of Table 2 (Tastle and Wierman 2007): 1 where all choose the same term, 0 where half "
-             "are at each end of the scale.",
-         .panels = {{.svg = consensusPlot(context, *judgements, elicitation::agreement(*judgements))}},
-         .columns = 2});
+    page.figure({.caption = strong("Consensus at each force.") + " " +
+                            marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                            " From the votes (Tastle and Wierman 2007): 1 where all choose the same term, 0 where half "
+                            "are at each end of the scale.",
+                 .panels = {{.svg = consensusPlot(context, *judgements, elicitation::agreement(*judgements))}},
+                 .columns = 2});
   }
   if (answers) {
     const auto form = std::find_if(context.in.forms.begin(), context.in.forms.end(),
@@ -182,7 +208,6 @@ void addAgreement(HtmlPage& page, const ReportContext& context) {
       addItemTable(page, context, *form, *answers, elicitation::agreement(*answers));
     }
   }
-  addInfluence(page, context);
 }
 
 }  // namespace tactus::report

@@ -31,7 +31,7 @@ Markup subjectName(const std::string& subject) {
 }  // namespace
 
 void addVerdicts(HtmlPage& page, const ReportContext& context) {
-  const std::string& published = context.in.published_expert;
+  const std::string& published = context.demo->published_expert;
   Table table{
       .caption = strong("Does the model say what the paper says?") + " " + badge(Badge::kComputed) + " " + published +
                  "’s rules are published, so that column is a test. The mean holds three simulated nurses "

@@ -44,11 +44,12 @@ std::string clusterPlot(const ReportContext& context, const elicitation::Partici
   for (double& count : counts) count /= fullest;
 
   SvgPlot plot({.title = "Speed clusters of " + subject.participant,
-                .description = "Histogram of the simulated samples and membership in the clusters.",
+                .description = "Histogram of the samples and membership in the clusters.",
                 .width = 460,
                 .height = 250,
                 .x = {.label = "Speed (mm/s)", .min = 0, .max = max_mm_s},
-                .y = {.label = "Membership", .min = 0, .max = 1, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
+                .y = {.label = "Membership", .min = 0, .max = 1, .ticks = {0, 0.25, 0.5, 0.75, 1}},
+                .simulated = context.simulated(subject.participant)});
   plot.bars(edges, counts, "#D5DBE1", "Samples");
   const std::vector<double>& centres = subject.centres;
   std::vector<Series> memberships(centres.size());
@@ -99,11 +100,17 @@ std::string rampPlot(const ReportContext& context) {
                 .width = 940,
                 .height = 300,
                 .x = {.label = "Insertion speed (mm/s)", .min = speed.min, .max = speed.max},
-                .y = {.label = "Membership", .min = 0, .max = 1.12, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
+                .y = {.label = "Membership", .min = 0, .max = 1.12, .ticks = {0, 0.25, 0.5, 0.75, 1}},
+                .simulated = context.simulated()});
   for (std::size_t i = 0; i < context.in.built.speeds.size(); ++i) {
     LineLook look = expertLook(i);
     look.width = 1.5;
-    plot.line(trapezoids(context.in.built.speeds[i].ramps, speed.max), look, context.in.built.speeds[i].participant);
+    const bool each = context.in.built.speeds.size() <= kMostDrawn;
+    if (!each) look = {.color = "#B6BEC7", .width = 0.6};
+    plot.line(trapezoids(context.in.built.speeds[i].ramps, speed.max), look,
+              each     ? context.in.built.speeds[i].participant
+              : i == 0 ? "Each participant"
+                       : "");
   }
   Series average;
   for (const fuzzy::Term& term : speed.terms) {
@@ -133,15 +140,22 @@ const fuzzy::Variable& speedVariable(const ReportContext& context) {
 void addClusters(HtmlPage& page, const ReportContext& context) {
   if (context.in.built.speeds.empty()) return;
   page.section("Speed clusters and terms");
-  Figure figure{
-      .caption = strong("Fig. 7, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-                 " Clusters of the simulated speeds. Grey: histogram of the samples, scaled to its fullest bin. "
-                 "Lines: membership in each cluster; dotted: its centre, with its 95 % interval at the foot.",
-      .panels = {},
-      .columns = 2};
+  Figure figure{.caption = strong(context.demo != nullptr ? "Fig. 7, recomputed." : "Clusters of the speeds.") + " " +
+                           marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                           (context.demo != nullptr ? " Clusters of the simulated speeds."
+                                                    : " Fuzzy C-Means of each participant.") +
+                           " Grey: histogram of the samples, scaled to its fullest bin. "
+                           "Lines: membership in each cluster; dotted: its centre, with its 95 % interval at the foot.",
+                .panels = {},
+                .columns = 2};
   char letter = 'a';
   for (std::size_t who = 0; who < context.in.built.speeds.size(); ++who) {
     const elicitation::ParticipantSpeeds& subject = context.in.built.speeds[who];
+    if (who == kMostDrawn) {
+      figure.caption += " The first " + std::to_string(kMostDrawn) + " of " +
+                        std::to_string(context.in.built.speeds.size()) + " participants are drawn.";
+      break;
+    }
     const auto* intervals = context.speed_intervals ? &context.speed_intervals->participants[who] : nullptr;
     figure.panels.push_back({.heading = std::string("(") + letter++ + ") " + subject.participant,
                              .svg = clusterPlot(context, subject, intervals)});
@@ -149,7 +163,8 @@ void addClusters(HtmlPage& page, const ReportContext& context) {
   page.figure(figure);
   addClusterTables(page, context);
   page.figure(
-      {.caption = strong("Fig. 8 and 3(d), recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+      {.caption = strong(context.demo != nullptr ? "Fig. 8 and 3(d), recomputed." : "Terms of the speed.") + " " +
+                  marks(context, {Badge::kComputed, Badge::kSimulated}) +
                   " Ramps of each participant and the trapezoids averaged from them, which are the model’s terms "
                   "of the speed. Bars: 95 % intervals of their corners.",
        .panels = {{.svg = rampPlot(context)}}});

@@ -75,7 +75,8 @@ std::string strokePlot(const FeltRun& run, const fuzzy::RendererParameters& fric
                 .width = 940,
                 .height = 320,
                 .x = axisTo(std::max(1.0, largest_mm), "Way of the hand since the press (mm)"),
-                .y = axisTo(axisTop(run.summary.largest_force_n), "Resistance (N)")});
+                .y = axisTo(axisTop(run.summary.largest_force_n), "Resistance (N)"),
+                .simulated = true});
   plot.line(model, {.color = kSky, .width = 4}, "Fuzzy force F_d");
   plot.line(felt, {.color = kInk, .width = 1.8}, "Felt by the hand");
   plot.line(printed, {.color = kVermilion, .width = 1.8, .dash = Dash::kDashed}, "Eq. 3 as printed, kX − μV");
@@ -95,7 +96,8 @@ std::string placementForcePlot(const FeltRun& run) {
                 .width = 940,
                 .height = 280,
                 .x = axisTo(run.summary.duration_s, "Time (s)"),
-                .y = axisTo(axisTop(run.summary.largest_force_n), "Resistance (N)")});
+                .y = axisTo(axisTop(run.summary.largest_force_n), "Resistance (N)"),
+                .simulated = true});
   plot.line(felt, {.color = kMuted, .width = 1.2}, "Tube stuck, or let go");
   plot.line(sliding, {.color = kBlue, .width = 1.6}, "Tube slides in");
   return plot.svg();
@@ -110,7 +112,8 @@ std::string placementDepthPlot(const FeltRun& run, const ReportContext& context)
                 .width = 940,
                 .height = 260,
                 .x = axisTo(run.summary.duration_s, "Time (s)"),
-                .y = depthAxis(context)});
+                .y = depthAxis(context),
+                .simulated = true});
   for (const Region& region : context.regions) {
     plot.line({{0, region.from_mm}, {run.summary.duration_s, region.from_mm}}, {.color = kGrid, .width = 1});
     plot.label(run.summary.duration_s * 0.995, (region.from_mm + region.to_mm) / 2, region.label, kMuted,
@@ -133,7 +136,8 @@ void addFeel(HtmlPage& page, const ReportContext& context) {
       "The averaged model on the renderer and servo that a real device gets, with a simulated device and a simulated "
       "hand. Distances and forces are along the insertion axis.");
   page.figure(
-      {.caption = strong("Fig. 13, computed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+      {.caption = strong(context.demo != nullptr ? "Fig. 13, computed." : "One stroke.") + " " +
+                  badges({Badge::kComputed, Badge::kSimulated}) +
                   " One stroke: static friction rises to F_m = (1 + τ) F_d, the tube slips, and the friction falls "
                   "to the fuzzy force F_d. Eq. 3 as printed lowers the resistance while the hand moves (negative "
                   "damping, which feeds energy into the hand); it is drawn here and never rendered. The renderer "
@@ -141,8 +145,9 @@ void addFeel(HtmlPage& page, const ReportContext& context) {
                   base::formatFixed(friction.damping_n_s_mm, 4) + " N s/mm the two differ little.",
        .panels = {{.svg = strokePlot(*stroke, friction)}}});
   const auto& felt = placement->summary;
-  page.figure({.caption = strong("Fig. 18, computed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-                          " A whole placement in " + std::to_string(felt.strokes) +
+  page.figure({.caption = strong(context.demo != nullptr ? "Fig. 18, computed." : "A whole placement.") + " " +
+                          badges({Badge::kComputed, Badge::kSimulated}) + " A whole placement in " +
+                          std::to_string(felt.strokes) +
                           " strokes at lubrication 0.8; after 4.5 s the neck is flexed from 20 to 80 deg within a "
                           "second. The tube advanced " +
                           base::formatFixed(felt.depth_mm, 0) + " mm of the " + base::formatFixed(felt.planned_mm, 0) +

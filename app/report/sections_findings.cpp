@@ -88,12 +88,14 @@ std::string forceText(const RuleFinding& finding) {
 std::string weightsText(const fuzzy::ForceModel& model) {
   std::vector<std::string> parts;
   for (const auto& expert : model.experts) parts.push_back(base::formatNumber(expert.weight));
+  if (parts.size() > kMostDrawn) parts = {parts[0], parts[1], parts[2], "…"};
   return base::joined(parts, " : ");
 }
 
 std::string expertsText(const fuzzy::ForceModel& model) {
   std::vector<std::string> parts;
   for (const auto& expert : model.experts) parts.push_back(expert.id);
+  if (parts.size() > kMostDrawn) parts = {parts[0], parts[1], parts[2], "…"};
   return base::joined(parts, " : ");
 }
 
@@ -139,9 +141,11 @@ void addFindings(HtmlPage& page, const ReportContext& context) {
       "force is the one at stake: how far the force jumps there, or how far two experts or two answers are apart; “≥” "
       "marks the largest one of many settings looked at. The declared directions (better lubrication less force, a "
       "flexed neck less, more speed more) follow the text of the paper and are no law.");
-  Table table{.caption = strong("Findings.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-                         " By kind, the largest force first. Rules of " + context.in.published_expert +
-                         " are published, those of the others simulated.",
+  Table table{.caption = strong("Findings.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                         " By kind, the largest force first." +
+                         (context.demo != nullptr ? " Rules of " + context.demo->published_expert +
+                                                        " are published, those of the others simulated."
+                                                  : ""),
               .head = {{{.text = "Kind"}, {.text = "Expert"}, {.text = "Where"}, numberCell("Force (N)")}},
               .body = {},
               .wide = true};
@@ -162,15 +166,21 @@ void addFindings(HtmlPage& page, const ReportContext& context) {
 }
 
 void addWeights(HtmlPage& page, const ReportContext& context) {
-  const auto compared = elicitation::compareWeights(context.in.built, context.in.study, context.in.build_settings,
-                                                    elicitation::eachCountsTwice(context.in.built));
+  const bool few = context.in.built.model.experts.size() <= kMostDrawn;
+  const auto compared = elicitation::compareWeights(
+      context.in.built, context.in.study, context.in.build_settings,
+      few ? elicitation::eachCountsTwice(context.in.built) : std::vector<elicitation::WeightSettings>{});
   if (!compared) return;
   page.subsection("The mean under other weights");
   page.paragraph(
       "The same experts and the same terms, weighted in every way that the data of the study allow, against equal "
-      "weights as in Eq. 2 of the paper. The paper discusses weights by experience and says only that all four nurses "
-      "have more than ten years. So the last rows show what it would mean to let one of them count twice.");
-  Table table{.caption = strong("Weights.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+      "weights as in Eq. 2 of Choi et al." +
+      std::string(context.demo != nullptr ? " The paper discusses weights by experience and says only that all four "
+                                            "nurses have more than ten years. So the last rows show what it would mean "
+                                            "to let one of them count twice."
+                  : few                   ? " The last rows show what it would mean to let one expert count twice."
+                                          : ""));
+  Table table{.caption = strong("Weights.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " Difference of the averaged force to equal weights.",
               .head = {{{.text = "Weights"},
                         numberCell(expertsText(context.in.built.model)),

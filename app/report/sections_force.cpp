@@ -5,6 +5,7 @@
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
 #include "app/report/surface_plot.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 
 namespace tactus::report {
@@ -45,14 +46,15 @@ std::string familyPlot(const ReportContext& context, const Family& family) {
                 .width = 940,
                 .height = 300,
                 .x = depthAxis(context),
-                .y = forceAxis(context)});
+                .y = forceAxis(context),
+                .simulated = context.simulated()});
   markRegions(plot, context.regions);
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
     // Gray, as in the workbench: what tells the curves apart is no force.
     const double share =
         static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(1, family.curves.size() - 1));
     const std::string color = figures::hex(figures::mixed({0x57, 0x60, 0x6A}, {0x1B, 0x1F, 0x24}, share));
-    plot.line(toSeries(context.curves.plotted(family.curves[i].second, std::nullopt)),
+    plot.line(toSeries(context.curves->plotted(family.curves[i].second, std::nullopt)),
               {.color = color, .width = 1.6 + share, .dash = kDashes[i % kDashes.size()]}, family.curves[i].first);
   }
   return plot.svg();
@@ -69,12 +71,44 @@ std::vector<figures::Interval> holesOf(const ForceCurve& curve) {
   return figures::silentIntervals(depths_mm, forces);
 }
 
+constexpr CurveSetting kExpertsSetting{1, 60, 50};
+
+/// The range of many experts' forces and the middle 80 % of them.
+void drawRange(SvgPlot& plot, const ForceCurves& curves, std::size_t experts) {
+  Series lowest, low, high, highest;
+  std::vector<std::vector<double>> forces_n;
+  for (std::size_t e = 0; e < experts; ++e) {
+    const ForceCurve curve = curves.curve(kExpertsSetting, e);
+    forces_n.resize(curve.size());
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      if (e == 0) {
+        for (Series* series : {&lowest, &low, &high, &highest}) series->push_back({curve[i].depth_mm, std::nullopt});
+      }
+      if (curve[i].force_n) forces_n[i].push_back(*curve[i].force_n);
+    }
+  }
+  for (std::size_t i = 0; i < forces_n.size(); ++i) {
+    if (forces_n[i].empty()) continue;
+    lowest[i].y = base::quantile(forces_n[i], 0);
+    low[i].y = base::quantile(forces_n[i], 0.1);
+    high[i].y = base::quantile(forces_n[i], 0.9);
+    highest[i].y = base::quantile(forces_n[i], 1);
+  }
+  plot.between(lowest, highest, kSky, 0.2, "All " + std::to_string(experts) + " experts");
+  plot.between(low, high, kBlue, 0.25, "Middle 80 % of them");
+}
+
+std::string lineName(const ReportContext& context, const fuzzy::Expert& expert) {
+  if (context.demo == nullptr) return expert.label;
+  return expert.id + (expert.id == context.demo->published_expert ? " (published rules)" : " (simulated)");
+}
+
 std::string millimetres(double depth_mm) { return base::formatFixed(depth_mm, 0); }
 
 }  // namespace
 
 PlotAxis depthAxis(const ReportContext& context) {
-  return {.label = "Insertion depth (mm)", .min = context.curves.depthMin(), .max = context.curves.depthMax()};
+  return {.label = "Insertion depth (mm)", .min = context.curves->depthMin(), .max = context.curves->depthMax()};
 }
 
 PlotAxis forceAxis(const ReportContext& context) {
@@ -99,17 +133,20 @@ void addSurface(HtmlPage& page, const ReportContext& context) {
   const auto& inputs = context.in.built.model.inputs;
   const auto speed = std::find_if(inputs.begin(), inputs.end(), [](const auto& input) { return input.id == "speed"; });
   SurfaceGrid grid;
-  const double step_mm = (context.curves.depthMax() - context.curves.depthMin()) / kDepthSteps;
-  for (int i = 0; i <= static_cast<int>(kDepthSteps); ++i) grid.x.push_back(context.curves.depthMin() + i * step_mm);
+  const double step_mm = (context.curves->depthMax() - context.curves->depthMin()) / kDepthSteps;
+  for (int i = 0; i <= static_cast<int>(kDepthSteps); ++i) grid.x.push_back(context.curves->depthMin() + i * step_mm);
   for (int j = 0; j <= kSpeedSteps; ++j) grid.y.push_back(speed->min + (speed->max - speed->min) * j / kSpeedSteps);
   for (const double depth_mm : grid.x) {
     for (const double speed_mm_s : grid.y) {
-      grid.z.push_back(context.curves.force({1, 45, speed_mm_s}, depth_mm, std::nullopt));
+      grid.z.push_back(context.curves->force({1, 45, speed_mm_s}, depth_mm, std::nullopt));
     }
   }
-  page.figure({.caption = strong("Fig. 9, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-                          " Averaged force over depth and speed at lubrication 1 and neck flexion 45 deg. Three of the "
-                          "four experts are simulated. The numbers behind the paper's figure are not published.",
+  page.figure({.caption = strong(context.demo != nullptr ? "Fig. 9, recomputed." : "Force over depth and speed.") +
+                          " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                          " Averaged force over depth and speed at lubrication 1 and neck flexion 45 deg." +
+                          (context.demo != nullptr ? " Three of the four experts are simulated. The numbers behind the "
+                                                     "paper's figure are not published."
+                                                   : ""),
                .panels = {{.svg = surfacePlot({.title = "Averaged force over depth and speed",
                                                .description = "Lubrication 1, neck flexion 45 deg.",
                                                .width = 940,
@@ -118,7 +155,8 @@ void addSurface(HtmlPage& page, const ReportContext& context) {
                                                .y = {.label = "Speed (mm/s)", .min = speed->min, .max = speed->max},
                                                .z = {.label = "Force (N)",
                                                      .min = context.in.built.model.output.min,
-                                                     .max = context.in.built.model.output.max}},
+                                                     .max = context.in.built.model.output.max},
+                                               .simulated = context.simulated()},
                                               grid)}}});
 }
 
@@ -126,10 +164,15 @@ void addInfluences(HtmlPage& page, const ReportContext& context) {
   page.section("Influence of lubrication, neck flexion and speed");
   page.paragraph("Averaged force over depth, one input varied at a time. Regions: " + regionCodes(context.regions) +
                  ".");
-  Figure figure{.caption = strong("Fig. 10, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-                           " The settings are the paper's; which values of the varied input its curves show is not "
-                           "said in the text, nor are their numbers published. Three of the four experts are "
-                           "simulated to follow the text.",
+  Figure figure{.caption = context.demo != nullptr
+                               ? strong("Fig. 10, recomputed.") + " " +
+                                     marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                                     " The settings are the paper's; which values of the varied input its curves show "
+                                     "is not said in the text, nor are their numbers published. Three of the four "
+                                     "experts are simulated to follow the text."
+                               : strong("One input varied at a time.") + " " +
+                                     marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                                     " At the settings of Fig. 10 of Choi et al.",
                 .panels = {}};
   for (const Family& family : families()) {
     figure.panels.push_back(
@@ -139,28 +182,33 @@ void addInfluences(HtmlPage& page, const ReportContext& context) {
 }
 
 void addExperts(HtmlPage& page, const ReportContext& context) {
-  page.section("Four experts and their mean");
-  constexpr CurveSetting kSetting{1, 60, 50};
+  page.section(context.demo != nullptr ? "Four experts and their mean" : "The experts and their mean");
   SvgPlot plot({.title = "Force over depth of each expert and of the averaged model",
                 .description = "Lubrication 1, neck flexion 60 deg, speed 50 mm/s.",
                 .width = 940,
                 .height = 380,
                 .x = depthAxis(context),
-                .y = forceAxis(context)});
+                .y = forceAxis(context),
+                .simulated = context.simulated()});
   markRegions(plot, context.regions);
   const auto& experts = context.in.built.model.experts;
-  for (std::size_t i = 0; i < experts.size(); ++i) {
-    const bool published = experts[i].id == context.in.published_expert;
-    plot.line(toSeries(context.curves.plotted(kSetting, i)), expertLook(i),
-              experts[i].id + (published ? " (published rules)" : " (simulated)"));
+  if (experts.size() > kMostDrawn) {
+    drawRange(plot, *context.curves, experts.size());
+  } else {
+    for (std::size_t i = 0; i < experts.size(); ++i) {
+      plot.line(toSeries(context.curves->plotted(kExpertsSetting, i)), expertLook(i), lineName(context, experts[i]));
+    }
   }
-  plot.line(toSeries(context.curves.plotted(kSetting, std::nullopt)), {.color = kInk, .width = 3.2}, "Mean");
-  page.figure({.caption = strong("Fig. 11, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+  plot.line(toSeries(context.curves->plotted(kExpertsSetting, std::nullopt)), {.color = kInk, .width = 3.2}, "Mean");
+  page.figure({.caption = strong(context.demo != nullptr ? "Fig. 11, recomputed." : "Each expert and the mean.") + " " +
+                          marks(context, {Badge::kComputed, Badge::kSimulated}) +
                           " Force over depth of each expert and of the averaged model at 50 mm/s, lubrication 1, neck "
-                          "flexion 60 deg. Only the rules of " +
-                          context.in.published_expert +
-                          " are published; the other experts are simulated. The numbers behind the paper's figure are "
-                          "not published.",
+                          "flexion 60 deg." +
+                          (context.demo != nullptr
+                               ? " Only the rules of " + context.demo->published_expert +
+                                     " are published; the other experts are simulated. The numbers behind the paper's "
+                                     "figure are not published."
+                               : ""),
                .panels = {{.svg = plot.svg()}}});
 }
 
@@ -172,29 +220,29 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
       "printed rules (Table A2) name no oropharynx, but a stomach. The table can be read in three ways, none is "
       "proved. "
       "Where no rule fires the model has a hole and gives no force.");
-  constexpr CurveSetting kSetting{1, 60, 50};
   Figure figure{
       .caption = strong("Table A2 at the setting of Fig. 11.") + " " +
-                 badges({Badge::kPublished, Badge::kComputed, Badge::kSimulated}) + " Rules of " +
-                 context.in.published_expert +
+                 marks(context, {Badge::kPublished, Badge::kComputed, Badge::kSimulated}) + " Rules of " +
+                 context.demo->published_expert +
                  " alone at 50 mm/s, lubrication 1, neck flexion 60 deg. The rules are published, the terms of "
                  "the speed come from simulated strokes. Dark grey: no rule fires.",
       .panels = {}};
   const auto& experts = context.in.built.model.experts;
   const auto published = static_cast<std::size_t>(
       std::find_if(experts.begin(), experts.end(),
-                   [&](const fuzzy::Expert& expert) { return expert.id == context.in.published_expert; }) -
+                   [&](const fuzzy::Expert& expert) { return expert.id == context.demo->published_expert; }) -
       experts.begin());
-  for (const S4Reading& reading : context.in.readings) {
+  for (const S4Reading& reading : context.demo->readings) {
     const auto curves = ForceCurves::of(reading.model);
     if (!curves || reading.model.experts.empty()) continue;
-    const ForceCurve curve = curves->plotted(kSetting, 0);
+    const ForceCurve curve = curves->plotted(kExpertsSetting, 0);
     SvgPlot plot({.title = reading.title + ": force over depth",
                   .description = reading.assumes,
                   .width = 940,
                   .height = 250,
                   .x = depthAxis(context),
-                  .y = forceAxis(context)});
+                  .y = forceAxis(context),
+                  .simulated = context.simulated()});
     markRegions(plot, context.regions);
     std::vector<std::string> texts;
     for (const auto& [from_mm, to_mm] : holesOf(curve)) {

@@ -35,7 +35,8 @@ std::string curvePlot(const ReportContext& context, const elicitation::Frequency
                 .width = 460,
                 .height = 280,
                 .x = {.label = "Insertion force (N)", .min = 0, .max = end_n + 0.05},
-                .y = {.label = "Share, membership", .min = 0, .max = 1.05, .ticks = {0, 0.25, 0.5, 0.75, 1}}});
+                .y = {.label = "Share, membership", .min = 0, .max = 1.05, .ticks = {0, 0.25, 0.5, 0.75, 1}},
+                .simulated = context.simulated()});
   for (std::size_t k = 0; k < force.terms.size(); ++k) {
     const std::string color = figures::hex(figures::termColor(force, force.terms, k));
     if (const auto* term = fuzzy::findTerm(terms, force.terms[k].id)) {
@@ -52,6 +53,18 @@ std::string curvePlot(const ReportContext& context, const elicitation::Frequency
   return plot.svg();
 }
 
+std::string_view modelTermsFrom(const ReportContext& context) {
+  switch (context.in.build_settings.force_terms) {
+    case elicitation::ForceTermsFrom::kFrequency:
+      return "frequency curve";
+    case elicitation::ForceTermsFrom::kThresholds:
+      return "participants’ thresholds";
+    case elicitation::ForceTermsFrom::kVote:
+      break;
+  }
+  return "vote";
+}
+
 }  // namespace
 
 void addFrequency(HtmlPage& page, const ReportContext& context) {
@@ -62,16 +75,19 @@ void addFrequency(HtmlPage& page, const ReportContext& context) {
   page.paragraph(
       "The vote keeps the winner of each force and forgets the rest. The frequency curve keeps all answers: of all "
       "trapezoids that sum to 1, those closest to the shares of the answers (least squares). It is shown for "
-      "comparison; the model uses the vote.");
+      "comparison; the model uses the " +
+      std::string(modelTermsFrom(context)) + ".");
   page.figure({.caption = strong("Shares of the answers and the terms from them.") + " " +
-                          badges({Badge::kComputed, Badge::kSimulated}) +
-                          " Table 2 as shares (dots, those of one force side by side) and membership functions "
+                          marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                          " The answers as shares (dots, those of one force side by side) and membership functions "
                           "(lines). Root mean square of membership "
                           "minus share for the frequency curve: " +
                           base::formatFixed(frequency->rms_error, 3) + ".",
                .panels = {{.heading = "(a) Frequency curve, least squares",
                            .svg = curvePlot(context, *frequency, frequency->output.terms, "Frequency curve")},
-                          {.heading = "(b) The paper’s vote",
+                          {.heading = context.in.build_settings.force_terms == elicitation::ForceTermsFrom::kVote
+                                          ? Markup("(b) The paper’s vote")
+                                          : Markup("(b) The model: ") + Markup(modelTermsFrom(context)),
                            .svg = curvePlot(context, *frequency, context.in.built.model.output.terms, "Vote")}},
                .columns = 2});
 }

@@ -20,7 +20,7 @@ std::optional<double> withoutExpert(const ReportContext& context, double depth_m
   double sum = 0;
   double weights = 0;
   for (std::size_t e = 0; e < experts.size(); ++e) {
-    const auto force_n = e == left_out ? std::nullopt : context.curves.force(kSetting, depth_mm, e);
+    const auto force_n = e == left_out ? std::nullopt : context.curves->force(kSetting, depth_mm, e);
     if (!force_n) continue;
     sum += experts[e].weight * *force_n;
     weights += experts[e].weight;
@@ -29,9 +29,21 @@ std::optional<double> withoutExpert(const ReportContext& context, double depth_m
   return sum / weights;
 }
 
+/// The experts who move the mean most, in the model's order: all of them, or kMostDrawn.
+std::vector<std::size_t> mostInfluential(const ReportContext& context) {
+  const auto& experts = context.in.built.influences.experts;
+  std::vector<std::size_t> order(experts.size());
+  for (std::size_t e = 0; e < order.size(); ++e) order[e] = e;
+  const auto moves = [&](std::size_t e) { return experts[e].largest ? experts[e].largest->newtons : 0; };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return moves(a) > moves(b); });
+  order.resize(std::min(order.size(), kMostDrawn));
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
 std::string influencePlot(const ReportContext& context) {
   const auto& experts = context.in.built.model.experts;
-  const ForceCurve mean = context.curves.plotted(kSetting, std::nullopt);
+  const ForceCurve mean = context.curves->plotted(kSetting, std::nullopt);
   Series upper;
   Series lower;
   double largest_n = 0.1;
@@ -43,7 +55,8 @@ std::string influencePlot(const ReportContext& context) {
     largest_n = std::max(largest_n, felt_n.value_or(0));
   }
   std::vector<Series> changes;
-  for (std::size_t e = 0; e < experts.size(); ++e) {
+  const auto drawn = mostInfluential(context);
+  for (const std::size_t e : drawn) {
     auto& change = changes.emplace_back();
     for (const auto& point : mean) {
       const auto without_n = withoutExpert(context, point.depth_mm, e);
@@ -58,11 +71,14 @@ std::string influencePlot(const ReportContext& context) {
                 .width = 940,
                 .height = 280,
                 .x = depthAxis(context),
-                .y = {.label = "Change of the mean (N)", .min = -1.15 * largest_n, .max = 1.15 * largest_n}});
+                .y = {.label = "Change of the mean (N)", .min = -1.15 * largest_n, .max = 1.15 * largest_n},
+                .simulated = context.simulated()});
   markRegions(plot, context.regions);
   plot.area(upper, kSky, 0.2, "below one just-noticeable difference");
   plot.area(lower, kSky, 0.2);
-  for (std::size_t e = 0; e < experts.size(); ++e) plot.line(changes[e], expertLook(e), "without " + experts[e].id);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    plot.line(changes[i], expertLook(drawn[i]), "without " + experts[drawn[i]].id);
+  }
   return plot.svg();
 }
 
@@ -70,7 +86,8 @@ std::string newtons(double value_n) { return base::formatFixed(value_n, 3); }
 
 void addLeaveOneOut(HtmlPage& page, const ReportContext& context) {
   const auto& influences = context.in.built.influences;
-  Table table{.caption = strong("The mean without each expert.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+  Table table{.caption = strong("The mean without each expert.") + " " +
+                         marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " How far the averaged force moves when one expert is left out, over the whole input space.",
               .head = {{{.text = "Left out"},
                         numberCell("Root mean square (N)"),
@@ -85,7 +102,12 @@ void addLeaveOneOut(HtmlPage& page, const ReportContext& context) {
                       " evenly spread points, so a lower bound. Alone on: share of the input space where no other "
                       "expert has a rule; without the expert the model would have no force there.",
               .wide = true};
-  for (const auto& expert : influences.experts) {
+  if (influences.experts.size() > kMostDrawn) {
+    table.note += " The " + std::to_string(kMostDrawn) + " of " + std::to_string(influences.experts.size()) +
+                  " experts who move the mean most.";
+  }
+  for (const std::size_t e : mostInfluential(context)) {
+    const auto& expert = influences.experts[e];
     const auto& largest = expert.largest;
     table.body.push_back({headingCell(expert.expert),
                           numberCell(newtons(expert.rms_n)),
@@ -100,9 +122,10 @@ void addLeaveOneOut(HtmlPage& page, const ReportContext& context) {
 void addDistances(HtmlPage& page, const ReportContext& context) {
   const auto& influences = context.in.built.influences;
   const auto& experts = influences.experts;
-  if (experts.size() < 2) return;
+  if (experts.size() < 2 || experts.size() > kMostDrawn) return;
   Table table{
-      .caption = strong("How far two experts are apart.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+      .caption = strong("How far two experts are apart.") + " " +
+                 marks(context, {Badge::kComputed, Badge::kSimulated}) +
                  " Root mean square over the input space, and in brackets the largest difference seen, in newtons.",
       .head = {{{.text = ""}}},
       .body = {}};
@@ -129,10 +152,14 @@ void addDistances(HtmlPage& page, const ReportContext& context) {
 
 void addInfluence(HtmlPage& page, const ReportContext& context) {
   page.subsection("What each expert does to the mean");
+  if (context.in.built.model.experts.size() < 2) {
+    page.paragraph("There is one expert only, whose force is the mean.");
+    return;
+  }
   addLeaveOneOut(page, context);
   page.figure(
       {.caption = strong("The mean without each expert, over depth.") + " " +
-                  badges({Badge::kComputed, Badge::kSimulated}) +
+                  marks(context, {Badge::kComputed, Badge::kSimulated}) +
                   " At the setting of Fig. 11 (50 mm/s, lubrication 1, neck flexion 60 deg). In the blue band a "
                   "hand would not feel the change.",
        .panels = {{.svg = influencePlot(context)}}});

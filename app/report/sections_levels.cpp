@@ -38,12 +38,12 @@ std::vector<std::vector<Cell>> valueHead() {
 }
 
 Table clusterTable(const ReportContext& context) {
-  Table table{
-      .caption = strong("Cluster centres and ramps.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-                 " Fuzzy C-Means of each participant’s simulated samples, in mm/s. A ramp falls from 1 at p to 0 "
-                 "at q; the next term rises there.",
-      .head = valueHead(),
-      .body = {}};
+  Table table{.caption = strong("Cluster centres and ramps.") + " " +
+                         marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                         " Fuzzy C-Means of each participant’s samples, in mm/s. A ramp falls from 1 at p to 0 "
+                         "at q; the next term rises there.",
+              .head = valueHead(),
+              .body = {}};
   std::array<std::vector<double>, kValues> columns;
   for (const ParticipantSpeeds& subject : context.in.built.speeds) {
     if (!hasThreeTerms(subject)) continue;
@@ -68,12 +68,12 @@ Table clusterTable(const ReportContext& context) {
 }
 
 Cell intervalCell(const Interval& interval, std::size_t value) {
-  return numberCell(formatFixed(interval.low, 1) + " to " + formatFixed(interval.high, 1), startsGroup(value));
+  return numberCell(formatFixed(interval.low, 1) + "–" + formatFixed(interval.high, 1), startsGroup(value));
 }
 
 Table intervalTable(const ReportContext& context) {
   const auto& intervals = *context.speed_intervals;
-  Table table{.caption = strong("95 % intervals.") + " " + badges({Badge::kComputed, Badge::kSimulated}) + " " +
+  Table table{.caption = strong("95 % intervals.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) + " " +
                          std::to_string(intervals.replicates) +
                          " draws of whole strokes within each level, with replacement; Student’s t times the standard "
                          "deviation of the draws, widened for few strokes; in mm/s.",
@@ -114,7 +114,8 @@ std::string pText(const elicitation::LevelTrend& trend) {
 }
 
 Table levelTable(const ReportContext& context) {
-  Table table{.caption = strong("Levels against clusters.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
+  Table table{.caption = strong("Levels against clusters.") + " " +
+                         marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " Commanded levels, measured speeds, and the clusters of the samples. Speeds in mm/s.",
               .head = {{{.text = "", .columns = 2},
                         {.text = "Speed", .columns = 3, .group_start = true},

@@ -59,15 +59,24 @@ std::string regionCode(const std::vector<Region>& regions, const std::string& id
   return found == regions.end() ? id : found->code;
 }
 
+/// Whether the terms of a variable come from data of simulated participants; the others are defaults.
+bool fromSimulated(const ReportContext& context, const fuzzy::Variable& variable) {
+  const bool speeds = variable.id == "speed" && !context.in.built.speeds.empty();
+  const bool votes = variable.id == context.in.built.model.output.id && context.in.built.force_terms.has_value();
+  return context.simulated() && (speeds || votes);
+}
+
 std::string termPlot(const ReportContext& context, const fuzzy::Variable& variable,
                      const std::vector<fuzzy::Term>& terms) {
-  SvgPlot plot(
-      {.title = "Membership functions of " + base::lowered(variable.label),
-       .description = "One shape per term.",
-       .width = 460,
-       .height = 220,
-       .x = {.label = unitText(variable), .min = variable.min, .max = variable.max, .ticks = ticksFor(variable)},
-       .y = {.label = "Membership", .min = 0, .max = 1.18, .ticks = {0, 0.5, 1}}});
+  PlotFrame frame;
+  frame.title = "Membership functions of " + base::lowered(variable.label);
+  frame.description = "One shape per term.";
+  frame.width = 460;
+  frame.height = 220;
+  frame.x = {.label = unitText(variable), .min = variable.min, .max = variable.max, .ticks = ticksFor(variable)};
+  frame.y = {.label = "Membership", .min = 0, .max = 1.18, .ticks = {0, 0.5, 1}};
+  frame.simulated = fromSimulated(context, variable);
+  SvgPlot plot(std::move(frame));
   for (std::size_t i = 0; i < terms.size(); ++i) {
     Series shape = shapeOf(terms[i], variable);
     const std::string color = figures::hex(figures::termColor(variable, terms, i));
@@ -102,16 +111,30 @@ std::vector<std::pair<std::string, std::vector<fuzzy::Term>>> ownLists(const Rep
   return lists;
 }
 
+/// `; the speed comes from the strokes, the force has its default terms`.
+std::string ownOrDefault(const ReportContext& context) {
+  std::string text = context.in.built.speeds.empty() ? "; the speed has its default terms too"
+                                                     : "; the speed comes from the participants’ strokes";
+  text += context.in.built.force_terms ? ", the force from their judgements" : ", the force has its default terms";
+  return text;
+}
+
 }  // namespace
 
 void addMembershipFunctions(HtmlPage& page, const ReportContext& context) {
   page.section("Membership functions");
   Figure figure{
       .caption =
-          strong("Fig. 3, recomputed.") + " " + badges({Badge::kComputed, Badge::kSimulated}) +
-          " Terms of the four inputs and of the force. Lubrication, neck flexion and depth are defaults of this "
-          "project, because the paper’s vertices are not printed; the speed comes from the simulated strokes, the "
-          "force from the published votes. NC nasal cavity, NP nasopharynx, OP oropharynx, LP laryngopharynx, ES "
+          (context.demo != nullptr
+               ? strong("Fig. 3, recomputed.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                     " Terms of the four inputs and of the force. Lubrication, neck flexion and depth are defaults of "
+                     "this project, because the paper’s vertices are not printed; the speed comes from the simulated "
+                     "strokes, the force from the published votes."
+               : strong("Membership functions.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                     " Terms of the four inputs and of the force. Lubrication, neck flexion and depth are defaults of "
+                     "this project" +
+                     ownOrDefault(context) + ".") +
+          " NC nasal cavity, NP nasopharynx, OP oropharynx, LP laryngopharynx, ES "
           "esophagus, ST stomach.",
       .panels = {},
       .columns = 2};
@@ -124,7 +147,9 @@ void addMembershipFunctions(HtmlPage& page, const ReportContext& context) {
                              .svg = termPlot(context, *variable, variable->terms)});
   }
   for (const fuzzy::Variable* variable : variables) {
-    for (const auto& [who, terms] : ownLists(context, variable->id)) {
+    const auto lists = ownLists(context, variable->id);
+    if (lists.size() > kMostDrawn) continue;
+    for (const auto& [who, terms] : lists) {
       figure.panels.push_back({.heading = variable->label + Markup::raw(" ") + muted("as " + who + " was asked"),
                                .svg = termPlot(context, *variable, terms)});
     }
@@ -132,22 +157,50 @@ void addMembershipFunctions(HtmlPage& page, const ReportContext& context) {
   page.figure(figure);
 }
 
+void addVertices(HtmlPage& page, const ReportContext& context) {
+  const auto& model = context.in.built.model;
+  Table table{.caption = strong("Vertices of the membership functions.") + " " + marks(context, {Badge::kComputed}) +
+                         " Trapezoids a, b, c, d: 0 outside a to d, 1 from b to c. Triangles have three vertices.",
+              .head = {{{.text = "Variable"}, {.text = "Term"}, {.text = "Vertices"}, {.text = "Unit"}}},
+              .body = {}};
+  const auto add = [&](const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms, const Markup& name) {
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      std::vector<std::string> points;
+      for (const double point : terms[i].points) points.push_back(base::formatNumber(std::round(point * 1e4) / 1e4));
+      table.body.push_back({headingCell(i == 0 ? name : Markup()),
+                            {.text = terms[i].label},
+                            {.text = base::joined(points, ", ")},
+                            {.text = variable.unit == "1" ? std::string("none") : variable.unit}});
+    }
+  };
+  std::vector<const fuzzy::Variable*> variables;
+  for (const fuzzy::Variable& input : model.inputs) variables.push_back(&input);
+  variables.push_back(&model.output);
+  for (const fuzzy::Variable* variable : variables) {
+    add(*variable, variable->terms, variable->label);
+    const auto lists = ownLists(context, variable->id);
+    for (const auto& [who, terms] : lists) {
+      if (lists.size() <= kMostDrawn) add(*variable, terms, Markup(variable->label) + " " + muted("of " + who));
+    }
+  }
+  page.table(table);
+}
+
 void addReachableRange(HtmlPage& page, const ReportContext& context) {
   page.section("Reachable range");
   const fuzzy::Variable& force = context.in.built.model.output;
-  const auto range = analysis::reachableRange(context.in.built.model, context.curves.compiled());
+  const auto range = analysis::reachableRange(context.in.built.model, context.curves->compiled());
   if (range.fired == 0) {
     page.paragraph("No rule fires anywhere on the grid that was tried.");
     return;
   }
-  page.paragraph(
-      "The universe of the force runs from " + base::formatNumber(force.min) + " to " + base::formatNumber(force.max) +
-      " N, but on a grid over all inputs the averaged model gives " +
-      strong(base::formatFixed(range.min_n, 3) + " to " + base::formatFixed(range.max_n, 3) + " N") +
-      " only. The centroid of a set lies inside the set, so it never reaches the ends of the universe: the " +
-      base::formatNumber(force.max) +
-      " N that the nurses named as their upper bound cannot come out. Widening the outer terms past the universe "
-      "would change that and the model with it, so it is left to the researcher.");
+  page.paragraph("The universe of the force runs from " + base::formatNumber(force.min) + " to " +
+                 base::formatNumber(force.max) + " N. On a grid over all inputs the averaged model gives " +
+                 strong(base::formatFixed(range.min_n, 3) + " to " + base::formatFixed(range.max_n, 3) + " N") +
+                 ". The centroid of a set lies inside the set, so it never reaches the ends of the universe: the " +
+                 base::formatNumber(force.max) +
+                 " N at its upper end cannot come out. Widening the outer terms past the universe "
+                 "would change that and the model with it, so it is left to the researcher.");
 }
 
 }  // namespace tactus::report

@@ -11,7 +11,7 @@ void addContradictions(HtmlPage& page, const ReportContext& context) {
                                         "the oropharynx, yet the text has all four experts peak in the oropharynx.",
       strong("Neck flexion.") +
           " The text says the force is larger when the neck is not flexed. The printed rules of " +
-          context.in.published_expert + " say the opposite in the laryngopharynx, the esophagus and the stomach.",
+          context.demo->published_expert + " say the opposite in the laryngopharynx, the esophagus and the stomach.",
       strong("Five regions, six segments.") +
           " The text names five regions of the passage, the figure that measures them has six segments.",
       strong("Force or change of force.") +

@@ -42,8 +42,8 @@ void addOverview(HtmlPage& page, const ReportContext& context) {
   }
   std::size_t rules = 0;
   for (const fuzzy::Expert& expert : context.in.built.model.experts) rules += expert.rules.size();
-  const auto range = analysis::reachableRange(context.in.built.model, context.curves.compiled());
-  const std::string& published = context.in.published_expert;
+  const auto range = analysis::reachableRange(context.in.built.model, context.curves->compiled());
+  const std::string& published = context.demo->published_expert;
   page.keyNumbers(
       {{std::to_string(context.in.built.model.experts.size()) + " experts",
         "one of them with published rules, " + std::to_string(rules) + " rules in all"},
@@ -77,7 +77,7 @@ void addOrigin(HtmlPage& page, const ReportContext& context) {
             row("Who voted what", Badge::kSimulated,
                 "One of many ways to split the votes of Table 2 over four persons. The result of the vote does not "
                 "depend on it."),
-            row("Rules of " + context.in.published_expert, Badge::kPublished,
+            row("Rules of " + context.demo->published_expert, Badge::kPublished,
                 "Table A2 of the paper, typed in; the reading of its regions is a choice: see “The published rules in "
                 "three "
                 "readings”."),

@@ -41,16 +41,17 @@ std::vector<Series> traces(const study::Study& study, const std::string& partici
   return strokes;
 }
 
-std::string tracePlot(const std::string& participant, const std::vector<Series>& strokes, std::string_view color,
-                      double speed_max_mm_s) {
+std::string tracePlot(const ReportContext& context, const std::string& participant, const std::vector<Series>& strokes,
+                      std::string_view color, double speed_max_mm_s) {
   double end_s = 0;
   for (const Series& stroke : strokes) end_s = std::max(end_s, stroke.back().x);
   SvgPlot plot({.title = "Fast strokes of " + participant,
-                .description = "Simulated insertion speed over time.",
+                .description = "Insertion speed over time.",
                 .width = 460,
                 .height = 240,
                 .x = {.label = "Time from the start of the stroke (s)", .min = 0, .max = end_s > 0 ? end_s : 1},
-                .y = {.label = "Speed (mm/s)", .min = 0, .max = speed_max_mm_s}});
+                .y = {.label = "Speed (mm/s)", .min = 0, .max = speed_max_mm_s},
+                .simulated = context.simulated(participant)});
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     plot.line(strokes[i], {.color = color, .width = 1.6, .dash = kLevelDashes[i % kLevelDashes.size()]},
               "Stroke " + std::to_string(i + 1));
@@ -61,7 +62,7 @@ std::string tracePlot(const std::string& participant, const std::vector<Series>&
 Table table1(const ReportContext& context) {
   Table table{
       .caption =
-          strong("Table 1, published and simulated.") + " " + badges({Badge::kPublished, Badge::kSimulated}) +
+          strong("Table 1, published and simulated.") + " " + marks(context, {Badge::kPublished, Badge::kSimulated}) +
           " Insertion speed in mm/s, over all samples of four strokes per cell. The strokes are simulated "
           "as the positions of a device, from which the speeds are computed; they are made to have the published "
           "means and standard deviations.",
@@ -85,7 +86,7 @@ Table table1(const ReportContext& context) {
   const auto summaries = experiments::summariseSpeeds(context.in.study.speeds);
   double worst = 0;
   std::string last;
-  for (const experiments::PublishedSpeed& cell : context.in.published_speeds) {
+  for (const experiments::PublishedSpeed& cell : context.demo->published_speeds) {
     const auto found = std::find_if(summaries.begin(), summaries.end(), [&](const experiments::SpeedSummary& summary) {
       return summary.participant == cell.participant && summary.level == cell.level;
     });
@@ -113,20 +114,48 @@ Table table1(const ReportContext& context) {
   return table;
 }
 
+/// Mean and SD of each participant and level.
+Table levelSpeeds(const ReportContext& context) {
+  Table table{.caption = strong("Insertion speeds.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                         " In mm/s, over all samples of a participant’s strokes at the level that was asked for.",
+              .head = {{{.text = "Participant"},
+                        {.text = "Level"},
+                        numberCell("Mean", true),
+                        numberCell("SD"),
+                        numberCell("Strokes", true),
+                        numberCell("Samples")}},
+              .body = {}};
+  std::string last;
+  for (const auto& one : experiments::summariseSpeeds(context.in.study.speeds)) {
+    table.body.push_back({headingCell(one.participant == last ? "" : one.participant),
+                          {.text = one.level},
+                          numberCell(base::formatFixed(one.mean_mm_s, 1), true),
+                          numberCell(base::formatFixed(one.sd_mm_s, 1)),
+                          numberCell(std::to_string(one.strokes), true),
+                          numberCell(std::to_string(one.samples))});
+    last = one.participant;
+  }
+  return table;
+}
+
 }  // namespace
 
 void addSpeeds(HtmlPage& page, const ReportContext& context) {
+  if (context.in.study.speeds.empty()) return;
   page.section("Insertion speed");
-  page.table(table1(context));
+  page.table(context.demo != nullptr ? table1(context) : levelSpeeds(context));
   double speed_max_mm_s = 0;
   for (const study::SpeedSample& sample : context.in.study.speeds) {
     if (sample.level == "fast") speed_max_mm_s = std::max(speed_max_mm_s, sample.speed_mm_s);
   }
   if (speed_max_mm_s <= 0) return;
   Figure figure{
-      .caption = strong("Fig. 6, recomputed.") + " " + badge(Badge::kSimulated) +
-                 " Speed traces at the level “fast”, four simulated strokes of each participant. The speed axes "
-                 "are the same, the time axes are not. The recordings of the paper are not published.",
+      .caption = context.demo != nullptr
+                     ? strong("Fig. 6, recomputed.") + " " + badge(Badge::kSimulated) +
+                           " Speed traces at the level “fast”, four simulated strokes of each participant. The speed "
+                           "axes are the same, the time axes are not. The recordings of the paper are not published."
+                     : strong("Strokes at the level “fast”.") + " " + marks(context, {Badge::kSimulated}) +
+                           " Speed over time. The speed axes are the same, the time axes are not.",
       .panels = {},
       .columns = 2};
   char letter = 'a';
@@ -134,9 +163,13 @@ void addSpeeds(HtmlPage& page, const ReportContext& context) {
     const study::Participant& participant = context.in.study.participants[who];
     const std::vector<Series> strokes = traces(context.in.study, participant.code, "fast");
     if (strokes.empty()) continue;
+    if (figure.panels.size() == kMostDrawn) {
+      figure.caption += " The first " + std::to_string(kMostDrawn) + " participants with such strokes are drawn.";
+      break;
+    }
     figure.panels.push_back(
         {.heading = std::string("(") + letter++ + ") " + participant.code,
-         .svg = tracePlot(participant.code, strokes, seriesColor(who), std::ceil(speed_max_mm_s / 50) * 50)});
+         .svg = tracePlot(context, participant.code, strokes, seriesColor(who), std::ceil(speed_max_mm_s / 50) * 50)});
   }
   page.figure(figure);
 }

@@ -53,34 +53,59 @@ std::string shortPoints(const fuzzy::Term& term) {
   return base::joined(parts, ", ");
 }
 
+/// Whether the votes are those of the paper's Table 2.
+bool votesArePublished(const ReportContext& context) {
+  std::size_t matched = 0;
+  for (const elicitation::VoteStep& step : context.in.built.votes) {
+    if (!step.term) continue;
+    const auto published = std::find_if(context.demo->published_votes.begin(), context.demo->published_votes.end(),
+                                        [&](const auto& row) { return std::abs(row.force_n - step.force_n) < 1e-9; });
+    if (published == context.demo->published_votes.end() || published->votes != step.votes) return false;
+    ++matched;
+  }
+  return matched == context.demo->published_votes.size();
+}
+
+/// Where the corners of the terms come from.
+std::string termsOrigin(const ReportContext& context) {
+  switch (context.in.build_settings.force_terms) {
+    case elicitation::ForceTermsFrom::kFrequency:
+      return " From the shares of all answers: the trapezoids that sum to 1 and are closest to them.";
+    case elicitation::ForceTermsFrom::kThresholds:
+      return " From each participant’s thresholds between the words, averaged.";
+    case elicitation::ForceTermsFrom::kVote:
+      break;
+  }
+  return std::string(context.demo != nullptr ? " From the published votes:" : " From the vote:") +
+         " the core of a term runs from the first to the last force it won, ramps join neighbouring cores.";
+}
+
 }  // namespace
 
 void addVotes(HtmlPage& page, const ReportContext& context) {
+  if (context.in.built.votes.empty()) return;
   page.section("Insertion force");
   const auto& terms = context.in.built.model.output.terms;
   std::vector<Cell> head = {numberCell("Force (N)")};
   for (std::size_t i = 0; i < terms.size(); ++i) head.push_back(numberCell(terms[i].label, i == 0));
   head.push_back({.text = "Winner", .group_start = true});
   head.push_back({.text = "Reason"});
-  Table table{.caption = strong("Table 2 with its winners.") + " " + badges({Badge::kPublished, Badge::kComputed}) +
-                         " Votes of the four nurses on each force, and the term that wins by the paper’s rule. The "
-                         "winning term’s votes are bold.",
-              .head = {std::move(head)},
-              .body = {}};
+  Table table{
+      .caption = (context.demo != nullptr
+                      ? strong("Table 2 with its winners.") + " " + badges({Badge::kPublished, Badge::kComputed}) +
+                            " Votes of the four nurses on each force"
+                      : strong("Votes on the forces.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                            " Answers of the " + context.in.build_settings.series + " series at each commanded force") +
+                 ", and the term that wins by the paper’s rule. The winning term’s votes are bold.",
+      .head = {std::move(head)},
+      .body = {}};
   std::set<elicitation::VoteReason> reasons;
   std::size_t without_votes = 0;
-  std::size_t matched = 0;
-  bool same_votes = true;
   for (const elicitation::VoteStep& step : context.in.built.votes) {
     if (!step.term) {
       ++without_votes;
       continue;
     }
-    const auto published = std::find_if(context.in.published_votes.begin(), context.in.published_votes.end(),
-                                        [&](const auto& row) { return std::abs(row.force_n - step.force_n) < 1e-9; });
-    const bool same = published != context.in.published_votes.end() && published->votes == step.votes;
-    matched += same ? 1 : 0;
-    same_votes = same_votes && same;
     std::vector<Cell> row = {numberCell(base::formatFixed(step.force_n, 1))};
     for (std::size_t i = 0; i < terms.size(); ++i) {
       const std::string count = i < step.votes.size() ? std::to_string(step.votes[i]) : "0";
@@ -98,24 +123,26 @@ void addVotes(HtmlPage& page, const ReportContext& context) {
   }
   table.note += ".";
   page.table(table);
-  same_votes = same_votes && matched == context.in.published_votes.size();
-  Markup origin =
-      badge(Badge::kSimulated) + " The votes are counted from simulated judgements, one series for each participant. ";
-  origin +=
-      same_votes ? "They are exactly those that the paper prints." : "They differ from those that the paper prints!";
+  Markup origin;
+  if (context.demo != nullptr) {
+    origin = badge(Badge::kSimulated) +
+             " The votes are counted from simulated judgements, one series for each participant. ";
+    origin += votesArePublished(context) ? "They are exactly those that the paper prints."
+                                         : "They differ from those that the paper prints!";
+  }
   if (without_votes > 0) {
     origin +=
         " At " +
         (without_votes == 1 ? std::string("one larger force") : std::to_string(without_votes) + " larger forces") +
-        " all participants said “beyond practice”; no term is given there and the universe ends below.";
+        (context.demo != nullptr ? " all participants said “beyond practice”" : " there is no vote for a term") +
+        "; no term is given there and the universe ends below.";
   }
-  page.paragraph(origin);
+  if (!origin.empty()) page.paragraph(origin);
 
-  Table points{.caption = strong("Terms of the force.") + " " + badge(Badge::kComputed) +
-                          " From the published votes: the core of a term runs from the first to the last force it won, "
-                          "ramps join neighbouring cores.",
-               .head = {{{.text = "Term"}, {.text = "Corners (N)"}}},
-               .body = {}};
+  Table points{
+      .caption = strong("Terms of the force.") + " " + marks(context, {Badge::kComputed}) + termsOrigin(context),
+      .head = {{{.text = "Term"}, {.text = "Corners (N)"}}},
+      .body = {}};
   for (const fuzzy::Term& term : terms) {
     points.body.push_back({headingCell(term.label), {.text = shortPoints(term)}});
   }

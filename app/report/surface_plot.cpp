@@ -168,7 +168,9 @@ std::string surfacePlot(const SurfaceFrame& frame, const SurfaceGrid& grid) {
       }
     }
   }
-  return out + "</g>" + axes(view, frame) + colorScale(frame) + "</svg>";
+  out += "</g>" + axes(view, frame) + colorScale(frame);
+  if (frame.simulated) out += simulatedMark({frame.width - 2, frame.height - 7});
+  return out + "</svg>";
 }
 
 }  // namespace tactus::report

@@ -21,9 +21,10 @@ struct SurfaceFrame {
   std::string description = {};
   double width = 900;
   double height = 540;
-  PlotAxis x;  ///< runs to the lower right
-  PlotAxis y;  ///< runs to the upper right, into the picture
-  PlotAxis z;  ///< upward; also the range of the colors
+  PlotAxis x;              ///< runs to the lower right
+  PlotAxis y;              ///< runs to the upper right, into the picture
+  PlotAxis z;              ///< upward; also the range of the colors
+  bool simulated = false;  ///< writes SIMULATED into the picture
 };
 
 /// The drawing, one `<svg>` element.

@@ -63,6 +63,10 @@ std::string svgLine(SvgPoint from, SvgPoint to, std::string_view color, double w
          attribute("stroke-width", width) + " fill=\"none\"/>";
 }
 
+std::string simulatedMark(SvgPoint end) {
+  return svgText(end, "SIMULATED", {.anchor = TextAnchor::kEnd, .color = "#8A4B00", .size = 10.5, .bold = true});
+}
+
 double textWidth(std::string_view text, double size) {
   double ems = 0;
   for (const char c : text) {

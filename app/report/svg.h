@@ -39,6 +39,9 @@ struct TextStyle {
 std::string svgText(SvgPoint at, std::string_view text, const TextStyle& style);
 std::string svgLine(SvgPoint from, SvgPoint to, std::string_view color, double width);
 
+/// The word SIMULATED with its right end at `end`, in a color that stands out on screen and paper.
+std::string simulatedMark(SvgPoint end);
+
 /// Approximate width of `text` at a font size, in the same unit. Slightly too large, for a wide sans-serif font.
 double textWidth(std::string_view text, double size);
 

@@ -120,6 +120,34 @@ SvgPlot& SvgPlot::area(const Series& points, std::string_view color, double opac
   return *this;
 }
 
+SvgPlot& SvgPlot::between(const Series& low, const Series& high, std::string_view color, double opacity,
+                          std::string_view name) {
+  TACTUS_CHECK(low.size() == high.size());
+  std::string data;
+  std::vector<SvgPoint> lower;
+  std::vector<SvgPoint> upper;
+  const auto close = [&] {
+    if (lower.size() > 1) {
+      lower.insert(lower.end(), upper.rbegin(), upper.rend());
+      data += pathData(lower, true);
+    }
+    lower.clear();
+    upper.clear();
+  };
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    if (!low[i].y || !high[i].y) {
+      close();
+      continue;
+    }
+    lower.push_back(place(low[i].x, *low[i].y));
+    upper.push_back(place(high[i].x, *high[i].y));
+  }
+  close();
+  content_ += "<path" + attribute("d", data) + attribute("fill", color) + attribute("fill-opacity", opacity) + "/>";
+  addLegend(name, rectangle({4, -6}, kSwatchWidth - 8, 12, color, opacity));
+  return *this;
+}
+
 SvgPlot& SvgPlot::scatter(const Series& points, std::string_view color, double radius, std::string_view name) {
   for (const SeriesPoint& point : points) {
     if (point.y && std::isfinite(*point.y)) content_ += circle(place(point.x, *point.y), radius, color);
@@ -225,7 +253,9 @@ std::string SvgPlot::axes() const {
   }
   out += "<path" + attribute("d", pathData({{0, 0}, {0, inner_height_}, {inner_width_, inner_height_}})) +
          strokeAttributes({.color = kMuted, .width = 1}) + "/>";
-  out += svgText({inner_width_ / 2, inner_height_ + kXAxisHeight - 7}, frame_.x.label, {.anchor = TextAnchor::kMiddle});
+  const double foot = inner_height_ + kXAxisHeight - 7;
+  out += svgText({inner_width_ / 2, foot}, frame_.x.label, {.anchor = TextAnchor::kMiddle});
+  if (frame_.simulated) out += simulatedMark({inner_width_ + kRightMargin - 2, foot});
   if (!frame_.y.label.empty()) {
     out += svgText({-left_ + kFontSize, inner_height_ / 2}, frame_.y.label,
                    {.anchor = TextAnchor::kMiddle, .rotation_deg = -90});

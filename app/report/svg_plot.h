@@ -33,6 +33,7 @@ struct PlotFrame {
   double height = 280;  ///< without the legend, whose rows are added above
   PlotAxis x;
   PlotAxis y;
+  bool simulated = false;  ///< writes SIMULATED into the picture
 };
 
 enum class Dash { kSolid, kDashed, kDotted, kDashDot };
@@ -54,6 +55,9 @@ class SvgPlot {
   SvgPlot& line(const Series& points, const LineLook& look, std::string_view name = {});
   /// The area between `points` and y = 0.
   SvgPlot& area(const Series& points, std::string_view color, double opacity, std::string_view name = {});
+  /// The area between two series with the same places; a gap in one of them is a gap.
+  SvgPlot& between(const Series& low, const Series& high, std::string_view color, double opacity,
+                   std::string_view name = {});
   SvgPlot& scatter(const Series& points, std::string_view color, double radius, std::string_view name = {});
   /// Bars from 0: bar i from edges[i] to edges[i + 1], edges.size() = heights.size() + 1.
   SvgPlot& bars(const std::vector<double>& edges, const std::vector<double>& heights, std::string_view color,

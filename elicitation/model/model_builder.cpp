@@ -239,28 +239,40 @@ Result<void> buildExperts(const study::Study& study, const BuildSettings& settin
 
 std::string_view name(SpeedTermsOf terms) noexcept { return terms == SpeedTermsOf::kOwn ? "own" : "averaged"; }
 
-Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
-                              const BuildSettings& settings) {
+bool hasRules(const study::Study& study) {
+  return !study.rules.empty() || std::any_of(study.answers.begin(), study.answers.end(), [](const auto& answer) {
+    return answer.status == study::Answer::Status::kAnswered;
+  });
+}
+
+Result<BuiltModel> buildTerms(const study::Study& study, const BuildSettings& settings) {
   if (auto ok = checkParticipants(study); !ok) return tl::unexpected(ok.error());
   BuiltModel out;
   out.model.inputs = ngtInputs();
   out.model.output = ngtOutput();
-  std::vector<std::string> answer_terms;
-  for (const auto& term : out.model.output.terms) answer_terms.push_back(term.id);
-
+  out.model.name = settings.name.empty() ? study.name : settings.name;
+  out.model.created_utc = settings.created_utc;
+  out.model.generator = settings.generator;
   if (auto ok = buildSpeed(study, settings, out); !ok) return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), "speed");
   if (auto ok = buildForce(study, settings, out); !ok) return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), out.model.output.id);
+  return out;
+}
+
+Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
+                              const BuildSettings& settings) {
+  auto terms = buildTerms(study, settings);
+  if (!terms) return terms;
+  BuiltModel out = std::move(*terms);
+  std::vector<std::string> answer_terms;
+  for (const auto& term : ngtOutput().terms) answer_terms.push_back(term.id);
   auto rules = studyRules(study, forms, answer_terms);
   if (!rules) return tl::unexpected(rules.error());
   out.experts = std::move(rules->experts);
   append(out.notes, rules->notes);
   if (auto ok = buildExperts(study, settings, out); !ok) return tl::unexpected(ok.error());
 
-  out.model.name = settings.name.empty() ? study.name : settings.name;
-  out.model.created_utc = settings.created_utc;
-  out.model.generator = settings.generator;
   out.model.provenance = modelProvenance(study, out.experts, settings);
   out.model.renderer = fuzzy::RendererParameters{};
   if (!out.model.provenance->notes.empty()) out.notes.push_back(out.model.provenance->notes);

@@ -65,6 +65,14 @@ struct BuiltModel {
 base::Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
                                     const BuildSettings& settings);
 
+/// Whether some participant has a rule or an answer, so that a model can be built.
+bool hasRules(const study::Study& study);
+
+/// The part of buildModel that needs no rules: the terms of speed and force with their intermediate results and notes,
+/// for a study without answers so far. The model has no experts, so it is not valid yet. Returns the errors of
+/// buildModel for speeds and judgements.
+base::Result<BuiltModel> buildTerms(const study::Study& study, const BuildSettings& settings);
+
 /// The model of `built` with other expert weights (`settings.weights`) and everything else unchanged, with the same
 /// `study` and `settings`. Reuses the clusters. Averages the speed terms again only if the ramps are a weighted mean.
 /// Returns the error of `expertWeights`.

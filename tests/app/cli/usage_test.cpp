@@ -25,7 +25,8 @@ void expectUsage(const std::vector<std::string>& arguments, const std::string& s
 TEST(Usage, UnknownCommandsAreNamedWithTheClosest) {
   const ProgramRun run({"biuld", "study", "--out", "m"});
   EXPECT_EQ(run.status, 2);
-  EXPECT_TRUE(run.err.starts_with("tactus: found the word 'biuld', wanted a command: demo, build, cluster, vote, "))
+  EXPECT_TRUE(
+      run.err.starts_with("tactus: found the word 'biuld', wanted a command: demo, build, report, vote, cluster, "))
       << run.err;
   EXPECT_NE(run.err.find(" (build?)\n"), std::string::npos) << run.err;
   expectUsage({"study", "chek", "f"}, "tactus study: found the word 'chek', wanted a command: new, info, check,");

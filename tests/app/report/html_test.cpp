@@ -28,6 +28,35 @@ TEST(HtmlPage, IsWellFormedAndSelfContained) {
   EXPECT_NE(html.find("@media print"), std::string::npos);
 }
 
+TEST(HtmlPage, NumbersItsCaptionsOnRequest) {
+  const Table table{.caption = "A", .head = {{{.text = "a"}}}, .body = {}};
+  const Figure figure{.caption = "B", .panels = {{.svg = "<svg></svg>"}}};
+  HtmlPage page("Page", "");
+  page.table(table);
+  page.numberCaptions();
+  page.table(table);
+  page.figure(figure);
+  page.table(table);
+  const std::string html = page.html();
+  EXPECT_NE(html.find("<caption>A</caption>"), std::string::npos);
+  EXPECT_NE(html.find("<caption><span class=\"caption-number\">Table 1.</span> A</caption>"), std::string::npos);
+  EXPECT_NE(html.find("<caption><span class=\"caption-number\">Table 2.</span> A</caption>"), std::string::npos);
+  EXPECT_NE(html.find("<figcaption><span class=\"caption-number\">Figure 1.</span> B"), std::string::npos);
+}
+
+// A short table or figure stays on one page; a table longer than a page may be torn.
+TEST(HtmlPage, OnPaperOnlyLongTablesAreTorn) {
+  Table table{.caption = "A", .head = {{{.text = "a"}}}, .body = {}};
+  HtmlPage page("Page", "");
+  page.table(table);
+  for (int i = 0; i < 40; ++i) table.body.push_back({{.text = "x"}});
+  page.table(table);
+  const std::string html = page.html();
+  EXPECT_NE(html.find("<div class=\"table\"><table>"), std::string::npos);
+  EXPECT_NE(html.find("<div class=\"table tall\"><table>"), std::string::npos);
+  EXPECT_NE(html.find("counter(page)"), std::string::npos);
+}
+
 TEST(HtmlPage, SectionsAreInTheContentsUnderAnchorsOfTheirOwn) {
   HtmlPage page("Page", "");
   page.section("Speed, clusters & terms");

@@ -31,6 +31,37 @@ std::string pathsIn(const std::string& svg, const std::string& color) {
   return data;
 }
 
+TEST(SvgPlot, SaysThatItsDataAreSimulated) {
+  PlotFrame marked = frame();
+  EXPECT_EQ(countOf(SvgPlot(marked).svg(), "SIMULATED"), 0U);
+  marked.simulated = true;
+  const std::string svg = SvgPlot(marked).line({{0, 0.1}, {10, 0.9}}, {.color = kBlue}).svg();
+  EXPECT_EQ(countOf(svg, ">SIMULATED</text>"), 1U);
+  EXPECT_EQ(markupFault(svg), "");
+}
+
+// From (0, .2) over (10, .4) along the lower series and back along the upper one; a gap in either is a gap.
+TEST(SvgPlot, FillsBetweenTwoSeries) {
+  PlotFrame plain{.title = "",
+                  .width = 400,
+                  .height = 256,
+                  .x = {.label = "", .min = 0, .max = 10},
+                  .y = {.label = "", .min = 0, .max = 1}};
+  const auto paths = [&](const Series& low, const Series& high) {
+    const std::string svg = SvgPlot(plain).between(low, high, "#123456", 0.5).svg();
+    const std::size_t fill = svg.find(" fill=\"#123456\"");
+    const std::size_t begin = svg.rfind(" d=\"", fill) + 4;
+    return svg.substr(begin, svg.find('"', begin) - begin);
+  };
+  const std::string whole = paths({{0, 0.2}, {10, 0.4}}, {{0, 0.6}, {10, 0.8}});
+  EXPECT_EQ(countOf(whole, "M"), 1U);
+  EXPECT_EQ(countOf(whole, "L"), 3U);
+  EXPECT_EQ(countOf(whole, "Z"), 1U);
+  const std::string gap =
+      paths({{0, 0.2}, {2, 0.2}, {4, {}}, {6, 0.2}, {8, 0.2}}, {{0, 0.6}, {2, 0.6}, {4, 0.6}, {6, 0.6}, {8, 0.6}});
+  EXPECT_EQ(countOf(gap, "Z"), 2U);
+}
+
 TEST(SvgPlot, IsWellFormedAndSaysWhatItShows) {
   const std::string svg = SvgPlot(frame()).line({{0, 0.1}, {10, 0.9}}, {.color = kBlue}, "S1 < S2").svg();
   EXPECT_EQ(markupFault(svg), "");

@@ -1,0 +1,42 @@
+// The report of one's own study, as one page.
+#include "app/cli/accepted_data.h"
+#include "app/cli/commands.h"
+#include "app/cli/study_build.h"
+#include "app/report/study_report.h"
+#include "app/session/known_forms.h"
+#include "app/version.h"
+#include "core/base/files/file.h"
+#include "core/base/json/json_writer.h"
+
+namespace tactus::cli {
+
+base::Result<Output> writeReport(const ReportOptions& options) {
+  auto made = buildStudy(options, RulesNeeded::kNo);
+  if (!made) return tl::unexpected(made.error());
+  for (auto& note : acceptedNotes(made->data, made->accepted)) made->built.notes.push_back(std::move(note));
+  const report::StudyReportInputs inputs{.study = made->tables.study,
+                                         .built = made->built,
+                                         .build_settings = made->settings,
+                                         .forms = session::knownForms(),
+                                         .data = made->data,
+                                         .settings = {{"Study", options.study},
+                                                      {"Program", std::string(kGenerator)},
+                                                      {"Created (UTC)", made->settings.created_utc}},
+                                         .replicates = options.replicates};
+  const auto page = report::studyReport(inputs);
+  if (!page) return inFile(page.error(), options.study);
+  if (auto written = base::writeFileAtomically(options.out, *page); !written) return tl::unexpected(written.error());
+  const auto experts = made->built.model.experts.size();
+  if (!options.json) {
+    return Output{base::oneLine(options.out) + ": report of " + std::to_string(made->tables.study.participants.size()) +
+                      " participants, " + std::to_string(experts) + " experts\n",
+                  made->warnings()};
+  }
+  base::JsonWriter json;
+  json.beginObject().key("report").value(options.out);
+  json.key("participants").value(made->tables.study.participants.size()).key("experts").value(experts);
+  json.key("notes").values(made->built.notes).key("notices").values(made->notices).endObject();
+  return Output{json.text(), made->warnings()};
+}
+
+}  // namespace tactus::cli

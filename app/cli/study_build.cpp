@@ -1,0 +1,100 @@
+#include "app/cli/study_build.h"
+
+#include <chrono>
+#include <utility>
+
+#include "app/cli/accepted_data.h"
+#include "app/session/data_checks.h"
+#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
+#include "app/version.h"
+#include "core/base/clock.h"
+#include "core/base/tables/csv.h"
+#include "core/study/table_line.h"
+#include "elicitation/variables/ngt_variables.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::Result;
+using elicitation::WeightPolicy;
+
+Result<elicitation::WeightSettings> weightSettings(const std::string& word) {
+  elicitation::WeightSettings settings;
+  for (const auto policy :
+       {WeightPolicy::kEqual, WeightPolicy::kYears, WeightPolicy::kCategory, WeightPolicy::kColumn}) {
+    if (word != name(policy)) continue;
+    settings.policy = policy;
+    return settings;
+  }
+  const auto table = base::CsvTable::read(word);
+  if (!table) {
+    auto error = table.error();
+    if (error.code == base::ErrorCode::kIo) error.wanted = "equal, years, category, column or a CSV file for --weights";
+    return tl::unexpected(error);
+  }
+  auto weights = elicitation::readWeightTable(*table);
+  if (!weights) return tl::unexpected(weights.error());
+  settings.policy = WeightPolicy::kTable;
+  settings.table = std::move(*weights);
+  settings.table_file = word;
+  return settings;
+}
+
+/// An error of the elicitation, told to whom it concerns: the file it names, an option, or the study.
+tl::unexpected<base::Error> explainedError(base::Error error, const BuildOptions& options,
+                                           const std::string& weights_file) {
+  if (error.file.empty() && (error.place == "alpha" || error.place == "trim" || error.place == "force-end")) {
+    error.place = "--" + error.place;
+    return tl::unexpected(std::move(error));
+  }
+  if (!error.file.empty() && error.file == weights_file) return tl::unexpected(std::move(error));
+  return study::inStudyFolder(std::move(error), options.study);
+}
+
+}  // namespace
+
+std::vector<std::string> StudyBuild::warnings() const {
+  auto all = notices;
+  all.insert(all.end(), tables.notes.begin(), tables.notes.end());
+  return all;
+}
+
+Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
+  auto weights = weightSettings(options.weights);
+  if (!weights) return tl::unexpected(weights.error());
+  auto accepted = acceptedKinds(options.accept);
+  if (!accepted) return tl::unexpected(accepted.error());
+  auto tables = session::readStudy(options.study, elicitation::ngtInputIds());
+  if (!tables) return tl::unexpected(tables.error());
+  StudyBuild out;
+  for (const auto& notice : tables->notices) out.notices.push_back(options.study + ": " + notice);
+  out.data = session::dataFindings(tables->study);
+  if (auto ok = study::refuseData(out.data, *accepted); !ok) return study::inStudyFolder(ok.error(), options.study);
+
+  auto& settings = out.settings;
+  settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
+  settings.generator = kGenerator;
+  settings.speed.alpha = options.alpha;
+  settings.speed.trim = options.trim;
+  settings.speed.centres = options.centres;
+  settings.averaging = options.averaging;
+  settings.force_terms = options.force_terms;
+  settings.force_end_n = options.force_end_n;
+  if (auto members = acceptedJson(out.data, *accepted); !members.empty()) {
+    settings.extra.push_back({"accepted_data", std::move(members)});
+  }
+  const std::string weights_file = weights->table_file;
+  settings.weights = std::move(*weights);
+  settings.terms = options.own_terms ? elicitation::SpeedTermsOf::kOwn : elicitation::SpeedTermsOf::kAveraged;
+  const bool terms_only = rules == RulesNeeded::kNo && !elicitation::hasRules(tables->study);
+  auto built = terms_only ? elicitation::buildTerms(tables->study, settings)
+                          : elicitation::buildModel(tables->study, session::knownForms(), settings);
+  if (!built) return explainedError(built.error(), options, weights_file);
+  out.built = std::move(*built);
+  out.tables = std::move(*tables);
+  out.accepted = std::move(*accepted);
+  return out;
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,32 @@
+// From a study on disk to its built model: the first half of `tactus build`, shared by the commands that need one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "core/study/csv_tables.h"
+#include "core/study/data_finding.h"
+#include "elicitation/model/model_builder.h"
+
+namespace tactus::cli {
+
+struct StudyBuild {
+  study::StudyTables tables;
+  std::vector<study::DataFinding> data;
+  std::vector<study::DataFinding::Kind> accepted;
+  std::vector<std::string> notices;  ///< about the file, with its name
+  elicitation::BuildSettings settings;
+  elicitation::BuiltModel built;
+
+  /// What a command says on standard error.
+  std::vector<std::string> warnings() const;
+};
+
+/// Whether a study without answers and rules is refused, or gives its terms alone (elicitation::buildTerms).
+enum class RulesNeeded { kYes, kNo };
+
+/// Reads the study of `options`, checks its data and builds the model. Errors name the file or the option.
+base::Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules = RulesNeeded::kYes);
+
+}  // namespace tactus::cli

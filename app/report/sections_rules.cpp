@@ -1,0 +1,166 @@
+// The rules of the experts as grids: conditions by regions.
+#include <algorithm>
+#include <map>
+
+#include "app/report/report_sections.h"
+#include "core/base/text.h"
+#include "elicitation/agreement/expert_cells.h"
+
+namespace tactus::report {
+
+namespace {
+
+/// A condition and a region, as they are written in the grid.
+struct GridPlace {
+  std::string row;
+  std::string column;
+};
+
+std::string labelOf(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, const std::string& input,
+                    const std::string& term) {
+  for (const auto& variable : model.inputs) {
+    if (variable.id != input) continue;
+    if (const auto* found = fuzzy::findTerm(fuzzy::termsFor(expert, variable), term)) return found->label;
+  }
+  return term;
+}
+
+std::string inputWords(std::string id) {
+  std::replace(id.begin(), id.end(), '_', ' ');
+  return id;
+}
+
+/// Nothing where the rule is not one condition and a region.
+std::optional<GridPlace> placeOf(const fuzzy::ForceModel& model, const fuzzy::Expert& expert,
+                                 const std::vector<fuzzy::Condition>& conditions) {
+  if (conditions.size() != 2) return std::nullopt;
+  GridPlace place;
+  for (const auto& condition : conditions) {
+    const std::string label = labelOf(model, expert, condition.input, condition.term);
+    if (condition.input == "depth") {
+      place.column = label;
+    } else {
+      place.row = inputWords(condition.input) + " " + base::lowered(label);
+    }
+  }
+  if (place.row.empty() || place.column.empty()) return std::nullopt;
+  return place;
+}
+
+std::string wordOf(const fuzzy::ForceModel& model, const std::string& term) {
+  const auto* found = fuzzy::findTerm(model.output.terms, term);
+  return found != nullptr ? found->label : term;
+}
+
+/// Rows and columns in the order of their first use, and the text of each cell.
+class Grid {
+ public:
+  void put(const GridPlace& place, const Markup& text) {
+    note(rows_, place.row);
+    note(columns_, place.column);
+    auto& cell = cells_[{place.row, place.column}];
+    cell = cell.empty() ? text : cell + " / " + text;
+  }
+  bool empty() const { return cells_.empty(); }
+
+  Table table(const Markup& caption) const {
+    Table out{.caption = caption, .head = {{{.text = "Condition"}}}, .body = {}};
+    for (const auto& column : columns_) out.head.front().push_back({.text = column});
+    for (const auto& row : rows_) {
+      out.body.push_back({headingCell(row)});
+      for (const auto& column : columns_) {
+        const auto cell = cells_.find({row, column});
+        out.body.back().push_back({.text = cell == cells_.end() ? muted("–") : cell->second});
+      }
+    }
+    return out;
+  }
+
+ private:
+  static void note(std::vector<std::string>& list, const std::string& text) {
+    if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
+  }
+
+  std::vector<std::string> rows_;
+  std::vector<std::string> columns_;
+  std::map<std::pair<std::string, std::string>, Markup> cells_;
+};
+
+/// The rules that do not fit a grid, as sentences.
+std::vector<Markup> otherRules(const fuzzy::ForceModel& model, const fuzzy::Expert& expert) {
+  std::vector<Markup> out;
+  for (const auto& rule : expert.rules) {
+    if (placeOf(model, expert, rule.conditions)) continue;
+    std::vector<std::string> parts;
+    for (const auto& condition : rule.conditions) {
+      parts.push_back(inputWords(condition.input) + " is " +
+                      base::lowered(labelOf(model, expert, condition.input, condition.term)));
+    }
+    out.emplace_back(expert.id + ": if " + base::joined(parts, " and ") + ", the force is " +
+                     base::lowered(wordOf(model, rule.then)) + ".");
+  }
+  return out;
+}
+
+void addOneExpert(HtmlPage& page, const ReportContext& context, const fuzzy::Expert& expert) {
+  const auto& model = context.in.built.model;
+  Grid grid;
+  for (const auto& rule : expert.rules) {
+    const auto place = placeOf(model, expert, rule.conditions);
+    if (!place) continue;
+    Markup text = wordOf(model, rule.then);
+    if (!rule.enabled) text += " " + muted("(off)");
+    if (rule.weight != 1) text += " " + muted("× " + base::formatNumber(rule.weight));
+    grid.put(*place, text);
+  }
+  if (!grid.empty()) {
+    page.table(grid.table(strong("Rules of " + expert.label + ".") + " " + std::to_string(expert.rules.size()) +
+                          " rules, weight " + base::formatNumber(expert.weight) + ". –: no rule."));
+  }
+  if (const auto others = otherRules(model, expert); !others.empty()) page.list(others);
+}
+
+/// Of many experts: the middle word of each cell and how many said it.
+void addAllTogether(HtmlPage& page, const ReportContext& context) {
+  const auto& model = context.in.built.model;
+  Grid grid;
+  for (const auto& cell : elicitation::expertCells(model)) {
+    std::map<std::size_t, std::size_t> votes;  // by level
+    std::size_t all = 0;
+    std::optional<GridPlace> place;
+    for (std::size_t e = 0; e < cell.rules.size(); ++e) {
+      if (!cell.rules[e]) continue;
+      place = placeOf(model, model.experts[e], cell.conditions);
+      const auto& then = model.experts[e].rules[cell.rules[e]->rule].then;
+      const auto term = std::find_if(model.output.terms.begin(), model.output.terms.end(),
+                                     [&](const auto& one) { return one.id == then; });
+      ++votes[static_cast<std::size_t>(term - model.output.terms.begin())];
+      ++all;
+    }
+    if (!place) continue;
+    std::size_t below = 0;
+    for (const auto& [level, count] : votes) {
+      below += count;
+      if (2 * below <= all) continue;
+      grid.put(*place, Markup(level < model.output.terms.size() ? model.output.terms[level].label : "") + " " +
+                           muted("(" + std::to_string(count) + " of " + std::to_string(all) + ")"));
+      break;
+    }
+  }
+  page.table(grid.table(strong("Rules of all experts.") + " The upper median of the words in each cell, and how many "
+                                                          "said exactly this. –: no rule."));
+}
+
+}  // namespace
+
+void addRules(HtmlPage& page, const ReportContext& context) {
+  page.section("Rules");
+  const auto& experts = context.in.built.model.experts;
+  if (experts.size() > kMostDrawn) {
+    addAllTogether(page, context);
+    return;
+  }
+  for (const auto& expert : experts) addOneExpert(page, context, expert);
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,188 @@
+// The overview of a study: who took part, what is there, what is missing, what to look at in the data.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "app/report/report_sections.h"
+#include "core/analysis/reachable_range.h"
+#include "core/base/text.h"
+
+namespace tactus::report {
+
+namespace {
+
+/// What one participant gave.
+struct Given {
+  std::set<std::pair<std::string, int>> strokes;  ///< level and number
+  std::size_t judgements = 0;
+  std::size_t answers = 0;
+  std::size_t rules = 0;
+};
+
+std::map<std::string, Given> givenBy(const study::Study& study) {
+  std::map<std::string, Given> out;
+  for (const auto& one : study.participants) out[one.code];
+  for (const auto& sample : study.speeds) out[sample.participant].strokes.insert({sample.level, sample.stroke});
+  for (const auto& one : study.judgements) {
+    if (one.kind != study::ForceJudgement::Kind::kNoAnswer) ++out[one.participant].judgements;
+  }
+  for (const auto& one : study.answers) {
+    if (one.status == study::Answer::Status::kAnswered) ++out[one.participant].answers;
+  }
+  for (const auto& one : study.rules) ++out[one.participant].rules;
+  return out;
+}
+
+/// `A, B and 3 others`.
+std::string shortList(const std::vector<std::string>& codes) {
+  constexpr std::size_t kShown = 8;
+  if (codes.size() <= kShown + 1) return base::joined(codes, ", ");
+  return base::joined(std::vector<std::string>(codes.begin(), codes.begin() + kShown), ", ") + " and " +
+         std::to_string(codes.size() - kShown) + " others";
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+/// One sentence for each thing that a whole study has and this one lacks.
+std::vector<Markup> missing(const ReportContext& context, const std::map<std::string, Given>& given) {
+  const auto& study = context.in.study;
+  std::vector<Markup> out;
+  if (study.participants.empty()) out.emplace_back("There are no participants.");
+  if (study.participants.size() == 1) {
+    out.emplace_back(
+        "There is one participant only: the mean is that participant’s model, and how far experts agree cannot be "
+        "said.");
+  }
+  if (study.speeds.empty()) {
+    out.emplace_back(
+        "There are no insertion strokes. The speed has its default terms; the sections about speeds and clusters are "
+        "left out.");
+  }
+  if (study.judgements.empty()) {
+    out.emplace_back(
+        "There are no force judgements. The force has its default terms; the sections about votes are left out.");
+  }
+  if (context.curves == nullptr) {
+    out.emplace_back(
+        "There are no answers and no rules. So there is no force model yet, and the sections about its forces, "
+        "agreement in newtons and findings are left out.");
+  }
+  const auto lacking = [&](bool some, auto lacks, const std::string& what) {
+    std::vector<std::string> codes;
+    for (const auto& one : study.participants) {
+      if (lacks(given.at(one.code))) codes.push_back(one.code);
+    }
+    if (some && !codes.empty()) out.emplace_back("Without " + what + ": " + shortList(codes) + ".");
+  };
+  lacking(
+      !study.speeds.empty(), [](const Given& one) { return one.strokes.empty(); }, "strokes");
+  lacking(
+      !study.judgements.empty(), [](const Given& one) { return one.judgements == 0; }, "judgements");
+  lacking(
+      context.curves != nullptr, [](const Given& one) { return one.answers + one.rules == 0; }, "answers and rules");
+  if (!study.speeds.empty() && !context.speed_intervals) {
+    out.emplace_back(context.in.replicates == 0
+                         ? "Intervals of the speed terms were not asked for."
+                         : "The speed terms have no intervals: they need two strokes of each participant and level.");
+  }
+  return out;
+}
+
+}  // namespace
+
+void addStudyOverview(HtmlPage& page, const ReportContext& context) {
+  const auto& study = context.in.study;
+  const auto given = givenBy(study);
+  page.section("At a glance");
+  const auto simulated = static_cast<std::size_t>(std::count_if(study.participants.begin(), study.participants.end(),
+                                                                [](const auto& one) { return one.simulated; }));
+  if (simulated > 0) {
+    page.notice(
+        badge(Badge::kSimulated) + " The data of " +
+        (simulated == study.participants.size()
+             ? std::string("all participants")
+             : std::to_string(simulated) + " of " + std::to_string(study.participants.size()) + " participants") +
+        " are simulated. A program made them; no person was measured. Each picture that contains such data "
+        "says so.");
+  }
+  std::size_t strokes = 0;
+  std::size_t answers = 0;
+  std::size_t judgements = 0;
+  for (const auto& [code, one] : given) {
+    strokes += one.strokes.size();
+    answers += one.answers + one.rules;
+    judgements += one.judgements;
+  }
+  const auto& model = context.in.built.model;
+  std::string range = "no force yet";
+  if (context.curves != nullptr) {
+    const auto reached = analysis::reachableRange(model, context.curves->compiled());
+    if (reached.fired > 0) {
+      range = base::formatFixed(reached.min_n, 2) + " to " + base::formatFixed(reached.max_n, 2) + " N";
+    }
+  }
+  page.keyNumbers(
+      {{counted(study.participants.size(), "participant", "participants"),
+        counted(model.experts.size(), "expert", "experts") + " in the averaged model"},
+       {counted(strokes, "stroke", "strokes"), counted(study.speeds.size(), "speed sample", "speed samples")},
+       {counted(judgements, "judgement", "judgements"), counted(answers, "answer or rule", "answers and rules")},
+       {range, "what the averaged model can give"}});
+  const auto lacks = missing(context, given);
+  if (lacks.empty()) return;
+  page.subsection("What is missing");
+  page.list(lacks);
+}
+
+void addParticipants(HtmlPage& page, const ReportContext& context) {
+  const auto& study = context.in.study;
+  if (study.participants.empty()) return;
+  page.section("Participants");
+  Table table{.caption = strong("Participants.") +
+                         " Random codes, and what each one gave. Years of experience are "
+                         "left out, so that nobody is recognized by them.",
+              .head = {{{.text = "Participant"},
+                        {.text = "Category"},
+                        {.text = "Hand"},
+                        numberCell("Strokes", true),
+                        numberCell("Judgements"),
+                        numberCell("Answers"),
+                        numberCell("Given rules"),
+                        numberCell("Weight", true),
+                        {.text = "Data", .group_start = true}}},
+              .body = {}};
+  const auto given = givenBy(study);
+  const auto& experts = context.in.built.model.experts;
+  for (const auto& one : study.participants) {
+    const auto& gave = given.at(one.code);
+    const auto expert =
+        std::find_if(experts.begin(), experts.end(), [&](const auto& each) { return each.id == one.code; });
+    table.body.push_back(
+        {headingCell(one.code),
+         {.text = one.category},
+         {.text = one.handedness},
+         numberCell(std::to_string(gave.strokes.size()), true),
+         numberCell(std::to_string(gave.judgements)),
+         numberCell(std::to_string(gave.answers)),
+         numberCell(std::to_string(gave.rules)),
+         numberCell(expert == experts.end() ? "–" : base::formatNumber(expert->weight), true),
+         {.text = one.simulated ? badge(Badge::kSimulated) : Markup("recorded"), .group_start = true}});
+  }
+  page.table(table);
+}
+
+void addDataFindings(HtmlPage& page, const ReportContext& context) {
+  if (context.in.data.empty()) return;
+  page.section("What to look at in the data");
+  Table table{.caption = strong("Checks of the data.") + " Made before anything is computed; nothing was changed.",
+              .head = {{{.text = "Kind"}, {.text = "Finding"}}},
+              .body = {},
+              .wide = true};
+  for (const auto& finding : context.in.data) {
+    table.body.push_back({headingCell(std::string(name(finding.severity))), {.text = study::text(finding)}});
+  }
+  page.table(table);
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,105 @@
+#include "app/report/study_report.h"
+
+#include <algorithm>
+
+#include "app/report/report_sections.h"
+
+namespace tactus::report {
+namespace {
+
+/// Everything that comes out of a model with at least one expert.
+void addModelSections(HtmlPage& page, const ReportContext& context) {
+  addRules(page, context);
+  addExperts(page, context);
+  addSurface(page, context);
+  addInfluences(page, context);
+  addFeel(page, context);
+  addAgreement(page, context);
+  addInfluence(page, context);
+  addConflicts(page, context);
+  addWeights(page, context);
+  addFindings(page, context);
+  addReachableRange(page, context);
+}
+
+std::string titleOf(const StudyReportInputs& inputs) {
+  if (!inputs.built.model.name.empty()) return inputs.built.model.name;
+  return inputs.study.name.empty() ? "A study of insertion forces" : inputs.study.name;
+}
+
+}  // namespace
+
+Markup marks(const ReportContext& context, std::initializer_list<Badge> list) {
+  if (context.demo != nullptr) return badges(list);
+  std::vector<Badge> kept;
+  for (const Badge one : list) {
+    if (one == Badge::kPublished || (one == Badge::kSimulated && !context.simulated())) continue;
+    kept.push_back(one);
+  }
+  Markup out;
+  for (std::size_t i = 0; i < kept.size(); ++i) out += (i > 0 ? Markup(" ") : Markup()) + badge(kept[i]);
+  return out;
+}
+
+bool ReportContext::simulated(const std::string& participant) const {
+  const auto& people = in.study.participants;
+  return std::any_of(people.begin(), people.end(),
+                     [&](const auto& one) { return one.simulated && one.code == participant; });
+}
+
+bool ReportContext::simulated() const {
+  const auto& people = in.study.participants;
+  return std::any_of(people.begin(), people.end(), [](const auto& one) { return one.simulated; });
+}
+
+std::optional<elicitation::StudySpeedIntervals> speedIntervals(const StudyReportInputs& inputs) {
+  if (inputs.replicates == 0) return std::nullopt;
+  auto bootstrap = elicitation::SpeedBootstrap::of(inputs.study, inputs.built, inputs.build_settings);
+  if (!bootstrap) return std::nullopt;
+  bootstrap->add(inputs.replicates);
+  return bootstrap->intervals();
+}
+
+const fuzzy::Variable& depthVariable(const fuzzy::ForceModel& model) {
+  return *std::find_if(model.inputs.begin(), model.inputs.end(),
+                       [](const fuzzy::Variable& input) { return input.id == "depth"; });
+}
+
+base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
+  const bool with_experts = !inputs.built.model.experts.empty();
+  std::optional<ForceCurves> curves;
+  if (with_experts) {
+    auto made = ForceCurves::of(inputs.built.model);
+    if (!made) return tl::unexpected(made.error());
+    curves = std::move(*made);
+  }
+  const ReportContext context{.in = inputs,
+                              .curves = curves ? &*curves : nullptr,
+                              .regions = depthRegions(depthVariable(inputs.built.model)),
+                              .speed_intervals = speedIntervals(inputs)};
+  HtmlPage page(titleOf(inputs),
+                "From the participants’ strokes, judgements and answers to an averaged force model of tube insertion, "
+                "after Choi et al., “A heuristic force model for haptic simulation of nasogastric tube insertion using "
+                "fuzzy logic”.");
+  page.numberCaptions();
+  addStudyOverview(page, context);
+  addParticipants(page, context);
+  addDataFindings(page, context);
+  addSpeeds(page, context);
+  addClusters(page, context);
+  addVotes(page, context);
+  addFrequency(page, context);
+  addMembershipFunctions(page, context);
+  addVertices(page, context);
+  if (with_experts) {
+    addModelSections(page, context);
+  } else {
+    addAgreement(page, context);
+  }
+  addMethod(page, context);
+  addBuildNotes(page, context);
+  addReferences(page, context);
+  return page.html();
+}
+
+}  // namespace tactus::report

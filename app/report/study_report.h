@@ -1,0 +1,34 @@
+// The report of a study: its data, every step to the averaged model, and what is missing, in one page.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/study/data_finding.h"
+#include "core/study/records.h"
+#include "elicitation/model/model_builder.h"
+#include "elicitation/model/speed_bootstrap.h"
+
+namespace tactus::report {
+
+/// The input of the report. The report computes curves and summaries itself and reads no file.
+struct StudyReportInputs {
+  const study::Study& study;
+  /// Built from that study. Without rules: elicitation::buildTerms, a model without experts.
+  const elicitation::BuiltModel& built;
+  elicitation::BuildSettings build_settings = {};              ///< the settings of that build
+  std::vector<study::Form> forms = {};                         ///< forms of the answers
+  std::vector<study::DataFinding> data = {};                   ///< what to look at in the data
+  std::vector<std::pair<std::string, std::string>> settings;   ///< further names and values: file, versions
+  std::size_t replicates = elicitation::kBootstrapReplicates;  ///< draws of strokes for intervals; 0: no intervals
+};
+
+/// The page as HTML: self-contained, numbered tables and figures, for screen and paper. Each picture with data of a
+/// simulated person says so. What the study lacks (speeds, judgements, answers, a second participant) is named, and
+/// the sections that need it are left out. With many participants only some are drawn one by one; tables hold all.
+/// Refused: a model without the four inputs of the study.
+base::Result<std::string> studyReport(const StudyReportInputs& inputs);
+
+}  // namespace tactus::report

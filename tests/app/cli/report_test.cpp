@@ -1,0 +1,54 @@
+// `tactus report`: the page of a study file or a folder of tables, with the options of `build`.
+#include <filesystem>
+#include <gtest/gtest.h>
+
+#include "core/study/csv_tables.h"
+#include "elicitation/variables/ngt_variables.h"
+
+#include "tests/app/cli/run_program.h"
+#include "tests/support/table_study.h"
+#include "tests/support/temp_folder.h"
+
+namespace tactus::cli {
+namespace {
+
+class Report : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(study::writeStudyFolder(study_, elicitation::ngtInputIds(), tables_)); }
+
+  support::TempFolder folder_;
+  study::Study study_ = support::tableStudy(1, {.nurses = 2, .rows_per_s = 60});
+  std::string tables_ = folder_.file("tables");
+  std::string out_ = folder_.file("R.html");
+};
+
+TEST_F(Report, WritesThePageAndTakesTheOptionsOfBuild) {
+  const ProgramRun run(
+      {"report", tables_, "--out", out_, "--alpha", "0.8", "--force-terms", "frequency", "--replicates", "20"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, out_ + ": report of 2 participants, 2 experts\n");
+  const std::string page = readText(out_);
+  EXPECT_NE(page.find("<td>Core ends at membership α</td><td>0.8</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td>From</td><td>frequency</td>"), std::string::npos);
+}
+
+TEST_F(Report, OfAStudyWithoutAnswersSaysSoWhereBuildRefuses) {
+  std::filesystem::remove(tables_ + "/answers.csv");
+  std::filesystem::remove(tables_ + "/rules.csv");
+  EXPECT_EQ(ProgramRun({"build", tables_, "--out", folder_.file("m.tactus.json")}).status, 1);
+  const ProgramRun run({"report", tables_, "--out", out_, "--replicates", "0", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("\"experts\": 0"), std::string::npos) << run.out;
+  EXPECT_NE(readText(out_).find("There are no answers and no rules."), std::string::npos);
+}
+
+TEST_F(Report, AMistakeWritesNothing) {
+  const ProgramRun run({"report", folder_.file("absent.tactus"), "--out", out_});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("absent.tactus"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(out_));
+  EXPECT_EQ(ProgramRun({"report", tables_}).status, 2);
+}
+
+}  // namespace
+}  // namespace tactus::cli
