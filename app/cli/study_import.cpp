@@ -9,11 +9,9 @@
 #include "app/session/data_checks.h"
 #include "app/session/leftovers.h"
 #include "app/session/study_source.h"
-#include "core/base/files/file.h"
-#include "core/store/backup.h"
+#include "app/version.h"
 #include "core/store/record_import.h"
 #include "core/store/study_info.h"
-#include "core/store/work_folder.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
 #include "elicitation/variables/ngt_variables.h"
@@ -30,26 +28,13 @@ struct Imported {
   std::vector<std::string> warnings = {};  ///< of its end
 };
 
-/// Imports into a new study, which appears whole or not at all: it is made beside its place.
-Result<Imported> intoNewStudy(const std::string& path, const study::Study& tables,
-                              const session::ImportSource& source) {
-  auto work = store::WorkFolder::beside(path);
-  if (!work) return tl::unexpected(work.error());
-  const auto said_of_path = [&path](base::Error error) {
-    error.file = path;
-    return tl::unexpected(std::move(error));
-  };
-  auto file = newStudy(work->file("study"), tables.name);
-  if (!file) return said_of_path(file.error());
-  auto imported = session::importTables(tables, *file, source);
-  if (!imported) return said_of_path(imported.error());
-  if (auto placed = store::backUp(*file, path); !placed) return tl::unexpected(placed.error());
-  return Imported{std::move(*imported)};
-}
-
 Result<Imported> intoStudy(const std::string& path, const study::Study& tables, const session::ImportSource& source) {
   std::error_code ignored;
-  if (!path.empty() && !std::filesystem::exists(path, ignored)) return intoNewStudy(path, tables, source);
+  if (!path.empty() && !std::filesystem::exists(path, ignored)) {
+    auto imported = session::importAsNewStudy(tables, path, source, std::string(kGenerator));
+    if (!imported) return tl::unexpected(imported.error());
+    return Imported{std::move(*imported)};
+  }
   auto file = store::StudyFile::open(path);
   if (!file) return tl::unexpected(file.error());
   auto imported = session::importTables(tables, *file, source);
@@ -66,12 +51,9 @@ Result<Output> importFolder(const StudyImportOptions& options) {
   if (!tables) return tl::unexpected(tables.error());
   const auto data = session::dataFindings(tables->study);
   if (auto ok = study::refuseData(data, *accepted); !ok) return study::inStudyFolder(ok.error(), options.folder);
-  const auto hash =
-      base::listingSha256(options.folder, {std::string(study::kParticipantsTable), std::string(study::kSpeedsTable),
-                                           std::string(study::kJudgementsTable), std::string(study::kAnswersTable),
-                                           std::string(study::kRulesTable)});
-  if (!hash) return tl::unexpected(hash.error());
-  auto done = intoStudy(options.file, tables->study, {tables->study.name, *hash, utcNowMs()});
+  const auto source = session::tablesSource(options.folder, tables->study.name, utcNowMs());
+  if (!source) return tl::unexpected(source.error());
+  auto done = intoStudy(options.file, tables->study, *source);
   if (!done) return tl::unexpected(done.error());
   const auto* imported = &done->import;
 

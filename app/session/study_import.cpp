@@ -8,14 +8,18 @@
 
 #include "app/session/session_order.h"
 #include "app/session/session_state.h"
+#include "core/base/files/file.h"
 #include "core/base/files/sha256.h"
 #include "core/base/text.h"
+#include "core/store/backup.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/import_log.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
+#include "core/store/work_folder.h"
+#include "core/study/csv_tables.h"
 #include "experiments/stroke.h"
 
 namespace tactus::session {
@@ -305,6 +309,31 @@ Result<StudyImport> importTables(const study::Study& study, store::StudyFile& fi
   if (auto ok = importer.remember(); !ok) return tl::unexpected(ok.error());
   if (auto ok = batch->commit(); !ok) return tl::unexpected(ok.error());
   return std::move(importer.import);
+}
+
+Result<ImportSource> tablesSource(const std::string& folder, const std::string& name, std::int64_t utc_ms) {
+  auto hash = base::listingSha256(folder, {std::string(study::kParticipantsTable), std::string(study::kSpeedsTable),
+                                           std::string(study::kJudgementsTable), std::string(study::kAnswersTable),
+                                           std::string(study::kRulesTable)});
+  if (!hash) return tl::unexpected(hash.error());
+  return ImportSource{name, std::move(*hash), utc_ms};
+}
+
+Result<StudyImport> importAsNewStudy(const study::Study& study, const std::string& path, const ImportSource& source,
+                                     const std::string& program) {
+  const auto said_of_path = [&path](base::Error error) {
+    error.file = path;
+    return tl::unexpected(std::move(error));
+  };
+  auto work = store::WorkFolder::beside(path);
+  if (!work) return tl::unexpected(work.error());
+  auto file =
+      store::StudyFile::create(work->file("study"), {study::RecordIds().next(), study.name, source.utc_ms, program});
+  if (!file) return said_of_path(file.error());
+  auto imported = importTables(study, *file, source);
+  if (!imported) return said_of_path(imported.error());
+  if (auto placed = store::backUp(*file, path); !placed) return tl::unexpected(placed.error());
+  return imported;
 }
 
 }  // namespace tactus::session

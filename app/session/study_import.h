@@ -36,4 +36,12 @@ struct ImportSource {
 base::Result<StudyImport> importTables(const study::Study& study, store::StudyFile& file,
                                        const ImportSource& source = {});
 
+/// The origin of the tables in `folder`, read at `utc_ms` as the study `name`.
+base::Result<ImportSource> tablesSource(const std::string& folder, const std::string& name, std::int64_t utc_ms);
+
+/// importTables into the new study file `path`, which must not exist and appears completely or not at all. `program`:
+/// name and version of the program that makes it. Errors name `path`.
+base::Result<StudyImport> importAsNewStudy(const study::Study& study, const std::string& path,
+                                           const ImportSource& source, const std::string& program);
+
 }  // namespace tactus::session

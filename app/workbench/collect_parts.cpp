@@ -8,18 +8,15 @@
 #include "app/workbench/model/author_name.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
-#include "app/workbench/shell/model_files.h"
-#include "app/workbench/shell/start_view.h"
 #include "app/workbench/study/study_models.h"
 #include "app/workbench/study_parts.h"
 
 namespace tactus::workbench {
 
-CollectParts::CollectParts(MainWindow& window, ModelFiles& files, StudyParts& study_parts, StudyConnection& study,
+CollectParts::CollectParts(MainWindow& window, StudyParts& study_parts, StudyConnection& study,
                            StudyModels& study_models, const ModelController& models, DeviceSession& device,
                            const AuthorName& author)
     : window_(window),
-      files_(files),
       study_parts_(study_parts),
       study_(study),
       study_models_(study_models),
@@ -33,14 +30,6 @@ CollectParts::CollectParts(MainWindow& window, ModelFiles& files, StudyParts& st
 }
 
 void CollectParts::connectAll() {
-  connect(&files_.start(), &StartView::newStudyRequested, this, [this] {
-    leads_here_ = true;
-    study_parts_.chooseNew();
-  });
-  connect(&files_.start(), &StartView::openStudyRequested, this, [this] {
-    leads_here_ = true;
-    study_parts_.chooseStudy();
-  });
   connect(&study_, &StudyConnection::opened, this, &CollectParts::onOpened);
   connect(&study_, &StudyConnection::closed, this, [this] {
     // A window that was closed leads nowhere any more.
@@ -66,6 +55,11 @@ void CollectParts::connectAll() {
         tr("Everything of %1 is deleted from %2. Backups and exports made before can still hold the data.")
             .arg(code, study_.fileName()));
   });
+}
+
+void CollectParts::makeStudy() {
+  leads_here_ = true;
+  study_parts_.chooseNew();
 }
 
 // A study without a model has nothing else to show.

@@ -15,7 +15,6 @@ class CollectView;
 class DeviceSession;
 class MainWindow;
 class ModelController;
-class ModelFiles;
 class StudyModels;
 class StudyParts;
 
@@ -23,14 +22,15 @@ class CollectParts : public QObject {
   Q_OBJECT
 
  public:
-  CollectParts(MainWindow& window, ModelFiles& files, StudyParts& study_parts, StudyConnection& study,
-               StudyModels& study_models, const ModelController& models, DeviceSession& device,
-               const AuthorName& author);
+  CollectParts(MainWindow& window, StudyParts& study_parts, StudyConnection& study, StudyModels& study_models,
+               const ModelController& models, DeviceSession& device, const AuthorName& author);
 
   CollectController& collect() { return collect_; }
   ProtocolController& protocol() { return protocol_; }
   CollectView& view() { return *view_; }
   SessionRun& run() { return run_; }
+  /// Asks for the place of a new study and makes it; this stage is entered then.
+  void makeStudy();
   /// The study is read.
   bool isReady() const { return protocol_.isReady(); }
 
@@ -39,7 +39,6 @@ class CollectParts : public QObject {
   void onOpened();
 
   MainWindow& window_;
-  ModelFiles& files_;
   StudyParts& study_parts_;
   StudyConnection& study_;
   StudyModels& study_models_;

@@ -97,12 +97,6 @@ void StudyParts::chooseNew() {
   study_.create(path);
 }
 
-void StudyParts::chooseStudy() {
-  const QString folder = study_.isOpen() ? QFileInfo(study_.path()).absolutePath() : QString();
-  const QString path = QFileDialog::getOpenFileName(&window_, tr("Open a study"), folder, tr("Studies (*.tactus)"));
-  if (!path.isEmpty()) files_.open(path);
-}
-
 void StudyParts::showState() {
   const bool open = study_.isOpen() && !study_.isOpening();
   const bool kept = study_models_.keepsModel();

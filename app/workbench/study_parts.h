@@ -28,8 +28,6 @@ class StudyParts : public QObject {
 
   /// Asks for the place of a new study and makes it.
   void chooseNew();
-  /// Asks for a study and opens it.
-  void chooseStudy();
 
  private:
   void buildMenu();

@@ -38,7 +38,8 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
       edit_parts(window, edits, terms, scene, ghost),
       finding_parts(window, findings, terms, rules),
       study_parts(window, files, study, study_models, feel, feel_parts.view(), feel_store, models, recent),
-      collect_parts(window, files, study_parts, study, study_models, models, device, author),
+      collect_parts(window, study_parts, study, study_models, models, device, author),
+      start_parts(window, files, collect_parts, models, recent, rule_parts.panel()),
       note_parts(window, study, study_models, edit_parts.editor()),
       history_parts(window, edits, compare, scene, feel, author, ghost),
       deliver_parts(window, models, findings, finding_parts.panel(), history_parts, bundles, readiness, settings),
@@ -49,6 +50,9 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
                map_parts.surface(), feel_parts.panel(), edit_parts.panel(), rule_parts.panel(), finding_parts.panel(),
                history_parts.panel(), deliver_parts.readinessPanel(), deliver_parts.bundlePanel()}),
       view_menu(window, models, settings),
+      help_parts(window, models, start_parts,
+                 {curve_parts.curves(), map_parts.map(), here_parts.rules(), edit_parts.panel(), finding_parts.panel(),
+                  feel_parts.panel(), deliver_parts.readinessPanel()}),
       help_menu(window) {}
 
 }  // namespace tactus::workbench

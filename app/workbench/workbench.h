@@ -14,6 +14,7 @@
 #include "app/workbench/feel/recordings/feel_store.h"
 #include "app/workbench/feel_parts.h"
 #include "app/workbench/finding_parts.h"
+#include "app/workbench/help_parts.h"
 #include "app/workbench/here_parts.h"
 #include "app/workbench/history_parts.h"
 #include "app/workbench/link_parts.h"
@@ -32,6 +33,7 @@
 #include "app/workbench/shell/model_files.h"
 #include "app/workbench/shell/recent_files.h"
 #include "app/workbench/shell/view_menu.h"
+#include "app/workbench/start_parts.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/study/study_models.h"
 #include "app/workbench/study_parts.h"
@@ -88,6 +90,7 @@ struct Workbench {
   FindingParts finding_parts;
   StudyParts study_parts;
   CollectParts collect_parts;
+  StartParts start_parts;
   NoteParts note_parts;
   HistoryParts history_parts;
   DeliverParts deliver_parts;
@@ -95,6 +98,7 @@ struct Workbench {
   PictureParts picture_parts;
   BenchScreens screens;
   ViewMenu view_menu;
+  HelpParts help_parts;
   HelpMenu help_menu;
 };
 

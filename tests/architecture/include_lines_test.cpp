@@ -38,7 +38,7 @@ const std::map<std::string, Permission>& permissions() {
 
   // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
   const std::set<std::string> below =
-      joined({"app", "app/bundle", "app/editing", "app/figures", "app/link", "app/session", "app/devices",
+      joined({"app", "app/bundle", "app/demo", "app/editing", "app/figures", "app/link", "app/session", "app/devices",
               "core/analysis/gradient", "core/render", "core/haptics/simulated", "core/store", "core/model_io",
               "core/exchange/import", "experiments", "questionnaires"},
              {base, haptics, elicitation, model});
@@ -104,13 +104,17 @@ const std::map<std::string, Permission>& permissions() {
        {joined({"app/figures", "app/simulation", "core/render", "core/haptics/simulated", "experiments"},
                {base, haptics, model, elicitation}),
         {}}},
+      {"app/demo",
+       {joined({"app", "app/report", "app/session", "app/simulation", "core/model_io", "core/store", "questionnaires"},
+               {base, model, elicitation}),
+        {}}},
       {"app/bundle",
        {joined({"app/report", "core/analysis", "core/exchange", "core/fuzzy", "core/model_io"}, {base}), {}}},
       {"app/link", {joined({"core/fuzzy", "core/haptics/servo"}, {base}), {"netinet/"}}},
       {"app/editing", {joined({"core/model_io"}, {base, model, elicitation}), {}}},
       {"app/cli",
        {joined(
-            {"app", "app/bundle", "app/link", "app/session", "app/simulation", "app/devices", "app/report",
+            {"app", "app/bundle", "app/demo", "app/link", "app/session", "app/simulation", "app/devices", "app/report",
              "experiments", "questionnaires", "core/exchange", "core/exchange/import", "core/store", "core/model_io"},
             {base, model, elicitation}),
         {"CLI/"}}},
@@ -139,6 +143,7 @@ const std::map<std::string, Permission>& permissions() {
        room({"base", "device", "study/connection", "participant", "participant/kit", "participant/screens"})},
       {"app/workbench/collect", room({"base", "kit", "study/connection"})},
       {"app/workbench/shell", room({"base", "kit", "model"})},
+      {"app/workbench/help", room({"base", "kit"})},
       {"app/workbench/deliver/link", room({"base", "kit", "model"})},
       {"app/workbench/participant/kit", room({"base", "anatomy"})},
       {"app/workbench/participant/screens", room({"base", "anatomy", "participant/kit"})},
@@ -162,6 +167,7 @@ const std::map<std::string, Permission>& permissions() {
                               "study/connection",
                               "study",
                               "shell",
+                              "help",
                               "deliver/link",
                               "participant",
                               "participant/kit",

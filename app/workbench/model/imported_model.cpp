@@ -3,22 +3,10 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "app/workbench/model/fresh_path.h"
 #include "core/base/files/file.h"
 
 namespace tactus::workbench {
-namespace {
-
-/// `pump.tactus.json` beside `pump.fll`; `pump-2.tactus.json` where that exists, and so on.
-QString freshPathBeside(const QString& path) {
-  const QFileInfo file(path);
-  const QString stem = file.absolutePath() + QLatin1Char('/') + file.completeBaseName();
-  QString fresh = stem + QStringLiteral(".tactus.json");
-  for (int copy = 2; QFileInfo::exists(fresh); ++copy)
-    fresh = stem + QLatin1Char('-') + QString::number(copy) + QStringLiteral(".tactus.json");
-  return fresh;
-}
-
-}  // namespace
 
 bool isImportPath(const QString& path) { return exchange::isImportPath(path.toStdString()); }
 
@@ -33,8 +21,9 @@ base::Result<OpenModel> importedModel(const exchange::ReadFile& file, const QStr
   if (!model) return tl::unexpected(model.error());
   auto ready = editing::ready(std::move(*model));
   if (!ready) return base::inFile(ready.error(), path.toStdString());
+  const QFileInfo file_info(path);
   OpenModel open(std::move(*ready));
-  open.path = freshPathBeside(path);
+  open.path = freshModelPath(file_info.absolutePath() + QLatin1Char('/') + file_info.completeBaseName());
   for (const std::string& warning : file.warnings()) open.warnings << QString::fromStdString(warning);
   open.simulated = saysSimulated(open.model);
   return open;

@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusTipEvent>
@@ -27,6 +28,13 @@ namespace {
 constexpr auto kGeometryKey = "window_geometry";
 constexpr auto kStageKey = "stage";
 constexpr int kRoomyWidth = 1500;  // px: below it the rail takes less room
+
+/// A size that fits the screen with the frame around the window.
+QSize firstSize(const QWidget& window) {
+  constexpr QSize kWanted(1440, 900);
+  constexpr QSize kFrame(16, 48);  // px, as large as window managers make it
+  return kWanted.boundedTo(window.screen()->availableSize() - kFrame);
+}
 
 }  // namespace
 
@@ -60,13 +68,15 @@ MainWindow::MainWindow(const ModelController& models, SceneController& scene, QS
   strip_->hide();
   setWindowTitle(tr("Tactus Workbench"));
 
+  connect(menus_.addAction(MenuSlot::kFileQuit, tr("Close the &window"), QKeySequence::Close), &QAction::triggered,
+          this, &QWidget::close);
   connect(menus_.addAction(MenuSlot::kFileQuit, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
           &QWidget::close);
   connect(rail_, &StageRail::chosen, this, &MainWindow::enter);
   connect(&models, &ModelController::opened, this, &MainWindow::showStages);
 
   setMinimumSize(1024, 640);
-  resize(1280, 800);
+  resize(firstSize(*this));
   restoreGeometry(settings_.value(QLatin1String(kGeometryKey)).toByteArray());
 }
 
@@ -80,6 +90,7 @@ void MainWindow::addScreen(Stage stage, QWidget* screen, Needs needs) {
   TACTUS_CHECK(!hasScreen(stage));
   if (screens_->indexOf(screen) < 0) screens_->addWidget(screen);
   stages_.insert(static_cast<int>(stage), {screen, needs});
+  rail_->show(stage);
   rail_->setReady(stage, canEnter(stage));
 }
 

@@ -15,19 +15,17 @@
 #include "app/workbench/kit/notes_popup.h"
 #include "app/workbench/model/imported_model.h"
 #include "app/workbench/model/model_controller.h"
+#include "app/workbench/model/template_model.h"
+#include "app/workbench/shell/demo_maker.h"
 #include "app/workbench/shell/file_drop.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/recent_files.h"
-#include "app/workbench/shell/start_view.h"
 
 namespace tactus::workbench {
 
 ModelFiles::ModelFiles(MainWindow& window, ModelController& models, RecentFiles& recent)
-    : window_(window), models_(models), recent_(recent), start_(new StartView(recent)) {
-  window_.setStartScreen(start_);
-  connect(start_, &StartView::openRequested, this, &ModelFiles::choose);
-  connect(start_, &StartView::recentRequested, this, &ModelFiles::open);
+    : window_(window), models_(models), recent_(recent) {
   connect(new FileDrop(window_), &FileDrop::dropped, this, &ModelFiles::open);
   window_.addCloseGuard([this] { return mayLoseChanges(); });
   buildMenu();
@@ -39,7 +37,7 @@ void ModelFiles::buildMenu() {
   WindowMenus& menus = window_.menus();
   open_ = menus.addAction(MenuSlot::kFileOpen, tr("&Open…"), QKeySequence::Open);
   recent_menu_ = menus.addMenu(MenuSlot::kFileOpen, tr("Open &recent"));
-  reopen_ = menus.addAction(MenuSlot::kFileOpen, tr("&Reopen"), Qt::Key_F5);
+  reopen_ = menus.addAction(MenuSlot::kFileOpen, tr("Reo&pen"), Qt::Key_F5);
   notes_ = menus.addAction(MenuSlot::kFileOpen, tr("&Notes of the file"));
   save_ = menus.addAction(MenuSlot::kFileSave, tr("&Save"), QKeySequence::Save);
   save_as_ = menus.addAction(MenuSlot::kFileSave, tr("Save &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S);
@@ -61,11 +59,32 @@ void ModelFiles::connectAll() {
   connect(&models_, &ModelController::opened, this, &ModelFiles::showModel);
 }
 
-void ModelFiles::choose() {
+QString ModelFiles::folder() const {
   const auto open = models_.current();
-  const QString folder = open ? QFileInfo(open->path).absolutePath() : QString();
+  return open ? QFileInfo(open->path).absolutePath() : documentsFolder();
+}
+
+void ModelFiles::chooseImport() {
+  const QString path = QFileDialog::getOpenFileName(&window_, tr("Import a model of another program"), folder(),
+                                                    tr("Models of other programs (*.fll *.fcl *.fis *.txt)"));
+  if (!path.isEmpty()) open(path);
+}
+
+bool ModelFiles::makeFromTemplate() {
+  if (!mayLoseChanges()) return false;
+  auto model = ngtTemplateModel(tr("New NGT model"), folder());
+  if (!model) {
+    window_.banner().showError(tr("The new model could not be made. %1").arg(text(model.error().message())));
+    return false;
+  }
+  unnamed_ = model->path;
+  models_.openUnsaved(std::move(*model));
+  return true;
+}
+
+void ModelFiles::choose() {
   const QString path = QFileDialog::getOpenFileName(
-      &window_, tr("Open a model or a study"), folder,
+      &window_, tr("Open a model or a study"), folder(),
       tr("Models and studies (*.json *.tactus *.fll *.fcl *.fis);;Force models (*.json);;Studies (*.tactus);;"
          "Models of other programs (*.fll *.fcl *.fis *.txt);;All files (*)"));
   if (!path.isEmpty()) this->open(path);
@@ -193,7 +212,7 @@ void ModelFiles::showTitle() {
                                         : QStringLiteral("%1 – %2%3[*]").arg(name, file, study));
   // One that was left by its study or imported has no file yet.
   const bool has_file = QFileInfo::exists(open.path);
-  if (has_file) recent_.add(open.path);
+  if (has_file) recent_.add(open.path, name);
   if (has_file) unnamed_.clear();
   reopen_->setEnabled(!isUnnamed());
 }

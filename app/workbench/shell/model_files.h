@@ -1,4 +1,4 @@
-// Model files in the window: the start screen, the menu File, dropped and recent files, the title, and the question
+// Model files in the window: the menu File, dropped and recent files, the title, and the question
 // about unsaved changes. Models of other programs are opened as models without a file. Studies are files too; opening
 // them is another's work.
 #pragma once
@@ -14,7 +14,6 @@ namespace tactus::workbench {
 class MainWindow;
 class ModelController;
 class RecentFiles;
-class StartView;
 
 class ModelFiles : public QObject {
   Q_OBJECT
@@ -22,8 +21,6 @@ class ModelFiles : public QObject {
  public:
   ModelFiles(MainWindow& window, ModelController& models, RecentFiles& recent);
 
-  /// The screen before anything is open.
-  StartView& start() { return *start_; }
   /// Asks the user about unsaved changes, if there are any. Returns whether another model may be opened.
   bool mayLoseChanges();
   /// The study that is open, by its file's name, in the title and beside the heading; empty: none.
@@ -33,6 +30,12 @@ class ModelFiles : public QObject {
   /// Opens a model file or a model of another program, or emits `studyChosen` for a study file. Asks about unsaved
   /// changes first. Where a file has several outputs, it asks for one of them.
   void open(const QString& path);
+  /// Asks for a model or a study and opens it.
+  void choose();
+  /// Asks for a model of another program and opens it.
+  void chooseImport();
+  /// Opens a model without rules for the nasogastric tube. Returns whether it is open.
+  bool makeFromTemplate();
 
  signals:
   /// The user chose a study file to open.
@@ -41,11 +44,12 @@ class ModelFiles : public QObject {
  private:
   void buildMenu();
   void connectAll();
+  /// In which files are looked for first.
+  QString folder() const;
   void import(const QString& path);
   /// Whether the open model was made from a file of another program and has not been saved.
   bool isUnnamed() const;
   void save();
-  void choose();
   void chooseCopy();
   void showNotes();
   void reopen();
@@ -57,7 +61,6 @@ class ModelFiles : public QObject {
   MainWindow& window_;
   ModelController& models_;
   RecentFiles& recent_;
-  StartView* start_;
   QString study_;    ///< file name of the open study
   QString unnamed_;  ///< path of an imported model, which does not exist yet; empty: none
   QMenu* recent_menu_ = nullptr;

@@ -15,12 +15,15 @@ StageRail::StageRail(QWidget* parent) : QWidget(parent) {
     auto* button = new StageButton(stage, this);
     buttons_.insert(stage, button);
     layout->addWidget(button);
+    button->hide();
     connect(button, &StageButton::clicked, this, [this, stage] { emit chosen(stage); });
   }
   layout->addStretch(1);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
   setFixedWidth(buttons_.first()->sizeHint().width());
 }
+
+void StageRail::show(Stage stage) { buttons_.value(stage)->show(); }
 
 void StageRail::setReady(Stage stage, bool ready) { buttons_.value(stage)->setEnabled(ready); }
 

@@ -16,6 +16,8 @@ class StageRail : public QWidget {
  public:
   explicit StageRail(QWidget* parent = nullptr);
 
+  /// `stage` has a screen; the others are not shown.
+  void show(Stage stage);
   /// Whether `stage` can be entered now.
   void setReady(Stage stage, bool ready);
   void setStage(Stage stage);

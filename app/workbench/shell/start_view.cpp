@@ -1,125 +1,167 @@
 #include "app/workbench/shell/start_view.h"
 
-#include <QCommandLinkButton>
+#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QPushButton>
-#include <QStyle>
+#include <QProgressBar>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
+#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/shell/demo_maker.h"
 #include "app/workbench/shell/recent_files.h"
+#include "app/workbench/shell/start_entry.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPanelWidth = 640;  // px
-constexpr int kRecentShown = 4;   // more stand in the menu
-
-QLabel* makeLabel(const QString& text, const QFont& font, const QColor& color, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setFont(font);
-  setInk(*label, color);
-  return label;
-}
-
-/// One way to begin: what it is for, and its buttons.
-QVBoxLayout* makeWay(const QString& title, const QString& note, std::initializer_list<QPushButton*> buttons,
-                     QWidget* parent) {
-  auto* way = new QVBoxLayout;
-  way->setSpacing(theme::kGrid);
-  way->addWidget(makeLabel(title, theme::titleFont(), theme::ink(), parent));
-  auto* text = makeLabel(note, parent->font(), theme::mutedInk(), parent);
-  text->setWordWrap(true);
-  text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  way->addWidget(text, 1);
-  way->addSpacing(theme::kGrid / 2);
-  for (QPushButton* button : buttons) {
-    button->setMinimumHeight(5 * theme::kGrid);
-    way->addWidget(button);
-  }
-  return way;
-}
+constexpr int kPanelWidth = 980;  // px
+constexpr int kRecentShown = 5;   // more stand in the menu
 
 }  // namespace
 
-StartView::StartView(const RecentFiles& recent, QWidget* parent)
-    : QWidget(parent), recent_(recent), panel_(new QWidget(this)) {
-  panel_->setFixedWidth(kPanelWidth);
-  auto* make = new QPushButton(tr("&New study…"), panel_);
-  auto* study = new QPushButton(tr("Open a &study…"), panel_);
-  auto* open = new QPushButton(tr("&Open a model…"), panel_);
-  open->setDefault(true);
-  auto* ways = new QHBoxLayout;
-  ways->setSpacing(6 * theme::kGrid);
-  ways->addLayout(makeWay(tr("Ask nurses"),
-                          tr("A study (.tactus) holds the protocol, the sessions of every nurse, and the models made "
-                             "from their answers."),
-                          {make, study}, panel_),
-                  1);
-  auto* right = makeWay(tr("See and tune a force model"),
-                        tr("A model (.tactus.json) has membership functions and rules. You will see the force of "
-                           "every expert along the way of the tube."),
-                        {open}, panel_);
-  auto* drop = makeLabel(tr("or drop a file here"), theme::smallFont(), theme::mutedInk(), panel_);
-  drop->setMinimumHeight(5 * theme::kGrid);
-  drop->setAlignment(Qt::AlignCenter);
-  right->addWidget(drop);
-  ways->addLayout(right, 1);
-  column_ = new QVBoxLayout(panel_);
-  column_->setContentsMargins(0, 0, 0, 0);
-  column_->setSpacing(theme::kGrid);
-  column_->addLayout(ways);
+StartView::StartView(const RecentFiles& recent, const DemoMaker& demo, QWidget* parent)
+    : QWidget(parent), recent_(recent), demo_(demo), panel_(new QWidget(this)) {
+  panel_->setMaximumWidth(kPanelWidth);
+  auto* title = new QLabel(tr("From what nurses know by feel to a force that a simulator can run"), panel_);
+  title->setFont(theme::titleFont());
+  setInk(*title, theme::ink());
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(4 * theme::kGrid);
+  auto* column = new QVBoxLayout(panel_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(3 * theme::kGrid);
+  column->addWidget(title, 0, Qt::AlignLeft);
+  column->addLayout(columns, 1);
+  buildTry();
+  buildStart();
+  buildContinue();
 
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(panel_, 0, Qt::AlignCenter);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(6 * theme::kGrid, 5 * theme::kGrid, 6 * theme::kGrid, 5 * theme::kGrid);
+  layout->addStretch(1);
+  layout->addWidget(panel_, 100, Qt::AlignVCenter);
+  layout->addStretch(1);
+  showDemo();
   listRecent();
-
-  connect(make, &QPushButton::clicked, this, &StartView::newStudyRequested);
-  connect(study, &QPushButton::clicked, this, &StartView::openStudyRequested);
-  connect(open, &QPushButton::clicked, this, &StartView::openRequested);
+  connect(&demo_, &DemoMaker::changed, this, &StartView::showDemo);
   connect(&recent_, &RecentFiles::changed, this, &StartView::listRecent);
 }
 
-void StartView::paintEvent(QPaintEvent* /*event*/) {
-  // The dashed frame says that things can be dropped here.
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(theme::border().darker(115), 2, Qt::DashLine));
-  painter.setBrush(theme::card());
-  const QRectF frame =
-      QRectF(panel_->geometry()).adjusted(-48, -48, 48, 48).intersected(QRectF(rect()).adjusted(8, 8, -8, -8));
-  painter.drawRoundedRect(frame, 2.0 * theme::kCornerRadius, 2.0 * theme::kCornerRadius);
+QVBoxLayout* StartView::addColumn(const QString& title) {
+  auto* column = new QVBoxLayout;
+  column->setSpacing(theme::kGrid);
+  auto* head = new QLabel(title, panel_);
+  head->setFont(theme::headingFont());
+  setInk(*head, theme::mutedInk());
+  column->addWidget(head);
+  static_cast<QBoxLayout*>(panel_->layout()->itemAt(1)->layout())->addLayout(column, 1);
+  return column;
+}
+
+StartEntry* StartView::addEntry(QVBoxLayout& column, const QString& name, const QString& note,
+                                void (StartView::*asked)()) {
+  auto* entry = new StartEntry(name, note, panel_);
+  column.addWidget(entry);
+  connect(entry, &StartEntry::clicked, this, asked);
+  return entry;
+}
+
+void StartView::buildTry() {
+  QVBoxLayout* column = addColumn(tr("Try"));
+  explore_ = addEntry(*column, tr("Explore the demo study"), {}, &StartView::demoRequested);
+  explore_->setPrimary(true);
+  making_ = new QLabel(panel_);
+  setMuted(*making_);
+  progress_ = new QProgressBar(panel_);
+  progress_->setRange(0, DemoMaker::kParts);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(theme::kGrid);
+  progress_->setAccessibleName(tr("Making the demo study"));
+  column->addWidget(making_);
+  column->addWidget(progress_);
+  tour_ = addEntry(*column, tr("Take the five-minute tour"),
+                   tr("Where the force comes from, how to change it and how it feels, on the demo study."),
+                   &StartView::tourRequested);
+  addEntry(*column, tr("Read the guide"), tr("For researchers, nurses and simulator teams. F1 opens it anywhere."),
+           &StartView::guideRequested);
+  fresh_ = addEntry(*column, tr("Make a fresh copy of the demo"), tr("The copy before stays as it is."),
+                    &StartView::freshDemoRequested);
+  column->addStretch(1);
+}
+
+void StartView::buildStart() {
+  QVBoxLayout* column = addColumn(tr("Start"));
+  addEntry(*column, tr("New study…"), tr("Ask nurses: protocol, sessions, answers and models in one file (.tactus)."),
+           &StartView::newStudyRequested);
+  addEntry(*column, tr("New model from the NGT template"),
+           tr("Inputs and terms of the nasogastric tube; you give the rules."), &StartView::newModelRequested);
+  addEntry(*column, tr("Import tables…"), tr("Speeds, judgements, answers or rules as CSV, from a folder."),
+           &StartView::tablesRequested);
+  addEntry(*column, tr("Import a model of another program…"), tr("FLL, FCL or FIS: fuzzylite, MATLAB, Octave, R."),
+           &StartView::importRequested);
+  column->addStretch(1);
+}
+
+void StartView::buildContinue() {
+  recent_column_ = addColumn(tr("Continue"));
+  addEntry(*recent_column_, tr("Open…"), tr("A study or a model. You can also drop the file here."),
+           &StartView::openRequested);
+  recent_column_->addStretch(1);
+}
+
+void StartView::showDemo() {
+  const bool busy = demo_.isMaking();
+  const QString folder = QDir::toNativeSeparators(QFileInfo(demo_.folder()).fileName());
+  explore_->setNote(demo_.isThere()
+                        ? tr("Your copy, in the folder %1 of your documents.").arg(folder)
+                        : tr("Four simulated nurses and the model made from their answers: a copy, in the folder %1 of "
+                             "your documents.")
+                              .arg(folder));
+  for (StartEntry* entry : {explore_, tour_, fresh_}) entry->setEnabled(!busy);
+  fresh_->setVisible(demo_.isThere() && !busy);
+  making_->setVisible(busy);
+  progress_->setVisible(busy);
+  making_->setText(demo_.partText());
+  progress_->setValue(demo_.partsDone());
 }
 
 void StartView::listRecent() {
-  delete recent_list_;
-  recent_list_ = nullptr;
-  const QStringList paths = recent_.paths().mid(0, kRecentShown);
-  if (paths.isEmpty()) return;
-
-  recent_list_ = new QWidget(panel_);
-  auto* list = new QVBoxLayout(recent_list_);
-  list->setContentsMargins(0, 2 * theme::kGrid, 0, 0);
-  list->setSpacing(0);
-  list->addWidget(makeLabel(tr("Recent"), theme::headingFont(), theme::mutedInk(), recent_list_));
-  for (const QString& path : paths) {
-    const QFileInfo file(path);
-    const QString folder = fontMetrics().elidedText(file.absolutePath(), Qt::ElideMiddle, kPanelWidth - 64);
-    auto* button = new QCommandLinkButton(shownFileName(path), harmless(folder), recent_list_);
-    button->setIcon(style()->standardIcon(QStyle::SP_FileIcon));
-    button->setToolTip(harmless(path));
-    list->addWidget(button);
-    // Queued, because opening the file rebuilds this list and with it the button.
+  qDeleteAll(recent_entries_);
+  recent_entries_.clear();
+  const QDateTime now = QDateTime::currentDateTime();
+  int place = 2;  // below the heading and "Open…"
+  for (const RecentFile& file : recent_.files().mid(0, kRecentShown)) {
+    const QString name = shownFileName(file.path);
+    QStringList note;
+    if (!file.model.isEmpty()) note << name;
+    if (const QString when = whenText(file.opened, now); !when.isEmpty()) note << when;
+    if (note.isEmpty()) note << harmless(QFileInfo(file.path).absolutePath());
+    auto* entry =
+        new StartEntry(file.model.isEmpty() ? name : harmless(file.model), note.join(QStringLiteral(" · ")), panel_);
+    entry->setOneLine(true);
+    entry->setToolTip(harmless(file.path));
+    recent_column_->insertWidget(place++, entry);
+    recent_entries_ << entry;
+    // Queued, because opening the file rebuilds this list and with it the entry.
     connect(
-        button, &QCommandLinkButton::clicked, this, [this, path] { emit recentRequested(path); }, Qt::QueuedConnection);
+        entry, &StartEntry::clicked, this, [this, path = file.path] { emit recentRequested(path); },
+        Qt::QueuedConnection);
   }
-  column_->addWidget(recent_list_);
-  update();
+}
+
+void StartView::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(theme::border(), 1));
+  painter.setBrush(theme::card());
+  const QRectF frame =
+      QRectF(panel_->geometry()).adjusted(-40, -40, 40, 40).intersected(QRectF(rect()).adjusted(8, 8, -8, -8));
+  painter.drawRoundedRect(frame, 2.0 * theme::kCornerRadius, 2.0 * theme::kCornerRadius);
 }
 
 }  // namespace tactus::workbench

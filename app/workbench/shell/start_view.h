@@ -1,24 +1,34 @@
-// The screen before anything is open: the two ways to begin, and the files of the last times.
+// The screen before anything is open: what can be tried, what can be begun, and what can be gone on with.
 #pragma once
 
+#include <QList>
 #include <QWidget>
 
-class QPushButton;
+class QLabel;
+class QProgressBar;
 class QVBoxLayout;
 
 namespace tactus::workbench {
 
+class DemoMaker;
 class RecentFiles;
+class StartEntry;
 
 class StartView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit StartView(const RecentFiles& recent, QWidget* parent = nullptr);
+  StartView(const RecentFiles& recent, const DemoMaker& demo, QWidget* parent = nullptr);
 
  signals:
+  void demoRequested();
+  void freshDemoRequested();
+  void tourRequested();
+  void guideRequested();
   void newStudyRequested();
-  void openStudyRequested();
+  void newModelRequested();
+  void tablesRequested();
+  void importRequested();
   /// A model, or a study.
   void openRequested();
   void recentRequested(const QString& path);
@@ -27,12 +37,24 @@ class StartView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QVBoxLayout* addColumn(const QString& title);
+  StartEntry* addEntry(QVBoxLayout& column, const QString& name, const QString& note, void (StartView::*asked)());
+  void buildTry();
+  void buildStart();
+  void buildContinue();
+  void showDemo();
   void listRecent();
 
   const RecentFiles& recent_;
+  const DemoMaker& demo_;
   QWidget* panel_;
-  QWidget* recent_list_ = nullptr;
-  QVBoxLayout* column_;
+  StartEntry* explore_ = nullptr;
+  StartEntry* tour_ = nullptr;
+  StartEntry* fresh_ = nullptr;
+  QLabel* making_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QVBoxLayout* recent_column_ = nullptr;
+  QList<QWidget*> recent_entries_;
 };
 
 }  // namespace tactus::workbench

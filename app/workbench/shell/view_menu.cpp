@@ -33,7 +33,7 @@ QMenu* ViewMenu::addStages() {
   for (const Stage stage : kStages) {
     QAction* action = menu->addAction(stageName(stage));
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number++)));
-    action->setEnabled(window_.hasScreen(stage));
+    action->setVisible(window_.hasScreen(stage));
     connect(action, &QAction::triggered, &window_, [this, stage] { window_.enter(stage); });
   }
   return menu;

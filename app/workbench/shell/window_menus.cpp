@@ -21,7 +21,7 @@ struct MenuSpan {
 QList<MenuSpan> spans() {
   return {{MenuSlot::kFileQuit, MenuText::tr("&File")},    {MenuSlot::kEditAuthor, MenuText::tr("&Edit")},
           {MenuSlot::kStudyNotes, MenuText::tr("&Study")}, {MenuSlot::kView, MenuText::tr("&View")},
-          {MenuSlot::kFeelLink, MenuText::tr("F&eel")},    {MenuSlot::kHelp, MenuText::tr("&Help")}};
+          {MenuSlot::kFeelLink, MenuText::tr("Fee&l")},    {MenuSlot::kHelp, MenuText::tr("&Help")}};
 }
 
 }  // namespace

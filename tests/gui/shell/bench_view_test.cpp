@@ -331,10 +331,12 @@ TEST_F(BenchViewTest, TheLayoutIsThereAtTheNextStart) {
 }
 
 TEST_F(BenchViewTest, OnlyStagesThatWorkCanBeEntered) {
-  // A model alone: no study to collect for, and Agree is not built yet.
+  // A model alone: no study to collect for.
   const QStringList work = {QStringLiteral("Understand"), QStringLiteral("Tune"), QStringLiteral("Deliver")};
   for (const StageButton* button : bench.window.findChildren<StageButton*>()) {
     EXPECT_EQ(button->isEnabled(), work.contains(button->text())) << button->text().toStdString();
+    // A stage without a screen is not shown.
+    EXPECT_EQ(button->isVisible(), button->text() != stageName(Stage::kAgree)) << button->text().toStdString();
     EXPECT_FALSE(button->accessibleDescription().isEmpty());
   }
 }
@@ -343,7 +345,7 @@ TEST_F(BenchViewTest, TheSheetListsEveryShortcutOnce) {
   const ShortcutSheet sheet(*bench.window.menuBar(), &bench.window);
   QStringList texts;
   for (const QLabel* label : sheet.findChildren<QLabel*>()) texts << label->text();
-  for (const char* keys : {"Ctrl+O", "Ctrl+S", "F5", "Ctrl+3", "F1", "Ctrl+Shift+R"}) {
+  for (const char* keys : {"Ctrl+O", "Ctrl+S", "F5", "Ctrl+3", "F1", "Ctrl+/", "Ctrl+Shift+R"}) {
     EXPECT_EQ(texts.count(QLatin1String(keys)), 1) << keys;
   }
   // On a small screen, with a title bar.

@@ -1,0 +1,87 @@
+#include "app/workbench/help/tour.h"
+
+#include <QEvent>
+#include <QTimer>
+#include <QWidget>
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/base/theme.h"
+#include "app/workbench/help/tour_card.h"
+#include "app/workbench/help/tour_frame.h"
+
+namespace tactus::workbench {
+
+QRect cardPlace(const QSize& window, const QRect& target, const QSize& card) {
+  constexpr int kGap = theme::kGrid;
+  const auto clamped = [&](QPoint corner) {
+    return QRect({std::clamp(corner.x(), kGap, std::max(kGap, window.width() - card.width() - kGap)),
+                  std::clamp(corner.y(), kGap, std::max(kGap, window.height() - card.height() - kGap))},
+                 card);
+  };
+  const QPoint corners[] = {{target.right() + 1 + kGap, target.top()},
+                            {target.left() - card.width() - kGap, target.top()},
+                            {target.left(), target.bottom() + 1 + kGap},
+                            {target.left(), target.top() - card.height() - kGap}};
+  for (const QPoint& corner : corners) {
+    if (const QRect place = clamped(corner); !place.intersects(target)) return place;
+  }
+  return clamped({target.right() + 1 - card.width() - kGap, target.bottom() + 1 - card.height() - kGap});
+}
+
+Tour::Tour(QWidget& window, std::vector<TourStep> steps)
+    : window_(window), steps_(std::move(steps)), frame_(new TourFrame(&window)), card_(new TourCard(&window)) {
+  frame_->hide();
+  card_->hide();
+  window_.installEventFilter(this);
+  connect(card_, &TourCard::backRequested, this, [this] { goTo(step_ - 1); });
+  connect(card_, &TourCard::nextRequested, this, [this] { goTo(step_ + 1); });
+  connect(card_, &TourCard::endRequested, this, &Tour::end);
+}
+
+void Tour::goTo(int step) {
+  if (step < 0) return;
+  if (step >= steps()) return end();
+  step_ = step;
+  const TourStep& now = steps_[static_cast<std::size_t>(step)];
+  watch(now.show());
+  card_->showStep(now.title, now.text, step, steps());
+  frame_->show();
+  card_->show();
+  place();
+  // A layout that changes just now has its sizes only with the next event.
+  QTimer::singleShot(0, this, &Tour::place);
+}
+
+void Tour::end() {
+  step_ = -1;
+  watch(nullptr);
+  frame_->hide();
+  card_->hide();
+}
+
+void Tour::watch(QWidget* shown) {
+  if (shown == shown_) return;
+  if (shown_ != nullptr) shown_->removeEventFilter(this);
+  shown_ = shown;
+  if (shown_ != nullptr) shown_->installEventFilter(this);
+}
+
+bool Tour::eventFilter(QObject* watched, QEvent* event) {
+  if (isRunning() && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) place();
+  return QObject::eventFilter(watched, event);
+}
+
+void Tour::place() {
+  if (!isRunning() || shown_ == nullptr) return;
+  // A panel that the user took out of the window has no place in it.
+  const bool inside = shown_->isVisible() && shown_->window() == &window_;
+  frame_->setVisible(inside);
+  const QRect target = inside ? QRect(shown_->mapTo(&window_, QPoint(0, 0)), shown_->size()) : window_.rect();
+  frame_->setGeometry(target.adjusted(-3, -3, 3, 3));
+  card_->setGeometry(cardPlace(window_.size(), target, card_->size()));
+  frame_->raise();
+  card_->raise();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,92 @@
+#include "app/workbench/start_parts.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "app/workbench/base/study_path.h"
+#include "app/workbench/collect_parts.h"
+#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/model_files.h"
+#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/start_view.h"
+
+namespace tactus::workbench {
+
+StartParts::StartParts(MainWindow& window, ModelFiles& files, CollectParts& collect, ModelController& models,
+                       const RecentFiles& recent, Panel& rule_editor)
+    : window_(window),
+      files_(files),
+      collect_(collect),
+      models_(models),
+      rule_editor_(rule_editor),
+      demo_(documentsFolder()),
+      view_(new StartView(recent, demo_)) {
+  window_.setStartScreen(view_);
+  connectAll();
+}
+
+void StartParts::connectAll() {
+  connect(view_, &StartView::demoRequested, this, &StartParts::exploreDemo);
+  connect(view_, &StartView::freshDemoRequested, &demo_, &DemoMaker::makeFresh);
+  connect(view_, &StartView::tourRequested, this, &StartParts::tourRequested);
+  connect(view_, &StartView::guideRequested, this, &StartParts::guideRequested);
+  connect(view_, &StartView::newStudyRequested, &collect_, &CollectParts::makeStudy);
+  connect(view_, &StartView::newModelRequested, this, &StartParts::makeModel);
+  connect(view_, &StartView::tablesRequested, this, &StartParts::chooseTables);
+  connect(view_, &StartView::importRequested, &files_, &ModelFiles::chooseImport);
+  connect(view_, &StartView::openRequested, &files_, &ModelFiles::choose);
+  connect(view_, &StartView::recentRequested, &files_, &ModelFiles::open);
+  connect(&demo_, &DemoMaker::ready, this, &StartParts::onDemoReady);
+  connect(&models_, &ModelController::opened, this, &StartParts::onModelOpened);
+  const auto fail = [this](const QString& sentence) { window_.banner().showError(sentence); };
+  connect(&demo_, &DemoMaker::failed, this, fail);
+  connect(&tables_, &TableImport::failed, this,
+          [fail](const QString& sentence) { fail(tr("The tables were not imported. %1").arg(sentence)); });
+  connect(&tables_, &TableImport::doubted, this,
+          [this](const QString& folder, const QString& path, const QString& sentence) {
+            window_.banner().showRemedy(tr("The tables were not imported. %1").arg(sentence),
+                                        {tr("Import as they are"), [=, this] { tables_.run(folder, path, true); }});
+          });
+  connect(&tables_, &TableImport::imported, this, [this](const QString& path, const QString& notes) {
+    files_.open(path);
+    window_.banner().showNote(notes);
+  });
+}
+
+void StartParts::exploreDemo() { demo_.explore(); }
+
+void StartParts::onDemoReady(const QString& study) {
+  demo_study_ = study;
+  files_.open(study);
+}
+
+// The study opens with its people first; what is to be explored is the model.
+void StartParts::onModelOpened() {
+  if (demo_study_.isEmpty() || QFileInfo(models_.current()->path) != QFileInfo(demo_study_)) return;
+  demo_study_.clear();
+  window_.enter(Stage::kUnderstand);
+  emit demoShown();
+}
+
+void StartParts::makeModel() {
+  if (!files_.makeFromTemplate()) return;
+  window_.enter(Stage::kTune);
+  rule_editor_.reveal();
+  window_.banner().showNote(tr("A new model without rules: answer what force the experts feel in each situation."));
+}
+
+void StartParts::chooseTables() {
+  const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Folder with the tables"), documentsFolder());
+  if (folder.isEmpty()) return;
+  const QString proposal = folder + QLatin1Char('/') + QDir(folder).dirName() + QStringLiteral(".tactus");
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Make a study of the tables"), proposal,
+                                              tr("Studies (*.tactus)"), nullptr, QFileDialog::DontConfirmOverwrite);
+  if (path.isEmpty()) return;
+  if (!isStudyPath(path)) path += QStringLiteral(".tactus");
+  tables_.run(folder, path, false);
+}
+
+}  // namespace tactus::workbench
