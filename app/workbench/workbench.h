@@ -17,6 +17,7 @@
 #include "app/workbench/help_parts.h"
 #include "app/workbench/here_parts.h"
 #include "app/workbench/history_parts.h"
+#include "app/workbench/lab_parts.h"
 #include "app/workbench/link_parts.h"
 #include "app/workbench/map_parts.h"
 #include "app/workbench/model/author_name.h"
@@ -91,6 +92,7 @@ struct Workbench {
   StudyParts study_parts;
   CollectParts collect_parts;
   StartParts start_parts;
+  LabParts lab_parts;
   NoteParts note_parts;
   HistoryParts history_parts;
   DeliverParts deliver_parts;

@@ -1,0 +1,121 @@
+#include "app/workbench/labs/data/corrections.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/store/entries.h"
+
+namespace tactus::workbench {
+namespace {
+
+using base::Result;
+
+const study::Entry& entryOf(const Corrections::Record& record) {
+  return std::visit([](const auto& one) -> const study::Entry& { return one.entry; }, record);
+}
+
+study::Entry& entryOf(Corrections::Record& record) {
+  return std::visit([](auto& one) -> study::Entry& { return one.entry; }, record);
+}
+
+/// Whether both say the same, whatever their entries are.
+bool sameValues(const Corrections::Record& one, Corrections::Record other) {
+  entryOf(other) = entryOf(one);
+  return one == other;
+}
+
+// Runs in the thread of the study.
+Result<void> appendCorrection(store::StudyFile& file, study::StrokeRecord record) {
+  auto recording = store::recordingOf(file, *record.entry.supersedes);
+  if (!recording) return tl::unexpected(recording.error());
+  record.recording = std::move(*recording);
+  return store::append(file, record);
+}
+
+template <class Other>
+Result<void> appendCorrection(store::StudyFile& file, const Other& record) {
+  return store::append(file, record);
+}
+
+}  // namespace
+
+Corrections::Corrections(LabData& data, QObject* parent) : UndoSource(parent), data_(data) {
+  connect(&data_.connection(), &StudyConnection::opened, this, &Corrections::forget);
+  connect(&data_.connection(), &StudyConnection::closed, this, &Corrections::forget);
+}
+
+void Corrections::correct(Record before, Record wanted, const QString& what, const QString& reason) {
+  if (busy_ || !data_.connection().takesOrders() || sameValues(before, wanted)) return;
+  const study::RecordId current = entryOf(before).id;
+  study::RecordId chain = current;
+  for (const auto& [first, newest] : newest_) {
+    if (newest == current) chain = first;
+  }
+  newest_[chain] = current;
+  steps_.resize(done_);
+  steps_.push_back({chain, std::move(before), wanted, what, reason});
+  write(chain, std::move(wanted), what, reason, done_ + 1);
+}
+
+void Corrections::undo() {
+  if (!canUndo() || !data_.connection().takesOrders()) return;
+  const Step& step = steps_[done_ - 1];
+  write(step.chain, step.before, tr("Undone: %1").arg(step.what), QStringLiteral("undo"), done_ - 1);
+}
+
+void Corrections::redo() {
+  if (!canRedo() || !data_.connection().takesOrders()) return;
+  const Step& step = steps_[done_];
+  write(step.chain, step.after, tr("Redone: %1").arg(step.what), step.reason, done_ + 1);
+}
+
+void Corrections::write(const study::RecordId& chain, Record record, const QString& what, const QString& reason,
+                        std::size_t done_after) {
+  study::Entry& entry = entryOf(record);
+  entry.id = {};
+  entry.when = {
+      std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count(),
+      0};
+  entry.entered_by = study::EnteredBy::kResearcher;
+  entry.supersedes = newest_.at(chain);
+  entry.reason = reason.toStdString();
+  busy_ = true;
+  const auto id = std::make_shared<std::optional<study::RecordId>>();
+  const QString path = data_.connection().path();
+  data_.connection().order(
+      [id, record = std::move(record)](store::StudyFile& file, study::RecordIds& ids) mutable {
+        if (!*id) *id = ids.next();
+        entryOf(record).id = **id;
+        return std::visit([&file](const auto& one) { return appendCorrection(file, one); }, record);
+      },
+      [this, id, chain, what, done_after, path] {
+        if (path != data_.connection().path()) return;
+        newest_[chain] = **id;
+        done_ = done_after;
+        busy_ = false;
+        data_.refresh();
+        emit stored(what);
+        emit changed();
+      },
+      [this, path](const QString& sentence) {
+        if (path != data_.connection().path()) return;
+        busy_ = false;
+        steps_.resize(done_);
+        emit refused(sentence);
+        emit changed();
+      });
+  emit changed();
+}
+
+void Corrections::forget() {
+  steps_.clear();
+  newest_.clear();
+  done_ = 0;
+  busy_ = false;
+  emit changed();
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,71 @@
+// Corrections of a study's records. A correction is a new record that supersedes the old one; the old one stays in the
+// file. Undo is one more record, with the values of the old one.
+#pragma once
+
+#include <QString>
+#include <map>
+#include <variant>
+#include <vector>
+
+#include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/undo_source.h"
+#include "core/study/session_records.h"
+
+namespace tactus::workbench {
+
+/// Thread: gui.
+class Corrections : public UndoSource {
+  Q_OBJECT
+
+ public:
+  /// A record of which elicitation makes use. Strokes without recordings: a correction keeps the samples.
+  using Record = std::variant<study::StrokeRecord, study::JudgementRecord, study::AnswerRecord, study::RuleRecord>;
+
+  /// `data` outlives this, and is read again after each correction.
+  explicit Corrections(LabData& data, QObject* parent = nullptr);
+
+  /// Stores `wanted` as the correction of `before`, which is the current record (LabStudy has it). Its id, time and the
+  /// one who entered it (the researcher) are set here; the session stays. `what`: the correction for the screen, e.g.
+  /// `marks of stroke 2 of S1, fast`. Does nothing if the values are equal.
+  void correct(Record before, Record wanted, const QString& what, const QString& reason = {});
+
+  bool canUndo() const override { return !busy_ && done_ > 0; }
+  bool canRedo() const override { return !busy_ && done_ < steps_.size(); }
+  QString undoText() const override { return done_ > 0 ? steps_[done_ - 1].what : QString(); }
+  QString redoText() const override { return done_ < steps_.size() ? steps_[done_].what : QString(); }
+  /// A correction is being written.
+  bool isBusy() const { return busy_; }
+
+ public slots:
+  void undo() override;
+  void redo() override;
+
+ signals:
+  /// A correction, an undo or a redo is written.
+  void stored(const QString& what);
+  /// One sentence: what could not be written, and why.
+  void refused(const QString& sentence);
+
+ private:
+  struct Step {
+    study::RecordId chain;  ///< the first record that a correction of this run of the program superseded
+    Record before;
+    Record after;
+    QString what;
+    QString reason;
+  };
+  /// The current record of each chain.
+  using Newest = std::map<study::RecordId, study::RecordId>;
+
+  void write(const study::RecordId& chain, Record record, const QString& what, const QString& reason,
+             std::size_t done_after);
+  void forget();
+
+  LabData& data_;
+  std::vector<Step> steps_;
+  std::size_t done_ = 0;
+  bool busy_ = false;
+  Newest newest_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,74 @@
+// A computation of a lab on a thread of its own. It starts again when the study or a setting changes, runs only while
+// it is wanted, tells how far it is, and can be canceled.
+#pragma once
+
+#include <QObject>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+#include "app/workbench/base/background.h"
+#include "app/workbench/base/call_queue.h"
+#include "app/workbench/labs/data/lab_data.h"
+
+namespace tactus::workbench {
+
+/// Thread: gui. Only the work itself runs on the other thread.
+class LabWork : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Takes a result over. Runs in this thread; may be empty.
+  using Deliver = std::function<void()>;
+  /// What a run of the work reads and tells.
+  struct Run {
+    std::shared_ptr<const LabStudy> study;  ///< never null
+    elicitation::BuildSettings settings;    ///< a clustering with them ends early if the run is stopped
+    std::stop_token stop;
+    /// Tells the share that is done, [0, 1]. Thread: any.
+    std::function<void(double)> progress;
+    /// Hands over a first or better result before the end. Thread: any.
+    std::function<void(Deliver)> hand;
+  };
+  /// Reads nothing but its run and what it owns. Returns the last result.
+  using Work = std::function<Deliver(const Run&)>;
+
+  /// `data` outlives this.
+  LabWork(LabData& data, Work work, QObject* parent = nullptr);
+
+  /// Runs while wanted, at once if something changed meanwhile; what runs is dropped when it is not wanted any more.
+  void setWanted(bool wanted);
+  /// Changes of the settings alone start no run: for work that reads none of them, or hears of them in another way.
+  void ignoreSettings();
+  bool isBusy() const { return background_.isBusy(); }
+  /// Stopped by `cancel`; a change or `restart` starts again.
+  bool isCanceled() const { return canceled_; }
+  /// The share that is done, [0, 1].
+  double progress() const { return progress_; }
+
+ public slots:
+  void restart();
+  void cancel();
+
+ signals:
+  /// `isBusy`, `isCanceled` or `progress` changed. Comes after what a result delivers.
+  void changed();
+
+ private:
+  void begin();
+  Background::Deliver perform(Run& run, std::uint64_t number, const std::stop_token& stop);
+
+  LabData& data_;
+  Work work_;
+  bool wanted_ = false;
+  bool stale_ = true;
+  bool canceled_ = false;
+  double progress_ = 0;
+  std::uint64_t newest_ = 0;            ///< the number of the run that counts
+  std::shared_ptr<const LabStudy> of_;  ///< the study of that run
+  CallQueue answers_;
+  Background background_;  ///< last: its end waits for the work, which answers to all above
+};
+
+}  // namespace tactus::workbench

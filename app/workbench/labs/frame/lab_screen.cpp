@@ -1,0 +1,166 @@
+#include "app/workbench/labs/frame/lab_screen.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/workbench/base/ink.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/tab_look.h"
+#include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/lab_work.h"
+#include "app/workbench/labs/data/undo_source.h"
+
+namespace tactus::workbench {
+
+LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
+    : QWidget(parent),
+      data_(lab_data),
+      tabs_(new QTabBar(this)),
+      state_(new QLabel(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)),
+      undo_(new QToolButton(this)),
+      redo_(new QToolButton(this)),
+      failure_(new QLabel(this)),
+      pages_(new QStackedWidget(this)) {
+  new TabLook(*tabs_);
+  tabs_->setExpanding(false);
+  tabs_->setFont(theme::headingFont());
+  tabs_->setAccessibleName(tr("Labs"));
+  setMuted(*state_);
+  state_->setTextFormat(Qt::PlainText);
+  failure_->setTextFormat(Qt::PlainText);
+  failure_->setWordWrap(true);
+  setInk(*failure_, theme::errorInk());
+  undo_->setText(tr("Undo"));
+  redo_->setText(tr("Redo"));
+  auto* head = new QHBoxLayout;
+  head->setSpacing(theme::kGrid);
+  head->addWidget(tabs_);
+  head->addStretch(1);
+  head->addWidget(state_);
+  head->addWidget(cancel_);
+  for (QToolButton* button : {undo_, redo_}) {
+    button->setMinimumHeight(3 * theme::kGrid + 4);
+    head->addWidget(button);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->addLayout(head);
+  layout->addWidget(failure_);
+  layout->addWidget(pages_, 1);
+
+  connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
+    pages_->setCurrentIndex(index);
+    followUndo();
+  });
+  connect(undo_, &QToolButton::clicked, this, [this] {
+    if (UndoSource* const source = undo()) source->undo();
+  });
+  connect(redo_, &QToolButton::clicked, this, [this] {
+    if (UndoSource* const source = undo()) source->redo();
+  });
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    for (const Watched& one : watched_) one.work->cancel();
+  });
+  connect(&data_, &LabData::studyChanged, this, [this] {
+    followStudy();
+    followWork();
+  });
+  followUndo();
+  followStudy();
+  followWork();
+}
+
+void LabScreen::addLab(const QString& title, QWidget* lab, UndoSource* undo) {
+  pages_->addWidget(lab);
+  if (undo != nullptr) {
+    undo_of_.insert(lab, undo);
+    connect(undo, &UndoSource::changed, this, &LabScreen::followUndo);
+  }
+  tabs_->addTab(title);
+  followUndo();
+}
+
+void LabScreen::watch(LabWork& work, const QString& doing) {
+  watched_.push_back({&work, doing});
+  connect(&work, &LabWork::changed, this, &LabScreen::followWork);
+}
+
+void LabScreen::reveal(QWidget* lab) { tabs_->setCurrentIndex(std::max(0, pages_->indexOf(lab))); }
+
+QList<QWidget*> LabScreen::labs() const {
+  QList<QWidget*> out;
+  for (int i = 0; i < pages_->count(); ++i) out << pages_->widget(i);
+  return out;
+}
+
+UndoSource* LabScreen::undo() const { return undo_of_.value(pages_->currentWidget(), nullptr); }
+
+void LabScreen::followUndo() {
+  const UndoSource* const source = undo();
+  undo_->setVisible(source != nullptr);
+  redo_->setVisible(source != nullptr);
+  undo_->setEnabled(source != nullptr && source->canUndo());
+  redo_->setEnabled(source != nullptr && source->canRedo());
+  if (source == nullptr) return;
+  const QString back = source->undoText();
+  const QString again = source->redoText();
+  undo_->setToolTip(back.isEmpty() ? tr("Nothing to undo here") : tr("Undo: %1 (Ctrl+Z)").arg(back));
+  redo_->setToolTip(again.isEmpty() ? tr("Nothing to redo here") : tr("Redo: %1 (Ctrl+Shift+Z)").arg(again));
+}
+
+void LabScreen::followWork() {
+  const auto busy =
+      std::find_if(watched_.begin(), watched_.end(), [](const Watched& one) { return one.work->isBusy(); });
+  const bool works = busy != watched_.end();
+  const bool canceled =
+      std::any_of(watched_.begin(), watched_.end(), [](const Watched& one) { return one.work->isCanceled(); });
+  cancel_->setVisible(works);
+  if (works) {
+    const double share = busy->work->progress();
+    state_->setText(share > 0 ? tr("%1… %2 %").arg(busy->doing).arg(std::lround(100 * share))
+                              : tr("%1…").arg(busy->doing));
+  } else if (data_.isReading()) {
+    state_->setText(tr("Reading the study…"));
+  } else {
+    state_->setText(canceled ? tr("Canceled: what you see is not complete. The next change computes again.")
+                             : QString());
+  }
+}
+
+void LabScreen::followStudy() {
+  failure_->setText(data_.failure());
+  failure_->setVisible(!data_.failure().isEmpty());
+}
+
+// The window's own undo is of the model: inside a lab, the keys belong to the lab.
+bool LabScreen::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && undo() != nullptr) {
+    const auto* const key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) event->accept();
+  }
+  return QWidget::event(event);
+}
+
+void LabScreen::keyPressEvent(QKeyEvent* event) {
+  UndoSource* const source = undo();
+  if (source != nullptr && event->matches(QKeySequence::Undo)) {
+    source->undo();
+  } else if (source != nullptr && event->matches(QKeySequence::Redo)) {
+    source->redo();
+  } else {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace tactus::workbench

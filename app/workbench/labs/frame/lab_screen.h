@@ -1,0 +1,61 @@
+// The screen of stage Agree: the labs behind tabs, with what is being computed, and undo.
+#pragma once
+
+#include <QHash>
+#include <QWidget>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QTabBar;
+class QToolButton;
+
+namespace tactus::workbench {
+
+class LabData;
+class LabWork;
+class UndoSource;
+
+class LabScreen : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `lab_data` outlives this.
+  explicit LabScreen(LabData& lab_data, QWidget* parent = nullptr);
+
+  /// Adds a lab behind a tab. `undo`: what Ctrl+Z takes back while the lab is in front; may be null.
+  void addLab(const QString& title, QWidget* lab, UndoSource* undo);
+  /// Says what `work` is doing while it runs, e.g. `Clustering the speeds`, with a button that cancels it.
+  void watch(LabWork& work, const QString& doing);
+  /// Puts the lab with this widget in front.
+  void reveal(QWidget* lab);
+  QList<QWidget*> labs() const;
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Watched {
+    LabWork* work;
+    QString doing;
+  };
+  UndoSource* undo() const;
+  void followUndo();
+  void followWork();
+  void followStudy();
+
+  LabData& data_;
+  QTabBar* tabs_;
+  QLabel* state_;
+  QPushButton* cancel_;
+  QToolButton* undo_;
+  QToolButton* redo_;
+  QLabel* failure_;
+  QStackedWidget* pages_;
+  QHash<QWidget*, UndoSource*> undo_of_;
+  std::vector<Watched> watched_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,122 @@
+#include "app/workbench/labs/data/corrections.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "core/store/entries.h"
+
+#include "tests/gui/labs/lab_study_file.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+
+class CorrectionsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    study.open(path);
+    data.setWanted(lab, true);
+    ASSERT_TRUE(comesTrue([this] { return data.study() != nullptr; }));
+  }
+  /// Until the study is read again after `act`.
+  void readAgainAfter(const std::function<void()>& act) {
+    const auto before = data.study();
+    act();
+    ASSERT_TRUE(comesTrue([&] { return data.study() != before && !data.isReading() && !corrections.isBusy(); }));
+  }
+  study::StrokeRecord strokeOf(const std::string& level, int number) const {
+    for (const auto& one : data.study()->strokes) {
+      if (!one.practice && one.verdict == "accepted" && one.level == level && one.number == number) return one;
+    }
+    ADD_FAILURE() << "no stroke";
+    return {};
+  }
+  /// Sorted, because a corrected record comes last in its session.
+  std::vector<double> speeds() const {
+    std::vector<double> out;
+    for (const auto& sample : data.study()->study.speeds) out.push_back(sample.speed_mm_s);
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+  QTemporaryDir folder;
+  QString path = tests::demoStudyIn(folder);
+  QObject lab;
+  StudyConnection study;
+  LabData data{study};
+  Corrections corrections{data};
+};
+
+TEST_F(CorrectionsTest, MarksOfAStrokeAreANewRecordAndUndoBringsTheOldOnesBack) {
+  const auto before = speeds();
+  const study::StrokeRecord stroke = strokeOf("fast", 2);
+  study::StrokeRecord shorter = stroke;
+  shorter.first += 40;
+  shorter.last -= 25;
+  readAgainAfter([&] { corrections.correct(stroke, shorter, QStringLiteral("marks"), QStringLiteral("hesitated")); });
+  EXPECT_EQ(speeds().size(), before.size() - 65);  // the recordings have 1000 samples a second
+  EXPECT_EQ(strokeOf("fast", 2).entry.supersedes, stroke.entry.id);
+  EXPECT_EQ(strokeOf("fast", 2).entry.reason, "hesitated");
+  EXPECT_EQ(strokeOf("fast", 2).entry.entered_by, study::EnteredBy::kResearcher);
+  EXPECT_EQ(corrections.undoText(), QStringLiteral("marks"));
+
+  readAgainAfter([&] { corrections.undo(); });
+  EXPECT_EQ(speeds(), before);
+  EXPECT_FALSE(corrections.canUndo());
+  readAgainAfter([&] { corrections.redo(); });
+  EXPECT_EQ(speeds().size(), before.size() - 65);
+
+  // A correction of the correction: the chain goes on.
+  const study::StrokeRecord second = strokeOf("fast", 2);
+  study::StrokeRecord rejected = second;
+  rejected.verdict = "rejected";
+  readAgainAfter([&] { corrections.correct(second, rejected, QStringLiteral("rejected")); });
+  readAgainAfter([&] { corrections.undo(); });
+  readAgainAfter([&] { corrections.undo(); });
+  EXPECT_EQ(speeds(), before);
+
+  study.close();
+  ASSERT_TRUE(comesTrue([this] { return !study.isOpen(); }));
+  const auto file = tests::lookInto(path);
+  const auto all = store::strokes(file, {.history = true}, store::Recordings::kLeaveOut);
+  const auto current = store::strokes(file, {}, store::Recordings::kLeaveOut);
+  ASSERT_TRUE(all && current);
+  EXPECT_EQ(all->size(), current->size() + 6);  // two corrections, three undone, one redone: none is lost
+}
+
+TEST_F(CorrectionsTest, AJudgementIsCorrectedInTheSameWay) {
+  const auto found = std::find_if(data.study()->judgements.begin(), data.study()->judgements.end(),
+                                  [](const auto& one) { return one.term == "very_small"; });
+  ASSERT_NE(found, data.study()->judgements.end());
+  const study::JudgementRecord before = *found;
+  study::JudgementRecord wanted = before;
+  wanted.term = "small";
+  const auto votes = [this] {
+    return std::count_if(data.study()->study.judgements.begin(), data.study()->study.judgements.end(),
+                         [](const auto& one) { return one.term == "small"; });
+  };
+  const auto small = votes();
+  readAgainAfter([&] { corrections.correct(before, wanted, QStringLiteral("judgement")); });
+  EXPECT_EQ(votes(), small + 1);
+  readAgainAfter([&] { corrections.undo(); });
+  EXPECT_EQ(votes(), small);
+}
+
+TEST_F(CorrectionsTest, WithoutAChangeNothingIsWrittenAndWhatTheFileRefusesIsSaid) {
+  const study::StrokeRecord stroke = strokeOf("slow", 1);
+  corrections.correct(stroke, stroke, QStringLiteral("marks"));
+  EXPECT_FALSE(corrections.isBusy());
+  study::StrokeRecord wrong = stroke;
+  wrong.level.clear();
+  QSignalSpy refused(&corrections, &Corrections::refused);
+  corrections.correct(stroke, wrong, QStringLiteral("level"));
+  ASSERT_TRUE(comesTrue([&] { return refused.size() == 1; }));
+  EXPECT_FALSE(corrections.canUndo());
+}
+
+}  // namespace
+}  // namespace tactus::workbench

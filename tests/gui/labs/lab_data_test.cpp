@@ -1,0 +1,128 @@
+#include "app/workbench/labs/data/lab_data.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <semaphore>
+
+#include "app/workbench/labs/data/lab_model.h"
+#include "app/workbench/labs/data/lab_work.h"
+
+#include "tests/gui/labs/lab_study_file.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+
+class LabDataTest : public testing::Test {
+ protected:
+  void open() {
+    study.open(path);
+    ASSERT_TRUE(comesTrue([this] { return study.isOpen(); }));
+  }
+
+  QTemporaryDir folder;
+  QString path = tests::demoStudyIn(folder);
+  StudyConnection study;
+  LabData data{study};
+};
+
+TEST_F(LabDataTest, NothingIsReadUntilALabIsOnTheScreen) {
+  open();
+  EXPECT_FALSE(data.isReading());
+  EXPECT_EQ(data.study(), nullptr);
+  QObject lab;
+  data.setWanted(lab, true);
+  EXPECT_TRUE(data.isReading());
+  ASSERT_TRUE(comesTrue([this] { return data.study() != nullptr; }));
+  EXPECT_EQ(data.study()->study.participants.size(), 4U);
+  const auto accepted = std::count_if(data.study()->strokes.begin(), data.study()->strokes.end(),
+                                      [](const auto& one) { return !one.practice && one.verdict == "accepted"; });
+  EXPECT_EQ(accepted, 48);  // of four nurses three levels of four strokes
+  EXPECT_EQ(data.study()->codeOf(data.study()->strokes.front().entry.session), "S1");
+  study.close();
+  ASSERT_TRUE(comesTrue([this] { return !study.isOpen(); }));
+  EXPECT_EQ(data.study(), nullptr);
+}
+
+TEST_F(LabDataTest, WhileASessionRunsReadingWaits) {
+  open();
+  data.setSessionRunning(true);
+  QObject lab;
+  data.setWanted(lab, true);
+  data.refresh();
+  EXPECT_FALSE(data.isReading());
+  data.setSessionRunning(false);
+  EXPECT_TRUE(comesTrue([this] { return data.study() != nullptr; }));
+}
+
+TEST_F(LabDataTest, WorkRunsWhileItIsWantedAndStartsAgainWithASetting) {
+  open();
+  std::vector<double> seen;
+  LabWork work(data, [&seen](const LabWork::Run& run) -> LabWork::Deliver {
+    run.progress(0.5);
+    return [&seen, alpha = run.settings.speed.alpha] { seen.push_back(alpha); };
+  });
+  work.setWanted(true);
+  ASSERT_TRUE(comesTrue([&] { return seen.size() == 1 && !work.isBusy(); }));
+  auto settings = data.settings();
+  settings.speed.alpha = 0.75;
+  data.setSettings(settings);
+  ASSERT_TRUE(comesTrue([&] { return seen.size() == 2; }));
+  EXPECT_EQ(seen.back(), 0.75);
+  work.setWanted(false);
+  settings.speed.alpha = 0.8;
+  data.setSettings(settings);
+  EXPECT_FALSE(work.isBusy());
+  work.setWanted(true);
+  ASSERT_TRUE(comesTrue([&] { return seen.size() == 3; }));
+  EXPECT_EQ(seen.back(), 0.8);
+}
+
+TEST_F(LabDataTest, ACanceledRunDeliversNothingAndTheNextChangeStartsAgain) {
+  open();
+  std::binary_semaphore started{0};
+  std::binary_semaphore may_end{0};
+  int delivered = 0;
+  LabWork work(data, [&](const LabWork::Run& run) -> LabWork::Deliver {
+    run.hand([&delivered] { ++delivered; });
+    started.release();
+    may_end.acquire();
+    return [&delivered] { ++delivered; };
+  });
+  work.setWanted(true);
+  ASSERT_TRUE(comesTrue([&] { return started.try_acquire(); }));
+  work.cancel();
+  may_end.release();
+  EXPECT_FALSE(work.isBusy());
+  EXPECT_TRUE(work.isCanceled());
+  may_end.release();
+  data.setSettings(data.settings());
+  ASSERT_TRUE(comesTrue([&] { return delivered == 2 || (delivered == 1 && !work.isBusy()); }));
+  EXPECT_FALSE(work.isCanceled());
+  EXPECT_EQ(delivered, 2);  // the first result and the last one of the second run alone
+}
+
+TEST_F(LabDataTest, TheModelIsBuiltWithTheSettingsAndSaysThem) {
+  open();
+  LabModel model(data);
+  QObject lab;
+  model.setWanted(lab, true);
+  ASSERT_TRUE(comesTrue([&] { return model.built() != nullptr; }));
+  EXPECT_EQ(model.built()->experts.size(), 4U);
+  // The paper's terms with alpha 0.95 on simulated strokes (facts: 51.5 102.0 126.6 187.0).
+  const auto before = model.built()->averaged_ramps;
+  ASSERT_EQ(before.size(), 2U);
+  EXPECT_NEAR(before[0].p, 51.5, 3);
+  auto settings = data.settings();
+  settings.speed.alpha = 1;
+  data.setSettings(settings);
+  ASSERT_TRUE(comesTrue([&] { return model.builtWith().speed.alpha == 1; }));
+  EXPECT_EQ(model.built()->averaged_ramps[0].q, model.built()->averaged_ramps[1].p);  // medium is a triangle
+}
+
+}  // namespace
+}  // namespace tactus::workbench
