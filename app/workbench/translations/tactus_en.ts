@@ -500,11 +500,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>F&amp;eel</source>
+        <source>&amp;Help</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Help</source>
+        <source>Fee&amp;l</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1056,6 +1056,17 @@
     </message>
 </context>
 <context>
+    <name>RecentText</name>
+    <message>
+        <source>today %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ReviewNotes</name>
     <message>
         <source>These notes are of a build from the answers as they are now. The model of the study began as another one: built with other settings, from other answers, or put in from a file.</source>
@@ -1212,15 +1223,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>later: experts side by side</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a bundle for a simulator</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>sessions with nurses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recordings and experts, side by side</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1699,6 +1710,17 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::Corrections</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::CurveParts</name>
     <message>
         <source>Lay a reference curve over the plot</source>
@@ -1870,6 +1892,29 @@
     </message>
     <message>
         <source>Centroid</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DemoMaker</name>
+    <message>
+        <source>Four simulated nurses go through their sessions…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Their answers become a model…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tables and figures of the report are drawn…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The files are written…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The demo study could not be made. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2455,6 +2500,21 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::ForceOffButton</name>
+    <message>
+        <source>Force off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No force from the next tick on, whatever has the keyboard (F12, or Esc outside a drag)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Esc · F12</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ForcePlot</name>
     <message>
         <source>Force of the last seconds</source>
@@ -2574,6 +2634,92 @@
     </message>
     <message>
         <source>no change of this curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::GuideWindow</name>
+    <message>
+        <source>Guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::HelpParts</name>
+    <message>
+        <source>&amp;Guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five-minute &amp;tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force on the way of the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each thin line is one nurse, the thick one is their mean. Move the mouse over the curves to read them; turn the wheel to come closer. A gap is a place for which no nurse gave a rule.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One place for everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lubrication, neck, depth and speed: this is the situation that all panels speak of. Type a number, or click into the curves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why this force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rules that speak at this place, the strongest first, and what each of them pulls the force to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force for every depth and speed at once. Sharp edges are places where one word ends and the next begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change what a word means</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a corner: the curves follow while you drag. Ctrl+Z takes everything back, and the history keeps every state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What to look at first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holes, contradictions and jumps of the force, largest first. Where a repair is plain, one click does it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Start (F9), hold Space and move the mouse over the pad: the tube resists as the model says. No device is needed. F12 or Esc takes the force away; F10 makes this the whole window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand it to a simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is missing before the model can be delivered, and the bundle for the people who build the simulator. The guide (F1) tells the rest.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2733,6 +2879,68 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::LabParts</name>
+    <message>
+        <source>Building the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored as a new record; the old one stays: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::LabScreen</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to undo here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo: %1 (Ctrl+Z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to redo here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo: %1 (Ctrl+Shift+Z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1… %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canceled: what you see is not complete. The next change computes again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::LinkController</name>
     <message>
         <source>No model is open; open one to serve it.</source>
@@ -2812,6 +3020,18 @@
         <source>Give a simulator the address and the token file.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Any free port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one if your simulator expects a fixed port; 0 takes any free one.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::LinkParts</name>
@@ -2836,6 +3056,10 @@
     </message>
     <message>
         <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the &amp;window</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3066,10 +3290,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Reopen</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3138,6 +3358,26 @@
     </message>
     <message>
         <source>Notes of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reo&amp;pen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a model of another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Models of other programs (*.fll *.fcl *.fis *.txt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New NGT model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new model could not be made. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4946,41 +5186,128 @@ felt on the model %2</source>
     </message>
 </context>
 <context>
+    <name>tactus::workbench::StartParts</name>
+    <message>
+        <source>The tables were not imported. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A new model without rules: answer what force the experts feel in each situation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder with the tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a study of the tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studies (*.tactus)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::StartView</name>
     <message>
-        <source>Recent</source>
+        <source>From what nurses know by feel to a force that a simulator can run</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;New study…</source>
+        <source>Try</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a &amp;study…</source>
+        <source>Explore the demo study</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Open a model…</source>
+        <source>Making the demo study</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ask nurses</source>
+        <source>Take the five-minute tour</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A study (.tactus) holds the protocol, the sessions of every nurse, and the models made from their answers.</source>
+        <source>Where the force comes from, how to change it and how it feels, on the demo study.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>See and tune a force model</source>
+        <source>Read the guide</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A model (.tactus.json) has membership functions and rules. You will see the force of every expert along the way of the tube.</source>
+        <source>For researchers, nurses and simulator teams. F1 opens it anywhere.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>or drop a file here</source>
+        <source>Make a fresh copy of the demo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The copy before stays as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask nurses: protocol, sessions, answers and models in one file (.tactus).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New model from the NGT template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs and terms of the nasogastric tube; you give the rules.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import tables…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speeds, judgements, answers or rules as CSV, from a folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import a model of another program…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FLL, FCL or FIS: fuzzylite, MATLAB, Octave, R.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A study or a model. You can also drop the file here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your copy, in the folder %1 of your documents.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four simulated nurses and the model made from their answers: a copy, in the folder %1 of your documents.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5065,10 +5392,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a participant to continue, or start a session for somebody new.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 is simulated: a program gave all of these answers.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5098,6 +5421,18 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Set a key…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Usability form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Six questions for a clinical teacher who tried the model, with a code of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a participant to continue, or start a session for a new one.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5200,10 +5535,6 @@ felt on the model %2</source>
         <source>The last changes are not stored in %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Open a study</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>tactus::workbench::SurfacePanel</name>
@@ -5218,6 +5549,16 @@ felt on the model %2</source>
     <message>
         <source>Force over two inputs as a surface</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::TableImport</name>
+    <message numerus="yes">
+        <source>%n participant(s) imported from %1.</source>
+        <translation>
+            <numerusform>%n participant imported from %1.</numerusform>
+            <numerusform>%n participants imported from %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5318,6 +5659,29 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Lock the %1 in place</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::TourCard</name>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
