@@ -108,7 +108,8 @@ class TakePartTest : public testing::Test {
       case Screen::kQuestion:
         return at().can_go_on ? goOn() : choose(say("w.medium"), Qt::Key_3);
       case Screen::kOwnModel:
-        if (!at().own.ready) return pass(50);
+        // Her model is built by another thread, in real time.
+        ASSERT_TRUE(comesTrue([this] { return at().own.ready; }));
         return at().can_go_on ? goOn() : choose(say("own.right"), Qt::Key_2);
       default:
         return goOn();
