@@ -1,5 +1,6 @@
 #include "app/workbench/bench_screens.h"
 
+#include "app/workbench/feel_parts.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel.h"
 
@@ -20,6 +21,7 @@ BenchScreens::BenchScreens(MainWindow& window, const BenchPanels& panels) {
                     Place::below(panels.feel, 52, panels.curves), Place::behind(panels.map, panels.feel),
                     Place::behind(panels.surface, panels.feel), Place::behind(panels.rules_here, panels.feel),
                     Place::behind(panels.reading, panels.feel), Place::behind(panels.history, panels.feel)});
+  window.addLayout(FeelParts::layoutId(), {Place::first(panels.feel)});
   window.addScreen(Stage::kDeliver,
                    {Place::first(panels.readiness), Place::right(panels.bundle, 52, panels.readiness)});
 }

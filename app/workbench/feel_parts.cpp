@@ -5,6 +5,7 @@
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/feel_status.h"
+#include "app/workbench/feel/force_off_button.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/operating_strip.h"
@@ -16,9 +17,12 @@ FeelParts::FeelParts(MainWindow& window, const ModelController& models, SceneCon
       models_(models),
       feel_(feel),
       view_(new FeelPanel(scene, feel)),
-      panel_(&window.addPanel(QStringLiteral("feel"), tr("Feel"), view_)) {
+      panel_(&window.addPanel(QStringLiteral("feel"), tr("Feel"), view_)),
+      off_(new ForceOffButton) {
   auto* status = new FeelStatus(feel);
   window_.strip().setDeviceState(status);
+  window_.strip().setCorner(off_);
+  connect(off_, &ForceOffButton::pressed, &feel_, &FeelController::stop);
   connect(status, &FeelStatus::latencyChanged, &window_.strip(), &OperatingStrip::showLatency);
   // Nobody can stop the force once the window is gone.
   connect(&window_, &MainWindow::closing, &feel_, &FeelController::stop);
@@ -35,6 +39,17 @@ void FeelParts::buildMenu() {
   stop_ = menus.addAction(MenuSlot::kFeelDevice, tr("S&top: no force"), Qt::Key_F12);
   flex_ = menus.addAction(MenuSlot::kFeelPatient, tr("&Flex the neck, or raise the head"), Qt::Key_F8);
   new_placement_ = menus.addAction(MenuSlot::kFeelPatient, tr("&New placement"));
+  layout_ = menus.addAction(MenuSlot::kFeelDevice, tr("Feel &layout"), Qt::Key_F10);
+  layout_->setCheckable(true);
+  connect(layout_, &QAction::triggered, &window_, [this](bool on) {
+    if (on) {
+      window_.enterLayout(layoutId());
+    } else {
+      window_.leaveLayout();
+    }
+  });
+  connect(&window_, &MainWindow::layoutChanged, layout_,
+          [this] { layout_->setChecked(window_.layoutBeside() == layoutId()); });
   connect(start_, &QAction::triggered, view_, &FeelPanel::toggle);
   connect(stop_, &QAction::triggered, &feel_, &FeelController::stop);
   connect(flex_, &QAction::triggered, &feel_, [this] { feel_.setNeckFlexed(!feel_.isNeckFlexed()); });
@@ -45,6 +60,8 @@ void FeelParts::showActions() {
   const bool open = models_.current() != nullptr;
   start_->setEnabled(open && feel_.state() == FeelController::State::kStopped);
   stop_->setEnabled(feel_.isRunning() || feel_.state() == FeelController::State::kOpening);
+  off_->setVisible(feel_.isRunning() || feel_.state() == FeelController::State::kOpening);
+  layout_->setEnabled(open);
   flex_->setEnabled(open);
   new_placement_->setEnabled(feel_.isRunning());
 }

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 
 class QAction;
 
 namespace tactus::workbench {
 
 class FeelController;
+class ForceOffButton;
 class FeelPanel;
 class MainWindow;
 class ModelController;
@@ -19,6 +21,9 @@ class FeelParts : public QObject {
 
  public:
   FeelParts(MainWindow& window, const ModelController& models, SceneController& scene, FeelController& feel);
+
+  /// The name of the layout for feeling alone.
+  static QString layoutId() { return QStringLiteral("feel"); }
 
   FeelPanel& view() { return *view_; }
   Panel& panel() { return *panel_; }
@@ -32,7 +37,9 @@ class FeelParts : public QObject {
   FeelController& feel_;
   FeelPanel* view_;
   Panel* panel_;
+  ForceOffButton* off_;
   QAction* start_ = nullptr;
+  QAction* layout_ = nullptr;
   QAction* stop_ = nullptr;
   QAction* flex_ = nullptr;
   QAction* new_placement_ = nullptr;

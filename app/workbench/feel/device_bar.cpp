@@ -37,6 +37,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
       search_(search),
       devices_(new QComboBox(this)),
       look_(new QToolButton(this)),
+      chip_(new QToolButton(this)),
       start_(new QPushButton(tr("Start"), this)),
       grip_(new QComboBox(this)),
       zone_(new NumberBox({"release_zone", {}, "mm", kFarthestZoneMm, kNearestZoneMm, {}}, 1, this)),
@@ -49,6 +50,10 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   devices_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   look_->setText(tr("Search"));
   look_->setToolTip(tr("Look for haptic devices on this computer"));
+  chip_->setCheckable(true);
+  chip_->setArrowType(Qt::DownArrow);
+  chip_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  chip_->setToolTip(tr("Show the device and how the tube is held"));
   start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Stopping…")) + 2 * theme::kGrid);
   start_->setFocusPolicy(Qt::TabFocus);
   grip_->setAccessibleName(tr("How to hold the tube"));
@@ -76,10 +81,8 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   message_row->addWidget(rearm_);
   auto* choice = new QHBoxLayout;
   choice->setSpacing(theme::kGrid);
-  for (QWidget* part : {static_cast<QWidget*>(devices_), static_cast<QWidget*>(look_), static_cast<QWidget*>(start_),
-                        static_cast<QWidget*>(grip_), static_cast<QWidget*>(zone_)}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{chip_, devices_, look_, start_, grip_, zone_})
     choice->addWidget(part);
-  }
   auto* state_row = new QHBoxLayout;
   state_row->setSpacing(theme::kGrid);
   state_row->addWidget(simulated_);
@@ -95,6 +98,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   layout->addWidget(message_card_);
 
   connect(devices_, &QComboBox::currentIndexChanged, this, &DeviceBar::showState);
+  connect(chip_, &QToolButton::toggled, this, &DeviceBar::showChoice);
   connect(look_, &QToolButton::clicked, &search_, &DeviceSearch::search);
   connect(start_, &QPushButton::clicked, this, &DeviceBar::toggle);
   connect(rearm_, &QPushButton::clicked, &feel_.session(), &DeviceSession::rearm);
@@ -119,6 +123,22 @@ void DeviceBar::resizeEvent(QResizeEvent* event) {
 void DeviceBar::setModelOpen(bool open) {
   model_open_ = open;
   showState();
+}
+
+void DeviceBar::setFoldable(bool foldable) {
+  if (foldable == foldable_) return;
+  foldable_ = foldable;
+  showChoice();
+}
+
+void DeviceBar::showChoice() {
+  const bool folded = foldable_ && feel_.isRunning();
+  const bool open = !folded || chip_->isChecked();
+  chip_->setVisible(folded);
+  chip_->setText(devices_->currentText() + QStringLiteral(" · ") + grip_->currentText());
+  for (QWidget* part : std::initializer_list<QWidget*>{devices_, look_, grip_}) part->setVisible(open);
+  zone_->setVisible(open && feel_.session().grip().latch);
+  if (!folded) chip_->setChecked(false);
 }
 
 void DeviceBar::showFailure(const QString& sentence) {
@@ -167,8 +187,8 @@ void DeviceBar::showState() {
     const QSignalBlocker no_zone(zone_);
     grip_->setCurrentIndex(feel_.session().grip().latch ? 1 : 0);
     zone_->setValue(feel_.session().grip().release_zone_mm);
-    zone_->setVisible(feel_.session().grip().latch);
   }
+  showChoice();
   grip_->setToolTip(grip_->currentData(Qt::ToolTipRole).toString());
   const auto& list = search_.list().devices;
   const auto chosen = static_cast<std::size_t>(devices_->currentIndex());

@@ -26,6 +26,8 @@ class DeviceBar : public QWidget {
 
   /// Whether a model is open and can be felt.
   void setModelOpen(bool open);
+  /// True: after the start one chip stands for device and grip; a click on it shows them.
+  void setFoldable(bool foldable);
   /// Shows `sentence` until the next start.
   void showFailure(const QString& sentence);
   /// Reads the values that change during a run: latency and rate.
@@ -42,6 +44,7 @@ class DeviceBar : public QWidget {
   void listDevices();
   void showState();
   void showMessage();
+  void showChoice();
   void chooseGrip();
   QString stateText() const;
   QString stateWord() const;
@@ -52,6 +55,7 @@ class DeviceBar : public QWidget {
   DeviceSearch& search_;
   QComboBox* devices_;
   QToolButton* look_;
+  QToolButton* chip_;  ///< in the place of the choice of device and grip
   QPushButton* start_;
   QComboBox* grip_;
   NumberBox* zone_;
@@ -63,6 +67,7 @@ class DeviceBar : public QWidget {
   QBoxLayout* line_ = nullptr;
   QString failure_;
   bool model_open_ = false;
+  bool foldable_ = false;
   bool advises_ = false;  ///< the message asks the user to push
 };
 

@@ -39,6 +39,10 @@ constexpr auto kStopKey = Qt::Key_F12;
 constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other
 constexpr int kRoomyWidth = 820;  // px: from this size on all steps of the procedure are listed
 constexpr int kRoomyHeight = 360;
+constexpr int kOpenWidth = 900;  // px: from this size on the panel is for feeling alone
+constexpr int kOpenHeight = 480;
+constexpr int kOpenPicture = 320;   // px: the least height of the picture then
+constexpr double kOpenForce = 2.4;  // times as large as in a small panel
 
 // Wrapped text in a card must not make the height of the whole panel depend on its width: it would scroll where all
 // fits.
@@ -90,7 +94,7 @@ FeelPanel::~FeelPanel() = default;
 void FeelPanel::build() {
   force_->setFont(theme::titleFont());
   force_->setTextFormat(Qt::PlainText);
-  force_->setMinimumWidth(QFontMetrics(theme::titleFont()).horizontalAdvance(QStringLiteral("-0.000 N")));
+  force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("-0.000 N")));
   limits_->setFont(theme::smallFont());
   legend_->setFont(theme::smallFont());
   // It must not make the panel wider than its place.
@@ -183,17 +187,31 @@ void FeelPanel::showLegend() {
 
 void FeelPanel::arrange() {
   const bool narrow = width() < kSideBySide;
-  const bool roomy = !narrow && width() >= kRoomyWidth && height() >= kRoomyHeight;
-  const auto direction = narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  const bool open = width() >= kOpenWidth && height() >= kOpenHeight;
+  const bool roomy = !narrow && !open && width() >= kRoomyWidth && height() >= kRoomyHeight;
+  // Open, the picture stands left and large.
+  const auto direction = narrow ? QBoxLayout::TopToBottom : open ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight;
   if (halves_->direction() != direction) halves_->setDirection(direction);
-  halves_->setStretch(0, roomy ? 4 : 1);
-  halves_->setStretch(1, roomy ? 5 : 1);
+  halves_->setStretch(0, roomy ? 4 : open ? 3 : 1);
+  halves_->setStretch(1, roomy ? 5 : open ? 2 : 1);
   const auto picture = roomy ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
   if (picture_->direction() != picture) picture_->setDirection(picture);
   picture_->setStretch(0, 3);
   picture_->setStretch(1, roomy ? 2 : 0);
   procedure_->setCompact(!roomy);
+  if (open != open_) setOpen(open);
   if (roomy != std::exchange(roomy_, roomy)) emit roomChanged(roomy);
+}
+
+void FeelPanel::setOpen(bool open) {
+  open_ = open;
+  QFont font = theme::titleFont();
+  if (open) font.setPointSizeF(font.pointSizeF() * kOpenForce);
+  force_->setFont(font);
+  force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("-0.000 N")));
+  bar_->setLarge(open);
+  tube_->setMinimumHeight(open ? kOpenPicture : 0);
+  device_->setFoldable(open);
 }
 
 void FeelPanel::toggle() { device_->toggle(); }
@@ -288,6 +306,7 @@ void FeelPanel::showRecording(bool armed, std::optional<int> recorded_s) {
 
 void FeelPanel::showForce() {
   const haptics::Sample& sample = feel_.latest();
+  bar_->setScale(trace_->topN(), feel_.session().limits().force_cap_n);
   bar_->setForces(sample.force_n, sample.source_force_n);
   const QString force = forceText(sample.force_n, "N");
   if (force != force_->text()) force_->setText(force);

@@ -56,6 +56,7 @@ class FeelPanel : public QWidget {
  private:
   void build();
   void arrange();
+  void setOpen(bool open);
   void showLegend();
   bool escape(QObject& watched, QKeyEvent& key, bool asks);
   void connectAll();
@@ -80,6 +81,7 @@ class FeelPanel : public QWidget {
   QLabel* legend_;
   ForceTracePlot* trace_;
   bool roomy_ = false;
+  bool open_ = false;  ///< the panel is the whole window
   bool armed_ = false;
   std::optional<int> recorded_s_;
   std::optional<haptics::DeviceInfo> traced_on_;  ///< the device of the trace

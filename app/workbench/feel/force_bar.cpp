@@ -11,12 +11,13 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kBarHeight = 14;      // px
+constexpr int kBarHeight = 14;  // px
+constexpr int kLargeBarHeight = 30;
 constexpr double kShownN = 0.0005;  // a thousandth of a newton is what the number shows
 
 }  // namespace
 
-ForceBar::ForceBar(QWidget* parent) : QWidget(parent) {
+ForceBar::ForceBar(QWidget* parent) : QWidget(parent), bar_height_(kBarHeight) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Force on the hand"));
 }
@@ -28,20 +29,28 @@ void ForceBar::setForces(double force_n, double friction_n) {
   update();
 }
 
-void ForceBar::setFullScale(double full_n) {
+void ForceBar::setScale(double full_n, double cap_n) {
+  if (full_n == full_n_ && cap_n == cap_n_) return;
   full_n_ = full_n;
+  cap_n_ = cap_n;
   update();
 }
 
-QSize ForceBar::sizeHint() const { return {240, kBarHeight + 4 + QFontMetrics(theme::smallFont()).height()}; }
+void ForceBar::setLarge(bool large) {
+  bar_height_ = large ? kLargeBarHeight : kBarHeight;
+  updateGeometry();
+  update();
+}
+
+QSize ForceBar::sizeHint() const { return {240, bar_height_ + 4 + QFontMetrics(theme::smallFont()).height()}; }
 
 void ForceBar::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF bar(0.5, 0.5, width() - 1, kBarHeight - 1);
+  const QRectF bar(0.5, 0.5, width() - 1, bar_height_ - 1);
   const auto xOf = [&](double newton) { return bar.left() + bar.width() * std::clamp(newton / full_n_, 0.0, 1.0); };
   QPainterPath frame;
-  frame.addRoundedRect(bar, kBarHeight / 2.0, kBarHeight / 2.0);
+  frame.addRoundedRect(bar, bar_height_ / 2.0, bar_height_ / 2.0);
   painter.fillPath(frame, theme::grid());
   painter.save();
   painter.setClipPath(frame);
@@ -58,12 +67,24 @@ void ForceBar::paintEvent(QPaintEvent* /*event*/) {
 
   painter.setFont(theme::smallFont());
   painter.setPen(theme::mutedInk());
-  const QRectF scale(0, kBarHeight + 4, width(), height() - kBarHeight - 4);
+  if (cap_n_ <= full_n_) {
+    painter.setPen(QPen(theme::errorInk(), 2));
+    painter.drawLine(QPointF(xOf(cap_n_), 0), QPointF(xOf(cap_n_), bar.bottom() + 3));
+    painter.setPen(theme::mutedInk());
+  }
+  paintScale(painter, QRectF(0, bar_height_ + 4, width(), height() - bar_height_ - 4), xOf);
+}
+
+// Numbers at each half newton, and the cap at the right end; a number that has no room beside it is left out.
+void ForceBar::paintScale(QPainter& painter, const QRectF& scale, const std::function<double(double)>& x_of) const {
+  const QString cap = tr("cap %1").arg(quantityText(cap_n_, "N"));
+  const double cap_left = scale.right() - painter.fontMetrics().horizontalAdvance(cap);
+  painter.drawText(scale, Qt::AlignRight | Qt::AlignVCenter, cap);
   for (double newton = 0; newton <= full_n_ + 1e-9; newton += 0.5) {
-    const bool last = newton > full_n_ - 0.5 + 1e-9;
-    const QString number = last ? quantityText(newton, "N") : numberText(newton);
+    const QString number = numberText(newton);
     const double half = painter.fontMetrics().horizontalAdvance(number) / 2.0 + 1;
-    const double x = std::clamp(xOf(newton), half, width() - half);
+    const double x = std::clamp(x_of(newton), half, scale.width() - half);
+    if (x + half > cap_left - 6) break;
     painter.drawText(QRectF(x - half, scale.top(), 2 * half, scale.height()), Qt::AlignCenter | Qt::TextDontClip,
                      number);
   }

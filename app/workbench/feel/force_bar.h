@@ -1,7 +1,8 @@
-// The force on the hand as a bar, up to the force cap of the servo.
+// The force on the hand as a bar on the scale of the trace, with the force cap of the servo.
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 namespace tactus::workbench {
 
@@ -13,8 +14,10 @@ class ForceBar : public QWidget {
 
   /// `force_n` fills the bar. A mark shows `friction_n`, the requested force, if the limits reduced it.
   void setForces(double force_n, double friction_n);
-  /// Sets the end of the scale, > 0.
-  void setFullScale(double full_n);
+  /// Sets the end of the scale, > 0, and the largest force that the servo gives. A cap behind the end is only named.
+  void setScale(double full_n, double cap_n);
+  /// A higher bar, to be read from afar.
+  void setLarge(bool large);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {100, sizeHint().height()}; }
@@ -23,9 +26,13 @@ class ForceBar : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paintScale(QPainter& painter, const QRectF& scale, const std::function<double(double)>& x_of) const;
+
   double force_n_ = 0;
   double friction_n_ = 0;
   double full_n_ = 2;
+  double cap_n_ = 2;
+  int bar_height_;  ///< px
 };
 
 }  // namespace tactus::workbench

@@ -65,6 +65,8 @@ void ForceTracePlot::nameAxes(bool roomy) {
   plot_->yAxis->ticker()->setTickCount(roomy ? 3 : 2);
 }
 
+double ForceTracePlot::topN() const { return plot_->yAxis->range().upper; }
+
 fuzzy::Variable ForceTracePlot::forceAxis() const { return {"force", force_name_, "N", 0, full_n_, {}}; }
 
 void ForceTracePlot::setOutput(const fuzzy::Variable& output) {

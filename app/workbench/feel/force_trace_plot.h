@@ -27,6 +27,8 @@ class ForceTracePlot : public QWidget, public PlotSource {
   /// Whether to show the parts of the force, too.
   void setSplit(bool split);
   bool isSplit() const { return split_; }
+  /// The upper end of the force axis, N.
+  double topN() const;
   /// Draws the last ten seconds; the newest point is at the right.
   void setHistory(const FeelHistory& history);
 

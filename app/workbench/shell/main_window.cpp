@@ -106,8 +106,12 @@ void MainWindow::setStudyOpen(bool open) {
 }
 
 void MainWindow::addScreen(Stage stage, std::vector<PanelPlace> layout) {
-  panels().setLayout(stage, std::move(layout));
+  panels().setLayout(stageId(stage), std::move(layout));
   addScreen(stage, bench_);
+}
+
+void MainWindow::addLayout(const QString& id, std::vector<PanelPlace> layout) {
+  panels().setLayout(id, std::move(layout));
 }
 
 Panel& MainWindow::addPanel(const QString& id, const QString& title, QWidget* content) {
@@ -136,7 +140,24 @@ void MainWindow::enter(Stage stage) {
   rail_->setStage(stage);
   strip_->showPoint(screen == bench_);
   settings_.setValue(QLatin1String(kStageKey), stageId(stage));
+  setLayoutBeside({});
   emit entered(stage);
+}
+
+void MainWindow::enterLayout(const QString& id) {
+  if (!models_.current() || id == layout_beside_) return;
+  screens_->setCurrentWidget(bench_);
+  panels().enterLayout(id);
+  strip_->showPoint(true);
+  setLayoutBeside(id);
+}
+
+void MainWindow::leaveLayout() {
+  if (!layout_beside_.isEmpty() && stage_) enter(*stage_);
+}
+
+void MainWindow::setLayoutBeside(const QString& id) {
+  if (std::exchange(layout_beside_, id) != id) emit layoutChanged();
 }
 
 void MainWindow::showStages() {

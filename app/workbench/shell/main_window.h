@@ -44,6 +44,8 @@ class MainWindow : public QMainWindow, public MessagePlace {
   Panel& addPanel(const QString& id, const QString& title, QWidget* content);
   /// Gives `stage` these panels as its screen.
   void addScreen(Stage stage, std::vector<PanelPlace> layout);
+  /// Adds a layout of panels beside those of the stages; `id` is its name in the settings.
+  void addLayout(const QString& id, std::vector<PanelPlace> layout);
   /// Adds a line above the screen, below the messages.
   void addStrip(QWidget* strip);
   /// Adds a question for the user before the window closes: false keeps it open. The one added last is asked first.
@@ -63,15 +65,23 @@ class MainWindow : public QMainWindow, public MessagePlace {
   /// Whether `stage` has a screen, and what it needs is open.
   bool canEnter(Stage stage) const;
   std::optional<Stage> stage() const { return stage_; }
+  /// The layout beside those of the stages that is on the screen; empty: that of the stage is.
+  const QString& layoutBeside() const { return layout_beside_; }
 
  public slots:
   /// `stage` has a screen. Where what it needs is not open, the start screen stays.
   void enter(tactus::workbench::Stage stage);
+  /// Shows the panels of an added layout. Without a model it does nothing.
+  void enterLayout(const QString& id);
+  /// Back to the screen of the stage.
+  void leaveLayout();
   /// Whether a study is open.
   void setStudyOpen(bool open);
 
  signals:
   void entered(tactus::workbench::Stage stage);
+  /// `layoutBeside` changed.
+  void layoutChanged();
   /// The window is about to close, and all guards have agreed.
   void closing();
 
@@ -83,6 +93,7 @@ class MainWindow : public QMainWindow, public MessagePlace {
 
  private:
   void showStages();
+  void setLayoutBeside(const QString& id);
   std::optional<Stage> lastStage() const;
 
   QSettings& settings_;
@@ -101,6 +112,7 @@ class MainWindow : public QMainWindow, public MessagePlace {
   QWidget* start_ = nullptr;
   QHash<int, Entrance> stages_;  ///< of each stage that has a screen
   std::optional<Stage> stage_;
+  QString layout_beside_;
   bool study_open_ = false;
   std::vector<std::function<bool()>> close_guards_;
 };

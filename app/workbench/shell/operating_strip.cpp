@@ -63,6 +63,8 @@ void OperatingStrip::setDeviceState(QWidget* state) { layout_->insertWidget(layo
 
 void OperatingStrip::setFrameTime(QWidget* time) { layout_->insertWidget(layout_->indexOf(saved_), time); }
 
+void OperatingStrip::setCorner(QWidget* corner) { layout_->addWidget(corner); }
+
 void OperatingStrip::showLatency(const QString& latency) {
   latency_->setText(latency);
   latency_->setVisible(!latency.isEmpty());

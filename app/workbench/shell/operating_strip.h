@@ -26,6 +26,8 @@ class OperatingStrip : public QWidget {
   void setDeviceState(QWidget* state);
   /// The widget for the time from an edit to the screen; stands beside the latency.
   void setFrameTime(QWidget* time);
+  /// The widget in the corner: what must be found without looking for it.
+  void setCorner(QWidget* corner);
   /// Shows the time from the last edit to the force; empty while no model is felt.
   void showLatency(const QString& latency);
   /// Shows where edits are stored if not in a file, in words; empty: shows the state of the file. `bad`: storing fails

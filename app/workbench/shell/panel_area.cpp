@@ -42,8 +42,13 @@ QWidget* holderOf(QWidget* panel) {
 
 void setSeen(const QDockWidget& dock, bool seen) { dock.widget()->layout()->itemAt(0)->widget()->setVisible(seen); }
 
-QString layoutKey(Stage stage) { return QStringLiteral("layout/") + stageId(stage); }
-QString panelsKey(Stage stage) { return QStringLiteral("layout_panels/") + stageId(stage); }
+QString layoutKey(const QString& id) { return QStringLiteral("layout/") + id; }
+QString panelsKey(const QString& id) { return QStringLiteral("layout_panels/") + id; }
+// A name may hold any character; a slash would begin a group of settings.
+QString keyPart(const QString& name) { return QString::fromLatin1(name.toUtf8().toHex()); }
+constexpr auto kNamedGroup = "named_layouts";
+QString namedKey(const QString& name) { return QLatin1String(kNamedGroup) + QLatin1Char('/') + keyPart(name); }
+QString namedPanelsKey(const QString& name) { return QStringLiteral("named_layout_panels/") + keyPart(name); }
 
 }  // namespace
 
@@ -88,30 +93,58 @@ Panel& PanelArea::addPanel(const QString& id, const QString& title, QWidget* con
   return *dock;
 }
 
-void PanelArea::setLayout(Stage stage, std::vector<PanelPlace> places) {
-  places_.insert(static_cast<int>(stage), std::move(places));
-}
+void PanelArea::setLayout(const QString& id, std::vector<PanelPlace> places) { places_.insert(id, std::move(places)); }
 
 void PanelArea::enter(Stage stage) {
-  if (stage_ == stage) return;
-  storeLayout();
   stage_ = stage;
+  enterLayout(stageId(stage));
+}
+
+void PanelArea::enterLayout(const QString& id) {
+  if (layout_ == id) return;
+  storeLayout();
+  layout_ = id;
   setUpdatesEnabled(false);
-  const QByteArray stored = settings_.value(layoutKey(stage)).toByteArray();
-  // A layout from before a panel existed has no place for it.
-  const bool known = settings_.value(panelsKey(stage)).toStringList() == panelNames();
-  if (stored.isEmpty() || !known || !restoreState(stored, kLayoutVersion)) resetLayout();
+  if (!restore(layoutKey(id), panelsKey(id))) resetLayout();
   setUpdatesEnabled(true);
 }
 
+// A layout from before a panel existed has no place for it.
+bool PanelArea::restore(const QString& key, const QString& panels_key) {
+  const QByteArray stored = settings_.value(key).toByteArray();
+  const bool known = settings_.value(panels_key).toStringList() == panelNames();
+  return !stored.isEmpty() && known && restoreState(stored, kLayoutVersion);
+}
+
+void PanelArea::store(const QString& key, const QString& panels_key) {
+  settings_.setValue(key, saveState(kLayoutVersion));
+  settings_.setValue(panels_key, panelNames());
+}
+
 void PanelArea::resetLayout() {
-  if (stage_) layOut(places_.value(static_cast<int>(*stage_)));
+  if (!layout_.isEmpty()) layOut(places_.value(layout_));
 }
 
 void PanelArea::storeLayout() {
-  if (!stage_) return;
-  settings_.setValue(layoutKey(*stage_), saveState(kLayoutVersion));
-  settings_.setValue(panelsKey(*stage_), panelNames());
+  if (!layout_.isEmpty()) store(layoutKey(layout_), panelsKey(layout_));
+}
+
+QStringList PanelArea::namedLayouts() const {
+  QStringList names;
+  settings_.beginGroup(QLatin1String(kNamedGroup));
+  for (const QString& key : settings_.childKeys()) names << QString::fromUtf8(QByteArray::fromHex(key.toLatin1()));
+  settings_.endGroup();
+  names.sort(Qt::CaseInsensitive);
+  return names;
+}
+
+void PanelArea::nameLayout(const QString& name) { store(namedKey(name), namedPanelsKey(name)); }
+
+void PanelArea::showNamed(const QString& name) { restore(namedKey(name), namedPanelsKey(name)); }
+
+void PanelArea::forgetNamed(const QString& name) {
+  settings_.remove(namedKey(name));
+  settings_.remove(namedPanelsKey(name));
 }
 
 QStringList PanelArea::panelNames() const {

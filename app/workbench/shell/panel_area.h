@@ -27,16 +27,28 @@ class PanelArea : public QMainWindow {
   /// Adds a panel with this content. `id` is its name in the settings and nowhere else. Shown by the stages whose
   /// layout has a place for it.
   Panel& addPanel(const QString& id, const QString& title, QWidget* content);
-  /// Sets the default layout of `stage`.
-  void setLayout(Stage stage, std::vector<PanelPlace> places);
+  /// Sets the default of the layout `id`, its name in the settings. That of a stage is called like the stage.
+  void setLayout(const QString& id, std::vector<PanelPlace> places);
 
   /// Shows the panels of `stage` in their last places.
   void enter(Stage stage);
   std::optional<Stage> stage() const { return stage_; }
-  /// Resets the panels of the current stage to the default layout.
+  /// Shows the panels of the layout `id` in their last places; the stage stays.
+  void enterLayout(const QString& id);
+  /// The layout on the screen.
+  const QString& layoutId() const { return layout_; }
+  /// Resets the panels of the current layout to its default.
   void resetLayout();
-  /// Stores the layout of the current stage.
+  /// Stores the current layout.
   void storeLayout();
+
+  /// Layouts that the user named. Each can be shown in any stage.
+  QStringList namedLayouts() const;
+  /// Keeps the places of the panels under `name`, in the place of an older layout of that name.
+  void nameLayout(const QString& name);
+  /// Puts the panels as they were when `name` was given.
+  void showNamed(const QString& name);
+  void forgetNamed(const QString& name);
 
   const QList<Panel*>& panels() const { return panels_; }
   /// Whether the tab of another panel lies before this one.
@@ -49,14 +61,17 @@ class PanelArea : public QMainWindow {
   void put(const PanelPlace& place);
   void shareRoom(const std::vector<PanelPlace>& places);
   QStringList panelNames() const;
+  bool restore(const QString& key, const QString& panels_key);
+  void store(const QString& key, const QString& panels_key);
   void showTitles();
   void showMenu(Panel& panel, const QPoint& place);
   Panel* panelOfTab(const QTabBar& tabs, int index) const;
 
   QSettings& settings_;
   QList<Panel*> panels_;
-  QHash<int, std::vector<PanelPlace>> places_;
+  QHash<QString, std::vector<PanelPlace>> places_;  ///< of each layout
   std::optional<Stage> stage_;
+  QString layout_;
   QTimer titles_{this};  ///< one update after any number of moved panels
 };
 

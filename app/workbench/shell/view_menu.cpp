@@ -8,6 +8,7 @@
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/layout_menu.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel_area.h"
 
@@ -17,11 +18,13 @@ ViewMenu::ViewMenu(MainWindow& window, const ModelController& models, QSettings&
     : window_(window), settings_(settings) {
   QAction* const stages = addStages()->menuAction();
   QAction* const panels = addPanels()->menuAction();
+  QMenu* const layouts = window_.menus().addMenu(MenuSlot::kView, tr("Lay&outs"));
+  new LayoutMenu(window_, *layouts);
   addLooks();
   QAction* const reset =
       window_.menus().addAction(MenuSlot::kView, tr("&Reset layout"), Qt::CTRL | Qt::SHIFT | Qt::Key_R);
   connect(reset, &QAction::triggered, &window_.panels(), &PanelArea::resetLayout);
-  for (QAction* action : {stages, panels, reset}) {
+  for (QAction* action : {stages, panels, layouts->menuAction(), reset}) {
     action->setEnabled(false);
     connect(&models, &ModelController::opened, action, [action] { action->setEnabled(true); });
   }

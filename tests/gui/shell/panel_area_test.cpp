@@ -14,7 +14,7 @@ class PanelAreaTest : public testing::Test {
  protected:
   // Nothing but the address tells the two notes apart.
   PanelAreaTest() {
-    area.setLayout(Stage::kTune,
+    area.setLayout(stageId(Stage::kTune),
                    {PanelPlace::first(plot), PanelPlace::right(notes, 40, plot), PanelPlace::behind(others, notes)});
     area.resize(1000, 600);
     area.show();
