@@ -37,7 +37,7 @@ void ModelFiles::buildMenu() {
   WindowMenus& menus = window_.menus();
   open_ = menus.addAction(MenuSlot::kFileOpen, tr("&Open…"), QKeySequence::Open);
   recent_menu_ = menus.addMenu(MenuSlot::kFileOpen, tr("Open &recent"));
-  reopen_ = menus.addAction(MenuSlot::kFileOpen, tr("Reo&pen"), Qt::Key_F5);
+  reopen_ = menus.addAction(MenuSlot::kFileOpen, tr("Reop&en"), Qt::Key_F5);
   notes_ = menus.addAction(MenuSlot::kFileOpen, tr("&Notes of the file"));
   save_ = menus.addAction(MenuSlot::kFileSave, tr("&Save"), QKeySequence::Save);
   save_as_ = menus.addAction(MenuSlot::kFileSave, tr("Save &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S);
