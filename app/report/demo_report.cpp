@@ -36,6 +36,7 @@ base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
   addSurface(page, context);
   addInfluences(page, context);
   addExperts(page, context);
+  addUncertainty(page, context);
   addFeel(page, context);
   addAgreement(page, context);
   addInfluence(page, context);

@@ -51,6 +51,9 @@ void addDataFindings(HtmlPage& page, const ReportContext& context);
 void addRules(HtmlPage& page, const ReportContext& context);
 // sections_conflicts.cpp
 void addConflicts(HtmlPage& page, const ReportContext& context);
+// sections_uncertainty.cpp
+/// The bands "again", "others" and "next" around the averaged force.
+void addUncertainty(HtmlPage& page, const ReportContext& context);
 // sections_method.cpp
 void addMethod(HtmlPage& page, const ReportContext& context);
 void addReferences(HtmlPage& page, const ReportContext& context);

@@ -11,6 +11,7 @@ namespace {
 void addModelSections(HtmlPage& page, const ReportContext& context) {
   addRules(page, context);
   addExperts(page, context);
+  addUncertainty(page, context);
   addSurface(page, context);
   addInfluences(page, context);
   addFeel(page, context);

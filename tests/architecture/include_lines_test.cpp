@@ -29,7 +29,7 @@ const std::map<std::string, Permission>& permissions() {
                                          "core/haptics/servo"};
   const std::set<std::string> elicitation = {"elicitation/clustering", "elicitation/speed",     "elicitation/force",
                                              "elicitation/rules",      "elicitation/agreement", "elicitation/model",
-                                             "elicitation/variables"};
+                                             "elicitation/variables",  "elicitation/uncertainty"};
   const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/study"};
   const auto joined = [](std::set<std::string> folders, std::initializer_list<std::set<std::string>> more) {
     for (const auto& set : more) folders.insert(set.begin(), set.end());
@@ -91,6 +91,7 @@ const std::map<std::string, Permission>& permissions() {
       {"elicitation/rules", {joined({"elicitation/force", "elicitation/variables"}, {base, model}), {kJson}}},
       {"elicitation/agreement", {joined({"elicitation/force"}, {base, model}), {kJson}}},
       {"elicitation/model", {joined(elicitation, {base, model}), {kJson}}},
+      {"elicitation/uncertainty", {joined(elicitation, {base, model}), {}}},
       {"questionnaires", {joined({"core/study"}, {base}), {kJson}}},
       {"app/session",
        {joined({"core/haptics/device", "core/haptics/safety", "core/store", "experiments", "questionnaires"},

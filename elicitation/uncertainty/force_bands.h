@@ -1,0 +1,132 @@
+// How far the averaged force can be trusted: three bands with plain names, each with its parts.
+//
+//   "again":  these participants once more: other strokes of theirs, their judgements with the noise of a hand.
+//   "others": as many other participants like these. The participants are drawn, each as a whole.
+//   "next":   one more participant.
+//
+// Bands are for one point at a time, not for a whole curve. A band says nothing about holes: where a replicate gives no
+// force it is left out, and `abstains` says how often.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "elicitation/speed/stroke_bootstrap.h"
+#include "elicitation/uncertainty/recast_study.h"
+
+namespace tactus::elicitation {
+
+enum class BandKind { kAgain, kOthers, kNext };
+/// `again`, `others`, `next`.
+std::string_view name(BandKind kind) noexcept;
+
+/// What is drawn anew in a plan; everything else stays.
+enum class Drawn {
+  kPeople,        ///< participants, each with all of their data
+  kWhoMoved,      ///< whose strokes are clustered
+  kWhoJudged,     ///< who votes on the forces
+  kWhoAnswered,   ///< whose rules count
+  kOwnStrokes,    ///< each participant's strokes, within each level
+  kOwnJudgements  ///< each participant's judgements, with the noise of one just-noticeable difference
+};
+inline constexpr std::size_t kDrawnKinds = 6;
+/// `people`, `who_moved`, `who_judged`, `who_answered`, `own_strokes`, `own_judgements`.
+std::string_view name(Drawn drawn) noexcept;
+
+/// The force at one point over the replicates of one plan.
+struct DrawnForce {
+  double mean_n = 0;
+  double sd_n = 0;       ///< square root of the weighted mean square deviation from mean_n
+  double abstains = 0;   ///< share of the replicates without a force there
+  bool on_edge = false;  ///< the mean is more than a quarter of sd_n away from the estimate, which sits on an edge
+};
+
+struct BandPoint {
+  std::optional<double> force_n;  ///< the averaged force; nothing where no rule fires
+  double half_width_n = 0;        ///< before the band is cut at the reachable range
+  double low_n = 0;
+  double high_n = 0;
+  double abstains = 0;
+  bool on_edge = false;
+};
+
+struct ForceBand {
+  BandKind kind = BandKind::kOthers;
+  std::vector<BandPoint> points;          ///< empty if the study has nothing to draw from
+  std::vector<std::string> assumed;       ///< one sentence each
+  std::vector<std::string> not_included;  ///< one sentence each
+};
+
+struct BandSettings {
+  std::vector<std::vector<double>> points;  ///< one value per input of the model
+  double coverage = 0.95;
+  std::uint64_t seed = 1;
+  std::size_t replicates = 2000;  ///< of each plan that is not enumerated; bands are shown from 200 on
+  bool again = true;              ///< whether the plans of the band "again" are made
+};
+
+/// Adds replicates in batches, so that a caller can show, refine and stop.
+/// With at most kMostEnumerated participants the plans that draw participants are enumerated: no random error.
+/// Thread: any, one at a time.
+class ForceBands {
+ public:
+  /// `built`: from `study` with `settings` by buildModel. Returns an error for a model that cannot be compiled.
+  static base::Result<ForceBands> of(const study::Study& study, const BuiltModel& built, const BuildSettings& settings,
+                                     BandSettings bands);
+
+  /// Makes about `replicates` more, spread over the plans. Returns whether any is left to do.
+  bool add(std::size_t replicates);
+  std::size_t done() const;
+  std::size_t planned() const;
+
+  /// The band from the replicates so far (add() at least once).
+  /// "others": force ± t(n-1) sqrt(n / (n-1)) sd of kPeople. "next": ± t(n-1) s sqrt(1 + 1/n), s the standard deviation
+  /// of the experts' own forces; too narrow where they share words. "again": ± t sqrt(variances of kOwnStrokes,
+  /// widened for few strokes, and kOwnJudgements).
+  /// With one participant "others" and "next" have no points.
+  ForceBand band(BandKind kind) const;
+
+  /// One entry per point, for each plan; empty for a plan that the study has no data for.
+  std::vector<DrawnForce> drawn(Drawn plan) const;
+  /// The smallest force whose cumulated weight reaches `share`; nothing without a force. For comparisons.
+  std::optional<double> drawnQuantile(Drawn plan, std::size_t point, double share) const;
+
+ private:
+  struct Plan {
+    Drawn drawn = Drawn::kPeople;
+    std::size_t planned = 0;
+    std::vector<WeightedCast> casts;                         // if enumerated
+    std::vector<double> weights;                             // of the replicates made
+    std::vector<std::vector<std::optional<double>>> forces;  // of the replicates made, one per point
+  };
+
+  ForceBands(RecastStudy study, BandSettings settings);
+  void prepareStrokes(const study::Study& study, const BuiltModel& built);
+  void prepareThresholds(const BuiltModel& built);
+  void plan();
+  void addOne(Plan& plan);
+  Recast nextOf(const Plan& plan, double& weight);
+  std::vector<study::ForceJudgement> judgedAgain(std::size_t who);
+  const Plan* find(Drawn drawn) const;
+  void setHalfWidths(BandKind kind, ForceBand& band) const;
+
+  RecastStudy study_;
+  BandSettings settings_;
+  base::Random random_;
+  std::vector<Plan> plans_;
+  std::vector<std::optional<double>> own_;                   // the averaged force at each point
+  std::vector<std::vector<std::optional<double>>> experts_;  // each expert's own force at each point
+  double lowest_n_ = 0;
+  double highest_n_ = 0;
+  std::vector<std::optional<StrokeBootstrap>> strokes_;  // of each participant; absent without speeds
+  std::optional<DrawSpread> stroke_spread_;              // absent if strokes cannot be drawn
+  std::string no_strokes_;                               // why not
+  std::vector<std::vector<double>> thresholds_n_;        // of each participant; empty without judgements
+};
+
+}  // namespace tactus::elicitation

@@ -1,0 +1,126 @@
+#include "elicitation/uncertainty/recast_study.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "core/fuzzy/compiled_model.h"
+#include "elicitation/force/force_terms_from.h"
+#include "elicitation/variables/ngt_variables.h"
+
+namespace tactus::elicitation {
+namespace {
+
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+
+template <class List, class Code>
+std::size_t indexOf(const List& list, const std::string& code, Code codeOf) {
+  return static_cast<std::size_t>(
+      std::find_if(list.begin(), list.end(), [&](const auto& one) { return codeOf(one) == code; }) - list.begin());
+}
+
+fuzzy::Variable& speedOf(fuzzy::ForceModel& model) {
+  return *std::find_if(model.inputs.begin(), model.inputs.end(), [](const auto& one) { return one.id == "speed"; });
+}
+
+}  // namespace
+
+RecastStudy::RecastStudy(const study::Study& study, const BuiltModel& built, const BuildSettings& settings)
+    : settings_(settings),
+      built_(built.model),
+      default_output_(ngtOutput()),
+      has_speeds_(!built.averaged_ramps.empty()),
+      has_judgements_(built.force_terms.has_value()) {
+  built_.checks.clear();
+  built_.accepted_holes.clear();
+  for (const auto& one : study.participants) {
+    codes_.push_back(one.code);
+    const auto speeds = indexOf(built.speeds, one.code, [](const auto& each) { return each.participant; });
+    ramps_.push_back(speeds < built.speeds.size() ? built.speeds[speeds].ramps : std::vector<Ramp>{});
+    speed_weights_.push_back(speeds < built.speed_weights.size() ? built.speed_weights[speeds] : 1);
+    expert_of_.push_back(indexOf(built_.experts, one.code, [](const auto& each) { return each.id; }));
+    auto& judged = judged_.emplace_back();
+    for (const auto& judgement : study.judgements) {
+      if (judgement.participant == one.code && judgement.series == settings.series) judged.push_back(judgement);
+    }
+  }
+}
+
+Result<fuzzy::Variable> RecastStudy::outputOf(const Recast& recast) const {
+  const auto& judged = recast.judged.empty() ? judged_ : recast.judged;
+  std::vector<study::ForceJudgement> all;
+  for (std::size_t who = 0; who < people(); ++who) {
+    for (std::size_t time = 0; time < recast.judgements[who]; ++time) {
+      for (const auto& judgement : judged[who]) {
+        all.push_back(judgement);
+        if (time > 0) all.back().participant += '\n' + std::to_string(time);  // another person, who says the same
+      }
+    }
+  }
+  std::vector<std::string> ids;
+  for (const auto& term : default_output_.terms) ids.push_back(term.id);
+  const auto counts = countVotes(all, settings_.series, ids);
+  if (!counts) return tl::unexpected(counts.error());
+  const auto enrolled = std::accumulate(recast.judgements.begin(), recast.judgements.end(), std::size_t{0});
+  const auto votes = vote(*counts, static_cast<int>(enrolled));
+  auto terms =
+      forceTermsFrom(settings_.force_terms, default_output_, all, settings_.series, votes, settings_.force_end_n);
+  if (!terms) return tl::unexpected(terms.error());
+  return std::move(terms->output);
+}
+
+Result<fuzzy::ForceModel> RecastStudy::model(const Recast& recast) const {
+  fuzzy::ForceModel out = built_;
+  out.experts.clear();
+  const auto& ramps = recast.ramps.empty() ? ramps_ : recast.ramps;
+  auto& speed = speedOf(out);
+  if (has_speeds_) {
+    std::vector<std::vector<Ramp>> drawn;
+    std::vector<double> weights;
+    for (std::size_t who = 0; who < people(); ++who) {
+      for (std::size_t time = 0; time < recast.speeds[who] && !ramps[who].empty(); ++time) {
+        drawn.push_back(ramps[who]);
+        weights.push_back(speed_weights_[who]);
+      }
+    }
+    if (drawn.empty() || std::all_of(weights.begin(), weights.end(), [](double one) { return !(one > 0); })) {
+      return fail(ErrorCode::kData, "speeds", "none in this cast", "speeds of at least one participant");
+    }
+    speed.terms = speedTerms(speed, averageRamps(drawn, weights, settings_.averaging));
+  }
+  if (has_judgements_) {
+    auto output = outputOf(recast);
+    if (!output) return tl::unexpected(output.error());
+    out.output = std::move(*output);
+  }
+  for (std::size_t who = 0; who < people(); ++who) {
+    if (recast.rules[who] == 0 || expert_of_[who] == built_.experts.size()) continue;
+    auto& expert = out.experts.emplace_back(built_.experts[expert_of_[who]]);
+    expert.weight *= static_cast<double>(recast.rules[who]);
+    if (recast.ramps.empty() || ramps[who].empty()) continue;
+    for (auto& own : expert.overrides) {
+      if (own.variable == speed.id) own.terms = speedTerms(speed, ramps[who]);
+    }
+  }
+  if (out.experts.empty())
+    return fail(ErrorCode::kData, "rules", "none in this cast", "rules of at least one participant");
+  return out;
+}
+
+std::vector<std::optional<double>> RecastStudy::forces(const Recast& recast,
+                                                       std::span<const std::vector<double>> points) const {
+  std::vector<std::optional<double>> out(points.size());
+  const auto changed = model(recast);
+  if (!changed) return out;
+  const auto compiled = fuzzy::compile(*changed);
+  if (!compiled) return out;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const auto force = compiled->evaluate(points[p]);
+    if (force.fired) out[p] = force.force_n;
+  }
+  return out;
+}
+
+}  // namespace tactus::elicitation
