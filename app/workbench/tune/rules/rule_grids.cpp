@@ -10,8 +10,8 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/force_word.h"
 #include "app/workbench/kit/label_break.h"
-#include "app/workbench/tune/rules/force_word.h"
 
 namespace tactus::workbench {
 namespace {

@@ -3,7 +3,7 @@
 #include <QPainter>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/tune/rules/force_word.h"
+#include "app/workbench/kit/force_word.h"
 
 namespace tactus::workbench {
 

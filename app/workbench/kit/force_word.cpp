@@ -1,4 +1,4 @@
-#include "app/workbench/tune/rules/force_word.h"
+#include "app/workbench/kit/force_word.h"
 
 #include <QPainter>
 #include <algorithm>
@@ -13,6 +13,14 @@ namespace {
 constexpr double kCorner = 4;  // px
 constexpr double kBar = 5;     // px, width of the bar of the strength
 constexpr double kBadge = 13;  // px
+
+// `VS` for `Very Small`: for places where the word does not fit.
+QString initialsOf(const QString& word) {
+  QString out;
+  const QStringList parts = word.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  for (const QString& part : parts) out += part.front().toUpper();
+  return out;
+}
 
 // A level at the left edge, as high as the rule is strong.
 void paintStrength(QPainter& painter, const QRectF& place, const QColor& ink, double strength) {
@@ -60,6 +68,9 @@ void paintForceWord(QPainter& painter, const QRectF& place, const ForceWord& wor
   const QRectF words = place.adjusted(acts ? kBar + 5 : 3, 0, beside ? -kBadge - 3 : -3, 0);
   const double room = words.width();
   QString text = brokenLabel(word.word, room, metrics);
+  if (text.contains(QChar(0x2026)) || metrics.height() * (text.count(QLatin1Char('\n')) + 1) > place.height()) {
+    text = initialsOf(word.word);
+  }
   // The weight stands behind the word or, where there is no room, below it.
   if (weighted) {
     const bool one_line = !text.contains(QLatin1Char('\n'));
