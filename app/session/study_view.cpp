@@ -138,6 +138,7 @@ class StudyReader {
       out.kind = judgement.kind;
       out.term = std::move(judgement.term);
       view_.study.judgements.push_back(std::move(out));
+      view_.judgement_ids.push_back(judgement.entry.id);
     }
     return {};
   }
@@ -161,6 +162,7 @@ class StudyReader {
       out.term = std::move(answer.value);
       out.status = answer.status;
       view_.study.answers.push_back(std::move(out));
+      view_.answer_ids.push_back(answer.entry.id);
     }
     return {};
   }
@@ -174,6 +176,7 @@ class StudyReader {
     for (auto& record : *counted) {
       record.rule.participant = codeOf(record.entry);
       view_.study.rules.push_back(std::move(record.rule));
+      view_.rule_ids.push_back(record.entry.id);
     }
     return {};
   }

@@ -14,6 +14,10 @@ namespace tactus::session {
 
 struct StudyView {
   study::Study study;
+  /// The records behind the judgements, answers and rules of `study`, in their order.
+  std::vector<study::RecordId> judgement_ids;
+  std::vector<study::RecordId> answer_ids;
+  std::vector<study::RecordId> rule_ids;
   std::vector<std::string> notes;  ///< one sentence each: which data are left out, and why
 };
 

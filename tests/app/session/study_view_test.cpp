@@ -135,6 +135,30 @@ TEST_F(CountedSessions, AnAbortedOneDoesNotTakeThePlaceOfACompleteOne) {
   EXPECT_NE(view.notes[2].find("the form 'ngt-force-v1'"), std::string::npos);
 }
 
+TEST_F(CountedSessions, EachNumberNamesTheRecordBehindIt) {
+  const auto first = session(kMonday);
+  addJudgements(first, 2, "small");
+  addAnswers(first, 3, "large");
+  auto rule = records_.rule(first);
+  ASSERT_TRUE(append(study_.file, rule));
+  auto correction = store::judgements(study_.file)->front();
+  correction.entry.supersedes = correction.entry.id;
+  correction.entry.id = records_.id();
+  correction.term = "medium";
+  ASSERT_TRUE(append(study_.file, correction));
+
+  const auto view = viewOf(study_.file);
+  ASSERT_EQ(view.judgement_ids.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool corrected = view.judgement_ids[i] == correction.entry.id;
+    EXPECT_EQ(view.study.judgements[i].term, corrected ? "medium" : "small");
+    EXPECT_EQ(view.study.judgements[i].step, corrected ? 1 : 2);
+  }
+  ASSERT_EQ(view.answer_ids.size(), view.study.answers.size());
+  EXPECT_EQ(view.answer_ids[2], store::answers(study_.file)->at(2).entry.id);
+  EXPECT_EQ(view.rule_ids, std::vector{rule.entry.id});
+}
+
 TEST_F(CountedSessions, TheLatestOfSeveralCompleteOnes) {
   const auto first = session(kMonday);
   const auto second = session(kMonday + kDay);
