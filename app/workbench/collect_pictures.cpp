@@ -1,9 +1,6 @@
 #include "app/workbench/collect_pictures.h"
 
-#include <QEventLoop>
-#include <QTimer>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,19 +30,6 @@ using base::Result;
 const QString kArea = QStringLiteral("collect");
 constexpr std::int64_t kBegin = 1'763'971'200'000;  // 2025-11-24 08:00 UTC: the same in each picture
 constexpr const char* kChinese = "zh-Hant";
-constexpr int kPatienceMs = 20'000;
-
-// Lets events come until `condition` holds, or for too long.
-void waitFor(const std::function<bool()>& condition) {
-  QEventLoop loop;
-  QTimer look;
-  QObject::connect(&look, &QTimer::timeout, &loop, [&] {
-    if (condition()) loop.quit();
-  });
-  QTimer::singleShot(kPatienceMs, &loop, &QEventLoop::quit);
-  look.start(10);
-  loop.exec();
-}
 
 /// A participant of the pictures and how many steps of a session they have done.
 struct Guest {

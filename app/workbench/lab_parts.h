@@ -7,11 +7,13 @@
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/frame/lab_screen.h"
+#include "app/workbench/labs/speed/speed_lab.h"
 
 namespace tactus::workbench {
 
 class MainWindow;
 class SessionRun;
+class SpeedLabView;
 
 class LabParts : public QObject {
   Q_OBJECT
@@ -25,12 +27,16 @@ class LabParts : public QObject {
   LabModel& model() { return model_; }
   Corrections& corrections() { return corrections_; }
   LabScreen& screen() { return *screen_; }
+  SpeedLab& speed() { return speed_; }
+  SpeedLabView& speedView() { return *speed_view_; }
 
  private:
   LabData data_;
   LabModel model_{data_};
   Corrections corrections_{data_};
+  SpeedLab speed_{data_};
   LabScreen* screen_;
+  SpeedLabView* speed_view_;
 };
 
 }  // namespace tactus::workbench

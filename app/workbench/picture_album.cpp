@@ -38,6 +38,17 @@ QImage settledPicture(QWidget& window) {
 
 }  // namespace
 
+void waitFor(const std::function<bool()>& condition) {
+  QEventLoop loop;
+  QTimer look;
+  QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+    if (condition()) loop.quit();
+  });
+  QTimer::singleShot(kPatienceMs, &loop, &QEventLoop::quit);
+  look.start(10);
+  loop.exec();
+}
+
 PictureAlbum::PictureAlbum(QString folder, const QSize& size, double scale, QString language)
     : folder_(std::move(folder)), size_(size), scale_(scale), language_(std::move(language)) {}
 

@@ -3,6 +3,7 @@
 
 #include <QSize>
 #include <QString>
+#include <functional>
 #include <vector>
 
 #include "core/base/error.h"
@@ -10,6 +11,9 @@
 class QWidget;
 
 namespace tactus::workbench {
+
+/// Lets events come until `condition` holds, or for too long.
+void waitFor(const std::function<bool()>& condition);
 
 class PictureAlbum {
  public:

@@ -9,6 +9,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect_pictures.h"
 #include "app/workbench/deliver/link/link_dialog.h"
+#include "app/workbench/lab_pictures.h"
 #include "app/workbench/participant_pictures.h"
 #include "app/workbench/picture_album.h"
 #include "app/workbench/shell/panel.h"
@@ -96,6 +97,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
     if (auto added = addStage(album, bench, stage); !added) return added;
   }
   if (auto added = addBundle(album, bench, folder.filePath(QStringLiteral("ngt-demo-bundle"))); !added) return added;
+  if (auto added = addLabPictures(album, bench); !added) return added;
   if (auto added = addCollectPictures(album, bench, folder.path()); !added) return added;
   ShortcutSheet sheet(*bench.window.menuBar(), &bench.window);
   sheet.show();

@@ -27,9 +27,9 @@ const std::map<std::string, Permission>& permissions() {
   const std::set<std::string> base = {"core/base", "core/base/json", "core/base/tables", "core/base/files"};
   const std::set<std::string> haptics = {"core/haptics/device", "core/haptics/safety", "core/haptics/sources",
                                          "core/haptics/servo"};
-  const std::set<std::string> elicitation = {"elicitation/clustering", "elicitation/speed",     "elicitation/force",
-                                             "elicitation/rules",      "elicitation/agreement", "elicitation/model",
-                                             "elicitation/variables",  "elicitation/uncertainty"};
+  const std::set<std::string> elicitation = {"elicitation/clustering", "elicitation/speed",       "elicitation/force",
+                                             "elicitation/rules",      "elicitation/agreement",   "elicitation/model",
+                                             "elicitation/variables",  "elicitation/uncertainty", "elicitation/depth"};
   const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/study"};
   const auto joined = [](std::set<std::string> folders, std::initializer_list<std::set<std::string>> more) {
     for (const auto& set : more) folders.insert(set.begin(), set.end());
@@ -87,6 +87,7 @@ const std::map<std::string, Permission>& permissions() {
       {"elicitation/clustering", {{"core/base"}, {}}},
       {"elicitation/variables", {joined(model, {base}), {kJson}}},
       {"elicitation/speed", {joined({"elicitation/clustering"}, {base, model}), {}}},
+      {"elicitation/depth", {joined({"core/fuzzy"}, {base}), {}}},
       {"elicitation/force", {joined(model, {base}), {}}},
       {"elicitation/rules", {joined({"elicitation/force", "elicitation/variables"}, {base, model}), {kJson}}},
       {"elicitation/agreement", {joined({"elicitation/force"}, {base, model}), {kJson}}},
@@ -144,6 +145,7 @@ const std::map<std::string, Permission>& permissions() {
        room({"base", "device", "study/connection", "participant", "participant/kit", "participant/screens"})},
       {"app/workbench/labs/data", room({"base", "study/connection"})},
       {"app/workbench/labs/frame", room({"base", "kit", "labs/data"})},
+      {"app/workbench/labs/speed", room({"base", "kit", "model", "plot", "labs/data", "labs/frame"}, true)},
       {"app/workbench/collect", room({"base", "kit", "study/connection"})},
       {"app/workbench/shell", room({"base", "kit", "model"})},
       {"app/workbench/help", room({"base", "kit"})},
@@ -167,6 +169,7 @@ const std::map<std::string, Permission>& permissions() {
                               "collect",
                               "labs/data",
                               "labs/frame",
+                              "labs/speed",
                               "feel",
                               "feel/recordings",
                               "study/connection",

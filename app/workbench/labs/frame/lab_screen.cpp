@@ -20,6 +20,11 @@
 #include "app/workbench/labs/data/undo_source.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr int kPatienceMs = 300;  // shorter work would only flicker
+
+}  // namespace
 
 LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
     : QWidget(parent),
@@ -76,6 +81,12 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
     followStudy();
     followWork();
   });
+  patience_.setSingleShot(true);
+  patience_.setInterval(kPatienceMs);
+  connect(&patience_, &QTimer::timeout, this, [this] {
+    said_ = true;
+    followWork();
+  });
   followUndo();
   followStudy();
   followWork();
@@ -122,7 +133,14 @@ void LabScreen::followUndo() {
 void LabScreen::followWork() {
   const auto busy =
       std::find_if(watched_.begin(), watched_.end(), [](const Watched& one) { return one.work->isBusy(); });
-  const bool works = busy != watched_.end();
+  const bool busy_now = busy != watched_.end() || data_.isReading();
+  if (!busy_now) {
+    patience_.stop();
+  } else if (!patience_.isActive() && !said_) {
+    patience_.start();
+  }
+  said_ = said_ && busy_now;
+  const bool works = busy != watched_.end() && said_;
   const bool canceled =
       std::any_of(watched_.begin(), watched_.end(), [](const Watched& one) { return one.work->isCanceled(); });
   cancel_->setVisible(works);
@@ -130,7 +148,7 @@ void LabScreen::followWork() {
     const double share = busy->work->progress();
     state_->setText(share > 0 ? tr("%1… %2 %").arg(busy->doing).arg(std::lround(100 * share))
                               : tr("%1…").arg(busy->doing));
-  } else if (data_.isReading()) {
+  } else if (data_.isReading() && said_) {
     state_->setText(tr("Reading the study…"));
   } else {
     state_->setText(canceled ? tr("Canceled: what you see is not complete. The next change computes again.")

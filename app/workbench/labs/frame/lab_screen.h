@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QHash>
+#include <QTimer>
 #include <QWidget>
 #include <vector>
 
@@ -56,6 +57,8 @@ class LabScreen : public QWidget {
   QStackedWidget* pages_;
   QHash<QWidget*, UndoSource*> undo_of_;
   std::vector<Watched> watched_;
+  bool said_ = false;  ///< what is running is on the screen
+  QTimer patience_;    ///< what ends soon is not worth a word
 };
 
 }  // namespace tactus::workbench

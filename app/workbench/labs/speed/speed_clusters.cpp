@@ -1,0 +1,352 @@
+#include "app/workbench/labs/speed/speed_clusters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "app/figures/colors.h"
+#include "core/base/statistics.h"
+#include "elicitation/variables/ngt_variables.h"
+
+namespace tactus::workbench {
+namespace {
+
+using elicitation::SpeedCentres;
+
+constexpr std::size_t kBins = 36;
+constexpr std::size_t kFirstReplicates = 100;  // about as long as a blink
+constexpr std::size_t kBatch = 20;             // between two looks whether to stop: some milliseconds
+
+fuzzy::Variable defaultSpeed() {
+  const auto inputs = elicitation::ngtInputs();
+  return *std::find_if(inputs.begin(), inputs.end(), [](const auto& one) { return one.id == "speed"; });
+}
+
+std::vector<std::string> levelsOf(const fuzzy::Variable& speed) {
+  std::vector<std::string> levels;
+  for (const auto& term : speed.terms) levels.push_back(term.id);
+  return levels;
+}
+
+/// What the centers of a participant depend on.
+struct ClusterKey {
+  double trim;
+  double m;
+  std::size_t clusters;
+  SpeedCentres centres;
+
+  bool operator==(const ClusterKey&) const = default;
+};
+
+void fillHistogram(SpeedSubject& out, std::span<const double> kept_mm_s, double highest_mm_s) {
+  out.end_mm_s = std::max(10.0, std::ceil(highest_mm_s / 10) * 10);
+  out.histogram.assign(kBins, 0.0);
+  for (const double speed_mm_s : kept_mm_s) {
+    if (speed_mm_s < 0) continue;
+    const auto bin = static_cast<std::size_t>(speed_mm_s / out.end_mm_s * static_cast<double>(kBins));
+    out.histogram[std::min(kBins - 1, bin)] += 1;
+  }
+  const double fullest = std::max(1.0, *std::max_element(out.histogram.begin(), out.histogram.end()));
+  for (double& count : out.histogram) count /= fullest;
+}
+
+}  // namespace
+
+/// The samples of one participant, and what was computed from them last.
+struct SpeedClusters::Subject {
+  const study::Participant* participant = nullptr;
+  std::vector<study::SpeedSample> own;  ///< only if the participant's samples are not side by side in the study
+  std::span<const study::SpeedSample> samples;
+  std::vector<double> all_mm_s;
+  std::vector<std::size_t> stroke_of;
+  std::vector<double> peaks_mm_s;  ///< of each stroke
+  double highest_mm_s = 0;
+
+  std::optional<double> trim;  ///< of the next two
+  std::vector<double> kept_mm_s;
+  std::vector<std::size_t> kept;  ///< places in `samples`
+  std::optional<ClusterKey> key;  ///< of `result`, but for its ramps
+  std::shared_ptr<const SpeedSubject> result;
+
+  void prepare();
+  void keep(double share);
+  /// The mean of each level, as LevelSpeeds has it.
+  base::Result<std::vector<double>> levelMeans(const std::vector<std::string>& levels) const;
+  std::vector<study::SpeedSample> keptSamples() const;
+};
+
+void SpeedClusters::Subject::prepare() {
+  std::map<std::tuple<std::string_view, int>, std::size_t> strokes;
+  all_mm_s.reserve(samples.size());
+  stroke_of.reserve(samples.size());
+  for (const auto& sample : samples) {
+    // Most samples belong to the stroke of the one before.
+    const bool same = !all_mm_s.empty() && samples[all_mm_s.size() - 1].stroke == sample.stroke &&
+                      samples[all_mm_s.size() - 1].level == sample.level;
+    const std::size_t stroke =
+        same ? stroke_of.back() : strokes.try_emplace({sample.level, sample.stroke}, peaks_mm_s.size()).first->second;
+    if (stroke == peaks_mm_s.size()) peaks_mm_s.push_back(sample.speed_mm_s);
+    peaks_mm_s[stroke] = std::max(peaks_mm_s[stroke], sample.speed_mm_s);
+    all_mm_s.push_back(sample.speed_mm_s);
+    stroke_of.push_back(stroke);
+    highest_mm_s = std::max(highest_mm_s, sample.speed_mm_s);
+  }
+}
+
+// As elicitation::trimStrokes.
+void SpeedClusters::Subject::keep(double share) {
+  if (trim == share) return;
+  trim = share;
+  kept.clear();
+  kept_mm_s.clear();
+  for (std::size_t i = 0; i < all_mm_s.size(); ++i) {
+    if (share > 0 && all_mm_s[i] < share * peaks_mm_s[stroke_of[i]]) continue;
+    kept.push_back(i);
+    kept_mm_s.push_back(all_mm_s[i]);
+  }
+}
+
+base::Result<std::vector<double>> SpeedClusters::Subject::levelMeans(const std::vector<std::string>& levels) const {
+  std::vector<double> means;
+  for (const auto& level : levels) {
+    std::vector<double> own_mm_s;
+    for (const std::size_t place : kept) {
+      if (samples[place].level == level) own_mm_s.push_back(all_mm_s[place]);
+    }
+    if (own_mm_s.empty()) {
+      return base::fail(base::ErrorCode::kData, "level " + level, "no samples",
+                        "samples of each level for level means");
+    }
+    means.push_back(base::mean(own_mm_s));
+  }
+  if (std::adjacent_find(means.begin(), means.end(), std::greater_equal<>()) != means.end()) {
+    return base::fail(base::ErrorCode::kData, "level means", "means that do not rise with the level",
+                      "means that rise, or clusters as centers");
+  }
+  return means;
+}
+
+std::vector<study::SpeedSample> SpeedClusters::Subject::keptSamples() const {
+  std::vector<study::SpeedSample> out;
+  out.reserve(kept.size());
+  for (const std::size_t place : kept) out.push_back(samples[place]);
+  return out;
+}
+
+SpeedClusters::SpeedClusters() : speed_(defaultSpeed()) {}
+SpeedClusters::~SpeedClusters() = default;
+
+void SpeedClusters::take(const std::shared_ptr<const LabStudy>& study) {
+  if (study == study_) return;
+  subjects_.clear();
+  study_ = study;
+  struct Run {
+    std::size_t begin = 0, end = 0;
+    bool apart = false;
+  };
+  std::map<std::string_view, Run> runs;
+  const auto& speeds = study->study.speeds;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    auto [it, is_new] = runs.try_emplace(speeds[i].participant, Run{i, i, false});
+    it->second.apart = it->second.apart || it->second.end != i;
+    it->second.end = i + 1;
+  }
+  subjects_.reserve(runs.size());
+  for (const auto& participant : study->study.participants) {
+    const auto run = runs.find(participant.code);
+    if (run == runs.end()) continue;
+    Subject& subject = subjects_.emplace_back();
+    subject.participant = &participant;
+    if (run->second.apart) {
+      for (const auto& sample : speeds) {
+        if (sample.participant == participant.code) subject.own.push_back(sample);
+      }
+      subject.samples = subject.own;
+    } else {
+      subject.samples = std::span(speeds).subspan(run->second.begin, run->second.end - run->second.begin);
+    }
+    subject.prepare();
+  }
+}
+
+void SpeedClusters::clusterOne(Subject& subject, const elicitation::BuildSettings& settings,
+                               std::size_t clusters) const {
+  const ClusterKey key{settings.speed.trim, settings.speed.fcm.m, clusters, settings.speed.centres};
+  subject.keep(settings.speed.trim);
+  const bool same = subject.key == key && subject.result->failure.empty();
+  auto next = same ? std::make_shared<SpeedSubject>(*subject.result) : std::make_shared<SpeedSubject>();
+  elicitation::ParticipantSpeeds& out = next->speeds;
+  if (!same) {
+    out.participant = subject.participant->code;
+    out.simulated = subject.participant->simulated;
+    out.samples = subject.all_mm_s.size();
+    out.kept = subject.kept.size();
+    out.m = settings.speed.fcm.m;
+    fillHistogram(*next, subject.kept_mm_s, subject.highest_mm_s);
+    if (settings.speed.centres == SpeedCentres::kLevelMeans) {
+      auto means = subject.levelMeans(levelsOf(speed_));
+      if (means) {
+        out.centres = std::move(*means);
+      } else {
+        next->failure = means.error().message();
+      }
+    } else {
+      elicitation::FcmSettings fcm = settings.speed.fcm;
+      fcm.clusters = clusters;
+      auto found = elicitation::fuzzyCMeans(subject.kept_mm_s, fcm);
+      if (found) {
+        out.centres = found->centres;
+        out.clusters = std::move(*found);
+      } else {
+        next->failure = found.error().message();
+      }
+    }
+  }
+  out.ramps.clear();
+  if (next->failure.empty()) {
+    if (auto ramps = elicitation::alphaCutRamps(out.centres, out.m, settings.speed.alpha)) {
+      out.ramps = std::move(*ramps);
+    } else {
+      next->failure = ramps.error().message();
+    }
+  }
+  subject.key = key;
+  subject.result = std::move(next);
+}
+
+std::shared_ptr<const SpeedResult> SpeedClusters::cluster(const std::shared_ptr<const LabStudy>& study,
+                                                          const elicitation::BuildSettings& settings,
+                                                          std::size_t clusters, const KeepGoing& keep_going) {
+  take(study);
+  settings_ = settings;
+  if (settings.speed.centres == SpeedCentres::kLevelMeans) clusters = speed_.terms.size();
+  result_ = {};
+  result_.clusters = clusters;
+  result_.speed = speed_;
+  for (std::size_t i = 0; i < subjects_.size(); ++i) {
+    if (!keep_going(static_cast<double>(i) / static_cast<double>(subjects_.size()))) return nullptr;
+    clusterOne(subjects_[i], settings, clusters);
+    if (!keep_going(static_cast<double>(i + 1) / static_cast<double>(subjects_.size()))) return nullptr;
+    result_.subjects.push_back(subjects_[i].result);
+  }
+  average(settings);
+  return std::make_shared<const SpeedResult>(result_);
+}
+
+void SpeedClusters::average(const elicitation::BuildSettings& settings) {
+  if (result_.subjects.empty() || result_.clusters != speed_.terms.size()) return;
+  std::vector<std::vector<elicitation::Ramp>> ramps;
+  std::vector<elicitation::ParticipantSpeeds> speeds;
+  std::vector<study::Participant> people;
+  for (std::size_t i = 0; i < subjects_.size(); ++i) {
+    const SpeedSubject& one = *result_.subjects[i];
+    if (!one.failure.empty()) {
+      result_.failure = one.speeds.participant + ": " + one.failure;
+      return;
+    }
+    ramps.push_back(one.speeds.ramps);
+    speeds.push_back({.participant = one.speeds.participant,
+                      .centres = one.speeds.centres,
+                      .clusters = {},
+                      .validity = {},
+                      .ramps = one.speeds.ramps,
+                      .diagnostics = {}});
+    people.push_back(*subjects_[i].participant);
+  }
+  std::vector<double> weights;
+  if (settings.averaging == elicitation::Averaging::kWeightedMean) {
+    auto given = elicitation::expertWeights(people, settings.weights);
+    if (!given) {
+      result_.failure = given.error().message();
+      return;
+    }
+    weights = std::move(*given);
+  }
+  result_.averaged = elicitation::averageRamps(ramps, weights, settings.averaging);
+  result_.speed = elicitation::averagedSpeed(speed_, speeds, result_.averaged);
+}
+
+std::shared_ptr<const SpeedResult> SpeedClusters::check(const KeepGoing& keep_going) {
+  const auto levels = levelsOf(speed_);
+  result_.same_terms.clear();
+  for (std::size_t i = 0; i < subjects_.size(); ++i) {
+    if (!keep_going(static_cast<double>(i) / static_cast<double>(subjects_.size()))) return nullptr;
+    Subject& subject = subjects_[i];
+    if (!subject.result->failure.empty()) continue;
+    if (!subject.result->checked) {
+      auto next = std::make_shared<SpeedSubject>(*subject.result);
+      elicitation::ParticipantSpeeds& out = next->speeds;
+      out.validity = elicitation::fcmValidity(subject.kept_mm_s, out.centres, out.m);
+      if (!keep_going(static_cast<double>(i) / static_cast<double>(subjects_.size()))) return nullptr;
+      // Clusters are compared with the levels only if there are as many.
+      if (result_.clusters == levels.size()) {
+        out.diagnostics = elicitation::levelDiagnostics(subject.keptSamples(), levels, out.centres, out.participant);
+      } else {
+        out.diagnostics.levels = elicitation::levelSpeeds(subject.keptSamples(), levels);
+      }
+      next->checked = true;
+      subject.result = std::move(next);
+    }
+    result_.subjects[i] = subject.result;
+    if (result_.averaged.empty() || settings_.terms != elicitation::SpeedTermsOf::kAveraged) continue;
+    fuzzy::Variable own = result_.speed;
+    own.terms = elicitation::speedTerms(result_.speed, subject.result->speeds.ramps);
+    if (auto note = elicitation::sameTermNote(subject.result->speeds.diagnostics.levels, result_.speed, own,
+                                              subject.result->speeds.participant)) {
+      result_.same_terms.push_back(std::move(*note));
+    }
+  }
+  return std::make_shared<const SpeedResult>(result_);
+}
+
+void SpeedClusters::bootstrap(const KeepGoing& keep_going,
+                              const std::function<void(std::shared_ptr<const SpeedResult>)>& more) {
+  if (result_.averaged.empty()) return;
+  elicitation::BuiltModel built;
+  built.model.inputs = {result_.speed};
+  built.averaged_ramps = result_.averaged;
+  std::vector<study::Participant> people;
+  for (const Subject& subject : subjects_) {
+    built.speeds.push_back(subject.result->speeds);
+    people.push_back(*subject.participant);
+  }
+  if (settings_.averaging == elicitation::Averaging::kWeightedMean) {
+    if (auto weights = elicitation::expertWeights(people, settings_.weights)) built.speed_weights = *weights;
+  }
+  auto replicates = elicitation::SpeedBootstrap::of(study_->study, built, settings_);
+  if (!replicates) return;
+  std::size_t told = 0;
+  while (replicates->replicates() < elicitation::kBootstrapReplicates) {
+    const double share = static_cast<double>(replicates->replicates()) / elicitation::kBootstrapReplicates;
+    if (!keep_going(share)) return;
+    replicates->add(kBatch);
+    const std::size_t done = replicates->replicates();
+    if (done < kFirstReplicates || (done < 2 * told && done < elicitation::kBootstrapReplicates)) continue;
+    told = done;
+    result_.intervals = replicates->intervals();
+    more(std::make_shared<const SpeedResult>(result_));
+  }
+}
+
+std::vector<double> SpeedClusters::speedsOf(const std::string& participant) const {
+  for (const Subject& subject : subjects_) {
+    if (subject.participant->code == participant) return subject.kept_mm_s;
+  }
+  return {};
+}
+
+std::vector<std::size_t> subjectNumbers(const SpeedResult& result) {
+  std::vector<fuzzy::Expert> experts;
+  for (const auto& subject : result.subjects) {
+    experts.emplace_back();
+    experts.back().id = subject->speeds.participant;
+  }
+  return figures::expertNumbers(experts);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,53 @@
+// The speed terms of a study, recomputed while settings move: what a change does not touch is kept. The terms take
+// microseconds after a change of alpha, and a few milliseconds after a change of m or of the trimming; validity,
+// diagnostics and intervals follow.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "app/workbench/labs/data/lab_study.h"
+#include "app/workbench/labs/speed/speed_result.h"
+#include "elicitation/model/model_builder.h"
+
+namespace tactus::workbench {
+
+/// Thread: any, one at a time.
+class SpeedClusters {
+ public:
+  /// Called between participants with the share that is done. False stops: the last result stays.
+  using KeepGoing = std::function<bool(double share)>;
+
+  SpeedClusters();
+  ~SpeedClusters();
+  SpeedClusters(const SpeedClusters&) = delete;
+  SpeedClusters& operator=(const SpeedClusters&) = delete;
+
+  /// Clusters and terms with `settings`, and with `clusters` clusters instead of one for each term. With equal numbers
+  /// the same as elicitation::clusterSpeeds and averageRamps. Returns null if it was stopped.
+  std::shared_ptr<const SpeedResult> cluster(const std::shared_ptr<const LabStudy>& study,
+                                             const elicitation::BuildSettings& settings, std::size_t clusters,
+                                             const KeepGoing& keep_going);
+  /// The same result with validity, diagnostics and warnings. After `cluster`.
+  std::shared_ptr<const SpeedResult> check(const KeepGoing& keep_going);
+  /// The same result with 95 % intervals (SpeedBootstrap), which `more` gets again and again. After `cluster`. Nothing
+  /// where the intervals cannot be computed.
+  void bootstrap(const KeepGoing& keep_going, const std::function<void(std::shared_ptr<const SpeedResult>)>& more);
+  /// The kept speeds of a participant, mm/s. After `cluster`.
+  std::vector<double> speedsOf(const std::string& participant) const;
+
+ private:
+  struct Subject;
+  void take(const std::shared_ptr<const LabStudy>& study);
+  void clusterOne(Subject& subject, const elicitation::BuildSettings& settings, std::size_t clusters) const;
+  void average(const elicitation::BuildSettings& settings);
+
+  std::shared_ptr<const LabStudy> study_;
+  fuzzy::Variable speed_;  ///< with the default terms
+  std::vector<Subject> subjects_;
+  elicitation::BuildSettings settings_;
+  SpeedResult result_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,144 @@
+#include "app/workbench/labs/speed/speed_lab.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace tactus::workbench {
+namespace {
+
+// Of a run's time, about.
+constexpr double kClustered = 0.3;
+constexpr double kChecked = 0.5;
+constexpr auto kTell = std::chrono::milliseconds(100);  // between two reports of progress
+
+}  // namespace
+
+SpeedLab::SpeedLab(LabData& data, QObject* parent)
+    : QObject(parent), data_(data), work_(data, [this](const LabWork::Run& run) { return compute(run); }) {
+  connect(&data_, &LabData::settingsChanged, this, &SpeedLab::settingsChanged);
+  connect(&data_, &LabData::studyChanged, this, [this] {
+    if (data_.study() != nullptr || result_ == nullptr) return;
+    page_ = 0;
+    wanted_page_ = 0;
+    objectives_.clear();
+    take(nullptr);
+  });
+}
+
+template <class Change>
+void SpeedLab::change(Change apply) {
+  elicitation::BuildSettings settings = data_.settings();
+  apply(settings);
+  data_.setSettings(std::move(settings));
+}
+
+void SpeedLab::setAlpha(double alpha) {
+  change([alpha](auto& settings) { settings.speed.alpha = alpha; });
+}
+
+void SpeedLab::setFuzziness(double m) {
+  change([m](auto& settings) { settings.speed.fcm.m = m; });
+}
+
+void SpeedLab::setTrim(double share) {
+  change([share](auto& settings) { settings.speed.trim = share; });
+}
+
+void SpeedLab::setCentres(elicitation::SpeedCentres centres) {
+  change([centres](auto& settings) { settings.speed.centres = centres; });
+}
+
+void SpeedLab::setAveraging(elicitation::Averaging averaging) {
+  change([averaging](auto& settings) { settings.averaging = averaging; });
+}
+
+void SpeedLab::setDefaults() {
+  setClusters(elicitation::FcmSettings().clusters);
+  change([](auto& settings) {
+    settings.speed = {};
+    settings.averaging = elicitation::Averaging::kMean;
+  });
+}
+
+void SpeedLab::setClusters(std::size_t clusters) {
+  if (clusters == clusters_) return;
+  clusters_ = clusters;
+  wanted_clusters_ = clusters;
+  work_.restart();
+  emit settingsChanged();
+}
+
+std::size_t SpeedLab::pages() const {
+  const std::size_t count = result_ ? result_->subjects.size() : 0;
+  return std::max<std::size_t>(1, (count + kPerPage - 1) / kPerPage);
+}
+
+void SpeedLab::setPage(std::size_t page) {
+  page = std::min(page, pages() - 1);
+  if (page == page_) return;
+  page_ = page;
+  wanted_page_ = page;
+  objectives_.clear();
+  work_.restart();
+  emit pageChanged();
+}
+
+std::pair<std::size_t, std::size_t> SpeedLab::shown() const {
+  const std::size_t count = result_ ? result_->subjects.size() : 0;
+  return {std::min(count, page_ * kPerPage), std::min(count, (page_ + 1) * kPerPage)};
+}
+
+void SpeedLab::take(std::shared_ptr<const SpeedResult> result) {
+  result_ = std::move(result);
+  if (page_ >= pages()) {
+    page_ = pages() - 1;
+    wanted_page_ = page_;
+    emit pageChanged();
+  }
+  emit resultChanged();
+}
+
+// Runs in the thread of the work. First what the plots show, then what takes longer.
+LabWork::Deliver SpeedLab::compute(const LabWork::Run& run) {
+  double from = 0;
+  double to = kClustered;
+  auto told = std::chrono::steady_clock::now();
+  const auto go_on = [&](double share) {
+    if (run.stop.stop_requested()) return false;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - told > kTell) {
+      told = now;
+      run.progress(from + (to - from) * share);
+    }
+    return true;
+  };
+  const auto hand = [&](std::shared_ptr<const SpeedResult> result) {
+    run.hand([this, result = std::move(result)] { take(result); });
+  };
+  const auto clustered = calculation_.cluster(run.study, run.settings, wanted_clusters_, go_on);
+  if (!clustered) return {};
+  hand(clustered);
+  from = kClustered;
+  to = kChecked;
+  auto checked = calculation_.check(go_on);
+  if (!checked) return {};
+  hand(checked);
+  std::vector<ObjectiveTrace> objectives;
+  const std::size_t first = wanted_page_ * kPerPage;
+  for (std::size_t i = first; i < std::min(first + kPerPage, checked->subjects.size()); ++i) {
+    const SpeedSubject& subject = *checked->subjects[i];
+    objectives.push_back(objectiveTrace(calculation_.speedsOf(subject.speeds.participant), checked->clusters,
+                                        subject.speeds.m, [&run] { return !run.stop.stop_requested(); }));
+  }
+  if (run.stop.stop_requested()) return {};
+  run.hand([this, objectives] {
+    objectives_ = objectives;
+    emit resultChanged();
+  });
+  from = kChecked;
+  to = 1;
+  calculation_.bootstrap(go_on, hand);
+  return {};
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,148 @@
+#include "app/workbench/labs/speed/stroke_page.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/labs/data/corrections.h"
+#include "app/workbench/labs/speed/speed_lab.h"
+#include "app/workbench/labs/speed/trace_row.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr std::size_t kMostRows = SpeedLab::kPerPage;
+
+}  // namespace
+
+StrokePage::StrokePage(SpeedLab& lab, Corrections& corrections, QWidget* parent)
+    : QWidget(parent),
+      lab_(lab),
+      corrections_(corrections),
+      traces_(lab.data()),
+      choice_(new QComboBox(this)),
+      column_(new QVBoxLayout) {
+  auto* hint = new QLabel(tr("Drag a mark to correct where a stroke begins or ends; right-click a stroke to leave it "
+                             "out. A correction is a new record: the old one stays in the study."),
+                          this);
+  setMuted(*hint);
+  hint->setWordWrap(true);
+  choice_->setAccessibleName(tr("Strokes that are shown"));
+  choice_->setMinimumWidth(26 * theme::kGrid);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(2 * theme::kGrid);
+  head->addWidget(choice_);
+  head->addWidget(hint, 1);
+  column_->setSpacing(theme::kGrid / 2);
+  for (std::size_t i = 0; i < kMostRows; ++i) {
+    auto* row = new TraceRow(this);
+    connect(row, &TraceRow::marked, this,
+            [this](const auto& before, const auto& wanted) { correct(before, wanted, true); });
+    connect(row, &TraceRow::judged, this,
+            [this](const auto& before, const auto& wanted) { correct(before, wanted, false); });
+    column_->addWidget(row, 1);
+    rows_.push_back(row);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid / 2);
+  layout->setSpacing(theme::kGrid);
+  layout->addLayout(head);
+  layout->addLayout(column_, 1);
+  connect(choice_, &QComboBox::currentIndexChanged, this, &StrokePage::follow);
+  connect(&lab_, &SpeedLab::resultChanged, this, [this] {
+    fillChoice();
+    follow();
+  });
+  connect(&lab_, &SpeedLab::pageChanged, this, &StrokePage::follow);
+  connect(&traces_, &StrokeTraces::arrived, this, &StrokePage::follow);
+  // A mark that could not be stored goes back.
+  connect(&corrections_, &Corrections::refused, this, [this] {
+    for (TraceRow* row : rows_) row->show({}, {}, nullptr, 1);
+    follow();
+  });
+}
+
+// Levels come first, as in Fig. 6; the fastest is shown at the beginning.
+void StrokePage::fillChoice() {
+  const auto& result = lab_.result();
+  QStringList wanted;
+  if (result) {
+    for (const fuzzy::Term& term : result->speed.terms) wanted << tr("%1 strokes of all").arg(labelOf(term));
+    for (const auto& subject : result->subjects) {
+      wanted << tr("All levels of %1").arg(text(subject->speeds.participant));
+    }
+  }
+  QStringList there;
+  for (int i = 0; i < choice_->count(); ++i) there << choice_->itemText(i);
+  if (wanted == there) return;
+  const QSignalBlocker quiet(choice_);
+  choice_->clear();
+  choice_->addItems(wanted);
+  if (result) choice_->setCurrentIndex(static_cast<int>(result->speed.terms.size()) - 1);
+}
+
+std::vector<StrokePage::Cell> StrokePage::cells() const {
+  std::vector<Cell> out;
+  const auto& result = lab_.result();
+  if (!result || choice_->currentIndex() < 0) return out;
+  const std::vector<std::size_t> numbers = subjectNumbers(*result);
+  const auto index = static_cast<std::size_t>(choice_->currentIndex());
+  const auto add = [&](std::size_t who, const fuzzy::Term& level) {
+    const elicitation::ParticipantSpeeds& one = result->subjects[who]->speeds;
+    const QString name = one.simulated ? tr("%1 (simulated)").arg(text(one.participant)) : text(one.participant);
+    out.push_back({one.participant, level.id, tr("%1 · %2").arg(name, labelOf(level)), numbers[who]});
+  };
+  const auto& levels = result->speed.terms;
+  if (index < levels.size()) {
+    const auto [first, last] = lab_.shown();
+    for (std::size_t who = first; who < last; ++who) add(who, levels[index]);
+  } else if (index - levels.size() < result->subjects.size()) {
+    for (std::size_t level = 0; level < std::min(kMostRows, levels.size()); ++level) {
+      add(index - levels.size(), levels[level]);
+    }
+  }
+  return out;
+}
+
+void StrokePage::follow() {
+  if (!isVisible()) return;
+  const std::vector<Cell> shown = cells();
+  std::vector<std::shared_ptr<const StrokeSet>> sets;
+  double highest = 0;
+  for (const Cell& cell : shown) {
+    sets.push_back(traces_.strokes(cell.participant, cell.level));
+    highest = std::max(highest, TraceRow::highestOf(sets.back().get()));
+  }
+  const double top_mm_s = std::max(50.0, std::ceil(highest / 50) * 50);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    rows_[i]->setVisible(i < shown.size());
+    if (i < shown.size()) rows_[i]->show(shown[i].title, theme::expert(shown[i].number), sets[i], top_mm_s);
+  }
+}
+
+void StrokePage::correct(const study::StrokeRecord& before, const study::StrokeRecord& wanted, bool marks) {
+  const QString who = text(lab_.data().study() ? lab_.data().study()->codeOf(before.entry.session) : std::string());
+  const QString stroke = tr("stroke %1 of %2, %3").arg(before.number).arg(who, text(before.level));
+  if (marks) {
+    corrections_.correct(before, wanted, tr("marks of %1").arg(stroke), QStringLiteral("marks corrected"));
+  } else {
+    const bool out = wanted.verdict != "accepted";
+    corrections_.correct(before, wanted, out ? tr("%1 left out").arg(stroke) : tr("%1 counted again").arg(stroke),
+                         out ? QStringLiteral("left out") : QStringLiteral("counted again"));
+  }
+}
+
+void StrokePage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  fillChoice();
+  follow();
+}
+
+}  // namespace tactus::workbench

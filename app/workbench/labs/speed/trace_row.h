@@ -1,0 +1,73 @@
+// The strokes of one participant at one level, one after another (paper, Fig. 6), with the marks between which a stroke
+// counts. A mark follows the mouse; what is let go is a correction.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "app/workbench/labs/speed/stroke_traces.h"
+
+class QPainter;
+
+namespace tactus::workbench {
+
+class TraceRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TraceRow(QWidget* parent = nullptr);
+
+  /// `set` may be null while it is read. `top_mm_s`: the upper end of the axis, the same for all rows in sight.
+  void show(const QString& title, const QColor& color, std::shared_ptr<const StrokeSet> set, double top_mm_s);
+  /// The largest speed of `set`; 0 for none.
+  static double highestOf(const StrokeSet* set);
+  /// The place of a mark of stroke `index` on the screen, px: of its begin, or its end.
+  QPointF markPlace(std::size_t index, bool begin) const;
+
+  QSize sizeHint() const override { return {640, 130}; }
+  QSize minimumSizeHint() const override { return {320, 96}; }
+
+ signals:
+  /// The person moved a mark: the stroke with the other samples between its marks.
+  void marked(const tactus::study::StrokeRecord& before, const tactus::study::StrokeRecord& wanted);
+  /// The person left a stroke out, or took it in again.
+  void judged(const tactus::study::StrokeRecord& before, const tactus::study::StrokeRecord& wanted);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  struct Mark {
+    std::size_t stroke;
+    bool begin;
+
+    bool operator==(const Mark&) const = default;
+  };
+  QRectF area() const;
+  double scale() const;                   ///< px per second
+  double left(std::size_t stroke) const;  ///< px, where its recording begins
+  double y(double speed_mm_s) const;
+  std::optional<Mark> markAt(const QPointF& place) const;
+  std::optional<std::size_t> strokeAt(const QPointF& place) const;
+  /// The stroke as it would be with the mark at `place`.
+  study::StrokeRecord movedTo(const Mark& mark, double place) const;
+  const study::StrokeRecord& shownRecord(std::size_t stroke) const;
+  void paintAxis(QPainter& painter) const;
+  void paintStroke(QPainter& painter, std::size_t index) const;
+
+  QString title_;
+  QColor color_;
+  std::shared_ptr<const StrokeSet> set_;
+  double top_mm_s_ = 100;
+  std::optional<Mark> held_;
+  std::optional<study::StrokeRecord> moved_;  ///< the stroke of `held_` as it is shown meanwhile
+};
+
+}  // namespace tactus::workbench
