@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/clock.h"
 
@@ -35,7 +36,7 @@ void LabModel::setWanted(QObject& asker, bool wanted) {
 LabWork::Deliver LabModel::build(const LabWork::Run& run) {
   elicitation::BuildSettings settings = run.settings;
   settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
-  settings.generator = "tactus-workbench " TACTUS_VERSION;
+  settings.generator = kGenerator;
   auto made = elicitation::buildModel(run.study->study, run.study->forms, settings);
   settings.speed.fcm.keep_going = {};
   const QString sentence = made ? QString() : text(made.error().message());

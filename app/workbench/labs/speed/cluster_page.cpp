@@ -96,7 +96,7 @@ void ClusterPage::follow() {
     for (const elicitation::Ramp& ramp : result->averaged) {
       corners << numberText(ramp.p, 1) + QStringLiteral(" – ") + numberText(ramp.q, 1);
     }
-    said_->setText(tr("ramps %1 mm/s").arg(corners.join(QStringLiteral(" and "))));
+    said_->setText(tr("ramps %1 mm/s").arg(corners.join(QStringLiteral(" · "))));
   }
 }
 

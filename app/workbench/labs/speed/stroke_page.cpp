@@ -131,11 +131,11 @@ void StrokePage::correct(const study::StrokeRecord& before, const study::StrokeR
   const QString who = text(lab_.data().study() ? lab_.data().study()->codeOf(before.entry.session) : std::string());
   const QString stroke = tr("stroke %1 of %2, %3").arg(before.number).arg(who, text(before.level));
   if (marks) {
-    corrections_.correct(before, wanted, tr("marks of %1").arg(stroke), QStringLiteral("marks corrected"));
+    corrections_.correct(before, wanted, tr("marks of %1").arg(stroke), QStringLiteral("marks_corrected"));
   } else {
     const bool out = wanted.verdict != "accepted";
     corrections_.correct(before, wanted, out ? tr("%1 left out").arg(stroke) : tr("%1 counted again").arg(stroke),
-                         out ? QStringLiteral("left out") : QStringLiteral("counted again"));
+                         out ? QStringLiteral("left_out") : QStringLiteral("counted_again"));
   }
 }
 

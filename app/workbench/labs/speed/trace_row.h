@@ -20,6 +20,7 @@ class TraceRow : public QWidget {
 
   /// `set` may be null while it is read. `top_mm_s`: the upper end of the axis, the same for all rows in sight.
   void show(const QString& title, const QColor& color, std::shared_ptr<const StrokeSet> set, double top_mm_s);
+  bool hasStrokes() const { return set_ && !set_->strokes.empty(); }
   /// The largest speed of `set`; 0 for none.
   static double highestOf(const StrokeSet* set);
   /// The place of a mark of stroke `index` on the screen, px: of its begin, or its end.

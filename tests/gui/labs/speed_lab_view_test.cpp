@@ -1,0 +1,85 @@
+#include "app/workbench/labs/speed/speed_lab_view.h"
+
+#include <QSlider>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "app/workbench/labs/data/corrections.h"
+#include "app/workbench/labs/frame/lab_screen.h"
+#include "app/workbench/labs/speed/speed_lab.h"
+#include "app/workbench/labs/speed/stroke_page.h"
+#include "app/workbench/labs/speed/trace_row.h"
+
+#include "tests/gui/labs/lab_study_file.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+
+class SpeedLabViewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    study.open(tests::demoStudyIn(folder));
+    screen.addLab(QStringLiteral("Speed"), view, &corrections);
+    screen.resize(1100, 640);
+    screen.show();
+    ASSERT_TRUE(comesTrue([this] { return lab.result() != nullptr; }));
+  }
+  std::size_t samplesOf(std::size_t subject) const { return lab.result()->subjects[subject]->speeds.samples; }
+  void drag(QWidget& row, QPointF from, double by) {
+    QTest::mousePress(&row, Qt::LeftButton, {}, from.toPoint());
+    // QTest::mouseMove tells no button.
+    const QPointF to = from + QPointF(by, 0);
+    QMouseEvent move(QEvent::MouseMove, to, row.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&row, &move);
+    QTest::mouseRelease(&row, Qt::LeftButton, {}, to.toPoint());
+  }
+
+  QTemporaryDir folder;
+  StudyConnection study;
+  LabData data{study};
+  Corrections corrections{data};
+  SpeedLab lab{data};
+  LabScreen screen{data};
+  SpeedLabView* view = new SpeedLabView(lab, corrections);
+};
+
+TEST_F(SpeedLabViewTest, ADraggedMarkIsACorrectionAndCtrlZBringsTheOldOneBack) {
+  view->pages().setCurrentWidget(&view->strokes());
+  TraceRow& row = *view->strokes().rows().front();  // S1, fast
+  ASSERT_TRUE(comesTrue([&] { return row.accessibleName().contains(QStringLiteral("S1")) && row.hasStrokes(); }));
+  const std::size_t before = samplesOf(0);
+  drag(row, row.markPlace(1, true), 12);
+  ASSERT_TRUE(comesTrue([&] { return lab.result() && samplesOf(0) != before; }));
+  EXPECT_LT(samplesOf(0), before);
+  EXPECT_TRUE(corrections.canUndo());
+  QTest::keyClick(&screen, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(comesTrue([&] { return samplesOf(0) == before; }));
+  EXPECT_FALSE(corrections.canUndo());
+}
+
+TEST_F(SpeedLabViewTest, ASliderMovesTheTermsAndAHiddenLabComputesNothing) {
+  const auto before = lab.result()->averaged;
+  const auto sliders = view->findChildren<QSlider*>();
+  const auto alpha = std::find_if(sliders.begin(), sliders.end(), [](const QSlider* one) {
+    return one->accessibleName().contains(QStringLiteral("α"));
+  });
+  ASSERT_NE(alpha, sliders.end());
+  (*alpha)->setValue((*alpha)->maximum());
+  EXPECT_EQ(lab.settings().alpha, 1);
+  ASSERT_TRUE(comesTrue([&] { return lab.result()->averaged != before; }));
+  EXPECT_EQ(lab.result()->averaged[0].q, lab.result()->averaged[1].p);
+  screen.hide();
+  lab.setAlpha(0.8);
+  EXPECT_FALSE(lab.work().isBusy());
+  screen.show();
+  EXPECT_TRUE(comesTrue([&] { return lab.result()->averaged[0].q < lab.result()->averaged[1].p; }));
+}
+
+}  // namespace
+}  // namespace tactus::workbench
