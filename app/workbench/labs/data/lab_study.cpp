@@ -34,6 +34,9 @@ base::Result<LabStudy> readLabStudy(const store::StudyFile& file) {
   auto view = session::studyForElicitation(file);
   if (!view) return tl::unexpected(view.error());
   LabStudy out;
+  if (auto ok = take(session::judgedForces(file, *view), out.judged); !ok) return tl::unexpected(ok.error());
+  out.answer_ids = std::move(view->answer_ids);
+  out.rule_ids = std::move(view->rule_ids);
   out.study = std::move(view->study);
   out.notes = std::move(view->notes);
   out.forms = session::knownForms();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/judged_forces.h"
 #include "core/base/error.h"
 #include "core/store/study_file.h"
 #include "core/study/records.h"
@@ -12,9 +13,12 @@
 namespace tactus::workbench {
 
 struct LabStudy {
-  study::Study study;              ///< as elicitation takes it (session::studyForElicitation)
-  std::vector<std::string> notes;  ///< what is left out of it, and why
-  std::vector<study::Form> forms;  ///< the known forms
+  study::Study study;                        ///< as elicitation takes it (session::studyForElicitation)
+  std::vector<study::RecordId> answer_ids;   ///< of the records behind `study.answers`, in their order
+  std::vector<study::RecordId> rule_ids;     ///< of those behind `study.rules`
+  std::vector<session::JudgedForce> judged;  ///< every judgement of the counted sessions
+  std::vector<std::string> notes;            ///< what is left out of it, and why
+  std::vector<study::Form> forms;            ///< the known forms
   std::vector<study::Person> persons;
   std::vector<study::SessionRecord> sessions;
   // All records that are not corrected, also of sessions that do not count: what a number came from.
