@@ -1,0 +1,26 @@
+// What one record moves: the averaged force with and without a judgement or a rule, in newtons.
+#pragma once
+
+#include <cstddef>
+
+#include "core/analysis/force_difference.h"
+#include "core/base/error.h"
+#include "elicitation/model/model_builder.h"
+
+namespace tactus::elicitation {
+
+struct RecordInfluence {
+  analysis::ForceDifference difference;  ///< `first_n` with the record, `second_n` without it
+  double noticeable = 0;                 ///< the largest difference in just-noticeable differences around `first_n`
+};
+
+/// Without judgement `index` of `study`: the vote and the words of the force are made again, everything else of `built`
+/// stays. `study`, `settings`: as used for `built`. A judgement of another series moves nothing. Refused: a judgement
+/// without which the words cannot be made, or without which a word of a rule is missing. Thread: any.
+base::Result<RecordInfluence> withoutJudgement(const BuiltModel& built, const study::Study& study,
+                                               const BuildSettings& settings, std::size_t index);
+
+/// Without rule `rule` of the expert number `expert`. Refused for the only rule of the only expert. Thread: any.
+base::Result<RecordInfluence> withoutRule(const BuiltModel& built, std::size_t expert, std::size_t rule);
+
+}  // namespace tactus::elicitation
