@@ -1,17 +1,42 @@
 #include "app/workbench/lab_parts.h"
 
+#include <utility>
+
 #include "app/workbench/kit/message_banner.h"
+#include "app/workbench/labs/experts/experts_lab_view.h"
+#include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
+#include "app/workbench/model/model_controller.h"
 #include "app/workbench/session_run.h"
 #include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/model_files.h"
+#include "app/workbench/study/study_models.h"
 
 namespace tactus::workbench {
 
-LabParts::LabParts(MainWindow& window, StudyConnection& study, const SessionRun& run)
+LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study, StudyModels& study_models,
+                   const ModelController& models, const SessionRun& run)
     : data_(study), screen_(new LabScreen(data_)), speed_view_(new SpeedLabView(speed_, corrections_)) {
   screen_->addLab(tr("Speed"), speed_view_, &corrections_);
   screen_->watch(speed_.work(), tr("Clustering the speeds"));
   screen_->watch(model_.work(), tr("Building the model"));
+  screen_->addLab(tr("Force"), new ForceLabView(force_), &corrections_);
+  screen_->watch(force_.work(), tr("Counting the votes"));
+  screen_->addLab(tr("Rules"), new RulesLabView(rules_), &corrections_);
+  screen_->watch(rules_.work(), tr("Comparing the experts"));
+  auto* const experts = new ExpertsLabView(experts_);
+  screen_->addLab(tr("Experts"), experts, nullptr);
+  connect(experts, &ExpertsLabView::benchAsked, this, [this, &files, &study_models] {
+    if (!files.mayLoseChanges()) return;
+    leads_to_bench_ = true;
+    study_models.buildModelWith(data_.settings());
+  });
+  connect(&models, &ModelController::opened, this, [this, &window] {
+    if (std::exchange(leads_to_bench_, false)) window.enter(Stage::kTune);
+  });
+  connect(&study_models, &StudyModels::failed, this, [this] { leads_to_bench_ = false; });
+  screen_->watch(experts_.work(), tr("Comparing the weights"));
   window.addScreen(Stage::kAgree, screen_, MainWindow::Needs::kStudy);
   connect(&run, &SessionRun::changed, this, [this, &run] { data_.setSessionRunning(run.isRunning()); });
   connect(&corrections_, &Corrections::stored, this, [&window](const QString& what) {

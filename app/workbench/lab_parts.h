@@ -6,20 +6,27 @@
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_model.h"
+#include "app/workbench/labs/experts/experts_lab.h"
+#include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/frame/lab_screen.h"
+#include "app/workbench/labs/rules/rules_lab.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 
 namespace tactus::workbench {
 
 class MainWindow;
+class ModelController;
+class ModelFiles;
 class SessionRun;
 class SpeedLabView;
+class StudyModels;
 
 class LabParts : public QObject {
   Q_OBJECT
 
  public:
-  LabParts(MainWindow& window, StudyConnection& study, const SessionRun& run);
+  LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study, StudyModels& study_models,
+           const ModelController& models, const SessionRun& run);
   /// Takes the screen out of the window, because it shows what ends here.
   ~LabParts() override;
 
@@ -31,10 +38,14 @@ class LabParts : public QObject {
   SpeedLabView& speedView() { return *speed_view_; }
 
  private:
+  bool leads_to_bench_ = false;  ///< a model is being built for tuning
   LabData data_;
   LabModel model_{data_};
   Corrections corrections_{data_};
   SpeedLab speed_{data_};
+  ForceLab force_{data_, model_, corrections_};
+  RulesLab rules_{data_, model_, corrections_};
+  ExpertsLab experts_{data_, model_};
   LabScreen* screen_;
   SpeedLabView* speed_view_;
 };

@@ -1,4 +1,4 @@
-// Pictures of stage Agree, for --screens: the labs with the demo study.
+// Pictures of stage Agree, for --screens: each lab with the demo study.
 #pragma once
 
 #include "core/base/error.h"

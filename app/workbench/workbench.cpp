@@ -40,7 +40,7 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
       study_parts(window, files, study, study_models, feel, feel_parts.view(), feel_store, models, recent),
       collect_parts(window, study_parts, study, study_models, models, device, author),
       start_parts(window, files, collect_parts, models, recent, rule_parts.panel()),
-      lab_parts(window, study, collect_parts.run()),
+      lab_parts(window, files, study, study_models, models, collect_parts.run()),
       note_parts(window, study, study_models, edit_parts.editor()),
       history_parts(window, edits, compare, scene, feel, author, ghost),
       deliver_parts(window, models, findings, finding_parts.panel(), history_parts, bundles, readiness, settings),

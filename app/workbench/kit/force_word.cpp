@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/initials.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/label_break.h"
 
@@ -13,14 +14,6 @@ namespace {
 constexpr double kCorner = 4;  // px
 constexpr double kBar = 5;     // px, width of the bar of the strength
 constexpr double kBadge = 13;  // px
-
-// `VS` for `Very Small`: for places where the word does not fit.
-QString initialsOf(const QString& word) {
-  QString out;
-  const QStringList parts = word.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-  for (const QString& part : parts) out += part.front().toUpper();
-  return out;
-}
 
 // A level at the left edge, as high as the rule is strong.
 void paintStrength(QPainter& painter, const QRectF& place, const QColor& ink, double strength) {

@@ -86,12 +86,12 @@ void addBuilt(const store::StudyFile& file, const store::StudyInfo& info, const 
 
 }  // namespace
 
-Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp) {
+Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp,
+                                      elicitation::BuildSettings settings) {
   const auto view = session::studyForElicitation(file);
   if (!view) return tl::unexpected(view.error());
   const auto data = session::dataFindings(view->study);
   if (auto ok = study::refuseData(data); !ok) return base::inFile(ok.error(), file.path());
-  elicitation::BuildSettings settings;
   settings.created_utc =
       base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(stamp.utc_ms)));
   settings.generator = kGenerator;

@@ -10,6 +10,7 @@
 #include "app/workbench/base/build_note.h"
 #include "core/store/study_file.h"
 #include "core/study/session_records.h"
+#include "elicitation/model/model_builder.h"
 
 namespace tactus::workbench {
 
@@ -30,8 +31,9 @@ struct BuiltFromStudy {
   QString sentence;              ///< of what it was built
   BuildNotes notes;
 };
-/// Builds the averaged model of the study anew; refused where its data cannot be meant (study::refuseData). Thread:
-/// that of `file`.
-base::Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp);
+/// Builds the averaged model of the study anew with `settings`, whose time and generator are set here; refused where
+/// its data cannot be meant (study::refuseData). Thread: that of `file`.
+base::Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp,
+                                            elicitation::BuildSettings settings = {});
 
 }  // namespace tactus::workbench

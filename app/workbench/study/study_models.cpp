@@ -109,10 +109,10 @@ void StudyModels::openModel() {
   });
 }
 
-void StudyModels::buildModel() {
-  study_.readAlone(*this, [this]() -> StudyConnection::Read {
-    return [this, stamp = edits_.stamp()](const store::StudyFile& file) -> StudyConnection::Deliver {
-      const auto made = std::make_shared<Result<BuiltFromStudy>>(buildFromStudy(file, stamp));
+void StudyModels::buildModelWith(const elicitation::BuildSettings& settings) {
+  study_.readAlone(*this, [this, settings]() -> StudyConnection::Read {
+    return [this, settings, stamp = edits_.stamp()](const store::StudyFile& file) -> StudyConnection::Deliver {
+      const auto made = std::make_shared<Result<BuiltFromStudy>>(buildFromStudy(file, stamp, settings));
       return [this, made] {
         if (*made) {
           show(std::move((*made)->history));

@@ -16,6 +16,7 @@
 #include "app/workbench/study/model_in_study.h"
 #include "app/workbench/study/study_review.h"
 #include "app/workbench/study/version_texts.h"
+#include "elicitation/model/model_builder.h"
 
 namespace tactus::workbench {
 
@@ -47,7 +48,9 @@ class StudyModels : public QObject, private StudyKeeper {
   /// Shows the study's model again, as stored last.
   void openModel();
   /// Builds the averaged model from the answers again and adds it to the study as another model.
-  void buildModel();
+  void buildModel() { buildModelWith({}); }
+  /// The same with the settings of the labs.
+  void buildModelWith(const tactus::elicitation::BuildSettings& settings);
   /// Puts the open model with its whole history into the study as versions.
   void putModel();
 

@@ -28,6 +28,7 @@ class LabData : public QObject {
   /// The study is being read.
   bool isReading() const { return reading_; }
   StudyConnection& connection() { return connection_; }
+  const StudyConnection& connection() const { return connection_; }
 
   /// The settings of every lab's model. They begin with the defaults when a study is opened.
   const elicitation::BuildSettings& settings() const { return settings_; }

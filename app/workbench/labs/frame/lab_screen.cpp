@@ -115,6 +115,11 @@ QList<QWidget*> LabScreen::labs() const {
   return out;
 }
 
+bool LabScreen::isBusy() const {
+  const auto runs = [](const Watched& one) { return one.work->isBusy(); };
+  return data_.isReading() || std::any_of(watched_.begin(), watched_.end(), runs);
+}
+
 UndoSource* LabScreen::undo() const { return undo_of_.value(pages_->currentWidget(), nullptr); }
 
 void LabScreen::followUndo() {

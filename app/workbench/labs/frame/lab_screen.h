@@ -32,6 +32,8 @@ class LabScreen : public QWidget {
   /// Puts the lab with this widget in front.
   void reveal(QWidget* lab);
   QList<QWidget*> labs() const;
+  /// The study is being read, or something that is watched is computed.
+  bool isBusy() const;
 
  protected:
   bool event(QEvent* event) override;

@@ -1,0 +1,94 @@
+// The experts' lab without widgets: the averaged model with its experts, what their weights change, and who pulls
+// where.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/figures/force_curves.h"
+#include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/lab_model.h"
+#include "app/workbench/labs/data/lab_work.h"
+#include "elicitation/model/expert_weights_compared.h"
+
+namespace tactus::workbench {
+
+/// One choice of weights beside equal ones.
+struct ComparedWeights {
+  elicitation::WeightPolicy policy = elicitation::WeightPolicy::kEqual;
+  QString unavailable;  ///< why the study's data do not allow it; empty if they do
+  std::vector<double> weights;
+  analysis::ForceDifference from_equal;
+  QString where;  ///< the place of the largest difference
+};
+
+/// Thread: gui.
+class ExpertsLab : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Both outlive this.
+  ExpertsLab(LabData& data, LabModel& model, QObject* parent = nullptr);
+  ~ExpertsLab() override;
+
+  /// The averaged model and what led to it; null if there is none.
+  const std::shared_ptr<const elicitation::BuiltModel>& built() const { return built_; }
+  /// Why there is no model; empty if there is one.
+  const QString& failure() const { return model_.failure(); }
+  const elicitation::WeightSettings& weights() const { return data_.settings().weights; }
+  /// Each policy beside equal weights, as far as it is computed.
+  const std::vector<ComparedWeights>& compared() const { return compared_; }
+  LabWork& work() { return compare_; }
+  const LabData& data() const { return data_; }
+
+  /// Uses `policy` for the model. With kTable the experts keep the weights that they have.
+  void setPolicy(elicitation::WeightPolicy policy);
+  /// Gives one expert a weight >= 0 of the user's own; the others keep theirs. Not the last weight above 0.
+  void setWeight(const std::string& expert, double weight);
+
+  /// The inputs of the curve, one value each; that of the depth is not used.
+  const std::vector<double>& values() const { return values_; }
+  void setValue(std::size_t input, double value);
+  /// The input of the x axis: the depth.
+  std::size_t xInput() const { return x_input_; }
+  /// Along the depth at `values`; empty without a model.
+  const figures::ForceCurves& curves() const { return curves_; }
+
+  /// Computes while wanted.
+  void setWanted(bool wanted);
+
+ signals:
+  /// The model, or what is compared, is another.
+  void changed();
+  void curvesChanged();
+
+ private:
+  struct Input {
+    std::shared_ptr<const elicitation::BuiltModel> built;
+    std::shared_ptr<const LabStudy> study;
+    elicitation::BuildSettings settings;
+  };
+  LabWork::Deliver compare(const LabWork::Run& run);
+  void takeModel();
+  void drawCurves();
+
+  LabData& data_;
+  LabModel& model_;
+  std::shared_ptr<const elicitation::BuiltModel> built_;
+  std::vector<ComparedWeights> compared_;
+  std::vector<double> values_;
+  std::size_t x_input_ = 0;
+  figures::ForceCurves curves_;
+  Background draws_;
+  std::atomic<std::shared_ptr<const Input>> input_;  ///< written here, read by the work
+  LabWork compare_;                                  ///< last: its end waits for the work, which answers to all above
+};
+
+/// The distance of each expert from the mean along the curves, one list per expert; NaN where the expert abstains.
+std::vector<std::vector<double>> pullsOf(const figures::ForceCurves& curves);
+
+}  // namespace tactus::workbench

@@ -1,0 +1,180 @@
+#include "app/workbench/labs/experts/experts_lab_view.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSplitter>
+#include <QStandardItemModel>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/ink.h"
+#include "app/workbench/base/refresh.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/primary_button.h"
+#include "app/workbench/labs/experts/experts_lab.h"
+#include "app/workbench/labs/experts/pair_table.h"
+#include "app/workbench/labs/experts/policy_table.h"
+#include "app/workbench/labs/experts/pull_plot.h"
+#include "app/workbench/labs/experts/pull_table.h"
+#include "app/workbench/labs/experts/weight_table.h"
+#include "app/workbench/labs/frame/lab_card.h"
+#include "app/workbench/labs/frame/lab_table.h"
+#include "app/workbench/labs/frame/setting_row.h"
+#include "app/workbench/plot/plot_menu.h"
+
+namespace tactus::workbench {
+namespace {
+
+using elicitation::WeightPolicy;
+
+constexpr WeightPolicy kPolicies[] = {WeightPolicy::kEqual, WeightPolicy::kYears, WeightPolicy::kCategory,
+                                      WeightPolicy::kColumn, WeightPolicy::kTable};
+
+}  // namespace
+
+ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
+    : QWidget(parent),
+      lab_(lab),
+      weights_(new WeightTable(lab, this)),
+      policies_(new PolicyTable(lab, this)),
+      pairs_(new PairTable(lab, this)),
+      plot_(new PullPlot),
+      policy_(new QComboBox),
+      open_(new PrimaryButton(tr("&Open in the bench"))),
+      failure_(new QLabel),
+      settings_(new QWidget) {
+  setObjectName(QStringLiteral("experts"));
+  setWindowTitle(tr("Experts"));
+  auto* both = new QSplitter(Qt::Horizontal);
+  both->setChildrenCollapsible(false);
+  both->setHandleWidth(theme::kGrid);
+  both->addWidget(makeLeft());
+  both->addWidget(makeRight());
+  both->setStretchFactor(0, 9);
+  both->setStretchFactor(1, 10);
+  failure_->setWordWrap(true);
+  failure_->setTextFormat(Qt::PlainText);
+  setInk(*failure_, theme::errorInk());
+  failure_->hide();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(failure_);
+  layout->addWidget(both, 1);
+
+  connect(policy_, &QComboBox::activated, this,
+          [this](int index) { lab_.setPolicy(kPolicies[static_cast<std::size_t>(index)]); });
+  auto* refresh = new Refresh(this, [this] { follow(); });
+  connect(&lab_, &ExpertsLab::changed, refresh, &Refresh::request);
+  auto* redraws = new Refresh(plot_, [this] { followCurves(); });
+  connect(&lab_, &ExpertsLab::curvesChanged, redraws, &Refresh::request);
+}
+
+QWidget* ExpertsLabView::makeLeft() {
+  for (const WeightPolicy policy : kPolicies) policy_->addItem(policyName(policy));
+  policy_->setAccessibleName(tr("Weights of the experts"));
+  auto* weights = new LabCard(
+      tr("Weights, and leaving one expert out"),
+      makeLabTable(*weights_, WeightTable::kWhere, tr("Weights and what leaving one expert out changes"), nullptr));
+  weights->addTool(policy_);
+  auto* details = new QTabWidget;
+  details->setDocumentMode(true);
+  auto* policies = makeLabTable(*policies_, PolicyTable::kWhere, tr("Weight policies beside equal weights"), nullptr);
+  policies->setObjectName(QStringLiteral("policies"));
+  auto* pairs = makeLabTable(*pairs_, -1, tr("Distances between experts"), nullptr);
+  pairs->setObjectName(QStringLiteral("pairs"));
+  pairs->verticalHeader()->show();
+  pairs->verticalHeader()->setFont(theme::smallFont());
+  pairs->horizontalHeader()->setStretchLastSection(false);
+  details->addTab(policies, tr("Does the choice of weights matter?"));
+  details->addTab(pairs, tr("Between experts"));
+  auto* below = new Card;
+  auto* inside = new QVBoxLayout(below);
+  inside->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
+  inside->addWidget(details);
+  auto* column = new QSplitter(Qt::Vertical);
+  column->setChildrenCollapsible(false);
+  column->setHandleWidth(theme::kGrid);
+  column->addWidget(weights);
+  column->addWidget(below);
+  return column;
+}
+
+QWidget* ExpertsLabView::makeRight() {
+  auto* page = new QWidget;
+  auto* rows = new QVBoxLayout(settings_);
+  rows->setContentsMargins(theme::kGrid, 0, theme::kGrid, 0);
+  rows->setSpacing(theme::kGrid / 2);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(theme::kGrid);
+  column->addWidget(plot_, 1);
+  column->addWidget(settings_);
+  open_->setToolTip(tr("Adds the averaged model to the study as another model, and leads to tuning."));
+  connect(open_, &QPushButton::clicked, this, &ExpertsLabView::benchAsked);
+  auto* card = new LabCard(tr("Who pulls where"), page);
+  card->addTool(new PlotMenu(
+      *plot_, [this] { return pullTable(lab_); }, card));
+  card->addTool(open_);
+  return card;
+}
+
+// The model has its inputs only once it is built.
+void ExpertsLabView::makeSettings() {
+  if (!rows_.empty() || lab_.built() == nullptr) return;
+  const auto& inputs = lab_.built()->model.inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (i == lab_.xInput()) continue;
+    const double span = inputs[i].max - inputs[i].min;
+    auto* row = new SettingRow(shortLabelOf(inputs[i]), tr("The curves are drawn at this value."),
+                               {inputs[i].min, inputs[i].max, span / 100, unitText(inputs[i].unit)}, settings_);
+    row->setValue(lab_.values()[i]);
+    settings_->layout()->addWidget(row);
+    connect(row, &SettingRow::changed, this, [this, i](double value) { lab_.setValue(i, value); });
+    rows_.emplace_back(i, row);
+  }
+}
+
+void ExpertsLabView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  lab_.setWanted(true);
+}
+
+void ExpertsLabView::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  lab_.setWanted(false);
+}
+
+void ExpertsLabView::follow() {
+  makeSettings();
+  weights_->follow();
+  policies_->follow();
+  pairs_->follow();
+  open_->setEnabled(lab_.built() != nullptr);
+  failure_->setText(lab_.failure());
+  failure_->setVisible(!lab_.failure().isEmpty());
+  // What the data do not allow cannot be chosen, and says why.
+  auto* const choices = qobject_cast<QStandardItemModel*>(policy_->model());
+  for (const ComparedWeights& one : lab_.compared()) {
+    const auto* const found = std::find(std::begin(kPolicies), std::end(kPolicies), one.policy);
+    if (found == std::end(kPolicies)) continue;
+    QStandardItem* const item = choices->item(static_cast<int>(found - std::begin(kPolicies)));
+    item->setEnabled(one.unavailable.isEmpty());
+    item->setToolTip(one.unavailable);
+  }
+  const auto* const chosen = std::find(std::begin(kPolicies), std::end(kPolicies), lab_.weights().policy);
+  policy_->setCurrentIndex(static_cast<int>(chosen - std::begin(kPolicies)));
+}
+
+void ExpertsLabView::followCurves() {
+  if (lab_.built() == nullptr || lab_.curves().experts.size() != lab_.built()->model.experts.size()) {
+    plot_->clear();
+    return;
+  }
+  plot_->setCurves(lab_.built()->model, lab_.xInput(), lab_.curves());
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,103 @@
+#include "app/workbench/labs/experts/weight_table.h"
+
+#include "app/figures/colors.h"
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/base/typed_number.h"
+
+namespace tactus::workbench {
+namespace {
+
+const QString kAbsent = QStringLiteral("–");
+constexpr int kForceDigits = 3;
+
+QString newtons(double force_n) { return quantityText(force_n, "N", kForceDigits); }
+
+QVariant alignment(bool number) {
+  return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+}
+
+}  // namespace
+
+WeightTable::WeightTable(ExpertsLab& lab, QObject* parent) : QAbstractTableModel(parent), lab_(lab) {}
+
+void WeightTable::follow() {
+  const bool same = built_ != nullptr && lab_.built() != nullptr &&
+                    built_->model.experts.size() == lab_.built()->model.experts.size();
+  if (!same) beginResetModel();
+  built_ = lab_.built();
+  numbers_ = built_ == nullptr ? std::vector<std::size_t>() : figures::expertNumbers(built_->model.experts);
+  // The cell that is being edited stays while only numbers change.
+  same ? emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1)) : endResetModel();
+}
+
+int WeightTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() || built_ == nullptr ? 0 : static_cast<int>(built_->model.experts.size());
+}
+
+Qt::ItemFlags WeightTable::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return index.column() == kWeight ? flags | Qt::ItemIsEditable : flags;
+}
+
+QVariant WeightTable::data(const QModelIndex& index, int role) const {
+  const auto expert = static_cast<std::size_t>(index.row());
+  if (role == Qt::DecorationRole && index.column() == kExpert) return theme::expert(numbers_[expert]);
+  if (role == Qt::TextAlignmentRole) return alignment(index.column() > kExpert && index.column() < kWhere);
+  if (role == Qt::EditRole && index.column() == kWeight) return numberText(built_->model.experts[expert].weight, 3);
+  if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return shown(expert, index.column());
+  return {};
+}
+
+QString WeightTable::shown(std::size_t expert, int column) const {
+  const fuzzy::Expert& one = built_->model.experts[expert];
+  if (column == kExpert) return harmless(labelOf(one));
+  if (column == kWeight) return numberText(one.weight, 3);
+  const auto& influences = built_->influences.experts;
+  if (expert >= influences.size()) return kAbsent;
+  const elicitation::ExpertInfluence& influence = influences[expert];
+  if (column == kRms) return newtons(influence.rms_n);
+  if (!influence.largest) return kAbsent;
+  if (column == kLargest) return newtons(influence.largest->newtons);
+  if (column == kNoticeable) {
+    return influence.most_noticeable ? numberText(influence.most_noticeable->noticeable, 1) : kAbsent;
+  }
+  return text(elicitation::pointText(built_->model, influence.largest->at));
+}
+
+bool WeightTable::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::EditRole || index.column() != kWeight) return false;
+  const auto weight = typedNumber(value.toString());
+  if (!weight || *weight < 0) return false;
+  lab_.setWeight(built_->model.experts[static_cast<std::size_t>(index.row())].id, *weight);
+  return true;
+}
+
+QVariant WeightTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole) return alignment(section > kExpert && section < kWhere);
+  if (role == Qt::ToolTipRole) {
+    if (section == kWeight) return tr("Double-click a weight to change it.");
+    if (section == kNoticeable) return tr("The largest change in just-noticeable differences.");
+    return section > kWeight ? tr("How far the averaged force moves without this expert.") : QString();
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kExpert:
+      return tr("Expert");
+    case kWeight:
+      return tr("Weight");
+    case kRms:
+      return tr("Left out, rms");
+    case kLargest:
+      return tr("At most");
+    case kNoticeable:
+      return tr("JND");
+    case kWhere:
+      return tr("Where");
+    default:
+      return {};
+  }
+}
+
+}  // namespace tactus::workbench

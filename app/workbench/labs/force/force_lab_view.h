@@ -1,0 +1,49 @@
+// The force lab on the screen: Table 2, the words by each method, and below them the judgements, their checks and the
+// delivered forces.
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QTabWidget;
+
+namespace tactus::workbench {
+
+class CheckView;
+class DeliveredPlot;
+class ForceLab;
+class ForceTermsView;
+class JudgementView;
+class VotesView;
+
+class ForceLabView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `lab` outlives this.
+  explicit ForceLabView(ForceLab& lab, QWidget* parent = nullptr);
+
+  VotesView& votes() { return *votes_; }
+  ForceTermsView& terms() { return *terms_; }
+  JudgementView& judgements() { return *judgements_; }
+  QTabWidget& details() { return *details_; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void follow();
+  void followSeries();
+
+  ForceLab& lab_;
+  VotesView* votes_;
+  ForceTermsView* terms_;
+  JudgementView* judgements_;
+  CheckView* checks_;
+  DeliveredPlot* delivered_;
+  QTabWidget* details_;
+  QComboBox* series_;
+};
+
+}  // namespace tactus::workbench

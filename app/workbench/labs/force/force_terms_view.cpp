@@ -1,0 +1,117 @@
+#include "app/workbench/labs/force/force_terms_view.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QRadioButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/wrapped_label.h"
+#include "app/workbench/labs/force/force_terms_plot.h"
+#include "app/workbench/labs/force/vote_words.h"
+
+namespace tactus::workbench {
+namespace {
+
+// `Small .2 .3 .4 .5 N`: the corners of a word on one line.
+QString cornersOf(const fuzzy::Term& term) {
+  QStringList points;
+  for (const double point : term.points) points << numberText(point, 3);
+  return QStringLiteral("%1: %2").arg(labelOf(term), points.join(QStringLiteral(" · ")));
+}
+
+// The axes of all methods end at the same force, so that the pictures can be compared.
+double commonEnd(const ForceVotes& votes) {
+  double end_n = 0;
+  for (const ForceMethod& method : votes.methods) {
+    if (method.terms) end_n = std::max(end_n, method.terms->output.max);
+  }
+  return end_n > 0 ? end_n : votes.words.max;
+}
+
+}  // namespace
+
+ForceTermsView::ForceTermsView(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  row->setSpacing(2 * theme::kGrid);
+  auto* group = new QButtonGroup(this);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    row->addWidget(makeColumn(i), 1);
+    group->addButton(columns_[i].choice, static_cast<int>(i));
+  }
+  connect(group, &QButtonGroup::idClicked, this,
+          [this](int index) { emit chosen(kForceMethods[static_cast<std::size_t>(index)]); });
+}
+
+QWidget* ForceTermsView::makeColumn(std::size_t index) {
+  Column& made = columns_[index];
+  auto* column = new QWidget(this);
+  made.choice = new QRadioButton(methodName(kForceMethods[index]), column);
+  made.choice->setFont(theme::headingFont());
+  made.choice->setToolTip(tr("The model takes its words of the force from here."));
+  auto* rule = new WrappedLabel(column);
+  rule->setText(methodRule(kForceMethods[index]));
+  rule->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  rule->setMinimumHeight(2 * QFontMetrics(rule->font()).lineSpacing());
+  setMuted(*rule);
+  made.plot = new ForceTermsPlot(column);
+  made.corners = new WrappedLabel(column);
+  made.corners->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  made.corners->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  setMuted(*made.corners);
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(theme::kGrid / 2);
+  made.head = new QHBoxLayout;
+  made.head->addWidget(made.choice, 1);
+  layout->addLayout(made.head);
+  layout->addWidget(rule);
+  layout->addWidget(made.plot, 1);
+  layout->addWidget(made.corners);
+  return column;
+}
+
+ForceTermsView::Column& ForceTermsView::columnOf(elicitation::ForceTermsFrom from) {
+  const auto found = std::find(kForceMethods.begin(), kForceMethods.end(), from);
+  return columns_[static_cast<std::size_t>(found - kForceMethods.begin())];
+}
+
+ForceTermsPlot& ForceTermsView::plot(elicitation::ForceTermsFrom from) { return *columnOf(from).plot; }
+
+void ForceTermsView::addTool(elicitation::ForceTermsFrom from, QWidget* tool) { columnOf(from).head->addWidget(tool); }
+
+void ForceTermsView::setVotes(const ForceVotes& votes) {
+  const double end_n = commonEnd(votes);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const ForceMethod& method = votes.methods[i];
+    const Column& column = columns_[i];
+    column.choice->setEnabled(method.terms.has_value());
+    column.plot->setTerms(votes.words, method.terms ? method.terms->output.terms : std::vector<fuzzy::Term>(),
+                          votes.steps, end_n);
+    QStringList lines;
+    if (method.terms) {
+      for (const fuzzy::Term& term : method.terms->output.terms) lines << cornersOf(term);
+      QStringList notes;
+      for (const std::string& note : method.terms->notes) notes << text(note);
+      column.corners->setToolTip(notes.join(QLatin1Char('\n')));
+    } else {
+      lines << method.refusal;
+    }
+    column.corners->setText(lines.join(QLatin1Char('\n')));
+    column.corners->setMinimumHeight(QFontMetrics(column.corners->font()).lineSpacing() *
+                                     static_cast<int>(votes.words.terms.size()));
+  }
+}
+
+void ForceTermsView::setChosen(elicitation::ForceTermsFrom from) {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (kForceMethods[i] == from) columns_[i].choice->setChecked(true);
+  }
+}
+
+}  // namespace tactus::workbench

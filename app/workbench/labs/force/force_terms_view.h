@@ -1,0 +1,46 @@
+// The ways from the judgements to the words of the force, side by side: what each gives, and which one the model uses.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "app/workbench/labs/force/force_data.h"
+
+class QHBoxLayout;
+class QLabel;
+class QRadioButton;
+
+namespace tactus::workbench {
+
+class ForceTermsPlot;
+
+class ForceTermsView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ForceTermsView(QWidget* parent = nullptr);
+
+  void setVotes(const ForceVotes& votes);
+  /// The method of the model.
+  void setChosen(elicitation::ForceTermsFrom from);
+  ForceTermsPlot& plot(elicitation::ForceTermsFrom from);
+  /// Adds `tool` beside the name of a method.
+  void addTool(elicitation::ForceTermsFrom from, QWidget* tool);
+
+ signals:
+  void chosen(tactus::elicitation::ForceTermsFrom from);
+
+ private:
+  struct Column {
+    QHBoxLayout* head = nullptr;
+    QRadioButton* choice = nullptr;
+    ForceTermsPlot* plot = nullptr;
+    QLabel* corners = nullptr;
+  };
+  QWidget* makeColumn(std::size_t index);
+  Column& columnOf(elicitation::ForceTermsFrom from);
+
+  std::array<Column, kForceMethods.size()> columns_;
+};
+
+}  // namespace tactus::workbench

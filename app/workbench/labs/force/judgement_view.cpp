@@ -1,0 +1,138 @@
+#include "app/workbench/labs/force/judgement_view.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/labs/force/judgement_delegate.h"
+#include "app/workbench/labs/force/judgement_grid.h"
+#include "app/workbench/labs/force/vote_words.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kJudgementRow = 34;     // px
+constexpr int kJudgementColumn = 66;  // px, two lines of the longest word
+
+// Series in the order in which they were judged.
+std::vector<std::string> seriesIn(const std::vector<session::JudgedForce>& all) {
+  std::vector<std::string> names;
+  for (const session::JudgedForce& one : all) {
+    if (std::find(names.begin(), names.end(), one.record.series) == names.end()) names.push_back(one.record.series);
+  }
+  std::stable_partition(names.begin(), names.end(), [](const std::string& name) { return name == "ascending"; });
+  return names;
+}
+
+}  // namespace
+
+JudgementView::JudgementView(QWidget* parent)
+    : QWidget(parent),
+      grid_(new JudgementGrid(this)),
+      view_(new QTableView(this)),
+      series_(new QComboBox(this)),
+      hint_(new ElidedLabel(this)) {
+  view_->setModel(grid_);
+  view_->setItemDelegate(new JudgementDelegate(*grid_, view_));
+  view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  view_->setTabKeyNavigation(false);
+  view_->setShowGrid(false);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setFont(theme::smallFont());
+  view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view_->setAccessibleName(tr("Judgements of each participant"));
+  view_->verticalHeader()->setDefaultSectionSize(kJudgementRow);
+  view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  QHeaderView* const head = view_->horizontalHeader();
+  head->setFont(theme::smallFont());
+  head->setMinimumSectionSize(kJudgementColumn);
+  head->setSectionResizeMode(QHeaderView::Stretch);
+  for (QHeaderView* header : {head, view_->verticalHeader()}) {
+    header->setHighlightSections(false);
+    header->setSectionsClickable(false);
+  }
+  series_->setAccessibleName(tr("Series of forces"));
+  series_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  setMuted(*hint_);
+  tell({});
+  auto* top = new QHBoxLayout;
+  top->setSpacing(theme::kGrid);
+  top->addWidget(series_);
+  top->addWidget(hint_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setSpacing(theme::kGrid);
+  layout->addLayout(top);
+  layout->addWidget(view_, 1);
+  connect(series_, &QComboBox::activated, this, &JudgementView::showSeries);
+  connect(view_, &QTableView::activated, this, &JudgementView::openMenu);
+  connect(view_, &QTableView::doubleClicked, this, &JudgementView::openMenu);
+  connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
+    const auto chosen = grid_->at(index);
+    if (!chosen.empty()) emit judgementChosen(*chosen.back());
+  });
+  view_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(view_, &QTableView::customContextMenuRequested, this,
+          [this](QPoint place) { openMenu(view_->indexAt(place)); });
+}
+
+void JudgementView::setJudgements(const fuzzy::Variable& words, std::vector<session::JudgedForce> all) {
+  words_ = words;
+  all_ = std::move(all);
+  const QVariant shown = series_->currentData();
+  const QSignalBlocker quiet(series_);
+  series_->clear();
+  for (const std::string& name : seriesIn(all_)) series_->addItem(seriesText(name), text(name));
+  series_->setCurrentIndex(std::max(0, series_->findData(shown)));
+  series_->setVisible(series_->count() > 1);
+  showSeries();
+}
+
+void JudgementView::showSeries() {
+  const QModelIndex before = view_->currentIndex();
+  grid_->setJudgements(words_, all_, series_->currentData().toString().toStdString());
+  const QModelIndex same = grid_->index(before.row(), before.column());
+  if (same.isValid()) view_->setCurrentIndex(same);
+}
+
+void JudgementView::tell(const QString& sentence) {
+  hint_->setFullText(sentence.isEmpty() ? tr("Double-click a judgement to correct it. The old one stays in the study.")
+                                        : sentence);
+}
+
+void JudgementView::showForce(double force_n) {
+  const int column = grid_->columnOf(force_n);
+  if (column < 0 || grid_->rowCount() == 0) return;
+  const int row = std::max(0, view_->currentIndex().row());
+  view_->setCurrentIndex(grid_->index(row, column));
+}
+
+void JudgementView::openMenu(const QModelIndex& index) {
+  const auto judgements = grid_->at(index);
+  if (judgements.empty() || view_->findChild<QMenu*>() != nullptr) return;
+  auto* menu = new QMenu(view_);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (const session::JudgedForce* judged : judgements) {
+    menu->addSection(tr("%1 at %2: %3, corrected to")
+                         .arg(harmless(text(judged->participant)),
+                              quantityText(judged->record.commanded_n, words_.unit),
+                              judgedText(words_, judgedWord(judged->record))));
+    for (const session::JudgedWord& word : offeredWords(words_, all_, *judged)) {
+      menu->addAction(judgedText(words_, word), this,
+                      [this, judged = *judged, word] { emit correctionAsked(judged, word); });
+    }
+  }
+  menu->popup(view_->viewport()->mapToGlobal(view_->visualRect(index).bottomLeft()));
+}
+
+}  // namespace tactus::workbench

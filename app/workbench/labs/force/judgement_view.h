@@ -1,0 +1,53 @@
+// What each participant said at each force, in one series at a time, and the place to correct it.
+#pragma once
+
+#include <QWidget>
+#include <string>
+#include <vector>
+
+#include "app/session/judged_forces.h"
+#include "core/fuzzy/force_model.h"
+
+class QComboBox;
+class QTableView;
+
+namespace tactus::workbench {
+
+class ElidedLabel;
+class JudgementGrid;
+
+class JudgementView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit JudgementView(QWidget* parent = nullptr);
+
+  void setJudgements(const fuzzy::Variable& words, std::vector<session::JudgedForce> all);
+  const JudgementGrid& grid() const { return *grid_; }
+  QTableView& table() { return *view_; }
+
+ public slots:
+  /// Says something about the chosen judgement; empty: how to correct one.
+  void tell(const QString& sentence);
+  /// Chooses the column of a force.
+  void showForce(double force_n);
+
+ signals:
+  /// The user chose the cell of a judgement.
+  void judgementChosen(const tactus::session::JudgedForce& judged);
+  /// The user chose another word for a judgement.
+  void correctionAsked(const tactus::session::JudgedForce& judged, const tactus::session::JudgedWord& word);
+
+ private:
+  void showSeries();
+  void openMenu(const QModelIndex& index);
+
+  std::vector<session::JudgedForce> all_;
+  fuzzy::Variable words_;
+  JudgementGrid* grid_;
+  QTableView* view_;
+  QComboBox* series_;
+  ElidedLabel* hint_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,98 @@
+#include "app/workbench/labs/force/votes_view.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/labs/force/vote_delegate.h"
+#include "app/workbench/labs/force/vote_table.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kVoteRow = 24;        // px
+constexpr int kVoteColumn = 44;     // px
+constexpr int kWinnerColumn = 92;   // px
+constexpr int kReasonColumn = 170;  // px
+
+QString summaryOf(const ForceVotes& votes) {
+  int ties = 0;
+  int undecided = 0;
+  for (const elicitation::VoteStep& step : votes.steps) {
+    ties += step.reason == elicitation::VoteReason::kMajority || !step.term ? 0 : 1;
+    undecided += step.term ? 0 : 1;
+  }
+  QString out = VotesView::tr("%n participant(s)", nullptr, votes.enrolled) + QStringLiteral(" · ") +
+                VotesView::tr("%n tie(s)", nullptr, ties);
+  if (undecided > 0) out += QStringLiteral(" · ") + VotesView::tr("%n force(s) without votes", nullptr, undecided);
+  return out;
+}
+
+}  // namespace
+
+VotesView::VotesView(QWidget* parent)
+    : QWidget(parent),
+      table_(new VoteTable(this)),
+      view_(new QTableView(this)),
+      summary_(new ElidedLabel(this)),
+      refusal_(new QLabel(this)) {
+  view_->setModel(table_);
+  view_->setItemDelegate(new VoteDelegate(*table_, view_));
+  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  view_->setTabKeyNavigation(false);
+  view_->setShowGrid(false);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view_->setAccessibleName(tr("Votes for each force"));
+  view_->verticalHeader()->hide();
+  view_->verticalHeader()->setDefaultSectionSize(kVoteRow);
+  QHeaderView* const head = view_->horizontalHeader();
+  head->setFont(theme::smallFont());
+  head->setHighlightSections(false);
+  head->setSectionsClickable(false);
+  setMuted(*summary_);
+  setMuted(*refusal_);
+  refusal_->setWordWrap(true);
+  refusal_->setAlignment(Qt::AlignCenter);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(summary_);
+  layout->addWidget(view_, 1);
+  layout->addWidget(refusal_, 1);
+  refusal_->hide();
+  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
+    if (index.isValid()) emit forceChosen(table_->step(index.row()).force_n);
+  });
+}
+
+void VotesView::setVotes(const ForceVotes& votes) {
+  const int chosen = view_->currentIndex().row();
+  const bool first = table_->rowCount() == 0;
+  table_->setVotes(votes);
+  summary_->setFullText(votes.refusal.isEmpty() ? summaryOf(votes) : QString());
+  refusal_->setText(votes.refusal);
+  refusal_->setVisible(!votes.refusal.isEmpty());
+  view_->setVisible(votes.refusal.isEmpty());
+  if (first) {
+    QHeaderView* const head = view_->horizontalHeader();
+    const QFontMetrics metrics(theme::smallFont());
+    view_->setColumnWidth(VoteTable::kForce, metrics.horizontalAdvance(QStringLiteral("0.00 N")) + 3 * theme::kGrid);
+    for (int column = VoteTable::kFirstWord; column < table_->winnerColumn(); ++column) {
+      view_->setColumnWidth(column, kVoteColumn);
+    }
+    view_->setColumnWidth(table_->winnerColumn(), kWinnerColumn);
+    view_->setColumnWidth(table_->reasonColumn(), kReasonColumn);
+    head->setStretchLastSection(true);
+  }
+  if (chosen >= 0 && chosen < table_->rowCount()) view_->selectRow(chosen);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,36 @@
+// Table 2 of the open study, live: votes, winners and reasons.
+#pragma once
+
+#include <QWidget>
+
+#include "app/workbench/labs/force/force_data.h"
+
+class QLabel;
+class QTableView;
+
+namespace tactus::workbench {
+
+class ElidedLabel;
+class VoteTable;
+
+class VotesView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit VotesView(QWidget* parent = nullptr);
+
+  void setVotes(const ForceVotes& votes);
+  const VoteTable& table() const { return *table_; }
+
+ signals:
+  /// A row was chosen.
+  void forceChosen(double force_n);
+
+ private:
+  VoteTable* table_;
+  QTableView* view_;
+  ElidedLabel* summary_;
+  QLabel* refusal_;
+};
+
+}  // namespace tactus::workbench

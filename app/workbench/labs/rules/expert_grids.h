@@ -1,0 +1,67 @@
+// The rules of all experts as grids of the same shape: a condition in each row, a region in each column.
+// Example: row `Poor lubrication`, column `Esophagus`: S1 says Large, S4 says Very Large.
+#pragma once
+
+#include <QString>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/workbench/labs/data/lab_study.h"
+#include "core/fuzzy/force_model.h"
+#include "elicitation/model/model_builder.h"
+
+namespace tactus::workbench {
+
+/// What one expert says in one cell.
+struct AskedCell {
+  std::optional<std::size_t> word;  ///< index among the force's words
+  std::size_t rule = 0;             ///< index among the expert's rules, if there is a word
+  double weight = 1;                ///< of the rule
+  bool asked = true;                ///< false: the expert's form lacks the region
+  QString without;                  ///< why there is no word: `skipped`; empty if there is one or it was not asked
+  int item = 0;                     ///< the form's item number; 0: a rule given directly
+  std::optional<study::RecordId> record;  ///< the answer or rule behind it
+  bool given = false;                     ///< `record` is a rule given directly
+  bool corrected = false;                 ///< by the researcher
+};
+
+struct GridExpert {
+  std::string id;
+  QString label;
+  std::size_t number = 0;  ///< of the expert's color (figures::expertNumbers)
+  double weight = 1;
+  std::size_t other_rules = 0;                ///< rules of another shape, which no cell shows
+  std::vector<std::vector<AskedCell>> cells;  ///< by row and column
+};
+
+/// A row or a column: `input is term`.
+struct GridAxis {
+  std::string input;
+  std::string term;
+  QString label;
+
+  bool operator==(const GridAxis&) const = default;
+};
+
+struct ExpertGrids {
+  fuzzy::Variable output;
+  std::vector<GridAxis> rows;     ///< by input, in the model's order
+  std::vector<GridAxis> columns;  ///< the regions of all experts, by depth
+  std::vector<GridExpert> experts;
+
+  const AskedCell& at(std::size_t expert, std::size_t row, std::size_t column) const {
+    return experts[expert].cells[row][column];
+  }
+  /// Largest distance between two experts' words in a cell, in words; 0 with fewer than two words.
+  std::size_t wordsApart(std::size_t row, std::size_t column) const;
+  /// The place of the cell with these two conditions, or nothing.
+  std::optional<std::pair<std::size_t, std::size_t>> placeOf(const std::vector<fuzzy::Condition>& conditions) const;
+};
+
+/// The grids of `built`, which was built from `study`. A rule with two conditions, one of them a region, has a cell; of
+/// two rules in one cell the first is shown. Thread: any.
+ExpertGrids expertGrids(const elicitation::BuiltModel& built, const LabStudy& study);
+
+}  // namespace tactus::workbench

@@ -1,0 +1,179 @@
+#include "app/workbench/labs/rules/rules_lab.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+
+namespace tactus::workbench {
+
+RulesLab::RulesLab(LabData& data, LabModel& model, Corrections& corrections, QObject* parent)
+    : QObject(parent),
+      data_(data),
+      model_(model),
+      corrections_(corrections),
+      work_(data, [this](const LabWork::Run& run) { return compute(run); }) {
+  work_.ignoreSettings();
+  connect(&model_, &LabModel::builtChanged, this, &RulesLab::takeModel);
+  takeModel();
+}
+
+RulesLab::~RulesLab() = default;
+
+// The grids come first: they are there at once, however many experts there are.
+LabWork::Deliver RulesLab::compute(const LabWork::Run& run) {
+  const auto input = input_.load();
+  if (input == nullptr) return {};
+  auto first = std::make_shared<Found>();
+  first->study = input->study;
+  first->grids = expertGrids(*input->built, *input->study);
+  first->agreement = agreementRows(*input->study, run.stop);
+  first->usability = usabilityRows(*input->study);
+  auto whole = std::make_shared<Found>(*first);
+  run.hand([this, first] { take(first); });
+  auto conflicts = elicitation::conflictMap(input->built->model, {{}, run.stop, run.progress});
+  if (!conflicts) return {};
+  whole->conflicts = std::move(*conflicts);
+  return [this, whole] { take(whole); };
+}
+
+void RulesLab::take(std::shared_ptr<Found> found) {
+  // While the newest conflicts are on their way, those of before stay.
+  if (!found->conflicts && found_.conflicts && found->grids.rows == found_.grids.rows &&
+      found->grids.columns == found_.grids.columns && found->grids.experts.size() == found_.grids.experts.size()) {
+    found->conflicts = std::move(found_.conflicts);
+  }
+  found_ = std::move(*found);
+  const ExpertGrids& grids = found_.grids;
+  found_.by_cell.assign(grids.rows.size() * grids.columns.size(), nullptr);
+  if (found_.conflicts) {
+    for (const elicitation::CellConflict& cell : found_.conflicts->cells) {
+      if (const auto place = grids.placeOf(cell.conditions)) {
+        found_.by_cell[place->first * grids.columns.size() + place->second] = &cell;
+      }
+    }
+  }
+  if (chosen_ && (chosen_->row >= grids.rows.size() || chosen_->column >= grids.columns.size())) chosen_.reset();
+  if (!chosen_ && found_.conflicts) {
+    chooseWorst();
+  } else {
+    askInfluences();
+  }
+  emit changed();
+}
+
+void RulesLab::askInfluences() {
+  influences_.clear();
+  influence_work_.drop();
+  emit influencesChanged();
+  const auto input = input_.load();
+  const std::size_t count = found_.grids.experts.size();
+  if (!chosen_ || input == nullptr || input->study != found_.study || count > kInfluenceExperts) return;
+  std::vector<std::optional<std::size_t>> rules(count);
+  for (std::size_t e = 0; e < count; ++e) {
+    const AskedCell& cell = found_.grids.at(e, chosen_->row, chosen_->column);
+    if (cell.word) rules[e] = cell.rule;
+  }
+  influence_work_.run([this, built = input->built, rules](const std::stop_token& stop) -> Background::Deliver {
+    std::vector<std::optional<elicitation::RecordInfluence>> moved(rules.size());
+    for (std::size_t e = 0; e < rules.size() && !stop.stop_requested(); ++e) {
+      if (!rules[e]) continue;
+      if (const auto one = elicitation::withoutRule(*built, e, *rules[e])) moved[e] = *one;
+    }
+    return [this, moved] {
+      influences_ = moved;
+      emit influencesChanged();
+    };
+  });
+}
+
+std::optional<elicitation::RecordInfluence> RulesLab::influenceOf(std::size_t expert) const {
+  return expert < influences_.size() ? influences_[expert] : std::nullopt;
+}
+
+// Something worth looking at, before the user has chosen.
+void RulesLab::chooseWorst() {
+  const auto worst = std::max_element(found_.by_cell.begin(), found_.by_cell.end(), [](const auto* a, const auto* b) {
+    return (a == nullptr ? -1 : a->rms_n) < (b == nullptr ? -1 : b->rms_n);
+  });
+  if (worst == found_.by_cell.end() || *worst == nullptr) return;
+  const auto index = static_cast<std::size_t>(worst - found_.by_cell.begin());
+  const std::size_t columns = found_.grids.columns.size();
+  choose({index / columns, index % columns});
+}
+
+void RulesLab::takeModel() {
+  if (model_.built() == nullptr) {
+    input_.store(nullptr);
+    found_ = {};
+    chosen_.reset();
+    emit changed();
+    return;
+  }
+  input_.store(std::make_shared<const Input>(Input{model_.built(), model_.builtFrom()}));
+  work_.restart();
+}
+
+const elicitation::CellConflict* RulesLab::conflictAt(const GridPlace& place) const {
+  const std::size_t index = place.row * found_.grids.columns.size() + place.column;
+  return index < found_.by_cell.size() ? found_.by_cell[index] : nullptr;
+}
+
+void RulesLab::setWanted(bool wanted) {
+  data_.setWanted(*this, wanted);
+  model_.setWanted(*this, wanted);
+  work_.setWanted(wanted);
+}
+
+void RulesLab::choose(const GridPlace& place) {
+  if (chosen_ == place) return;
+  chosen_ = place;
+  emit chosenChanged();
+  askInfluences();
+}
+
+QString RulesLab::textOf(const GridPlace& place) const {
+  const GridAxis& row = found_.grids.rows[place.row];
+  QString input = text(row.input);
+  input.replace(QLatin1Char('_'), QLatin1Char(' '));
+  return QStringLiteral("%1 %2, %3").arg(row.label, input, found_.grids.columns[place.column].label);
+}
+
+void RulesLab::correctWord(std::size_t expert, const GridPlace& place, std::size_t word) {
+  const fuzzy::Term& term = found_.grids.output.terms[word];
+  correct(expert, place, study::Answer::Status::kAnswered, term.id, labelOf(term));
+}
+
+void RulesLab::correctStatus(std::size_t expert, const GridPlace& place, study::Answer::Status status) {
+  const bool skipped = status == study::Answer::Status::kSkipped;
+  correct(expert, place, status, {}, skipped ? tr("skipped") : tr("cannot tell"));
+}
+
+void RulesLab::correct(std::size_t expert, const GridPlace& place, study::Answer::Status status,
+                       const std::string& term, const QString& said) {
+  const ExpertGrids& grids = found_.grids;
+  // The study may have been read again since the user was asked.
+  if (expert >= grids.experts.size() || place.row >= grids.rows.size() || place.column >= grids.columns.size()) return;
+  const AskedCell& cell = grids.at(expert, place.row, place.column);
+  if (!cell.record) return;
+  const QString what = tr("%1, %2: %3").arg(harmless(grids.experts[expert].label), textOf(place), said);
+  const auto is_it = [&](const auto& record) { return record.entry.id == *cell.record; };
+  if (cell.given) {
+    const auto& rules = found_.study->rules;
+    const auto old = std::find_if(rules.begin(), rules.end(), is_it);
+    if (old == rules.end()) return;
+    study::RuleRecord wanted = *old;
+    wanted.rule.then = term;
+    corrections_.correct(*old, wanted, what);
+    return;
+  }
+  const auto& answers = found_.study->answers;
+  const auto old = std::find_if(answers.begin(), answers.end(), is_it);
+  if (old == answers.end()) return;
+  study::AnswerRecord wanted = *old;
+  wanted.status = status;
+  wanted.value = term;
+  corrections_.correct(*old, wanted, what);
+}
+
+}  // namespace tactus::workbench

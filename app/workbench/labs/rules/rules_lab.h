@@ -1,0 +1,108 @@
+// The rules lab without widgets: the grids of all experts, what their differences cost in newtons, how far they agree,
+// and corrections of answers and given rules.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/labs/data/corrections.h"
+#include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/lab_model.h"
+#include "app/workbench/labs/data/lab_work.h"
+#include "app/workbench/labs/rules/agreement_rows.h"
+#include "app/workbench/labs/rules/expert_grids.h"
+#include "elicitation/agreement/conflict_map.h"
+#include "elicitation/model/record_influence.h"
+
+namespace tactus::workbench {
+
+/// A cell of the grids.
+struct GridPlace {
+  std::size_t row = 0;
+  std::size_t column = 0;
+
+  bool operator==(const GridPlace&) const = default;
+};
+
+/// Thread: gui.
+class RulesLab : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive this.
+  RulesLab(LabData& data, LabModel& model, Corrections& corrections, QObject* parent = nullptr);
+  ~RulesLab() override;
+
+  const ExpertGrids& grids() const { return found_.grids; }
+  /// Null until it is computed.
+  const elicitation::ConflictMap* conflicts() const { return found_.conflicts ? &*found_.conflicts : nullptr; }
+  /// What the experts' words cost in a cell; null if no expert has a rule there, or it is not computed.
+  const elicitation::CellConflict* conflictAt(const GridPlace& place) const;
+  const std::vector<AgreementRow>& agreement() const { return found_.agreement; }
+  const std::vector<UsabilityRow>& usability() const { return found_.usability; }
+  /// Why there are no grids; empty if there are.
+  const QString& failure() const { return model_.failure(); }
+  LabWork& work() { return work_; }
+
+  /// Computes while wanted.
+  void setWanted(bool wanted);
+
+  /// How far the averaged force moves without the expert's rule in the chosen cell; nothing while it is not known, or
+  /// with more than kInfluenceExperts experts.
+  std::optional<elicitation::RecordInfluence> influenceOf(std::size_t expert) const;
+  static constexpr std::size_t kInfluenceExperts = 24;  ///< each takes the time of a comparison of two models
+
+  /// The chosen cell.
+  const std::optional<GridPlace>& chosen() const { return chosen_; }
+  void choose(const GridPlace& place);
+  /// `Poor lubrication, Esophagus`.
+  QString textOf(const GridPlace& place) const;
+
+  /// Stores another word (an index among the force's words) for what `expert` said in a cell, which has a record.
+  void correctWord(std::size_t expert, const GridPlace& place, std::size_t word);
+  /// Stores that the expert skipped the item or could not tell; not for a given rule.
+  void correctStatus(std::size_t expert, const GridPlace& place, study::Answer::Status status);
+
+ signals:
+  /// What was computed is another.
+  void changed();
+  void chosenChanged();
+  void influencesChanged();
+
+ private:
+  /// What one run of the work reads: the model and the study that it was built from.
+  struct Input {
+    std::shared_ptr<const elicitation::BuiltModel> built;
+    std::shared_ptr<const LabStudy> study;
+  };
+  struct Found {
+    std::shared_ptr<const LabStudy> study;
+    ExpertGrids grids;
+    std::optional<elicitation::ConflictMap> conflicts;
+    std::vector<const elicitation::CellConflict*> by_cell;  ///< into `conflicts`, row after row
+    std::vector<AgreementRow> agreement;
+    std::vector<UsabilityRow> usability;
+  };
+  LabWork::Deliver compute(const LabWork::Run& run);
+  void take(std::shared_ptr<Found> found);
+  void chooseWorst();
+  void askInfluences();
+  void takeModel();
+  void correct(std::size_t expert, const GridPlace& place, study::Answer::Status status, const std::string& term,
+               const QString& said);
+
+  LabData& data_;
+  LabModel& model_;
+  Corrections& corrections_;
+  Found found_;
+  std::optional<GridPlace> chosen_;
+  std::vector<std::optional<elicitation::RecordInfluence>> influences_;  ///< by expert, of the chosen cell
+  Background influence_work_;
+  std::atomic<std::shared_ptr<const Input>> input_;  ///< written here, read by the work
+  LabWork work_;                                     ///< last: its end waits for the work, which answers to all above
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,147 @@
+#include "app/workbench/labs/rules/rules_lab_view.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/refresh.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/wrapped_label.h"
+#include "app/workbench/labs/frame/lab_card.h"
+#include "app/workbench/labs/frame/lab_table.h"
+#include "app/workbench/labs/rules/cell_table.h"
+#include "app/workbench/labs/rules/grids_view.h"
+#include "app/workbench/labs/rules/measure_tables.h"
+#include "app/workbench/labs/rules/rules_lab.h"
+
+namespace tactus::workbench {
+namespace {
+
+// How far the experts are apart as a whole, for the heading.
+QString spreadText(const RulesLab& lab) {
+  const elicitation::ConflictMap* const conflicts = lab.conflicts();
+  if (conflicts == nullptr) return {};
+  int noticeable = 0;
+  for (const auto& cell : conflicts->cells) noticeable += cell.rms_noticeable > 1 ? 1 : 0;
+  const std::string& unit = lab.grids().output.unit;
+  return RulesLabView::tr("%n cell(s) apart by more than one just-noticeable difference", nullptr, noticeable) +
+         QStringLiteral(" · ") +
+         RulesLabView::tr("between the experts %1 (SD), at most %2")
+             .arg(quantityText(conflicts->between_n, unit, 3), quantityText(conflicts->largest_spread_n, unit, 3));
+}
+
+}  // namespace
+
+RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
+    : QWidget(parent),
+      lab_(lab),
+      grids_(new GridsView(lab)),
+      spread_(new QLabel),
+      cell_(new CellTable(lab, this)),
+      cell_title_(new QLabel),
+      cell_summary_(new WrappedLabel),
+      agreement_(new AgreementTable(this)),
+      usability_(new UsabilityTable(this)),
+      usability_note_(new WrappedLabel),
+      details_(new QTabWidget) {
+  setObjectName(QStringLiteral("rules"));
+  setWindowTitle(tr("Rules"));
+  setMuted(*spread_);
+  auto* grids = new LabCard(tr("What each expert says, and what it costs"), grids_);
+  grids->addTool(spread_);
+  details_->setDocumentMode(true);
+  details_->addTab(makeCell(), tr("Chosen cell"));
+  auto* agreement = makeLabTable(*agreement_, AgreementTable::kRatings, tr("Measures of agreement"), nullptr);
+  agreement->setObjectName(QStringLiteral("agreement"));
+  details_->addTab(agreement, tr("Agreement"));
+  details_->addTab(makeUsability(), tr("Usability (Table 3)"));
+  auto* below = new Card;
+  auto* inside = new QVBoxLayout(below);
+  inside->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
+  inside->addWidget(details_);
+  auto* all = new QSplitter(Qt::Vertical);
+  all->setChildrenCollapsible(false);
+  all->setHandleWidth(theme::kGrid);
+  all->addWidget(grids);
+  all->addWidget(below);
+  all->setStretchFactor(0, 5);
+  all->setStretchFactor(1, 3);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(all);
+
+  auto* refresh = new Refresh(this, [this] { follow(); });
+  connect(&lab_, &RulesLab::changed, refresh, &Refresh::request);
+  connect(&lab_, &RulesLab::chosenChanged, this, &RulesLabView::followCell);
+  connect(&lab_, &RulesLab::influencesChanged, this, [this] { cell_->follow(); });
+  followCell();
+}
+
+QWidget* RulesLabView::makeCell() {
+  auto* page = new QWidget;
+  page->setObjectName(QStringLiteral("cell"));
+  cell_title_->setFont(theme::headingFont());
+  cell_title_->setTextFormat(Qt::PlainText);
+  cell_summary_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  auto* words = new QVBoxLayout;
+  words->setSpacing(theme::kGrid);
+  words->addWidget(cell_title_);
+  words->addWidget(cell_summary_, 1);
+  auto* row = new QHBoxLayout(page);
+  row->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  row->setSpacing(2 * theme::kGrid);
+  row->addLayout(words, 2);
+  row->addWidget(makeLabTable(*cell_, CellTable::kSource, tr("Experts in the chosen cell"), page), 3);
+  return page;
+}
+
+QWidget* RulesLabView::makeUsability() {
+  auto* page = new QWidget;
+  page->setObjectName(QStringLiteral("usability"));
+  setMuted(*usability_note_);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, theme::kGrid, 0, 0);
+  column->setSpacing(theme::kGrid / 2);
+  column->addWidget(makeLabTable(*usability_, UsabilityTable::kStatement, tr("Usability scale"), page), 1);
+  column->addWidget(usability_note_);
+  return page;
+}
+
+void RulesLabView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  lab_.setWanted(true);
+}
+
+void RulesLabView::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  lab_.setWanted(false);
+}
+
+void RulesLabView::follow() {
+  grids_->follow();
+  spread_->setText(spreadText(lab_));
+  agreement_->setRows(lab_.agreement());
+  usability_->setRows(lab_.usability());
+  const auto& rows = lab_.usability();
+  const bool answered = std::any_of(rows.begin(), rows.end(), [](const UsabilityRow& row) { return row.here.n > 0; });
+  usability_note_->setText(
+      (answered ? QString() : tr("Nobody has filled in the usability form in this study. ")) +
+      tr("Published: nine clinical teachers (Table 3); no nine answers give its third line as printed."));
+  followCell();
+}
+
+void RulesLabView::followCell() {
+  cell_->follow();
+  cell_title_->setText(lab_.chosen() ? lab_.textOf(*lab_.chosen()) : tr("No cell is chosen"));
+  cell_summary_->setText(lab_.chosen()
+                             ? cellSummary(lab_)
+                             : tr("Click a cell of the grids. A double click on an expert's word corrects it; "
+                                  "the old one stays in the study."));
+}
+
+}  // namespace tactus::workbench

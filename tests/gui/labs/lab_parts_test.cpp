@@ -1,0 +1,57 @@
+// Stage Agree in the window: where its labs lead.
+#include "app/workbench/lab_parts.h"
+
+#include <QSettings>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "app/workbench/labs/experts/experts_lab_view.h"
+#include "app/workbench/workbench.h"
+
+#include "tests/gui/labs/lab_study_file.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+
+class LabPartsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    bench.window.resize(1280, 720);
+    bench.window.show();
+    bench.files.open(path);
+    ASSERT_TRUE(
+        comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening() && bench.models.current(); }));
+  }
+
+  QTemporaryDir folder;
+  QString path = tests::demoStudyIn(folder);
+  QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+  Workbench bench{settings, folder.filePath(QStringLiteral("autosave"))};
+};
+
+TEST_F(LabPartsTest, TheAveragedModelWithTheLabsSettingsOpensInTheBench) {
+  LabParts& labs = bench.lab_parts;
+  bench.window.enter(Stage::kAgree);
+  auto wanted = labs.data().settings();
+  wanted.force_terms = elicitation::ForceTermsFrom::kThresholds;
+  labs.data().setSettings(wanted);
+  auto* const experts = labs.screen().findChild<ExpertsLabView*>();
+  ASSERT_NE(experts, nullptr);
+  labs.screen().reveal(experts);
+  emit experts->benchAsked();
+  ASSERT_TRUE(comesTrue([this] { return bench.window.stage() == Stage::kTune; }));
+  // elicitation.md 3, Table 2's split: the mean limits are .2 .325 .55 .775 N, with ramps of .05 N to both sides.
+  const auto& small = bench.models.current()->model.output.terms[1].points;
+  ASSERT_EQ(small.size(), 4U);
+  EXPECT_NEAR(small[0], 0.15, 1e-9);
+  EXPECT_NEAR(small[1], 0.25, 1e-9);
+  EXPECT_NEAR(small[2], 0.275, 1e-9);
+  EXPECT_NEAR(small[3], 0.375, 1e-9);
+  EXPECT_TRUE(bench.study_models.keepsModel());
+}
+
+}  // namespace
+}  // namespace tactus::workbench

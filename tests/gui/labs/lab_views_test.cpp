@@ -1,0 +1,138 @@
+// The labs' widgets with the demo's study: what the user clicks becomes a setting or a record.
+#include <QComboBox>
+#include <QMenu>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/workbench/labs/experts/experts_lab_view.h"
+#include "app/workbench/labs/experts/weight_table.h"
+#include "app/workbench/labs/force/force_lab.h"
+#include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/labs/force/judgement_grid.h"
+#include "app/workbench/labs/force/judgement_view.h"
+#include "app/workbench/labs/force/vote_table.h"
+#include "app/workbench/labs/force/votes_view.h"
+#include "app/workbench/labs/rules/grids_view.h"
+#include "app/workbench/labs/rules/rules_lab_view.h"
+
+#include "tests/gui/labs/lab_study_file.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+
+class LabViews : public testing::Test {
+ protected:
+  void SetUp() override { study.open(path); }
+  void show(QWidget& view) {
+    view.resize(1180, 640);
+    view.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  }
+  /// Chooses the entry `text` of the menu that `owner` has opened.
+  static bool pick(QWidget& owner, const QString& text) {
+    auto* const menu = owner.findChild<QMenu*>();
+    if (menu == nullptr) return false;
+    for (QAction* action : menu->actions()) {
+      if (action->text() != text) continue;
+      action->trigger();
+      menu->close();
+      return true;
+    }
+    return false;
+  }
+
+  QTemporaryDir folder;
+  QString path = tests::demoStudyIn(folder);
+  StudyConnection study;
+  LabData data{study};
+  LabModel model{data};
+  Corrections corrections{data};
+};
+
+TEST_F(LabViews, AForceLeadsToItsJudgementsAndAWordIsCorrectedThere) {
+  ForceLab lab(data, model, corrections);
+  ForceLabView view(lab);
+  show(view);
+  const VoteTable& table = view.votes().table();
+  ASSERT_TRUE(comesTrue([&] { return table.rowCount() >= 11; }));
+  emit view.votes().forceChosen(0.3);
+  QTableView& judgements = view.judgements().table();
+  const JudgementGrid& grid = view.judgements().grid();
+  ASSERT_TRUE(comesTrue([&] { return grid.rowCount() == 4; }));
+  emit view.votes().forceChosen(0.3);
+  EXPECT_EQ(judgements.currentIndex().column(), grid.columnOf(0.3));
+
+  const QModelIndex cell = judgements.currentIndex();
+  const QString before = cell.data().toString();
+  const QString wanted = before == QStringLiteral("Large") ? QStringLiteral("Medium") : QStringLiteral("Large");
+  emit judgements.doubleClicked(cell);
+  ASSERT_TRUE(pick(judgements, wanted));
+  ASSERT_TRUE(comesTrue([&] { return grid.index(cell.row(), cell.column()).data().toString() == wanted; }));
+  EXPECT_TRUE(grid.index(cell.row(), cell.column()).data(Qt::ToolTipRole).toString().contains(before));
+  corrections.undo();
+  EXPECT_TRUE(comesTrue([&] { return grid.index(cell.row(), cell.column()).data().toString() == before; }));
+}
+
+TEST_F(LabViews, TheRoundButtonChoosesTheWayOfTheModel) {
+  ForceLab lab(data, model, corrections);
+  ForceLabView view(lab);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return !lab.votes().steps.empty(); }));
+  const auto choices = view.findChildren<QRadioButton*>();
+  ASSERT_EQ(choices.size(), 3);
+  ASSERT_TRUE(comesTrue([&] { return choices[0]->isChecked(); }));
+  choices[1]->click();
+  EXPECT_EQ(data.settings().force_terms, elicitation::ForceTermsFrom::kFrequency);
+}
+
+TEST_F(LabViews, AHiddenLabComputesNothing) {
+  ForceLab lab(data, model, corrections);
+  ForceLabView view(lab);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return !lab.votes().steps.empty() && !lab.work().isBusy(); }));
+  view.hide();
+  data.setSettings(data.settings());
+  EXPECT_FALSE(lab.work().isBusy());
+}
+
+TEST_F(LabViews, ADoubleClickInAGridCorrectsTheAnswer) {
+  RulesLab lab(data, model, corrections);
+  RulesLabView view(lab);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return lab.conflicts() != nullptr && !lab.work().isBusy(); }));
+  GridsView& grids = view.grids();
+  ASSERT_TRUE(comesTrue([&] { return !lab.grids().rows.empty(); }));
+  // With the keyboard: to the first cell of the first expert, then its menu.
+  grids.setFocus();
+  QTest::keyClick(&grids, Qt::Key_Up);
+  ASSERT_TRUE(lab.chosen());
+  const GridPlace place = *lab.chosen();
+  const AskedCell cell = lab.grids().at(0, place.row, place.column);
+  ASSERT_TRUE(cell.word && cell.record);
+  QTest::keyClick(&grids, Qt::Key_Return);
+  ASSERT_TRUE(pick(grids, QStringLiteral("cannot tell")));
+  EXPECT_TRUE(comesTrue([&] { return !lab.grids().at(0, place.row, place.column).word; }));
+}
+
+TEST_F(LabViews, AWeightIsTypedIntoTheTable) {
+  ExpertsLab lab(data, model);
+  ExpertsLabView view(lab);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return view.weights().rowCount() == 4; }));
+  WeightTable& table = view.weights();
+  EXPECT_TRUE(table.setData(table.index(1, WeightTable::kWeight), QStringLiteral("2,5"), Qt::EditRole));
+  EXPECT_EQ(data.settings().weights.table.at("S2"), 2.5);
+  EXPECT_FALSE(table.setData(table.index(1, WeightTable::kWeight), QStringLiteral("many"), Qt::EditRole));
+  EXPECT_TRUE(
+      comesTrue([&] { return table.index(1, WeightTable::kWeight).data().toString() == QStringLiteral("2.5"); }));
+}
+
+}  // namespace
+}  // namespace tactus::workbench
