@@ -74,6 +74,18 @@ Result<void> checkRule(const Expert& expert, const Rule& rule, std::optional<std
   return {};
 }
 
+/// The rule of `expert`, among those not yet taken, whose place `rule` takes: the same one, or else the first with the
+/// same conditions. The number of `taken` if there is none.
+std::size_t placeFor(const Rule& rule, const Expert& expert, const std::vector<bool>& taken) {
+  std::size_t place = taken.size();
+  for (std::size_t r = taken.size(); r-- > 0;) {
+    if (taken[r] || !sameConditions(expert.rules[r], rule)) continue;
+    if (expert.rules[r].then == rule.then) return r;
+    place = r;
+  }
+  return place;
+}
+
 Result<void> checkAny(std::span<const std::size_t> indices) {
   if (!indices.empty()) return {};
   return fail(ErrorCode::kValue, "rules", "none", "one or more");
@@ -133,27 +145,53 @@ Result<Edit> replaceRule(const ForceModel& model, const std::string& expert_id, 
   });
 }
 
-Result<Edit> setConsequent(const ForceModel& model, const std::string& expert_id, std::size_t index,
+Result<Edit> setConsequent(const ForceModel& model, const std::string& expert_id, std::span<const std::size_t> indices,
                            const std::string& then) {
-  if (const auto expert = findExpert(model, expert_id); expert && index < (*expert)->rules.size()) {
-    Rule rule = (*expert)->rules[index];
-    rule.then = then;
-    if (auto ok = checkRule(**expert, rule, index); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkAny(indices); !ok) return tl::unexpected(ok.error());
+  if (const auto expert = findExpert(model, expert_id)) {
+    // Of the rules as they would be, none may be the same as another one.
+    Expert after = **expert;
+    for (const std::size_t index : indices) {
+      if (index < after.rules.size()) after.rules[index].then = then;
+    }
+    for (const std::size_t index : indices) {
+      if (index >= after.rules.size()) continue;
+      if (auto ok = checkRule(after, after.rules[index], index); !ok) return tl::unexpected(ok.error());
+    }
   }
-  return changed(model, expert_id, std::span(&index, 1), [&](ForceModel& out, Expert& expert) {
-    Rule& rule = expert.rules[index];
+  return changed(model, expert_id, indices, [&](ForceModel& out, Expert& expert) {
+    if (indices.size() > 1) {
+      for (const std::size_t index : indices) expert.rules[index].then = then;
+      return text(out, expert, indices) + " THEN " + consequentText(out, expert, then);
+    }
+    Rule& rule = expert.rules[indices.front()];
     const std::string before = std::exchange(rule.then, then);
     return labelOf(expert) + ": " + conditionsText(out, expert, rule) + ": " + consequentText(out, expert, before) +
            " to " + consequentText(out, expert, then);
   });
 }
 
-Result<Edit> setRuleWeight(const ForceModel& model, const std::string& expert_id, std::size_t index, double weight) {
-  return changed(model, expert_id, std::span(&index, 1), [&](ForceModel& out, Expert& expert) {
-    Rule& rule = expert.rules[index];
+Result<Edit> setRuleWeight(const ForceModel& model, const std::string& expert_id, std::span<const std::size_t> indices,
+                           double weight) {
+  if (auto ok = checkAny(indices); !ok) return tl::unexpected(ok.error());
+  return changed(model, expert_id, indices, [&](ForceModel& out, Expert& expert) {
+    if (indices.size() > 1) {
+      for (const std::size_t index : indices) expert.rules[index].weight = weight;
+      return text(out, expert, indices) + ", weight " + base::formatNumber(weight);
+    }
+    Rule& rule = expert.rules[indices.front()];
     const double before = std::exchange(rule.weight, weight);
     return ruleText(out, expert, rule) + ", weight " + base::formatNumber(before) + " to " + base::formatNumber(weight);
   });
+}
+
+Result<Edit> setConsequent(const ForceModel& model, const std::string& expert, std::size_t index,
+                           const std::string& then) {
+  return setConsequent(model, expert, std::span(&index, 1), then);
+}
+
+Result<Edit> setRuleWeight(const ForceModel& model, const std::string& expert, std::size_t index, double weight) {
+  return setRuleWeight(model, expert, std::span(&index, 1), weight);
 }
 
 Result<Edit> enableRules(const ForceModel& model, const std::string& expert_id, std::span<const std::size_t> indices,
@@ -175,6 +213,33 @@ Result<Edit> removeRules(const ForceModel& model, const std::string& expert_id, 
     }
     expert.rules = std::move(kept);
     return label;
+  });
+}
+
+Result<Edit> putRules(const ForceModel& model, const std::string& expert_id, std::span<const Rule> rules) {
+  if (rules.empty()) return fail(ErrorCode::kValue, "rules", "none", "one or more");
+  return changed(model, expert_id, {}, [&](ForceModel& out, Expert& expert) {
+    const std::size_t known = expert.rules.size();
+    std::vector<bool> taken(known);
+    std::vector<const Rule*> put;
+    std::size_t added = 0;
+    for (const Rule& rule : rules) {
+      const auto same = [&](const Rule* one) { return one->then == rule.then && sameConditions(*one, rule); };
+      if (std::any_of(put.begin(), put.end(), same)) continue;
+      put.push_back(&rule);
+      const std::size_t place = placeFor(rule, expert, taken);
+      if (place == known) {
+        expert.rules.push_back(inOrderOfInputs(out, rule));
+        ++added;
+        continue;
+      }
+      taken[place] = true;
+      expert.rules[place].then = rule.then;
+      expert.rules[place].weight = rule.weight;
+      expert.rules[place].enabled = rule.enabled;
+    }
+    return labelOf(expert) + ": " + std::to_string(put.size()) + (put.size() == 1 ? " rule" : " rules") + " pasted, " +
+           std::to_string(added) + " of them new";
   });
 }
 

@@ -25,6 +25,12 @@ base::Result<Edit> setConsequent(const fuzzy::ForceModel& model, const std::stri
 base::Result<Edit> setRuleWeight(const fuzzy::ForceModel& model, const std::string& expert, std::size_t index,
                                  double weight);
 
+/// The same for several rules at once. Refused: two rules that would become the same.
+base::Result<Edit> setConsequent(const fuzzy::ForceModel& model, const std::string& expert,
+                                 std::span<const std::size_t> indices, const std::string& then);
+base::Result<Edit> setRuleWeight(const fuzzy::ForceModel& model, const std::string& expert,
+                                 std::span<const std::size_t> indices, double weight);
+
 /// Enables or disables rules. At least one index; each below the number of rules.
 base::Result<Edit> enableRules(const fuzzy::ForceModel& model, const std::string& expert,
                                std::span<const std::size_t> indices, bool enabled);
@@ -32,6 +38,11 @@ base::Result<Edit> enableRules(const fuzzy::ForceModel& model, const std::string
 /// Removes rules.
 base::Result<Edit> removeRules(const fuzzy::ForceModel& model, const std::string& expert,
                                std::span<const std::size_t> indices);
+
+/// Puts a block of rules (rule_text.h) among those of the expert: a rule takes the place of the one with the same
+/// conditions, the second of such rules that of the second one; the others are appended.
+base::Result<Edit> putRules(const fuzzy::ForceModel& model, const std::string& expert,
+                            std::span<const fuzzy::Rule> rules);
 
 /// Sets the weight of an expert in the mean, >= 0. Refused: 0 for the only expert with a weight above 0.
 base::Result<Edit> setExpertWeight(const fuzzy::ForceModel& model, const std::string& expert, double weight);

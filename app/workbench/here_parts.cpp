@@ -6,8 +6,8 @@
 
 namespace tactus::workbench {
 
-HereParts::HereParts(MainWindow& window, SceneController& scene)
+HereParts::HereParts(MainWindow& window, SceneController& scene, Selection& selection)
     : terms_(window.addPanel(QStringLiteral("terms"), tr("Membership functions"), new VariableRow(scene))),
-      rules_(window.addPanel(QStringLiteral("rules"), tr("Rules here"), new RulePanel(scene))) {}
+      rules_(window.addPanel(QStringLiteral("rules"), tr("Rules here"), new RulePanel(scene, selection))) {}
 
 }  // namespace tactus::workbench

@@ -8,12 +8,13 @@ namespace tactus::workbench {
 class MainWindow;
 class Panel;
 class SceneController;
+class Selection;
 
 class HereParts : public QObject {
   Q_OBJECT
 
  public:
-  HereParts(MainWindow& window, SceneController& scene);
+  HereParts(MainWindow& window, SceneController& scene, Selection& selection);
 
   Panel& terms() { return terms_; }
   Panel& rules() { return rules_; }

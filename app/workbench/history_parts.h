@@ -25,6 +25,7 @@ class HistoryParts : public QObject {
   HistoryParts(MainWindow& window, EditController& edits, CompareController& compare, SceneController& scene,
                FeelController& feel, AuthorName& author, GhostController& ghost);
 
+  HistoryPanel& view() { return *view_; }
   Panel& panel() { return *panel_; }
   /// Shows the panel with the focus in the field for a sign-off.
   void askSignOff();

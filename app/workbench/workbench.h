@@ -25,10 +25,12 @@
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/selection.h"
 #include "app/workbench/note_parts.h"
 #include "app/workbench/picture_parts.h"
 #include "app/workbench/recovery_parts.h"
 #include "app/workbench/rule_parts.h"
+#include "app/workbench/selection_parts.h"
 #include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_files.h"
@@ -66,6 +68,7 @@ struct Workbench {
   AuthorName author;
   AutosaveController autosave;
   RecoveryController recovery;
+  Selection selection;  ///< before its users
   TermController terms;
   RuleController rules;
   GhostController ghost;
@@ -95,6 +98,7 @@ struct Workbench {
   LabParts lab_parts;
   NoteParts note_parts;
   HistoryParts history_parts;
+  SelectionParts selection_parts;
   DeliverParts deliver_parts;
   RecoveryParts recovery_parts;
   PictureParts picture_parts;

@@ -16,7 +16,8 @@ struct BenchControllers {
   workbench::SceneController scene{models};
   workbench::EditController edits{models};
   workbench::TermController terms{edits};
-  workbench::RuleController rules{edits, scene};
+  workbench::Selection selection{edits};
+  workbench::RuleController rules{edits, scene, selection};
   workbench::CompareController compare{models, edits};
   workbench::FindingsController findings{edits, scene};
 };

@@ -17,7 +17,7 @@ std::string BenchGestures::grid() {
   const std::size_t count = rules_.expert().rules.size();
   const std::size_t rule = below(count + 1);
   const auto cell = [&] { return workbench::RuleCell{below(4), below(6), below(6)}; };
-  switch (random_.below(14)) {
+  switch (random_.below(16)) {
     case 0:
       rules_.setExpert(oneIn(20) ? "nobody" : someExpert());
       return "rules of another expert";
@@ -39,10 +39,10 @@ std::string BenchGestures::grid() {
       rules_.answer(oneIn(4) ? std::nullopt : std::optional(below(rules_.words().size() + 1)));
       return "answer the cell";
     case 6:
-      rules_.setConsequent(rule, oneIn(30) ? "nothing" : pick(rules_.words()).id);
+      rules_.setConsequent({rule}, oneIn(30) ? "nothing" : pick(rules_.words()).id);
       return "another consequent";
     case 7:
-      rules_.setWeight(rule, number(-0.2, 1.2));
+      rules_.setWeight({rule}, number(-0.2, 1.2));
       return "type a weight";
     case 8:
       for (int i = random_.below(4); i >= 0; --i) rules_.weigh(rule, number(-0.1, 1.1));
@@ -60,6 +60,14 @@ std::string BenchGestures::grid() {
     case 12:
       rules_.replace(rule, someRule(rules_.expert()));
       return "rewrite a rule with the form";
+    case 13:
+      rules_.selection().selectRules({rule, below(count + 1)});
+      rules_.paste(oneIn(10) ? QStringLiteral("IF nothing") : rules_.copied());
+      return "copy and paste rules";
+    case 14:
+      rules_.selection().pointAtRules(someExpert(), {rule});
+      rules_.goWhereItActs();
+      return "point at a rule and go there";
     default:
       rules_.select(cell());
       rules_.answerAndGoOn(below(rules_.words().size()));

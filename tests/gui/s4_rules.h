@@ -29,7 +29,8 @@ class S4Rules : public testing::Test {
   workbench::ModelController models;
   workbench::SceneController scene{models};
   workbench::EditController edits{models};
-  workbench::RuleController rules{edits, scene};
+  workbench::Selection selection{edits};
+  workbench::RuleController rules{edits, scene, selection};
 };
 
 }  // namespace tactus::tests

@@ -126,6 +126,12 @@ void SceneController::setValue(std::size_t input, double value) {
   }
 }
 
+void SceneController::goTo(const std::vector<double>& point) {
+  TACTUS_CHECK(point.size() == values_.size());
+  clearHover();
+  for (std::size_t i = 0; i < point.size(); ++i) setValue(i, point[i]);
+}
+
 void SceneController::applyPreset(const FigurePreset& preset) {
   // All figures of the paper run over the depth.
   if (const auto depth = inputNamed(model_->model, "depth")) setXInput(*depth);

@@ -82,6 +82,8 @@ class SceneController : public QObject {
   void setXInput(std::size_t input);
   /// Sets input `input` to `value`, clamped to its universe. Ignores NaN.
   void setValue(std::size_t input, double value);
+  /// Moves the operating point to `point`, one value per input, and ends the hover.
+  void goTo(const std::vector<double>& point);
   /// Sets the inputs as in a figure of the paper, puts the depth on the x axis if the model has one, and shows the
   /// figure's family of curves.
   void applyPreset(const tactus::workbench::FigurePreset& preset);

@@ -57,6 +57,23 @@ TEST_F(RuleEdits, OneRuleIsChanged) {
   EXPECT_EQ(other.model.experts[0].rules.size(), 45);
 }
 
+TEST_F(RuleEdits, SeveralRulesAreOneEdit) {
+  const auto words = must(setConsequent(model_, s4_, std::array<std::size_t, 3>{0, 1, 4}, "large"));
+  EXPECT_EQ(words.label, "S4: 3 rules THEN large");
+  for (const std::size_t rule : {0, 1, 4}) EXPECT_EQ(words.model.experts[0].rules[rule].then, "large");
+  EXPECT_EQ(words.model.experts[0].rules[2], model_.experts[0].rules[2]);
+  const auto weights = must(setRuleWeight(model_, s4_, std::array<std::size_t, 2>{0, 1}, 0.5));
+  EXPECT_EQ(weights.label, "S4: 2 rules, weight 0.5");
+  EXPECT_EQ(weights.model.experts[0].rules[1].weight, 0.5);
+  refusal(setConsequent(model_, s4_, std::array<std::size_t, 2>{0, 45}, "large"));
+  refusal(setConsequent(model_, s4_, std::span<const std::size_t>(), "large"));
+  // Two rules with the same conditions would become one and the same.
+  fuzzy::ForceModel two = model_;
+  two.experts[0].rules.push_back(model_.experts[0].rules[0]);
+  two.experts[0].rules.back().then = "medium";
+  refusal(setConsequent(two, s4_, std::array<std::size_t, 2>{0, 45}, "large"));
+}
+
 TEST_F(RuleEdits, TheRefusalOfADoubledRuleNamesTheOther) {
   const Rule third = model_.experts[0].rules[2];
   const std::string sentence = "S4: found the same as rule 3, wanted a new rule";

@@ -142,6 +142,13 @@ void FindingsController::goTo(bool other_end) {
   }
 }
 
+void FindingsController::pointAt(std::size_t rule) {
+  // The rules of another model have other numbers.
+  if (!chosen_ || !isCurrent() || rule >= findings()[*chosen_].rules.size()) return;
+  const RuleOfExpert& pointed = findings()[*chosen_].rules[rule];
+  emit rulePointed(text(pointed.expert), pointed.rule);
+}
+
 bool FindingsController::apply(std::size_t fix) {
   if (fix >= fixes_.size() || !isCurrent() || edits_.inGesture()) {
     edits_.refuse(tr("The model changed since this fix was made; the new findings will be there in a moment."));

@@ -63,6 +63,8 @@ class FindingsController : public QObject {
   void clearChoice();
   /// Moves the operating point to the end of the change of force (false) or to its beginning (true).
   void goTo(bool other_end);
+  /// Points at rule `rule` of those that the chosen finding names.
+  void pointAt(std::size_t rule);
   /// Applies a fix of the chosen finding as one entry of the undo list. Refused: a fix made from another model than the
   /// open one. Returns whether it was applied.
   bool apply(std::size_t fix);
@@ -72,6 +74,8 @@ class FindingsController : public QObject {
   void changed();
   void chosenChanged();
   void fixesChanged();
+  /// The user asks for a rule that a finding names.
+  void rulePointed(const QString& expert, std::size_t rule);
   /// A finding of this expert, about this input, was chosen; either may be empty.
   void lookedAt(const QString& expert, const QString& input);
 

@@ -6,19 +6,37 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr std::size_t kMostRules = 6;  // buttons that fit beside the others
+
+// A button may be the one whose click led here.
+void clear(QLayout& layout) {
+  while (QLayoutItem* const item = layout.takeAt(0)) {
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+}
+
+}  // namespace
+
 FixCard::FixCard(FindingsController& findings, QWidget* parent)
     : QFrame(parent),
       findings_(findings),
       sentence_(new QLabel(this)),
       here_(new QToolButton(this)),
       other_end_(new QToolButton(this)),
+      rules_(new QHBoxLayout),
       note_(new QLabel(this)),
       fixes_(new QWidget(this)),
       grid_(new QGridLayout(fixes_)) {
@@ -28,6 +46,7 @@ FixCard::FixCard(FindingsController& findings, QWidget* parent)
   here_->setToolTip(tr("Move the operating point to the place of this force"));
   other_end_->setText(tr("Go to start"));
   other_end_->setToolTip(tr("Move the operating point to the start of the change of force"));
+  rules_->setSpacing(theme::kGrid / 2);
   note_->setWordWrap(true);
   setMuted(*note_);
   grid_->setContentsMargins(0, 0, 0, 0);
@@ -39,6 +58,7 @@ FixCard::FixCard(FindingsController& findings, QWidget* parent)
   places->setSpacing(theme::kGrid / 2);
   places->addWidget(other_end_);
   places->addWidget(here_);
+  places->addLayout(rules_);
   places->addStretch(1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, theme::kGrid / 2, 0, 0);
@@ -64,17 +84,29 @@ void FixCard::showFinding() {
   here_->setVisible(!shown.at.empty());
   here_->setText(shown.other_end.empty() ? tr("Go there") : tr("Go to end"));
   other_end_->setVisible(!shown.other_end.empty());
+  showRules();
   showFixes();
+}
+
+void FixCard::showRules() {
+  clear(*rules_);
+  const auto& named = findings_.findings()[*findings_.chosen()].rules;
+  const bool one_expert = std::all_of(named.begin(), named.end(),
+                                      [&](const RuleOfExpert& rule) { return rule.expert == named.front().expert; });
+  for (std::size_t r = 0; r < std::min(named.size(), kMostRules); ++r) {
+    auto* button = new QToolButton(this);
+    button->setText(one_expert ? tr("Rule %1").arg(named[r].rule + 1)
+                               : tr("Rule %1 of %2").arg(named[r].rule + 1).arg(text(named[r].expert)));
+    button->setToolTip(tr("Select this rule in the rule editor"));
+    button->setObjectName(QStringLiteral("rule_%1").arg(r));
+    rules_->addWidget(button);
+    connect(button, &QToolButton::clicked, this, [this, r] { findings_.pointAt(r); });
+  }
 }
 
 void FixCard::showFixes() {
   if (!findings_.chosen()) return;
-  while (QLayoutItem* const item = grid_->takeAt(0)) {
-    // A button may be the one whose click led here.
-    item->widget()->hide();
-    item->widget()->deleteLater();
-    delete item;
-  }
+  clear(*grid_);
   const auto& fixes = findings_.fixes();
   for (std::size_t i = 0; i < fixes.size(); ++i) {
     // An ampersand of a label is no shortcut.

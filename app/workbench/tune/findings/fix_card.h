@@ -4,6 +4,7 @@
 #include <QFrame>
 
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
@@ -20,11 +21,13 @@ class FixCard : public QFrame {
  private:
   void showFinding();
   void showFixes();
+  void showRules();
 
   FindingsController& findings_;
   QLabel* sentence_;
   QToolButton* here_;
   QToolButton* other_end_;
+  QHBoxLayout* rules_;  ///< a button for each rule
   QLabel* note_;
   QWidget* fixes_;
   QGridLayout* grid_;

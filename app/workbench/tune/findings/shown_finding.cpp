@@ -34,6 +34,7 @@ class Shower {
     out.kind = kindText(finding.kind);
     out.who = findingWho(model_, finding);
     out.sentence = findingSentence(model_, compiled_, finding);
+    out.rules = rulesOf(finding);
     if (finding.newtons && model_.output.unit == "N") out.noticeable = noticeable(finding);
     if (!finding.to.empty()) {
       out.at.assign(finding.to.begin(), finding.to.end());
@@ -45,6 +46,17 @@ class Shower {
   }
 
  private:
+  std::vector<RuleOfExpert> rulesOf(const RuleFinding& finding) const {
+    std::vector<RuleOfExpert> out;
+    for (std::size_t s = 0; s < finding.sources.size(); ++s) {
+      if (!finding.sources[s].rule || finding.experts.empty()) continue;
+      // Of experts who are apart it is one rule of each.
+      const bool one_each = finding.kind == Kind::kExpertsApart && s < finding.experts.size();
+      out.push_back({one_each ? finding.experts[s] : finding.experts.front(), *finding.sources[s].rule});
+    }
+    return out;
+  }
+
   /// A force that the change begins with. Of experts who are apart it is their mean, as in the lint.
   std::optional<double> before(const RuleFinding& finding) const {
     if (finding.kind == Kind::kConflict) return smallerConsequent(finding);

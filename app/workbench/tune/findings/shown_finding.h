@@ -27,6 +27,14 @@ enum class Acceptance {
   kLapsed,  ///< not a finding, but an acceptance whose hole no longer exists
 };
 
+/// A rule that a finding is about.
+struct RuleOfExpert {
+  std::string expert;    ///< id
+  std::size_t rule = 0;  ///< index in Expert::rules
+
+  bool operator==(const RuleOfExpert&) const = default;
+};
+
 struct ShownFinding {
   elicitation::RuleFinding finding;
   FindingGroup group = FindingGroup::kCoverage;
@@ -34,6 +42,7 @@ struct ShownFinding {
   QString who;       ///< `S1 and S4`, or `Mean`
   QString sentence;  ///< one sentence, with the labels of the model
   Acceptance acceptance = Acceptance::kNone;
+  std::vector<RuleOfExpert> rules;  ///< in the order of the sentence; empty if no rule is the cause
   /// The force at stake in just-noticeable differences around the force at its beginning; nothing if the force is not
   /// in newtons.
   std::optional<double> noticeable;

@@ -86,10 +86,8 @@ HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, Sc
   connect(&edits_, &EditController::historyChanged, refresh_, &Refresh::request);
   connect(&edits_, &EditController::effectsChanged, refresh_, &Refresh::request);
   connect(&edits_, &EditController::modelReset, this, &HistoryPanel::listExperts);
-  connect(view_, &QListView::clicked, this,
-          [this](const QModelIndex& index) { edits_.returnTo(model_->row(index.row()).state); });
-  connect(view_, &QListView::activated, this,
-          [this](const QModelIndex& index) { edits_.returnTo(model_->row(index.row()).state); });
+  connect(view_, &QListView::clicked, this, &HistoryPanel::visit);
+  connect(view_, &QListView::activated, this, &HistoryPanel::visit);
   connect(view_, &QListView::customContextMenuRequested, this, &HistoryPanel::openMenu);
   connect(snapshot_, &QLineEdit::textChanged, this,
           [this](const QString& name) { name_it_->setEnabled(edits_.isOpen() && !name.trimmed().isEmpty()); });
@@ -163,6 +161,12 @@ QWidget* HistoryPanel::makeSide(CompareController& compare, SceneController& sce
   scroll->setWidget(side);
   for (QWidget* surface : {static_cast<QWidget*>(scroll->viewport()), side}) surface->setAutoFillBackground(false);
   return scroll;
+}
+
+void HistoryPanel::visit(const QModelIndex& index) {
+  const editing::StateId state = model_->row(index.row()).state;
+  edits_.returnTo(state);
+  if (edits_.history().current() == state) emit visited(state);
 }
 
 void HistoryPanel::list() {

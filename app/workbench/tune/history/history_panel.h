@@ -3,6 +3,7 @@
 // state is ever lost.
 #pragma once
 
+#include "app/editing/edit_history.h"
 #include "app/workbench/kit/card.h"
 
 class QComboBox;
@@ -33,6 +34,10 @@ class HistoryPanel : public Card {
   void askSignOff();
   void askAuthor();
 
+ signals:
+  /// The user went to this state, which is the current one now.
+  void visited(tactus::editing::StateId state);
+
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
@@ -41,6 +46,7 @@ class HistoryPanel : public Card {
   void showSide(bool shown);
   QWidget* makeSide(CompareController& compare, SceneController& scene);
   void list();
+  void visit(const QModelIndex& index);
   void listExperts();
   void takeSnapshot();
   void takeSignOff();

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QCheckBox;
+class QToolButton;
 
 namespace tactus::workbench {
 
@@ -30,6 +31,7 @@ class RuleCellBar : public QWidget {
   ElidedLabel* conditions_;
   NumberBox* weight_;
   QCheckBox* enabled_;
+  QToolButton* go_;
   WordBar* words_;
   bool warns_ = false;
 };

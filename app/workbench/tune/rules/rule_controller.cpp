@@ -7,6 +7,8 @@
 #include "app/editing/rule_edits.h"
 #include "app/editing/term_list.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/model/where_it_acts.h"
+#include "app/workbench/tune/rules/rule_block.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
@@ -22,19 +24,21 @@ std::optional<std::size_t> indexIn(const std::vector<std::string>& ids, const st
 
 }  // namespace
 
-RuleController::RuleController(EditController& edits, const SceneController& scene, QObject* parent)
-    : QObject(parent), edits_(edits), scene_(scene) {
+RuleController::RuleController(EditController& edits, SceneController& scene, Selection& selection, QObject* parent)
+    : QObject(parent), edits_(edits), scene_(scene), selection_(selection) {
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);
   connect(&rest_, &QTimer::timeout, this, &RuleController::endWeighing);
   connect(&edits_, &EditController::modelReset, this, &RuleController::adoptModel);
   connect(&edits_, &EditController::changed, this, &RuleController::follow);
   connect(&scene_, &SceneController::readingChanged, this, &RuleController::readAnew);
+  connect(&selection_, &Selection::expertChanged, this, &RuleController::adoptExpert);
+  connect(&selection_, &Selection::rulesChanged, this, &RuleController::adoptSelection);
   if (edits_.isOpen()) adoptModel();
 }
 
 const fuzzy::Expert& RuleController::expert() const {
-  const auto found = editing::findExpert(model(), expert_);
+  const auto found = editing::findExpert(model(), selection_.expert());
   TACTUS_CHECK(found.has_value());
   return **found;
 }
@@ -58,7 +62,7 @@ const std::vector<fuzzy::Term>& RuleController::terms(const std::string& input_i
 const std::vector<RuleController::Grid>& RuleController::grids() const {
   if (!grids_) {
     grids_.emplace();
-    for (const editing::GridId& id : editing::gridsOf(model(), expert_, region_)) {
+    for (const editing::GridId& id : editing::gridsOf(model(), selection_.expert(), region_)) {
       auto cells = editing::ruleGrid(model(), id);
       TACTUS_CHECK(cells.has_value());
       grids_->push_back({id, std::move(*cells)});
@@ -129,7 +133,7 @@ double RuleController::valueHere(const std::string& input_id) const {
 const analysis::ExplainedExpert* RuleController::here() const {
   if (scene_.model() == nullptr) return nullptr;
   for (const analysis::ExplainedExpert& explained : explanation().experts) {
-    if (explained.id == expert_) return &explained;
+    if (explained.id == selection_.expert()) return &explained;
   }
   return nullptr;
 }
@@ -152,13 +156,31 @@ void RuleController::readAnew() {
 }
 
 void RuleController::setExpert(std::string id) {
-  // A list to choose from may be a moment older than the model.
-  if (id == expert_ || !editing::findExpert(model(), id)) return;
   endWeighing();
-  expert_ = std::move(id);
+  selection_.setExpert(std::move(id));
+}
+
+void RuleController::adoptExpert() {
+  if (!isOpen()) return;
+  endWeighing();
+  adoptRegion();
   dropGrids();
   emit expertChanged();
   emit rulesChanged();
+  emit selectionChanged();
+}
+
+// A rule that was selected elsewhere brings its cell along.
+void RuleController::adoptSelection() {
+  if (!isOpen() || selection_.rules().empty()) return;
+  adoptRegion();
+  // The model may have changed a moment ago.
+  grids_.reset();
+  const auto cell = cellOf(selection_.rules().front());
+  if (!cell || cell == selected()) return;
+  endWeighing();
+  const Grid& grid = grids()[cell->grid];
+  selected_ = {grid.id.condition, {grid.cells.rows[cell->row], grid.cells.columns[cell->column]}};
   emit selectionChanged();
 }
 
@@ -172,6 +194,22 @@ void RuleController::setRegion(std::string id) {
   selected_.reset();
   emit rulesChanged();
   emit selectionChanged();
+}
+
+std::optional<RuleCell> RuleController::cellOf(std::size_t rule) const {
+  const std::vector<fuzzy::Rule>& rules = expert().rules;
+  if (rule >= rules.size() || rules[rule].conditions.size() != 2) return std::nullopt;
+  const auto& conditions = rules[rule].conditions;
+  const std::size_t along = conditions[0].input == region_ ? 0 : 1;
+  if (conditions[along].input != region_) return std::nullopt;
+  for (std::size_t g = 0; g < grids().size(); ++g) {
+    const Grid& grid = grids()[g];
+    if (grid.id.condition != conditions[1 - along].input) continue;
+    const auto row = indexIn(grid.cells.rows, conditions[1 - along].term);
+    const auto column = indexIn(grid.cells.columns, conditions[along].term);
+    if (row && column) return RuleCell{g, *row, *column};
+  }
+  return std::nullopt;
 }
 
 RuleGridSizes RuleController::sizes() const {
@@ -191,6 +229,20 @@ void RuleController::select(std::optional<RuleCell> cell) {
     const Grid& grid = grids()[cell->grid];
     selected_ = {grid.id.condition, {grid.cells.rows[cell->row], grid.cells.columns[cell->column]}};
   }
+  selectRuleOfCell();
+  emit selectionChanged();
+}
+
+void RuleController::selectRuleOfCell() {
+  const auto now = selected();
+  const auto rule = now ? cell(*now).rule : std::nullopt;
+  selection_.selectRules(rule ? std::vector<std::size_t>{*rule} : std::vector<std::size_t>());
+}
+
+void RuleController::beginAnywhere() {
+  if (selected() || !sizes().first()) return;
+  const Grid& grid = grids().front();
+  selected_ = {grid.id.condition, {grid.cells.rows.front(), grid.cells.columns.front()}};
   emit selectionChanged();
 }
 
@@ -223,6 +275,7 @@ void RuleController::answer(std::optional<std::size_t> word) {
   if (word) then = words()[*word].id;
   const editing::GridId grid = grids()[now->grid].id;
   edits_.apply(editing::setAnswer(model(), grid, selected_->place, then));
+  selectRuleOfCell();
 }
 
 void RuleController::answerAndGoOn(std::size_t word) {
@@ -230,14 +283,29 @@ void RuleController::answerAndGoOn(std::size_t word) {
   goOn();
 }
 
-void RuleController::setConsequent(std::size_t rule, std::string word) {
+void RuleController::setConsequent(const std::vector<std::size_t>& rules, std::string word) {
   endWeighing();
-  edits_.apply(editing::setConsequent(model(), expert_, rule, word));
+  if (!rules.empty()) edits_.apply(editing::setConsequent(model(), selection_.expert(), rules, word));
 }
 
-void RuleController::setWeight(std::size_t rule, double weight) {
+void RuleController::setWeight(const std::vector<std::size_t>& rules, double weight) {
   endWeighing();
-  edits_.apply(editing::setRuleWeight(model(), expert_, rule, weight));
+  if (!rules.empty()) edits_.apply(editing::setRuleWeight(model(), selection_.expert(), rules, weight));
+}
+
+QString RuleController::copied() const { return copiedRules(edits_, selection_); }
+
+void RuleController::paste(const QString& lines) {
+  endWeighing();
+  pasteRules(edits_, selection_, lines);
+}
+
+void RuleController::goWhereItActs() {
+  if (!isOpen() || scene_.model() == nullptr) return;
+  if (selection_.rules().empty()) selectRuleOfCell();
+  if (selection_.rules().empty()) return;
+  // A model that is compared has the same inputs in the same order.
+  scene_.goTo(pointOfRule(model(), expert(), expert().rules[selection_.rules().front()], scene_.values()));
 }
 
 void RuleController::weigh(std::size_t rule, double weight) {
@@ -245,7 +313,7 @@ void RuleController::weigh(std::size_t rule, double weight) {
     edits_.begin();
     weighing_ = rule;
   }
-  edits_.update(editing::setRuleWeight(edits_.base(), expert_, rule, weight));
+  edits_.update(editing::setRuleWeight(edits_.base(), selection_.expert(), rule, weight));
   rest_.start();
 }
 
@@ -258,20 +326,20 @@ void RuleController::endWeighing() {
 
 void RuleController::enable(const std::vector<std::size_t>& rules, bool enabled) {
   endWeighing();
-  if (!rules.empty()) edits_.apply(editing::enableRules(model(), expert_, rules, enabled));
+  if (!rules.empty()) edits_.apply(editing::enableRules(model(), selection_.expert(), rules, enabled));
 }
 
 void RuleController::remove(const std::vector<std::size_t>& rules) {
   endWeighing();
-  if (!rules.empty()) edits_.apply(editing::removeRules(model(), expert_, rules));
+  if (!rules.empty()) edits_.apply(editing::removeRules(model(), selection_.expert(), rules));
 }
 
 base::Result<void> RuleController::add(fuzzy::Rule rule) {
-  return apply(editing::addRule(model(), expert_, std::move(rule)));
+  return apply(editing::addRule(model(), selection_.expert(), std::move(rule)));
 }
 
 base::Result<void> RuleController::replace(std::size_t rule, fuzzy::Rule with) {
-  return apply(editing::replaceRule(model(), expert_, rule, std::move(with)));
+  return apply(editing::replaceRule(model(), selection_.expert(), rule, std::move(with)));
 }
 
 base::Result<void> RuleController::apply(base::Result<editing::Edit> edit) {
@@ -284,19 +352,20 @@ base::Result<void> RuleController::apply(base::Result<editing::Edit> edit) {
 void RuleController::adoptModel() {
   weighing_.reset();
   rest_.stop();
-  const auto& experts = model().experts;
-  const auto known = [&](const fuzzy::Expert& expert) { return expert.id == expert_; };
-  if (std::none_of(experts.begin(), experts.end(), known)) expert_ = experts.front().id;
-  const auto& inputs = model().inputs;
-  const auto has = [&](const std::string& id) {
-    return std::any_of(inputs.begin(), inputs.end(), [&](const fuzzy::Variable& input) { return input.id == id; });
-  };
-  // The questionnaire asks by region; another model has its way on the last input, as on the x axis of the curves.
-  if (!has(region_)) region_ = has("depth") ? "depth" : inputs.back().id;
+  adoptRegion();
   dropGrids();
   emit expertChanged();
   emit rulesChanged();
   emit selectionChanged();
+}
+
+// The questionnaire asks by region; another model has its way on the last input, as on the x axis of the curves.
+void RuleController::adoptRegion() {
+  const auto& inputs = model().inputs;
+  const auto has = [&](const std::string& id) {
+    return std::any_of(inputs.begin(), inputs.end(), [&](const fuzzy::Variable& input) { return input.id == id; });
+  };
+  if (!has(region_)) region_ = has("depth") ? "depth" : inputs.back().id;
 }
 
 void RuleController::follow() {
@@ -305,7 +374,7 @@ void RuleController::follow() {
     weighing_.reset();
     rest_.stop();
   }
-  if (!editing::findExpert(model(), expert_) || !editing::findVariable(model(), region_)) {
+  if (!editing::findExpert(model(), selection_.expert()) || !editing::findVariable(model(), region_)) {
     adoptModel();
     return;
   }

@@ -1,5 +1,6 @@
 // The edited rules of one expert: the grids, the selected cell, and the strength of each rule at the reading place.
-// Turns the user's actions into edits.
+// Turns the user's actions into edits. The expert and the selected rules are those of the Selection; a selected cell
+// without a rule is known here only.
 #pragma once
 
 #include <QObject>
@@ -12,6 +13,7 @@
 #include "app/editing/rule_grid.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/selection.h"
 #include "app/workbench/tune/rules/rule_cell.h"
 
 namespace tactus::workbench {
@@ -25,7 +27,7 @@ class RuleController : public QObject {
     editing::RuleGrid cells;
   };
 
-  RuleController(EditController& edits, const SceneController& scene, QObject* parent = nullptr);
+  RuleController(EditController& edits, SceneController& scene, Selection& selection, QObject* parent = nullptr);
 
   /// Whether a model is open. All other functions need an open model.
   bool isOpen() const { return edits_.isOpen(); }
@@ -51,6 +53,10 @@ class RuleController : public QObject {
   /// enabled, with a weight > 0.
   QStringList otherAnswers(const RuleCell& place) const;
   std::optional<RuleCell> selected() const;
+  /// The cell of a rule with exactly the two conditions of a cell; nothing for another rule.
+  std::optional<RuleCell> cellOf(std::size_t rule) const;
+  /// What is selected in the whole program.
+  Selection& selection() { return selection_; }
 
   /// The strength of rule `rule` at the reading place, in [0, 1]. It belongs to the open model, also while a comparison
   /// shows another one.
@@ -75,6 +81,8 @@ class RuleController : public QObject {
   void stepGrid(int grids);
   /// Selects the first or last column.
   void stepToEnd(bool last);
+  /// Gives the keys a cell to begin with, without selecting its rule.
+  void beginAnywhere();
   /// Selects the next cell in the order of filling in: along the row, then the next row, then the next grid.
   void goOn();
 
@@ -82,13 +90,21 @@ class RuleController : public QObject {
   void answer(std::optional<std::size_t> word);
   void answerAndGoOn(std::size_t word);
 
-  void setConsequent(std::size_t rule, std::string word);
-  void setWeight(std::size_t rule, double weight);
+  // Several rules at once are one step of undo.
+  void setConsequent(const std::vector<std::size_t>& rules, std::string word);
+  void setWeight(const std::vector<std::size_t>& rules, double weight);
   /// One step of a weight. Steps are one gesture until `endWeighing` or a short pause.
   void weigh(std::size_t rule, double weight);
   void endWeighing();
   void enable(const std::vector<std::size_t>& rules, bool enabled);
   void remove(const std::vector<std::size_t>& rules);
+  /// The selected rules as lines of text (editing/rule_text.h); empty if none is selected.
+  QString copied() const;
+  /// Puts rules from such text among those of the expert, and selects them. One line that is no rule refuses all of
+  /// them, with a sentence that names it.
+  void paste(const QString& lines);
+  /// Moves the operating point to where the first selected rule acts.
+  void goWhereItActs();
 
  signals:
   /// Another model or expert.
@@ -106,7 +122,11 @@ class RuleController : public QObject {
   };
 
   void adoptModel();
+  void adoptExpert();
+  void adoptRegion();
+  void adoptSelection();
   void follow();
+  void selectRuleOfCell();
   void dropGrids();
   RuleGridSizes sizes() const;
   const analysis::ExplainedExpert* here() const;
@@ -115,8 +135,8 @@ class RuleController : public QObject {
   base::Result<void> apply(base::Result<editing::Edit> edit);
 
   EditController& edits_;
-  const SceneController& scene_;
-  std::string expert_;
+  SceneController& scene_;
+  Selection& selection_;
   std::string region_;
   std::optional<Selected> selected_;
   mutable std::optional<std::vector<Grid>> grids_;

@@ -52,6 +52,11 @@ RuleEditor::RuleEditor(RuleController& rules, QWidget* parent)
   tabs_->addTab(tr("All rules"));
   tabs_->setAccessibleName(tr("Grids or list"));
   new TabLook(*tabs_);
+  // One rule stands in a grid, several or one of another form in the list.
+  connect(&rules_.selection(), &Selection::rulesPointed, this, [this] {
+    const auto rule = rules_.selection().rule();
+    if (!rule || !rules_.cellOf(*rule)) tabs_->setCurrentIndex(1);
+  });
   panes_->addWidget(new RuleGridPane(rules, this));
   panes_->addWidget(new RuleListPane(rules, this));
   panes_->setChildrenCollapsible(false);

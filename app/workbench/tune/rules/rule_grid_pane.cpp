@@ -48,7 +48,7 @@ RuleGridPane::RuleGridPane(RuleController& rules, QWidget* parent)
 void RuleGridPane::showRules() {
   if (!rules_.isOpen()) return;
   // The keys need a cell to begin with.
-  if (!rules_.selected()) rules_.step(0, 0);
+  rules_.beginAnywhere();
   grids_->showRules();
   cell_->showCell();
   const std::size_t words = std::min<std::size_t>(9, rules_.words().size());

@@ -10,6 +10,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/flash.h"
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/kit/label_break.h"
 
@@ -39,7 +40,7 @@ QString nameOf(const std::vector<fuzzy::Term>& terms, std::size_t term) {
 
 }  // namespace
 
-RuleGrids::RuleGrids(RuleController& rules, QWidget* parent) : QWidget(parent), rules_(rules) {
+RuleGrids::RuleGrids(RuleController& rules, QWidget* parent) : QWidget(parent), rules_(rules), flash_(new Flash(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Rules as grids of force words"));
   // Other rules may stand in other places, also before they are shown.
@@ -50,6 +51,7 @@ RuleGrids::RuleGrids(RuleController& rules, QWidget* parent) : QWidget(parent), 
     setAccessibleDescription(selected ? tipOf(*selected) : QString());
     update();
   });
+  connect(&rules_.selection(), &Selection::rulesPointed, flash_, &Flash::start);
 }
 
 RuleGridGeometry::Needs RuleGrids::measured() const {
@@ -304,6 +306,12 @@ void RuleGrids::paintSelection(QPainter& painter) const {
   // Two rings, so that it is seen on every color; pale while the keys go elsewhere.
   const QRectF place = places().cell(*selected);
   painter.setBrush(Qt::NoBrush);
+  if (flash_->strength() > 0) {
+    QColor glow = theme::accent();
+    glow.setAlphaF(static_cast<float>(flash_->strength()));
+    painter.setPen(QPen(glow, 6));
+    painter.drawRoundedRect(place.adjusted(-3, -3, 3, 3), 7, 7);
+  }
   painter.setPen(QPen(hasFocus() ? theme::ink() : theme::mutedInk(), hasFocus() ? 2.5 : 1.5));
   painter.drawRoundedRect(place.adjusted(-1, -1, 1, 1), 5, 5);
   painter.setPen(QPen(theme::card(), 1));

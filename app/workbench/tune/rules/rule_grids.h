@@ -11,6 +11,8 @@ class QMenu;
 
 namespace tactus::workbench {
 
+class Flash;
+
 class RuleGrids : public QWidget {
   Q_OBJECT
 
@@ -51,6 +53,7 @@ class RuleGrids : public QWidget {
   QString tipOf(const RuleCell& cell) const;
 
   RuleController& rules_;
+  Flash* flash_;
   // For the current rules; computed on demand.
   mutable std::optional<RuleGridGeometry::Needs> needs_;
   mutable std::optional<RuleGridGeometry> geometry_;

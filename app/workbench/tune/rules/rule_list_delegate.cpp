@@ -7,6 +7,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/flash.h"
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_list_model.h"
@@ -14,6 +15,8 @@
 
 namespace tactus::workbench {
 namespace {
+
+constexpr int kGlow = 3;  // px, the frame of a row that was pointed at
 
 // The bar of a firing strength along the lower edge, its number above it.
 void paintBar(QPainter& painter, const QRectF& place, double strength) {
@@ -27,10 +30,21 @@ void paintBar(QPainter& painter, const QRectF& place, double strength) {
 
 }  // namespace
 
-RuleListDelegate::RuleListDelegate(const RuleController& rules, QObject* parent)
-    : QStyledItemDelegate(parent), rules_(rules) {}
+RuleListDelegate::RuleListDelegate(const RuleController& rules, const Flash& flash, QObject* parent)
+    : QStyledItemDelegate(parent), rules_(rules), flash_(flash) {}
 
 void RuleListDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  paintCell(painter, option, index);
+  if (!option.state.testFlag(QStyle::State_Selected) || flash_.strength() == 0) return;
+  QColor glow = theme::accent();
+  glow.setAlphaF(static_cast<float>(flash_.strength()));
+  const QRect& row = option.rect;
+  painter->fillRect(QRect(row.left(), row.top(), row.width(), kGlow), glow);
+  painter->fillRect(QRect(row.left(), row.bottom() + 1 - kGlow, row.width(), kGlow), glow);
+}
+
+void RuleListDelegate::paintCell(QPainter* painter, const QStyleOptionViewItem& option,
+                                 const QModelIndex& index) const {
   QStyleOptionViewItem shown = option;
   // The frame of a single cell says nothing in a list of whole rows.
   shown.state &= ~QStyle::State_HasFocus;

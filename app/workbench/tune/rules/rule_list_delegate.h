@@ -5,13 +5,15 @@
 
 namespace tactus::workbench {
 
+class Flash;
 class RuleController;
 
 class RuleListDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
-  explicit RuleListDelegate(const RuleController& rules, QObject* parent = nullptr);
+  /// `flash` lights up the selected rows.
+  RuleListDelegate(const RuleController& rules, const Flash& flash, QObject* parent = nullptr);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
@@ -23,9 +25,11 @@ class RuleListDelegate : public QStyledItemDelegate {
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 
  private:
+  void paintCell(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
   void paintWord(QPainter& painter, const QRectF& place, const QModelIndex& index) const;
 
   const RuleController& rules_;
+  const Flash& flash_;
 };
 
 }  // namespace tactus::workbench

@@ -172,20 +172,31 @@ Qt::ItemFlags RuleListModel::flags(const QModelIndex& index) const {
   return flags;
 }
 
+// An edit of one of several selected rules is one of all of them.
+std::vector<std::size_t> RuleListModel::editedWith(std::size_t rule) const {
+  const std::vector<std::size_t>& selected = rules_.selection().rules();
+  return std::find(selected.begin(), selected.end(), rule) == selected.end() ? std::vector{rule} : selected;
+}
+
 bool RuleListModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const auto rule = static_cast<std::size_t>(index.row());
   // What is shown may be a moment older than the rules.
   if (!index.isValid() || !isStill(rules_, rule, rows_[rule])) {
     return false;
   }
+  const std::vector<std::size_t> all = editedWith(rule);
+  const auto differs = [&](const auto& is_set) { return std::any_of(all.begin(), all.end(), is_set); };
+  const std::vector<fuzzy::Rule>& now = rules_.expert().rules;
   if (index.column() == kEnabled && role == Qt::CheckStateRole) {
-    rules_.enable({rule}, value.toInt() == Qt::Checked);
+    rules_.enable(all, value.toInt() == Qt::Checked);
   } else if (index.column() == kWeight && role == Qt::EditRole) {
-    if (value.toDouble() != rows_[rule].rule.weight) rules_.setWeight(rule, value.toDouble());
+    const double weight = value.toDouble();
+    if (differs([&](std::size_t r) { return now[r].weight != weight; })) rules_.setWeight(all, weight);
   } else if (index.column() == kConsequent && role == Qt::EditRole) {
     const auto word = static_cast<std::size_t>(value.toInt());
-    const auto& words = rules_.words();
-    if (word < words.size() && words[word].id != rows_[rule].rule.then) rules_.setConsequent(rule, words[word].id);
+    if (word >= rules_.words().size()) return false;
+    const std::string then = rules_.words()[word].id;
+    if (differs([&](std::size_t r) { return now[r].then != then; })) rules_.setConsequent(all, then);
   } else {
     return false;
   }

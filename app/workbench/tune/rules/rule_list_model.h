@@ -40,6 +40,7 @@ class RuleListModel : public QAbstractTableModel {
  private:
   QVariant shown(const RuleRow& row, int number, int column) const;
   QVariant order(const RuleRow& row, int number, int column) const;
+  std::vector<std::size_t> editedWith(std::size_t rule) const;
   QString sentence(const RuleRow& row, int number) const;
 
   RuleController& rules_;

@@ -1,6 +1,8 @@
 #include "app/workbench/tune/rules/rule_list_pane.h"
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -14,6 +16,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/flash.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_form.h"
 #include "app/workbench/tune/rules/rule_list_delegate.h"
@@ -51,6 +54,8 @@ RuleListPane::RuleListPane(RuleController& rules, QWidget* parent)
       enable_(makeButton(tr("Enable"), this)),
       disable_(makeButton(tr("Disable"), this)),
       remove_(makeButton(tr("Remove"), this)),
+      go_(makeButton(tr("Go where it acts"), this)),
+      flash_(new Flash(table_->viewport())),
       form_(new RuleForm(rules, this)),
       refresh_(new Refresh(this, [this] { refresh(); })) {
   text_->setPlaceholderText(tr("Filter: well stomach, or if … and … then …"));
@@ -71,7 +76,7 @@ RuleListPane::RuleListPane(RuleController& rules, QWidget* parent)
 
 void RuleListPane::buildTable() {
   table_->setModel(sieve_);
-  table_->setItemDelegate(new RuleListDelegate(rules_, table_));
+  table_->setItemDelegate(new RuleListDelegate(rules_, *flash_, table_));
   table_->setAccessibleName(tr("Rules"));
   table_->setFont(theme::smallFont());
   table_->setFrameShape(QFrame::NoFrame);
@@ -81,6 +86,9 @@ void RuleListPane::buildTable() {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  table_->setToolTip(
+      tr("Select several rules with Ctrl or Shift: an edit changes all of them · 1–9 answer · Ctrl+C and "
+         "Ctrl+V copy and paste them as text"));
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->setTabKeyNavigation(false);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -110,6 +118,7 @@ void RuleListPane::buildPlace() {
   actions->setSpacing(4);
   actions->addWidget(add_);
   actions->addWidget(edit_);
+  actions->addWidget(go_);
   actions->addStretch(1);
   actions->addWidget(enable_);
   actions->addWidget(disable_);
@@ -139,7 +148,14 @@ void RuleListPane::connectAll() {
     sieve_->setOnly(static_cast<Only>(only_->itemData(index).toInt()));
     showCount();
   });
-  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RuleListPane::showActions);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    showActions();
+    // Rows that come and go are not the user's choice, nor is a list that is a moment older than the rules.
+    if (!showing_ && !stale_) rules_.selection().selectRules(chosen());
+  });
+  connect(&rules_.selection(), &Selection::rulesChanged, refresh_, &Refresh::request);
+  connect(&rules_.selection(), &Selection::rulesPointed, this, &RuleListPane::showPointed);
+  connect(go_, &QToolButton::clicked, &rules_, &RuleController::goWhereItActs);
   connect(table_, &QTableView::customContextMenuRequested, this, &RuleListPane::openMenu);
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     if (index.column() == RuleListModel::kNumber || index.column() == RuleListModel::kConditions) edit();
@@ -156,7 +172,13 @@ void RuleListPane::connectAll() {
 
 bool RuleListPane::eventFilter(QObject* watched, QEvent* event) {
   if (watched == table_->viewport() && event->type() == QEvent::Resize) fitRows();
+  // Before the menus take the keys of copy and paste.
+  if (watched == table_ && event->type() == QEvent::ShortcutOverride) {
+    const auto* pressed = static_cast<QKeyEvent*>(event);
+    if (pressed->matches(QKeySequence::Copy) || pressed->matches(QKeySequence::Paste)) event->accept();
+  }
   if (watched == table_ && event->type() == QEvent::KeyPress) {
+    if (answerWithKey(static_cast<QKeyEvent*>(event))) return true;
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
       remove();
@@ -172,6 +194,26 @@ bool RuleListPane::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
+bool RuleListPane::answerWithKey(QKeyEvent* event) {
+  if (!rules_.isOpen()) return false;
+  if (event->matches(QKeySequence::Copy)) {
+    sync();
+    const QString lines = rules_.copied();
+    if (!lines.isEmpty()) QGuiApplication::clipboard()->setText(lines);
+    return true;
+  }
+  if (event->matches(QKeySequence::Paste)) {
+    rules_.paste(QGuiApplication::clipboard()->text());
+    return true;
+  }
+  const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+  const int word = event->key() - Qt::Key_1;
+  if (!plain || word < 0 || word > 8 || word >= static_cast<int>(rules_.words().size())) return false;
+  sync();
+  rules_.setConsequent(chosen(), rules_.words()[static_cast<std::size_t>(word)].id);
+  return true;
+}
+
 void RuleListPane::refresh() {
   if (!rules_.isOpen()) return;
   if (stale_) {
@@ -181,6 +223,7 @@ void RuleListPane::refresh() {
   } else {
     list_->refreshStrengths();
   }
+  showSelected();
   showCount();
   showActions();
 }
@@ -188,8 +231,44 @@ void RuleListPane::refresh() {
 // Before an edit of what is selected: the list must be that of the rules as they stand.
 void RuleListPane::sync() {
   if (!stale_) return;
-  stale_ = false;
+  showing_ = true;
   list_->refresh();
+  showing_ = false;
+  stale_ = false;
+}
+
+// The selection of the program is that of the table.
+void RuleListPane::showSelected() {
+  if (chosen() == rules_.selection().rules()) return;
+  QItemSelection rows;
+  QModelIndex first;
+  for (const std::size_t rule : rules_.selection().rules()) {
+    const QModelIndex row = sieve_->mapFromSource(list_->index(static_cast<int>(rule), 0));
+    if (!row.isValid()) continue;
+    if (!first.isValid()) first = row;
+    rows.select(row, row.siblingAtColumn(RuleListModel::kColumns - 1));
+  }
+  showing_ = true;
+  if (first.isValid()) table_->selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+  table_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+  showing_ = false;
+  if (first.isValid()) table_->scrollTo(first);
+}
+
+// A rule that was pointed at is seen, whatever the filter says.
+void RuleListPane::showPointed() {
+  if (!rules_.isOpen()) return;
+  sync();
+  const auto& selected = rules_.selection().rules();
+  const bool hidden = std::any_of(selected.begin(), selected.end(), [this](std::size_t rule) {
+    return !sieve_->mapFromSource(list_->index(static_cast<int>(rule), 0)).isValid();
+  });
+  if (hidden) {
+    text_->clear();
+    only_->setCurrentIndex(0);
+  }
+  showSelected();
+  flash_->start();
 }
 
 void RuleListPane::showCount() {
@@ -207,6 +286,7 @@ void RuleListPane::showActions() {
   remove_->setEnabled(!rows.isEmpty());
   enable_->setEnabled(on < rows.size());
   disable_->setEnabled(on > 0);
+  go_->setEnabled(!rows.isEmpty());
 }
 
 // All rows are as high as the longest conditions need, the words as wide as the longest one.
@@ -259,16 +339,14 @@ void RuleListPane::edit() {
 
 void RuleListPane::showRule(std::size_t rule) {
   sync();
-  const QModelIndex row = sieve_->mapFromSource(list_->index(static_cast<int>(rule), 0));
-  if (!row.isValid()) return;
-  table_->selectRow(row.row());
-  table_->scrollTo(row);
+  rules_.selection().selectRules({rule});
+  showSelected();
 }
 
 void RuleListPane::openMenu(QPoint at) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (QToolButton* button : {edit_, enable_, disable_, remove_}) {
+  for (QToolButton* button : {edit_, go_, enable_, disable_, remove_}) {
     QAction* action = menu->addAction(button->text());
     action->setEnabled(button->isEnabled());
     connect(action, &QAction::triggered, button, &QToolButton::click);

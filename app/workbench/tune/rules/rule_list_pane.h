@@ -5,6 +5,7 @@
 #include <vector>
 
 class QComboBox;
+class QKeyEvent;
 class QLabel;
 class QLineEdit;
 class QTableView;
@@ -12,6 +13,7 @@ class QToolButton;
 
 namespace tactus::workbench {
 
+class Flash;
 class Refresh;
 class RuleController;
 class RuleForm;
@@ -33,6 +35,9 @@ class RuleListPane : public QWidget {
   void connectAll();
   void refresh();
   void sync();
+  void showSelected();
+  void showPointed();
+  bool answerWithKey(QKeyEvent* event);
   void showCount();
   void showActions();
   void fitRows();
@@ -55,9 +60,12 @@ class RuleListPane : public QWidget {
   QToolButton* enable_;
   QToolButton* disable_;
   QToolButton* remove_;
+  QToolButton* go_;
+  Flash* flash_;
   RuleForm* form_;
   Refresh* refresh_;
-  bool stale_ = true;  ///< rules changed after the list took them
+  bool stale_ = true;     ///< rules changed after the list took them
+  bool showing_ = false;  ///< the table takes over the selection of the program
 };
 
 }  // namespace tactus::workbench

@@ -1,6 +1,8 @@
 #include "app/workbench/understand/here/rule_flow.h"
 
 #include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPaintEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -52,6 +54,8 @@ void drawTerm(QPainter& painter, const QRectF& place, const QString& name, doubl
 }  // namespace
 
 RuleFlow::RuleFlow(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("Rules that act here"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
 }
 
@@ -108,23 +112,70 @@ void RuleFlow::paintEvent(QPaintEvent* event) {
   }
 }
 
+void RuleFlow::setSelected(const std::vector<std::size_t>& rules) {
+  if (rules == selected_) return;
+  selected_ = rules;
+  const auto line = selectedLine();
+  setAccessibleDescription(line ? sentenceOf(*line) : QString());
+  update();
+}
+
+void RuleFlow::mousePressEvent(QMouseEvent* event) {
+  const auto line = lineAt(event->position().y());
+  if (line && event->button() == Qt::LeftButton) emit chosen(acting_[*line].rule);
+}
+
+void RuleFlow::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (const auto line = lineAt(event->position().y())) emit editAsked(acting_[*line].rule);
+}
+
+void RuleFlow::keyPressEvent(QKeyEvent* event) {
+  const auto line = selectedLine();
+  const int key = event->key();
+  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && line) {
+    emit editAsked(acting_[*line].rule);
+  } else if (key == Qt::Key_Down && !acting_.empty()) {
+    emit chosen(acting_[line ? std::min(*line + 1, acting_.size() - 1) : 0].rule);
+  } else if (key == Qt::Key_Up && line && *line > 0) {
+    emit chosen(acting_[*line - 1].rule);
+  } else {
+    QWidget::keyPressEvent(event);
+  }
+}
+
 bool RuleFlow::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip || !open_) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  for (std::size_t line = 0; line < acting_.size(); ++line) {
-    if (help->pos().y() < lineTop(line) || help->pos().y() >= lineTop(line + 1)) continue;
-    const fuzzy::Expert& expert = open_->model.experts[expert_];
-    const fuzzy::Rule& rule = expert.rules[acting_[line].rule];
+  if (const auto line = lineAt(help->pos().y())) {
     QToolTip::showText(help->globalPos(),
-                       tr("Rule %1: %2 THEN %3 is %4")
-                           .arg(acting_[line].rule + 1)
-                           .arg(text(editing::conditionsText(open_->model, expert, rule)), labelOf(open_->model.output),
-                                text(editing::consequentText(open_->model, expert, rule.then))),
-                       this);
+                       sentenceOf(*line) + QLatin1Char('\n') + tr("Click to select it, double-click to edit it"), this);
     return true;
   }
   QToolTip::hideText();
   return true;
+}
+
+QString RuleFlow::sentenceOf(std::size_t line) const {
+  const fuzzy::Expert& expert = open_->model.experts[expert_];
+  const fuzzy::Rule& rule = expert.rules[acting_[line].rule];
+  return tr("Rule %1: %2 THEN %3 is %4")
+      .arg(acting_[line].rule + 1)
+      .arg(text(editing::conditionsText(open_->model, expert, rule)), labelOf(open_->model.output),
+           text(editing::consequentText(open_->model, expert, rule.then)));
+}
+
+std::optional<std::size_t> RuleFlow::lineAt(double y) const {
+  for (std::size_t line = 0; line < acting_.size(); ++line) {
+    if (y >= lineTop(line) && y < lineTop(line + 1)) return line;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> RuleFlow::selectedLine() const {
+  for (std::size_t line = 0; line < acting_.size(); ++line) {
+    if (std::find(selected_.begin(), selected_.end(), acting_[line].rule) != selected_.end()) return line;
+  }
+  return std::nullopt;
 }
 
 RuleFlow::Columns RuleFlow::columns(double top, double height) const {
@@ -158,6 +209,11 @@ void RuleFlow::paintHead(QPainter& painter) const {
 void RuleFlow::paintLine(QPainter& painter, std::size_t line) const {
   const double top = lineTop(line);
   if (line % 2 == 0) painter.fillRect(QRectF(0, top, width(), kLine), theme::window());
+  if (std::find(selected_.begin(), selected_.end(), acting_[line].rule) != selected_.end()) {
+    painter.setPen(QPen(theme::accent(), hasFocus() ? 2 : 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(1, top + 1, width() - 2, kLine - 2), 4, 4);
+  }
   const Columns place = columns(top, kLine);
   for (std::size_t i = 0; i < inputs_.size(); ++i) paintCondition(painter, place.inputs[i], inputs_[i], acting_[line]);
   paintStrength(painter, place.strength, acting_[line]);

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/workbench/model/open_model.h"
@@ -19,12 +20,23 @@ class RuleFlow : public QWidget {
 
   /// Shows expert `expert` of an explanation of `open`.
   void set(std::shared_ptr<const OpenModel> open, const analysis::Explanation& explanation, std::size_t expert);
+  /// Marks these rules of the expert.
+  void setSelected(const std::vector<std::size_t>& rules);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
+ signals:
+  /// A click on the line of a rule, or a key that moves there.
+  void chosen(std::size_t rule);
+  /// A double click on it, or Enter.
+  void editAsked(std::size_t rule);
+
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
@@ -36,6 +48,9 @@ class RuleFlow : public QWidget {
 
   Columns columns(double top, double height) const;
   double lineTop(std::size_t line) const;
+  std::optional<std::size_t> lineAt(double y) const;
+  std::optional<std::size_t> selectedLine() const;
+  QString sentenceOf(std::size_t line) const;
   void paintHead(QPainter& painter) const;
   void paintLine(QPainter& painter, std::size_t line) const;
   void paintCondition(QPainter& painter, const QRectF& cell, std::size_t input,
@@ -49,6 +64,7 @@ class RuleFlow : public QWidget {
   std::vector<double> values_;                   ///< values of the inputs, inside their universes
   std::vector<std::size_t> inputs_;              ///< the inputs that the expert's rules use
   std::vector<analysis::ExplainedRule> acting_;  ///< strongest first
+  std::vector<std::size_t> selected_;            ///< rules of the expert
 };
 
 }  // namespace tactus::workbench

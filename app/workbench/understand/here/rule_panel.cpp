@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -14,6 +15,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/selection.h"
 #include "app/workbench/plot/plot_caption.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/understand/here/expert_flow.h"
@@ -22,11 +24,13 @@
 
 namespace tactus::workbench {
 
-RulePanel::RulePanel(const SceneController& scene, QWidget* parent)
+RulePanel::RulePanel(const SceneController& scene, Selection& selection, QWidget* parent)
     : Card(parent),
       scene_(scene),
+      selection_(selection),
       who_(new QComboBox(this)),
       summary_(new ElidedLabel(this)),
+      edit_(new QToolButton(this)),
       area_(new QScrollArea(this)),
       flows_(new QStackedWidget),
       rules_(new RuleFlow),
@@ -48,6 +52,7 @@ RulePanel::RulePanel(const SceneController& scene, QWidget* parent)
   head->setSpacing(theme::kGrid);
   head->addWidget(who_);
   head->addWidget(summary_, 1);
+  head->addWidget(edit_);
   head->addWidget(new PlotMenu(
       *sets_, [this] { return table(); }, this));
   auto* body = new QHBoxLayout;
@@ -60,8 +65,18 @@ RulePanel::RulePanel(const SceneController& scene, QWidget* parent)
   layout->addLayout(head);
   layout->addLayout(body, 1);
 
-  connect(who_, &QComboBox::activated, this, &RulePanel::choose);
-  connect(experts_, &ExpertFlow::chosen, this, [this](std::size_t expert) { choose(static_cast<int>(expert) + 1); });
+  edit_->setToolTip(tr("Open the selected rule in the rule editor (Enter, or a double click on it)"));
+  connect(who_, &QComboBox::activated, this, &RulePanel::chooseByHand);
+  connect(rules_, &RuleFlow::chosen, this, &RulePanel::point);
+  connect(rules_, &RuleFlow::editAsked, this, [this](std::size_t rule) {
+    point(rule);
+    selection_.editRules();
+  });
+  connect(edit_, &QToolButton::clicked, &selection_, &Selection::editRules);
+  connect(&selection_, &Selection::expertChanged, this, &RulePanel::adoptExpert);
+  connect(&selection_, &Selection::rulesChanged, refresh_, &Refresh::request);
+  connect(experts_, &ExpertFlow::chosen, this,
+          [this](std::size_t expert) { chooseByHand(static_cast<int>(expert) + 1); });
   connect(&scene_, &SceneController::modelChanged, this, &RulePanel::adoptModel);
   connect(&scene_, &SceneController::modelEdited, refresh_, &Refresh::request);
   connect(&scene_, &SceneController::readingChanged, refresh_, &Refresh::request);
@@ -76,6 +91,32 @@ void RulePanel::adoptModel() {
   // With one expert the mean is that expert, whose rules say more. Otherwise who was looked at stays.
   const int row = model.experts.size() == 1 ? 1 : who_->findData(chosen);
   choose(std::max(row, 0));
+}
+
+// Who looks at the rules of one expert looks at those of the other one next; the mean stays the mean.
+void RulePanel::adoptExpert() {
+  const int row = who_->findData(text(selection_.expert()));
+  if (row > 0 && who_->currentIndex() > 0 && row != who_->currentIndex()) choose(row);
+}
+
+void RulePanel::point(std::size_t rule) {
+  // Another version that is compared has rules of its own.
+  if (scene_.showsAnother()) return;
+  selection_.pointAtRules(who_->currentData().toString().toStdString(), {rule});
+}
+
+void RulePanel::showSelected() {
+  const bool these =
+      who_->currentIndex() > 0 && !scene_.showsAnother() && who_->currentData().toString() == text(selection_.expert());
+  rules_->setSelected(these ? selection_.rules() : std::vector<std::size_t>());
+  const auto rule = these ? selection_.rule() : std::nullopt;
+  edit_->setVisible(rule.has_value());
+  if (rule) edit_->setText(tr("Edit rule %1").arg(*rule + 1));
+}
+
+void RulePanel::chooseByHand(int row) {
+  choose(row);
+  if (row > 0) selection_.setExpert(who_->currentData().toString().toStdString());
 }
 
 void RulePanel::choose(int row) {
@@ -101,6 +142,7 @@ void RulePanel::explain() {
     rules_->set(scene_.shared(), explanation, expert);
     sets_->showExpert(scene_.model()->model, explanation, expert);
   }
+  showSelected();
   summary_->setFullText(summary());
 }
 

@@ -9,6 +9,7 @@ class QComboBox;
 class QLabel;
 class QScrollArea;
 class QStackedWidget;
+class QToolButton;
 
 namespace tactus::workbench {
 
@@ -19,23 +20,30 @@ class PlotMenu;
 class Refresh;
 class RuleFlow;
 class SceneController;
+class Selection;
 
 class RulePanel : public Card {
   Q_OBJECT
 
  public:
-  explicit RulePanel(const SceneController& scene, QWidget* parent = nullptr);
+  RulePanel(const SceneController& scene, Selection& selection, QWidget* parent = nullptr);
 
  private:
   void adoptModel();
   void choose(int row);
+  void chooseByHand(int row);
+  void adoptExpert();
+  void showSelected();
+  void point(std::size_t rule);
   void explain();
   QString summary() const;
   PlotTable table();
 
   const SceneController& scene_;
+  Selection& selection_;
   QComboBox* who_;
   ElidedLabel* summary_;
+  QToolButton* edit_;
   QScrollArea* area_;
   QStackedWidget* flows_;
   RuleFlow* rules_;

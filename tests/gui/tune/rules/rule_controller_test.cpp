@@ -87,7 +87,7 @@ TEST_F(RuleControllerTest, StrengthsAreThoseAtThePlaceThatIsRead) {
   EXPECT_EQ(strength({0, 2, 1}), 0);
   EXPECT_EQ(rules.membership("depth", 0), 1);
   EXPECT_EQ(rules.membership("depth", 1), 0);
-  rules.setWeight(*rules.cell({0, 2, 0}).rule, 0.5);
+  rules.setWeight({*rules.cell({0, 2, 0}).rule}, 0.5);
   EXPECT_NEAR(strength({0, 2, 0}), 0.25, 1e-12);
 }
 
@@ -136,7 +136,7 @@ TEST_F(RuleControllerTest, RefusalsLeaveTheModelAsItWas) {
   EXPECT_FALSE(rules.add({{}, "small"}));
   EXPECT_FALSE(rules.replace(7, rule(2)));
   EXPECT_EQ(refused.size(), 0) << "the form says it";
-  rules.setConsequent(99, "small");
+  rules.setConsequent({99}, "small");
   EXPECT_EQ(refused.size(), 1);
   EXPECT_TRUE(editing::sameBits(edits.model(), start));
 }
@@ -174,7 +174,7 @@ TEST_F(RuleControllerTest, StrengthsAreThoseOfTheOpenModelWhileAnotherIsShown) {
   const RuleCell medium{0, 1, 0};
   rules.remove({0, 1});  // of the others each has another number now
   const std::size_t number = *rules.cell(medium).rule;
-  rules.setWeight(number, 0.5);
+  rules.setWeight({number}, 0.5);
   EXPECT_NEAR(rules.strength(number), 0.25, 1e-12);
   compare.choose(CompareSide::kB, {CompareChoice::Kind::kState, 0, {}});
   compare.show(CompareSide::kB);

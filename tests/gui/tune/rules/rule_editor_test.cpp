@@ -123,7 +123,7 @@ TEST_F(RuleEditorTest, EachMarkIsSeen) {
   const auto picture = [&] { return grids->grab(grids->cellRect(place)).toImage(); };
   const std::size_t rule = *rules.cell(place).rule;
   std::vector<QImage> pictures = {picture()};
-  rules.setWeight(rule, 0.5);
+  rules.setWeight({rule}, 0.5);
   pictures.push_back(picture());
   edits.undo();
   rules.enable({rule}, false);
@@ -144,7 +144,7 @@ TEST_F(RuleEditorTest, AHiddenEditorComputesNothing) {
   const std::uint64_t before = scene.evaluations();
   for (int i = 0; i < 10; ++i) {
     scene.setValue(2, 10 * i);
-    rules.setWeight(3, 0.05 * (i + 1));
+    rules.setWeight({3}, 0.05 * (i + 1));
     QCoreApplication::processEvents();
   }
   EXPECT_EQ(scene.evaluations(), before);

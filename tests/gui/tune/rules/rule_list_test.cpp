@@ -56,7 +56,7 @@ TEST_F(RuleListTest, TheListIsFilteredByWordsAndByKind) {
 
 TEST_F(RuleListTest, TheListIsSortedByItsHeads) {
   QTableView* table = openList();
-  rules.setWeight(20, 0.5);
+  rules.setWeight({20}, 0.5);
   auto* head = table->horizontalHeader();
   const auto press = [&](int column) {
     QTest::mouseClick(head->viewport(), Qt::LeftButton, {},
@@ -193,7 +193,7 @@ TEST_F(RuleListTest, AFormFollowsWhatHappensMeanwhile) {
 }
 
 TEST_F(RuleListTest, AWeightWithManyDigitsKeepsThem) {
-  rules.setWeight(2, 1.0 / 3);
+  rules.setWeight({2}, 1.0 / 3);
   QTableView* table = openList();
   const QModelIndex weight = at(table, 2, RuleListModel::kWeight);
   table->setCurrentIndex(weight);

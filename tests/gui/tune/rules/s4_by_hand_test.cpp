@@ -118,7 +118,8 @@ class S4ByHand : public testing::Test {
   SceneController scene{models};
   EditController edits{models};
   TermController terms{edits};
-  RuleController rules{edits, scene};
+  Selection selection{edits};
+  RuleController rules{edits, scene, selection};
   RuleEditor editor{rules};
   RuleGrids* grids = nullptr;
 };

@@ -9,6 +9,7 @@
 #include "app/editing/rule_edits.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/selection.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/understand/here/rule_flow.h"
 
@@ -34,7 +35,8 @@ class RulePanelTest : public testing::Test {
   ModelController models;
   SceneController scene{models};
   EditController edits{models};
-  RulePanel panel{scene};
+  Selection selection{edits};
+  RulePanel panel{scene, selection};
 };
 
 TEST_F(RulePanelTest, WhoIsLookedAtStays) {
