@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>AgreementWords</name>
+    <message>
+        <source>Judged forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answers to the form</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CollectText</name>
     <message>
         <source>Consent</source>
@@ -351,6 +362,60 @@
     </message>
 </context>
 <context>
+    <name>ForceTables</name>
+    <message>
+        <source>words of the force, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>delivered against commanded force</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>GridWords</name>
+    <message>
+        <source>Felt, with the friction of the device: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least share of the force in the hand: %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moved forward: %1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer after %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Felt again: %1 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hidden check; it is not counted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not counted for the terms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>GripText</name>
     <message>
         <source>%1 to %2</source>
@@ -412,6 +477,28 @@
     </message>
     <message>
         <source>no change of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>InfluenceText</name>
+    <message>
+        <source>%1: without it there is no model: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: without it the averaged force is the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: without it the averaged force moves by at most %2 (%3 just-noticeable differences).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabCaption</name>
+    <message>
+        <source>SIMULATED: data of %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -880,6 +967,13 @@
     </message>
 </context>
 <context>
+    <name>PullTable</name>
+    <message>
+        <source>averaged force and the experts&apos; distances from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ReadinessText</name>
     <message>
         <source>Holes</source>
@@ -1078,6 +1172,13 @@
     </message>
 </context>
 <context>
+    <name>RuleBlock</name>
+    <message>
+        <source>Nothing was pasted: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>RuleParts</name>
     <message>
         <source>Rules</source>
@@ -1258,6 +1359,21 @@
     </message>
 </context>
 <context>
+    <name>SubjectTitle</name>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 of %3 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>TermForms</name>
     <message>
         <source>Split %1</source>
@@ -1356,6 +1472,172 @@
     </message>
     <message>
         <source>“%1” can be one number or two: type %2 or %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>VoteWords</name>
+    <message>
+        <source>half or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tie, the higher wins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no half, next level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>next level, limited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no votes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, raised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, below quorum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One word has half of the votes or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two words have half of the votes each: the higher one wins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No word has half. The forces rise, so one word above that of the force before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No word has half. One word above that of the force before, moved into the words with votes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No word has half and no force was decided before: the lower median.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody chose a word.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Raised to the word of a smaller force: words must not fall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Fewer than half of the participants voted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thresholds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The winner of each force; ramps join neighboring words (the paper).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trapezoids closest to the shares of all answers (least squares).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of the participants&apos; own limits between words.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rising forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>falling forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>random order</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::AgreementTable</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Krippendorff&apos;s alpha for ordered words: 1 is full agreement, 0 what chance gives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % of 2,000 draws of the forces or items; the participants stay the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tastle and Wierman: 1 if all say the same, 0 if half are at each end; mean of the forces or items.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes no account of the order of the words: neighbors count as different as the ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How similarly the participants order the forces or items, from 0 to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ratings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Units × raters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ordinal alpha</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Consensus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interval alpha</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nominal alpha</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fleiss&apos; kappa</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1538,6 +1820,216 @@
     </message>
     <message>
         <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CellTable</name>
+    <message>
+        <source>not asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rule given directly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>item %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, corrected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 JND)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the averaged force moves without this rule, at most, and in just-noticeable differences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would feel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No expert has a rule here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All say the same here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With each other&apos;s word the experts would feel %1 more or less: %2 just-noticeable differences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With each other&apos;s word the experts would feel %1 more or less: not noticeable (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If all said %1, the mean would move by %2, and %3 % of the disagreement would vanish.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CheckTable</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % near</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Falling words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rising – falling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blanks felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits between words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs of forces in which the larger one got the lower word.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean word in the rising series less that in the falling series, at equal forces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Agreement of the answers to equal forces: kappa with quadratic weights, and the share within one word.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blanks of 0 N that were judged as felt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ordered probit: the force at which one word gives way to the next, and the spread of what is felt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CheckView</name>
+    <message>
+        <source>Checks of the judgements</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ClusterPage</name>
+    <message>
+        <source>gray: samples · lines: membership in each cluster · dotted: its center, 95 % interval at the foot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clusters of each participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Terms: each participant’s and the average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is averaged: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No terms: their number is not that of the clusters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ramps %1 mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c %1 · m %2 · α %3 · trimming %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clusters of insertion speeds (paper, Fig. 7)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data are simulated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed terms of each participant and their average (paper, Fig. 8)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ClusterPlot</name>
+    <message numerus="yes">
+        <source>▲ %n warning(s)</source>
+        <translation>
+            <numerusform>▲ %n warning</numerusform>
+            <numerusform>▲ %n warnings</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>▲ no clusters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clusters of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1896,6 +2388,54 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::DeliveredPlot</name>
+    <message>
+        <source>No delivered force was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n judgement(s)</source>
+        <translation>
+            <numerusform>%n judgement</numerusform>
+            <numerusform>%n judgements</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n below 90 % of the force</source>
+        <translation>
+            <numerusform>%n below 90 % of the force</numerusform>
+            <numerusform>%n below 90 % of the force</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not measured</source>
+        <translation>
+            <numerusform>%n not measured</numerusform>
+            <numerusform>%n not measured</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delivered against commanded force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded force (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force in the hand (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discs: the least force while it was judged. Circles: the force with the friction of the device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::DemoMaker</name>
     <message>
         <source>Four simulated nurses go through their sessions…</source>
@@ -2089,6 +2629,10 @@
         <source>Press once to hold the tube, press again to release it. No need to squeeze</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Show the device and how the tube is held</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::DeviceSession</name>
@@ -2163,6 +2707,57 @@
             <numerusform>%n rule · %1</numerusform>
             <numerusform>%n rules · %1</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ExpertsLabView</name>
+    <message>
+        <source>&amp;Open in the bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights of the experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights, and leaving one expert out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights and what leaving one expert out changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight policies beside equal weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances between experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does the choice of weights matter?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds the averaged model to the study as another model, and leads to tuning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who pulls where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The curves are drawn at this value.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2251,6 +2846,10 @@
     </message>
     <message>
         <source>&amp;New placement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feel &amp;layout</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2477,11 +3076,73 @@
         <source>Go to end</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Rule %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select this rule in the rule editor</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::ForceBar</name>
     <message>
         <source>Force on the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cap %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ForceLab</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3 instead of %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ForceLabView</name>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series that votes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The series that votes for the words of the force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Votes for each force (Table 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words of the force (Fig. 3e), three ways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Judgements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delivered force</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2526,6 +3187,20 @@
     </message>
     <message>
         <source>No device is in use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ForceTermsPlot</name>
+    <message>
+        <source>Words of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ForceTermsView</name>
+    <message>
+        <source>The model takes its words of the force from here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2634,6 +3309,65 @@
     </message>
     <message>
         <source>no change of this curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::GridsView</name>
+    <message>
+        <source>Rules of all experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the rules…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apart, in N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weight %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 between two experts, %2 just-noticeable differences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Item %1 of the form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A rule given directly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corrected; the old record stays in the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: correct to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>skipped</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2879,6 +3613,32 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::JudgementGrid</name>
+    <message>
+        <source>Corrected; before: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::JudgementView</name>
+    <message>
+        <source>Judgements of each participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Series of forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double-click a judgement to correct it. The old one stays in the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3, corrected to</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::LabParts</name>
     <message>
         <source>Building the model</source>
@@ -2886,6 +3646,38 @@
     </message>
     <message>
         <source>Stored as a new record; the old one stays: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clustering the speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counting the votes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing the experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing the weights</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2937,6 +3729,29 @@
     </message>
     <message>
         <source>Canceled: what you see is not complete. The next change computes again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::LayoutMenu</name>
+    <message>
+        <source>&amp;Keep this layout as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep this layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name; one that is there is replaced:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layout is kept as %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3361,10 +4176,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reo&amp;pen</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Import a model of another program</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3378,6 +4189,10 @@
     </message>
     <message>
         <source>The new model could not be made. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reop&amp;en</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3665,6 +4480,55 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::NumberPage</name>
+    <message>
+        <source>Table 1: speeds of each participant at each level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table 1: insertion speed, and how clusters and levels agree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objective against iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: clusters and levels agree.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still looking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more; point at a row of the table to read its own</source>
+        <translation>
+            <numerusform>and %n more; point at a row of the table to read its own</numerusform>
+            <numerusform>and %n more; point at a row of the table to read its own</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ObjectivePlot</name>
+    <message>
+        <source>Objective against iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iteration of the textbook&apos;s algorithm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>J / its minimum</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::OperatingStrip</name>
     <message>
         <source>Message</source>
@@ -3718,6 +4582,13 @@
     </message>
     <message>
         <source>mean %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::PairTable</name>
+    <message>
+        <source>At most %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3915,6 +4786,53 @@
     </message>
     <message>
         <source>Saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::PolicyTable</name>
+    <message>
+        <source>Equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By years of experience</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By category</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the profiles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From equal, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4328,6 +5246,29 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::PullPlot</name>
+    <message>
+        <source>Averaged force and the experts&apos; distances from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the lowest to the highest expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the mean (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not noticeable: within one just-noticeable difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ReadinessRow</name>
     <message>
         <source>Accept</source>
@@ -4611,6 +5552,14 @@ felt on the model %2</source>
         <source>Conflict with a rule for %1. Choose an answer to resolve it. %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the operating point to where the conditions of this rule hold</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::RuleEditor</name>
@@ -4667,6 +5616,14 @@ felt on the model %2</source>
     </message>
     <message>
         <source>%1, also the consequent of a stronger rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules that act here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to select it, double-click to edit it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4914,6 +5871,14 @@ felt on the model %2</source>
         <source>%1 of %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Go where it acts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select several rules with Ctrl or Shift: an edit changes all of them · 1–9 answer · Ctrl+C and Ctrl+V copy and paste them as text</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::RulePanel</name>
@@ -4949,6 +5914,91 @@ felt on the model %2</source>
     </message>
     <message>
         <source>sets of %1 that the rules of %2 make, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the selected rule in the rule editor (Enter, or a double click on it)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit rule %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RulesLab</name>
+    <message>
+        <source>skipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RulesLabView</name>
+    <message numerus="yes">
+        <source>%n cell(s) apart by more than one just-noticeable difference</source>
+        <translation>
+            <numerusform>%n cell apart by more than one just-noticeable difference</numerusform>
+            <numerusform>%n cells apart by more than one just-noticeable difference</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>between the experts %1 (SD), at most %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each expert says, and what it costs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chosen cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures of agreement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usability (Table 3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts in the chosen cell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usability scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has filled in the usability form in this study. </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Published: nine clinical teachers (Table 3); no nine answers give its third line as printed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No cell is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a cell of the grids. A double click on an expert&apos;s word corrects it; the old one stays in the study.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5186,6 +6236,222 @@ felt on the model %2</source>
     </message>
 </context>
 <context>
+    <name>tactus::workbench::SpeedLabView</name>
+    <message>
+        <source>Clusters and terms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table 1 and warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earlier participants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Further participants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no accepted strokes in this study. The speed has its default terms; the speed experiment begins in Collect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::SpeedSettingsPanel</name>
+    <message>
+        <source>Clusters c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has one term for each cluster: another number shows clusters alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fuzziness m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exponent m of Eq. 1: near 1 the clusters are crisp; above 5 the centers stick to samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ramp end α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The membership at the ends of a ramp. 1: center points have membership 1, as the paper says, and medium is a triangle. 0.95: the ramp fits the membership best.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trimming</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples below this share of their stroke&apos;s peak speed are left out: the start and the stop of each stroke.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clusters of all samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>means of the levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centers of the terms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weighted mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Average over the participants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With %1 clusters there are no terms: the model has three, Slow, Medium and Fast.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These settings make the model of all labs, and are stored in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::SpeedTable</name>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the samples whose cluster is that of the level asked for. Warns below 0.6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Agreement of clusters and levels beyond chance; 1 is perfect. Warns below 0.3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference of neighboring levels in standard deviations. Warns below 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the means of the strokes rise with the level: Jonckheere-Terpstra, one-sided.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fuzzy silhouette: near 1 the clusters are apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Xie-Beni index: smaller is better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point at a row to read its warnings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+mean (SD), mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rand
+index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Separation
+d′</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trend
+p</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silhouette</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Xie-Beni</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::SpeedTermPlot</name>
+    <message>
+        <source>Speed terms of each participant and their average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Terms of the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % interval of a corner</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::StartParts</name>
     <message>
         <source>The tables were not imported. %1</source>
@@ -5308,6 +6574,49 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Four simulated nurses and the model made from their answers: a copy, in the folder %1 of your documents.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StrokePage</name>
+    <message>
+        <source>Drag a mark to correct where a stroke begins or ends; right-click a stroke to leave it out. A correction is a new record: the old one stays in the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strokes that are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 strokes of all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All levels of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stroke %1 of %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marks of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 counted again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5686,6 +6995,49 @@ felt on the model %2</source>
     </message>
 </context>
 <context>
+    <name>tactus::workbench::TraceRow</name>
+    <message>
+        <source>Strokes of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No strokes at this level.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the recordings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Leave stroke %1 out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Count stroke %1 again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stroke %1: counts from %2 s to %3 s of its recording. Drag a mark to correct it; right-click to leave the stroke out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corrected; the earlier record is still in the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::TubePad</name>
     <message>
         <source>Hand on the tube</source>
@@ -5748,6 +7100,33 @@ felt on the model %2</source>
     </message>
 </context>
 <context>
+    <name>tactus::workbench::UsabilityTable</name>
+    <message>
+        <source>Statement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean (SD)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Published</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Published range</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ViewMenu</name>
     <message>
         <source>&amp;Reset layout</source>
@@ -5771,6 +7150,92 @@ felt on the model %2</source>
     </message>
     <message>
         <source>&amp;Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay&amp;outs</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::VoteTable</name>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Winner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::VotesView</name>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation type="unfinished">
+            <numerusform>%n participant</numerusform>
+            <numerusform>%n participants</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tie(s)</source>
+        <translation>
+            <numerusform>%n tie</numerusform>
+            <numerusform>%n ties</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n force(s) without votes</source>
+        <translation>
+            <numerusform>%n force without votes</numerusform>
+            <numerusform>%n forces without votes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Votes for each force</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::WeightTable</name>
+    <message>
+        <source>Double-click a weight to change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The largest change in just-noticeable differences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the averaged force moves without this expert.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out, rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

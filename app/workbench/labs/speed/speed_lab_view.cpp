@@ -36,9 +36,14 @@ SpeedLabView::SpeedLabView(SpeedLab& lab, Corrections& corrections, QWidget* par
   settings->setFixedWidth(kSettingsWidth);
   new TabLook(*pages_->tabBar());
   pages_->setDocumentMode(true);
+  auto* numbers = new NumberPage(lab, this);
+  // Names of the pictures of --screens.
+  setObjectName(QStringLiteral("speed"));
+  strokes_->setObjectName(QStringLiteral("strokes"));
+  numbers->setObjectName(QStringLiteral("table"));
   pages_->addTab(new ClusterPage(lab, this), tr("Clusters and terms"));
   pages_->addTab(strokes_, tr("Strokes"));
-  pages_->addTab(new NumberPage(lab, this), tr("Table 1 and warnings"));
+  pages_->addTab(numbers, tr("Table 1 and warnings"));
   pages_->setCornerWidget(makePager(), Qt::TopRightCorner);
   setMuted(*nothing_);
   nothing_->setAlignment(Qt::AlignCenter);
