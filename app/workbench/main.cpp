@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/version.h"
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/program_options.h"
 #include "app/workbench/rehearse_start.h"
@@ -111,7 +112,7 @@ int main(int argc, char** argv) {
   if (pictures) return takePictures(application, *pictures);
 
   QSettings settings;
-  theme::apply(application, theme::storedLook(settings));
+  appearance::apply(application, settings);
   if (read->rehearse) return rehearse(*read->rehearse);
   if (!read->take_part.isEmpty()) return takePart(read->take_part, settings);
   Workbench workbench(settings);

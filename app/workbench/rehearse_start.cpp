@@ -56,6 +56,10 @@ void RehearseStart::begin() {
 study::Moment RehearseStart::now() const { return {began_utc_ms_ + time_.nowNs() / 1'000'000, time_.nowNs()}; }
 
 void RehearseStart::prepare() {
+  if (study_.isReadOnly()) {
+    return end(tr("No session can begin: %1 is open for reading only, because %2.")
+                   .arg(study_.fileName(), study_.readOnlyReason()));
+  }
   study_.read(*this, [this](const store::StudyFile& file) -> StudyConnection::Deliver {
     auto plan = participantPlan(file);
     if (!plan) return [this, sentence = text(plan.error().message())] { end(sentence); };

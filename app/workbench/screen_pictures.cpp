@@ -9,9 +9,12 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect_pictures.h"
 #include "app/workbench/deliver/link/link_dialog.h"
+#include "app/workbench/help/guide_window.h"
+#include "app/workbench/help/tour_card.h"
 #include "app/workbench/lab_pictures.h"
 #include "app/workbench/participant_pictures.h"
 #include "app/workbench/picture_album.h"
+#include "app/workbench/shell/command_search.h"
 #include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/shell/shortcut_sheet.h"
@@ -75,6 +78,29 @@ base::Result<void> addBundle(PictureAlbum& album, Workbench& bench, const QStrin
                    BundleMaker::tr("%1: a bundle").arg(stageName(Stage::kDeliver)), bench.window);
 }
 
+/// Each step of the tour, the guide, and the search.
+base::Result<void> addHelp(PictureAlbum& album, Workbench& bench) {
+  const QString help = QStringLiteral("help");
+  Tour& tour = bench.help_parts.tour();
+  for (int step = 0; step < tour.steps(); ++step) {
+    tour.goTo(step);
+    const QString screen = QStringLiteral("tour_%1").arg(step + 1);
+    if (auto added =
+            album.add(help, screen, TourCard::tr("Tour, step %1 of %2").arg(step + 1).arg(tour.steps()), bench.window);
+        !added) {
+      return added;
+    }
+  }
+  tour.end();
+  GuideWindow& guide = bench.help_parts.guide();
+  guide.show();
+  if (auto added = album.add(help, QStringLiteral("guide"), guide.windowTitle(), guide); !added) return added;
+  guide.hide();
+  CommandSearch search(bench.search_parts.sources(), &bench.window);
+  search.show();
+  return album.add(help, QStringLiteral("search"), search.windowTitle(), search);
+}
+
 }  // namespace
 
 base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
@@ -99,6 +125,13 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
   if (auto added = addBundle(album, bench, folder.filePath(QStringLiteral("ngt-demo-bundle"))); !added) return added;
   if (auto added = addLabPictures(album, bench); !added) return added;
   if (auto added = addCollectPictures(album, bench, folder.path()); !added) return added;
+  if (auto added = addHelp(album, bench); !added) return added;
+  bench.window.enterLayout(FeelParts::layoutId());
+  if (auto added = album.add(QStringLiteral("feel"), QStringLiteral("layout"), FeelParts::tr("Feel"), bench.window);
+      !added) {
+    return added;
+  }
+  bench.window.leaveLayout();
   ShortcutSheet sheet(*bench.window.menuBar(), &bench.window);
   sheet.show();
   if (auto added = album.add(QStringLiteral("help"), QStringLiteral("shortcuts"), sheet.windowTitle(), sheet); !added) {

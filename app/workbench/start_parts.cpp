@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "app/workbench/base/documents.h"
 #include "app/workbench/base/study_path.h"
 #include "app/workbench/collect_parts.h"
 #include "app/workbench/kit/message_banner.h"

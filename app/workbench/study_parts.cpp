@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/documents.h"
 #include "app/workbench/base/study_path.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/feel_panel.h"
@@ -58,6 +60,7 @@ void StudyParts::buildMenu() {
   WindowMenus& menus = window_.menus();
   make_ = menus.addAction(MenuSlot::kStudyOpen, tr("&New study…"), QKeySequence::New);
   show_ = menus.addAction(MenuSlot::kStudyOpen, tr("Show the study's &model"));
+  copy_ = menus.addAction(MenuSlot::kStudyOpen, tr("Save a c&opy of the study…"));
   put_ = menus.addAction(MenuSlot::kStudyModel, tr("&Put the open model into the study"));
   build_ = menus.addAction(MenuSlot::kStudyModel, tr("&Build the averaged model from the answers"));
   close_ = menus.addAction(MenuSlot::kStudyClose, tr("&Close the study"));
@@ -71,6 +74,12 @@ void StudyParts::connectAll() {
   connect(put_, &QAction::triggered, &study_models_, &StudyModels::putModel);
   connect(build_, &QAction::triggered, this, [this] {
     if (files_.mayLoseChanges()) study_models_.buildModel();
+  });
+  connect(copy_, &QAction::triggered, this, &StudyParts::chooseCopy);
+  connect(&study_, &StudyConnection::copied, this, [this](const QString& copy) {
+    // Whoever could only read goes on with the copy.
+    if (study_.isReadOnly()) files_.open(copy);
+    window_.banner().showNote(tr("A copy of the study was saved as %1.").arg(harmless(copy)));
   });
   connect(close_, &QAction::triggered, &study_, &StudyConnection::close);
   connect(&files_, &ModelFiles::studyChosen, &study_, &StudyConnection::open);
@@ -100,11 +109,14 @@ void StudyParts::chooseNew() {
 void StudyParts::showState() {
   const bool open = study_.isOpen() && !study_.isOpening();
   const bool kept = study_models_.keepsModel();
-  put_->setEnabled(open && models_.current() && !kept);
+  const bool writable = open && study_.takesOrders();
+  put_->setEnabled(writable && models_.current() && !kept);
+  put_->setStatusTip(study_.isReadOnly() ? tr("%1 is open for reading only.").arg(study_.fileName()) : QString());
+  copy_->setEnabled(open);
   show_->setEnabled(open && study_models_.hasModel() && !kept);
   build_->setEnabled(open);
   close_->setEnabled(open);
-  files_.showStudy(study_.isOpen() ? study_.fileName() : QString());
+  files_.showStudy(study_.isOpen() ? study_.fileName() : QString(), study_.readOnlyReason());
   window_.strip().showStored(study_models_.savedText(), !study_.failure().isEmpty());
   // The end is asked for anew: what comes up then may take it back.
   if (ending_ && (!study_.isBusy() || !study_.failure().isEmpty())) {
@@ -116,10 +128,33 @@ void StudyParts::showState() {
 void StudyParts::onOpened() {
   recent_.add(study_.path());
   showState();
+  if (!study_.isReadOnly()) return;
+  window_.banner().showOffer(
+      tr("%1 is open for reading only, because %2. Nothing can be stored in it; a copy can be changed.")
+          .arg(study_.fileName(), study_.readOnlyReason()),
+      {tr("Save a copy…"), [this] { chooseCopy(); }});
+}
+
+void StudyParts::chooseCopy() {
+  const QFileInfo file(study_.path());
+  const QString folder = study_.isReadOnly() ? documentsFolder() : file.absolutePath();
+  QString path =
+      QFileDialog::getSaveFileName(&window_, tr("Save a copy of the study"),
+                                   folder + QLatin1Char('/') + file.completeBaseName() + QStringLiteral("-copy.tactus"),
+                                   tr("Studies (*.tactus)"), nullptr, QFileDialog::DontConfirmOverwrite);
+  if (path.isEmpty()) return;
+  if (!isStudyPath(path)) path += QStringLiteral(".tactus");
+  study_.saveCopy(path);
 }
 
 void StudyParts::onFailed(const QString& path, const QString& sentence) {
-  window_.banner().showError(sentence);
+  if (!study_.failure().isEmpty()) {
+    window_.banner().showRemedy(sentence, {tr("Try again"), [this] { study_.storeNow(); }});
+  } else if (!study_.isOpen()) {
+    window_.banner().showRemedy(sentence, {tr("Open another file…"), [this] { files_.choose(); }});
+  } else {
+    window_.banner().showError(sentence);
+  }
   if (!QFileInfo::exists(path)) recent_.remove(path);
   showState();
 }

@@ -35,6 +35,7 @@ class StudyParts : public QObject {
   void connectAll();
   void showState();
   void onOpened();
+  void chooseCopy();
   void onFailed(const QString& path, const QString& sentence);
   /// Keeps the window open until everything is written, or until the user gives it up.
   bool mayEnd();
@@ -51,6 +52,7 @@ class StudyParts : public QObject {
   QAction* show_ = nullptr;
   QAction* put_ = nullptr;
   QAction* build_ = nullptr;
+  QAction* copy_ = nullptr;
   QAction* close_ = nullptr;
   bool ending_ = false;  ///< the window closes as soon as everything is written
 };

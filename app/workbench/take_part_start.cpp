@@ -19,7 +19,14 @@ TakePartStart::TakePartStart(DeviceAccess devices) : device_(std::move(devices))
   connect(&study_, &StudyConnection::failed, this, [this](const QString& /*path*/, const QString& sentence) {
     if (!take_part_) emit failed(sentence);
   });
-  connect(&study_, &StudyConnection::opened, &search_, &DeviceSearch::search);
+  connect(&study_, &StudyConnection::opened, this, [this] {
+    if (study_.isReadOnly()) {
+      emit failed(tr("No session can begin: %1 is open for reading only, because %2.")
+                      .arg(study_.fileName(), study_.readOnlyReason()));
+    } else {
+      search_.search();
+    }
+  });
   connect(&search_, &DeviceSearch::found, this, &TakePartStart::plan);
   connect(&study_, &StudyConnection::closed, this, [this] { emit left(path_); });
 }

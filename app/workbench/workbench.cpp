@@ -56,6 +56,8 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
       help_parts(window, models, start_parts,
                  {curve_parts.curves(), map_parts.map(), here_parts.rules(), edit_parts.panel(), finding_parts.panel(),
                   feel_parts.panel(), deliver_parts.readinessPanel()}),
+      search_parts(window, {scene, terms, rules, findings},
+                   {edit_parts.panel(), rule_parts.panel(), finding_parts.panel()}),
       help_menu(window) {}
 
 }  // namespace tactus::workbench

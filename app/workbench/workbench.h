@@ -30,6 +30,7 @@
 #include "app/workbench/picture_parts.h"
 #include "app/workbench/recovery_parts.h"
 #include "app/workbench/rule_parts.h"
+#include "app/workbench/search_parts.h"
 #include "app/workbench/selection_parts.h"
 #include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/main_window.h"
@@ -105,6 +106,7 @@ struct Workbench {
   BenchScreens screens;
   ViewMenu view_menu;
   HelpParts help_parts;
+  SearchParts search_parts;
   HelpMenu help_menu;
 };
 

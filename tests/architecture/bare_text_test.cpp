@@ -46,7 +46,7 @@ struct Exception {
 };
 
 constexpr Exception kExceptions[] = {
-    {"plot/landmark_marks.cpp", "%1, %2 mm: %3 (%4)", "a unit"},
+    {"plot/landmark_marks.cpp", "%1  %2, %3 mm: %4 (%5)", "a unit"},
     {"feel/feel_panel.cpp", "<span style=\\\"color:%1\\\">■</span> %2", "marks without a word"},
     {"feel/feel_panel.cpp", "<br>", "markup"},
     {"workbench/main.cpp", "Tactus", "the folder of the settings"},

@@ -31,6 +31,8 @@ class ProtocolController : public QObject {
 
   /// The study's protocol is read.
   bool isReady() const { return ready_; }
+  /// Whether a version can be stored: the study is read, and open for writing.
+  bool mayStore() const { return ready_ && study_.takesOrders(); }
   const session::StudyProtocol& draft() const { return draft_; }
   /// Of the stored protocol; 0: none was set.
   int version() const { return version_; }

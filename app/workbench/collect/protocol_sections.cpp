@@ -212,7 +212,7 @@ void ProtocolView::followLists() {
   const bool same = key_->text() == key_again_->text();
   key_state_->setText(protocol_.hasKey() ? tr("A key is set.") : tr("No key is set."));
   set_key_->setText(protocol_.hasKey() ? tr("Change the key") : tr("Set the key"));
-  set_key_->setEnabled(protocol_.isReady() && enough && same);
+  set_key_->setEnabled(protocol_.mayStore() && enough && same);
   remove_key_->setVisible(protocol_.hasKey());
   key_trouble_->setText(key_->text().isEmpty() ? QString()
                         : !enough              ? tr("At least %1 letters.").arg(kKeyLetters)

@@ -175,7 +175,7 @@ void ProtocolView::followFoot() {
   reason_->setVisible(amends);
   discard_->setVisible(protocol_.changes() > 0 || (problem && protocol_.version() > 0));
   discard_->setEnabled(!protocol_.isStoring());
-  store_->setEnabled(protocol_.isReady() && protocol_.isDirty() && !problem && reasoned && !protocol_.isStoring());
+  store_->setEnabled(protocol_.mayStore() && protocol_.isDirty() && !problem && reasoned && !protocol_.isStoring());
   store_->setText(amends ? tr("&Store version %1").arg(protocol_.version() + 1) : tr("&Store"));
   setInk(*foot_, problem ? theme::errorInk() : theme::ink());
   if (problem) {

@@ -242,8 +242,15 @@ void StudyHome::follow() {
                                : tr("protocol version %1, a draft").arg(overview.protocol.version);
   summary_->setText(tr("%n participant(s)", nullptr, count) + QStringLiteral(" · ") + protocol);
   pages_->setCurrentIndex(count > 0 ? 0 : 1);
-  const bool open = collect_.study().isOpen() && !collect_.isSessionRunning();
-  for (QPushButton* button : {protocol_, usability_, add_, static_cast<QPushButton*>(start_)}) button->setEnabled(open);
+  const StudyConnection& study = collect_.study();
+  protocol_->setEnabled(study.isOpen() && !collect_.isSessionRunning());
+  const QString locked = study.isReadOnly()
+                             ? tr("The study is open for reading only, because %1.").arg(study.readOnlyReason())
+                             : QString();
+  for (QPushButton* button : {usability_, add_, static_cast<QPushButton*>(start_)}) {
+    button->setEnabled(study.takesOrders() && !collect_.isSessionRunning());
+  }
+  for (QPushButton* button : {add_, static_cast<QPushButton*>(start_), withdraw_}) button->setToolTip(locked);
   if (newest_ && collect_.row(*newest_) != nullptr && selected() != newest_) select(*newest_);
   showSelection();
   showHints();
@@ -257,7 +264,8 @@ void StudyHome::showSelection() {
                   : row->last_seen_ms > 0 ? tr("Con&tinue with %1").arg(harmless(row->code))
                                           : tr("S&tart with %1").arg(harmless(row->code)));
   start_->updateGeometry();
-  withdraw_->setEnabled(row != nullptr && !collect_.isWithdrawing() && !collect_.isSessionRunning());
+  withdraw_->setEnabled(row != nullptr && collect_.study().takesOrders() && !collect_.isWithdrawing() &&
+                        !collect_.isSessionRunning());
   withdraw_->setVisible(row != nullptr);
   if (row == nullptr) {
     chosen_->setText(tr("Choose a participant to continue, or start a session for a new one."));

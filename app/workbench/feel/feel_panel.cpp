@@ -200,7 +200,8 @@ void FeelPanel::arrange() {
   picture_->setStretch(1, roomy ? 2 : 0);
   procedure_->setCompact(!roomy);
   if (open != open_) setOpen(open);
-  if (roomy != std::exchange(roomy_, roomy)) emit roomChanged(roomy);
+  const bool room = roomy || open;
+  if (room != std::exchange(roomy_, room)) emit roomChanged(room);
 }
 
 void FeelPanel::setOpen(bool open) {

@@ -1,9 +1,9 @@
 #include "app/workbench/kit/lock_button.h"
 
 #include <QPainter>
-#include <QPainterPath>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/lock_picture.h"
 
 namespace tactus::workbench {
 namespace {
@@ -27,23 +27,7 @@ void LockButton::paintEvent(QPaintEvent* /*event*/) {
   const bool strong = isChecked() || underMouse() || hasFocus();
   QColor color = isChecked() ? theme::ink() : theme::mutedInk();
   color.setAlphaF(strong ? 1.0F : 0.35F);
-
-  const QRectF body(width() / 2.0 - 4.5, height() / 2.0 - 1, 9, 7);
-  QPainterPath shackle;
-  const double top = body.top() - 4.5;
-  const double side = isChecked() ? body.right() - 2 : body.right() + 1.5;
-  // Open: the shackle has left its hole on the right and stands a little higher.
-  const double lift = isChecked() ? 0 : 1.5;
-  shackle.moveTo(body.left() + 2, body.top());
-  shackle.lineTo(body.left() + 2, top + 2 - lift);
-  shackle.quadTo(QPointF(body.left() + 2, top - lift), QPointF((body.left() + 2 + side) / 2, top - lift));
-  shackle.quadTo(QPointF(side, top - lift), QPointF(side, top + 2 - lift));
-  if (isChecked()) shackle.lineTo(side, body.top());
-  painter.setPen(QPen(color, 1.5));
-  painter.drawPath(shackle);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(color);
-  painter.drawRoundedRect(body, 1.5, 1.5);
+  drawLock(painter, QPointF(width() / 2.0, height() / 2.0), color, isChecked());
   if (hasFocus()) {
     painter.setPen(QPen(theme::accent(), 1));
     painter.setBrush(Qt::NoBrush);

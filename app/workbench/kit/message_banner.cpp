@@ -44,6 +44,10 @@ void MessageBanner::showRemedy(const QString& sentence, MessageAct act) {
   show(sentence, theme::errorInk(), theme::errorFill(), std::move(act));
 }
 
+void MessageBanner::showOffer(const QString& sentence, MessageAct act) {
+  show(sentence, theme::warningInk(), theme::warningFill(), std::move(act));
+}
+
 void MessageBanner::showNote(const QString& sentence) { show(sentence, theme::warningInk(), theme::warningFill()); }
 
 QString MessageBanner::message() const { return label_->text(); }

@@ -28,6 +28,8 @@ class MessageBanner : public Card {
   /// An error with a button for what helps, which ends the message.
   void showRemedy(const QString& sentence, MessageAct act);
   void showNote(const QString& sentence);
+  /// A note with a button for what can be done.
+  void showOffer(const QString& sentence, MessageAct act);
   QString message() const;
 
  private:

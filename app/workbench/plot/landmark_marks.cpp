@@ -15,6 +15,7 @@ constexpr int kNameRows = 2;
 constexpr double kNameGap = 8;         // px between two names in a row
 constexpr double kLandmarkBar = 3;     // px
 constexpr double kLandmarkLeader = 3;  // px from the bars to the lowest row
+constexpr int kNamedFrom = 180;        // px: names would cover the lines of a lower plot; it has their numbers
 
 }  // namespace
 
@@ -35,9 +36,16 @@ QString LandmarkMarks::explanation() const {
     const QString place = mark.from_mm == mark.to_mm
                               ? numberText(mark.from_mm)
                               : numberText(mark.from_mm) + QStringLiteral("–") + numberText(mark.to_mm);
-    lines << QStringLiteral("%1, %2 mm: %3 (%4)").arg(mark.name, place, mark.what, mark.source);
+    lines << QStringLiteral("%1  %2, %3 mm: %4 (%5)").arg(numberOf(mark), mark.name, place, mark.what, mark.source);
   }
   return lines.join(QLatin1Char('\n'));
+}
+
+// From 1, in the order of the way, whatever part of it is shown.
+QString LandmarkMarks::numberOf(const Landmark& mark) const {
+  const auto found =
+      std::find_if(landmarks_.begin(), landmarks_.end(), [&](const Landmark& one) { return one.name == mark.name; });
+  return QString::number(found - landmarks_.begin() + 1);
 }
 
 int LandmarkMarks::height() const {
@@ -74,7 +82,10 @@ void LandmarkMarks::draw(QCPPainter* painter) {
   const bool hang = place_ == Place::kUnder;
   const double edge = place_ == Place::kAbove ? area->top() - 1.0 : hang ? area->top() + kLandmarkBar : area->bottom();
   std::vector<Label> labels;
-  const std::vector<Landmark> marks = inSight(*axis);
+  std::vector<Landmark> marks = inSight(*axis);
+  if (place_ == Place::kInside && area->height() < kNamedFrom) {
+    for (Landmark& mark : marks) mark.name = numberOf(mark);
+  }
   painter->setPen(Qt::NoPen);
   painter->setBrush(theme::mutedInk());
   for (const Landmark& mark : marks) {

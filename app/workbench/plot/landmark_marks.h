@@ -36,6 +36,7 @@ class LandmarkMarks : public QCPLayerable {
   void draw(QCPPainter* painter) override;
 
  private:
+  QString numberOf(const Landmark& mark) const;
   void drawBeside(QCPPainter& painter) const;
   std::vector<Landmark> inSight(const QCPAxis& axis) const;
 

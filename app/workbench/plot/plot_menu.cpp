@@ -83,10 +83,13 @@ void PlotMenu::copyTable() {
 }
 
 void PlotMenu::choosePicture() {
-  QString path = QFileDialog::getSaveFileName(this, tr("Save the picture"), table_().file + QStringLiteral(".png"),
-                                              tr("Pictures (*.png *.svg *.pdf)"));
+  QString filter;
+  QString path = QFileDialog::getSaveFileName(
+      this, tr("Save the picture"), table_().file,
+      tr("Picture for the screen (*.png);;Drawing for a web page (*.svg);;Drawing for print (*.pdf)"), &filter);
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
+  // The filter names one ending: `… (*.svg)`.
+  if (QFileInfo(path).suffix().isEmpty()) path += filter.section(QLatin1Char('*'), 1).remove(QLatin1Char(')'));
   tell(savePicture(path), path);
 }
 
@@ -102,7 +105,7 @@ void PlotMenu::tell(const base::Result<void>& saved, const QString& path) {
   if (saved) {
     sayDone(*this, tr("Saved: %1").arg(path));
   } else {
-    sayError(*this, workbench::text(saved.error().message()));
+    sayError(*this, tr("%1 was not saved. %2").arg(shownFileName(path), workbench::text(saved.error().message())));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "app/workbench/plot/plot_style.h"
 
+#include <utility>
 #include <vector>
 
 #include "app/workbench/base/refresh.h"
@@ -44,7 +45,23 @@ void takeLook(QCustomPlot& plot) {
   plot.replot(QCustomPlot::rpQueuedReplot);
 }
 
-/// Gives lines, axes and texts the colors of the new look when the palette changes. Colors from outside the theme stay.
+void takeTextSize(QCustomPlot& plot, double factor) {
+  const auto scaled = [factor](QFont font) {
+    font.setPointSizeF(font.pointSizeF() * factor);
+    return font;
+  };
+  for (QCPAxis* axis : plot.findChildren<QCPAxis*>()) {
+    axis->setTickLabelFont(scaled(axis->tickLabelFont()));
+    axis->setLabelFont(scaled(axis->labelFont()));
+  }
+  for (int i = 0; i < plot.itemCount(); ++i) {
+    if (auto* item = qobject_cast<QCPItemText*>(plot.item(i))) item->setFont(scaled(item->font()));
+  }
+  plot.replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// Gives lines, axes and texts the colors of the new look when the palette changes, and texts the new size. Colors from
+/// outside the theme stay.
 class LookWatch : public QObject {
  public:
   explicit LookWatch(QCustomPlot& plot) : QObject(&plot), plot_(plot) { plot_.installEventFilter(this); }
@@ -52,11 +69,14 @@ class LookWatch : public QObject {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (event->type() == QEvent::PaletteChange) takeLook(plot_);
+    const double size = theme::smallFont().pointSizeF();
+    if (event->type() == QEvent::FontChange && size != size_) takeTextSize(plot_, size / std::exchange(size_, size));
     return QObject::eventFilter(watched, event);
   }
 
  private:
   QCustomPlot& plot_;
+  double size_ = theme::smallFont().pointSizeF();
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 #include <algorithm>
 
 #include "app/demo/demo_folder.h"
@@ -24,11 +23,6 @@ int copiesIn(const QString& documents) {
 }
 
 }  // namespace
-
-QString documentsFolder() {
-  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  return documents.isEmpty() ? QDir::homePath() : documents;
-}
 
 DemoMaker::DemoMaker(const QString& documents, QObject* parent) : QObject(parent) { setDocuments(documents); }
 

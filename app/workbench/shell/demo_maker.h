@@ -57,7 +57,4 @@ class DemoMaker : public QObject {
   Worker worker_;  ///< last: its end waits for the work, which posts to `answers_`
 };
 
-/// Where studies and copies belong without a better place: the user's documents.
-QString documentsFolder();
-
 }  // namespace tactus::workbench

@@ -17,7 +17,9 @@
 #include "app/workbench/kit/message_banner.h"
 #include "app/workbench/kit/reading_order.h"
 #include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"
+#include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/shell/stage_rail.h"
 #include "core/base/check.h"
@@ -154,6 +156,42 @@ void MainWindow::enterLayout(const QString& id) {
 
 void MainWindow::leaveLayout() {
   if (!layout_beside_.isEmpty() && stage_) enter(*stage_);
+}
+
+// In reading order: the rail, the screen or its panels row by row, the strip.
+QList<QWidget*> MainWindow::parts() const {
+  QList<QWidget*> parts{rail_};
+  if (screens_->currentWidget() == bench_) {
+    parts << &bench_->header();
+    QList<QWidget*> shown;
+    for (Panel* panel : bench_->panels().panels()) {
+      if (panel->isVisible() && !panel->isFloating() && !bench_->panels().isBehind(*panel)) shown << panel;
+    }
+    std::sort(shown.begin(), shown.end(),
+              [](const QWidget* a, const QWidget* b) { return std::pair(a->y(), a->x()) < std::pair(b->y(), b->x()); });
+    parts << shown;
+  } else {
+    parts << screens_->currentWidget();
+  }
+  return parts << strip_;
+}
+
+void MainWindow::focusNextPart(bool forward) {
+  const QList<QWidget*> all = parts();
+  const QWidget* focus = focusWidget();
+  const auto here = std::find_if(all.begin(), all.end(), [&](const QWidget* part) {
+    return part == focus || (focus != nullptr && part->isAncestorOf(focus));
+  });
+  const auto count = static_cast<int>(all.size());
+  int at = here == all.end() ? (forward ? -1 : 0) : static_cast<int>(here - all.begin());
+  for (int tried = 0; tried < count; ++tried) {
+    at = (at + (forward ? 1 : count - 1)) % count;
+    QWidget* part = all[at];
+    const QList<QWidget*> inside = part->isVisible() ? readingOrder(*part) : QList<QWidget*>();
+    if (inside.isEmpty()) continue;
+    inside.first()->setFocus(Qt::TabFocusReason);
+    return;
+  }
 }
 
 void MainWindow::setLayoutBeside(const QString& id) {

@@ -75,6 +75,8 @@ class MainWindow : public QMainWindow, public MessagePlace {
   void enterLayout(const QString& id);
   /// Back to the screen of the stage.
   void leaveLayout();
+  /// Gives the keyboard to the next part of the window (a panel, the strip, the rail), or to the one before.
+  void focusNextPart(bool forward);
   /// Whether a study is open.
   void setStudyOpen(bool open);
 
@@ -94,6 +96,7 @@ class MainWindow : public QMainWindow, public MessagePlace {
  private:
   void showStages();
   void setLayoutBeside(const QString& id);
+  QList<QWidget*> parts() const;
   std::optional<Stage> lastStage() const;
 
   QSettings& settings_;

@@ -9,6 +9,7 @@
 #include <QMessageBox>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/documents.h"
 #include "app/workbench/base/study_path.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/message_banner.h"
@@ -16,7 +17,6 @@
 #include "app/workbench/model/imported_model.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/template_model.h"
-#include "app/workbench/shell/demo_maker.h"
 #include "app/workbench/shell/file_drop.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_header.h"
@@ -52,8 +52,10 @@ void ModelFiles::connectAll() {
   connect(save_as_, &QAction::triggered, this, &ModelFiles::chooseCopy);
   connect(&recent_, &RecentFiles::changed, this, &ModelFiles::listRecent);
   connect(&models_, &ModelController::openFailed, this, &ModelFiles::showFailure);
-  connect(&models_, &ModelController::saveFailed, this,
-          [this](const QString& /*path*/, const QString& sentence) { window_.banner().showError(sentence); });
+  connect(&models_, &ModelController::saveFailed, this, [this](const QString& path, const QString& sentence) {
+    window_.banner().showRemedy(tr("%1 was not saved. %2").arg(shownFileName(path), sentence),
+                                {tr("Save elsewhere…"), [this] { chooseCopy(); }});
+  });
   connect(&models_, &ModelController::saved, this, &ModelFiles::showTitle);
   connect(&models_, &ModelController::modifiedChanged, &window_, &QWidget::setWindowModified);
   connect(&models_, &ModelController::opened, this, &ModelFiles::showModel);
@@ -141,7 +143,9 @@ bool ModelFiles::isUnnamed() const {
 }
 
 void ModelFiles::save() {
-  if (isUnnamed()) {
+  const auto open = models_.current();
+  // An imported model, a new one, or one beside a study that is open for reading: it is asked for a place.
+  if (open && !open->in_study && !QFileInfo::exists(open->path)) {
     chooseCopy();
   } else {
     models_.save();
@@ -181,11 +185,12 @@ void ModelFiles::showModel() {
   }
 }
 
-void ModelFiles::showStudy(const QString& name) {
+void ModelFiles::showStudy(const QString& name, const QString& read_only) {
   const QString shown = harmless(name);
-  if (shown == study_) return;
+  if (shown == study_ && study_read_only_ == !read_only.isEmpty()) return;
   study_ = shown;
-  window_.header().showStudy(shown);
+  study_read_only_ = !read_only.isEmpty();
+  window_.header().showStudy(shown, read_only);
   showTitle();
 }
 
@@ -199,7 +204,9 @@ void ModelFiles::showNotes() {
 }
 
 void ModelFiles::showTitle() {
-  const QString study = study_.isEmpty() ? QString() : tr(" – study %1").arg(study_);
+  const QString study = study_.isEmpty()   ? QString()
+                        : study_read_only_ ? tr(" – study %1 (read-only)").arg(study_)
+                                           : tr(" – study %1").arg(study_);
   if (!models_.current()) {
     window_.setWindowTitle(tr("Tactus Workbench") + study);
     return;
@@ -214,11 +221,11 @@ void ModelFiles::showTitle() {
   const bool has_file = QFileInfo::exists(open.path);
   if (has_file) recent_.add(open.path, name);
   if (has_file) unnamed_.clear();
-  reopen_->setEnabled(!isUnnamed());
+  reopen_->setEnabled(has_file);
 }
 
 void ModelFiles::showFailure(const QString& path, const QString& sentence) {
-  window_.banner().showError(sentence);
+  window_.banner().showRemedy(sentence, {tr("Open another file…"), [this] { choose(); }});
   if (!QFileInfo::exists(path)) recent_.remove(path);
 }
 

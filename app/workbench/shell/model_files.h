@@ -23,8 +23,9 @@ class ModelFiles : public QObject {
 
   /// Asks the user about unsaved changes, if there are any. Returns whether another model may be opened.
   bool mayLoseChanges();
-  /// The study that is open, by its file's name, in the title and beside the heading; empty: none.
-  void showStudy(const QString& name);
+  /// The study that is open, by its file's name, in the title and beside the heading; empty: none. `read_only`: why it
+  /// is open for reading alone; empty: it is not.
+  void showStudy(const QString& name, const QString& read_only);
 
  public slots:
   /// Opens a model file or a model of another program, or emits `studyChosen` for a study file. Asks about unsaved
@@ -61,7 +62,8 @@ class ModelFiles : public QObject {
   MainWindow& window_;
   ModelController& models_;
   RecentFiles& recent_;
-  QString study_;    ///< file name of the open study
+  QString study_;  ///< file name of the open study
+  bool study_read_only_ = false;
   QString unnamed_;  ///< path of an imported model, which does not exist yet; empty: none
   QMenu* recent_menu_ = nullptr;
   QAction* open_ = nullptr;

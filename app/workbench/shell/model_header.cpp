@@ -10,6 +10,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/card.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/lock_picture.h"
 #include "app/workbench/kit/note_groups.h"
 #include "app/workbench/kit/notes_button.h"
 #include "app/workbench/model/scene_controller.h"
@@ -21,6 +22,7 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
       scene_(scene),
       name_(new ElidedLabel(this)),
       summary_(new QLabel(this)),
+      lock_(new QLabel(this)),
       study_(new ElidedLabel(this)),
       notices_(new NotesButton(this)),
       data_(new NotesButton(this)),
@@ -33,6 +35,7 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   name_->setFont(theme::titleFont());
   summary_->setTextFormat(Qt::PlainText);
   setInk(*summary_, theme::mutedInk());
+  lock_->hide();
   study_->hide();
   terms_label_->setBuddy(terms_of_);
   terms_of_->setAccessibleName(tr("Whose terms are shown"));
@@ -54,6 +57,7 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   layout->addWidget(name_);
   layout->addWidget(simulated_, 0, Qt::AlignVCenter);
   layout->addWidget(summary_);
+  layout->addWidget(lock_);
   layout->addWidget(study_);
   // What a number is trusted for stands together, closer than the rest.
   buttons_->setSpacing(theme::kGrid / 2);
@@ -81,12 +85,19 @@ void ModelHeader::showNotices(const StudyNotices& notices) {
   fitButtons();
 }
 
-void ModelHeader::showStudy(const QString& name) {
+void ModelHeader::showStudy(const QString& name, const QString& read_only) {
+  const bool locked = !name.isEmpty() && !read_only.isEmpty();
+  lock_->setVisible(locked);
+  if (locked) lock_->setPixmap(lockPicture(theme::ink(), devicePixelRatioF()));
+  lock_->setAccessibleName(locked ? tr("Read-only") : QString());
+  lock_->setToolTip(locked ? tr("Open for reading only, because %1. Study, Save a copy of the study").arg(read_only)
+                           : QString());
   study_->setVisible(!name.isEmpty());
-  study_->setFullText(tr("Study %1").arg(name));
+  study_->setFullText(locked ? tr("Study %1, read-only").arg(name) : tr("Study %1").arg(name));
   // The model's name gives way first.
   study_->setMinimumWidth(std::min(study_->sizeHint().width(), 24 * theme::kGrid));
-  study_->setToolTip(tr("The study that is open: placements, recordings and versions of its model go there"));
+  study_->setToolTip(locked ? lock_->toolTip()
+                            : tr("The study that is open: placements, recordings and versions of its model go there"));
   fitButtons();
 }
 

@@ -30,8 +30,8 @@ class ModelHeader : public QWidget {
   void showNotes(const BuildNotes& notes);
   /// What happened to the study.
   void showNotices(const StudyNotices& notices);
-  /// Which study is open; empty: none.
-  void showStudy(const QString& name);
+  /// Which study is open; empty: none. `read_only`: why it is open for reading alone; empty: it is not.
+  void showStudy(const QString& name, const QString& read_only);
 
   QSize minimumSizeHint() const override;
 
@@ -51,6 +51,7 @@ class ModelHeader : public QWidget {
   SceneController& scene_;
   ElidedLabel* name_;
   QLabel* summary_;
+  QLabel* lock_;  ///< beside a study that is open for reading alone
   ElidedLabel* study_;
   NotesButton* notices_;
   NotesButton* data_;

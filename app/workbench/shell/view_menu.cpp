@@ -4,8 +4,10 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QMenu>
+#include <optional>
 #include <utility>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/layout_menu.h"
@@ -21,6 +23,12 @@ ViewMenu::ViewMenu(MainWindow& window, const ModelController& models, QSettings&
   QMenu* const layouts = window_.menus().addMenu(MenuSlot::kView, tr("Lay&outs"));
   new LayoutMenu(window_, *layouts);
   addLooks();
+  addTextSizes();
+  QAction* const next = window_.menus().addAction(MenuSlot::kView, tr("Next p&art of the window"), Qt::Key_F6);
+  QAction* const before =
+      window_.menus().addAction(MenuSlot::kView, tr("Part &before of the window"), Qt::SHIFT | Qt::Key_F6);
+  connect(next, &QAction::triggered, &window_, [this] { window_.focusNextPart(true); });
+  connect(before, &QAction::triggered, &window_, [this] { window_.focusNextPart(false); });
   QAction* const reset =
       window_.menus().addAction(MenuSlot::kView, tr("&Reset layout"), Qt::CTRL | Qt::SHIFT | Qt::Key_R);
   connect(reset, &QAction::triggered, &window_.panels(), &PanelArea::resetLayout);
@@ -51,17 +59,32 @@ QMenu* ViewMenu::addPanels() {
 void ViewMenu::addLooks() {
   QMenu* menu = window_.menus().addMenu(MenuSlot::kView, tr("&Look"));
   auto* group = new QActionGroup(menu);
-  const std::pair<theme::Look, QString> looks[] = {{theme::Look::kLight, tr("&Light")},
-                                                   {theme::Look::kDark, tr("&Dark")}};
-  const theme::Look now = theme::storedLook(settings_);
+  const std::pair<std::optional<theme::Look>, QString> looks[] = {
+      {std::nullopt, tr("As the s&ystem")}, {theme::Look::kLight, tr("&Light")}, {theme::Look::kDark, tr("&Dark")}};
+  const auto now = appearance::chosenLook(settings_);
   for (const auto& [look, name] : looks) {
     QAction* action = menu->addAction(name);
     action->setCheckable(true);
     action->setChecked(look == now);
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, chosen = look] {
-      theme::storeLook(settings_, chosen);
-      theme::changeLook(*qApp, chosen);
+      appearance::chooseLook(settings_, chosen);
+      theme::changeLook(*qApp, chosen.value_or(appearance::systemLook(*qApp)));
+    });
+  }
+}
+
+void ViewMenu::addTextSizes() {
+  QMenu* menu = window_.menus().addMenu(MenuSlot::kView, tr("&Text size"));
+  auto* group = new QActionGroup(menu);
+  for (const int percent : appearance::kTextSizes) {
+    QAction* action = menu->addAction(tr("%1 %").arg(percent));
+    action->setCheckable(true);
+    action->setChecked(percent == appearance::chosenTextSize(settings_));
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, percent] {
+      appearance::chooseTextSize(settings_, percent);
+      appearance::changeTextSize(*qApp, percent);
     });
   }
 }

@@ -22,6 +22,7 @@ class ViewMenu : public QObject {
   QMenu* addStages();
   QMenu* addPanels();
   void addLooks();
+  void addTextSizes();
 
   MainWindow& window_;
   QSettings& settings_;

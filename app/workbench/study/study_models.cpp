@@ -6,6 +6,8 @@
 
 #include "app/editing/history_versions.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/documents.h"
+#include "app/workbench/model/fresh_path.h"
 #include "core/base/check.h"
 #include "core/store/model_versions.h"
 
@@ -35,15 +37,11 @@ std::shared_ptr<const fuzzy::ForceModel> modelOf(const editing::EditHistory& his
   return std::make_shared<const fuzzy::ForceModel>(std::move(*model));
 }
 
-// `study.tactus.json` beside the study, or the first of `study-2.tactus.json`, … that is not there.
-QString unusedModelPath(const QString& study) {
+// Beside the study where that can be written to.
+QString unusedModelPath(const QString& study, bool read_only) {
   const QFileInfo info(study);
-  const QString stem = info.absolutePath() + QLatin1Char('/') + info.completeBaseName();
-  QString path = stem + QStringLiteral(".tactus.json");
-  for (int number = 2; QFileInfo::exists(path); ++number) {
-    path = stem + QStringLiteral("-%1.tactus.json").arg(number);
-  }
-  return path;
+  const QString folder = read_only ? documentsFolder() : info.absolutePath();
+  return freshModelPath(folder + QLatin1Char('/') + info.completeBaseName());
 }
 
 }  // namespace
@@ -190,8 +188,10 @@ void StudyModels::adopt(ModelInStudy& model) {
 
 void StudyModels::show(editing::EditHistory history) {
   OpenModel open(history.ready());
-  open.path = study_.path();
-  open.in_study = true;
+  // A study that is open for reading keeps no edits: they go on with a history of their own, and can be saved as a
+  // file.
+  open.in_study = !study_.isReadOnly();
+  open.path = open.in_study ? study_.path() : unusedModelPath(study_.path(), true);
   open.simulated = saysSimulated(open.model);
   adopting_ = true;
   models_.openRead(std::move(open));
@@ -224,7 +224,7 @@ void StudyModels::storeEvents() {
 void StudyModels::moveOut() {
   // Its own path: the study that is open may be the next one already.
   const QString study = models_.current()->path;
-  models_.moveOutOfStudy(unusedModelPath(study));
+  models_.moveOutOfStudy(unusedModelPath(study, false));
   edits_.adopt(editing::EditHistory::open(edits_.history().ready(),
                                           tr("Left in %1").arg(shownFileName(study)).toStdString(), edits_.stamp(),
                                           study::RecordIds()));

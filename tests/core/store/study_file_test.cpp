@@ -10,10 +10,12 @@
 #include <unistd.h>
 
 #include "core/store/entries.h"
+#include "core/store/read_only.h"
 #include "core/store/study_info.h"
 
 #include "tests/core/store/plain_sql.h"
 #include "tests/core/store/sample_records.h"
+#include "tests/support/as_nobody.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::store {
@@ -21,22 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using base::ErrorCode;
-
-/// File permissions do not bind the superuser, so such tests act as somebody else meanwhile.
-class AsNobody {
- public:
-  AsNobody() {
-    if (::geteuid() == 0) acts_ = ::seteuid(65534) == 0;
-  }
-  ~AsNobody() {
-    if (acts_ && ::seteuid(0) != 0) std::abort();
-  }
-  AsNobody(const AsNobody&) = delete;
-  AsNobody& operator=(const AsNobody&) = delete;
-
- private:
-  bool acts_ = false;
-};
+using support::AsNobody;
 
 class StudyFiles : public testing::Test {
  protected:
@@ -158,12 +145,15 @@ TEST_F(StudyFiles, OneAtATime) {
 TEST_F(StudyFiles, WhatMayNotBeWrittenIsSaidAndCanBeRead) {
   makeClosedStudy();
   const fs::path folder = fs::path(path()).parent_path();
+  EXPECT_FALSE(readOnlyReason(path()));
   fs::permissions(path(), fs::perms(0444));
   fs::permissions(folder, fs::perms(0755));
   {
     const AsNobody nobody;
     EXPECT_NE(openError().find("found a file that may not be written to"), std::string::npos) << openError();
     EXPECT_EQ(openError(Access::kReadOnly), "");
+    EXPECT_EQ(readOnlyReason(path())->found, "a file that may not be written to");
+    EXPECT_FALSE(readOnlyReason(folder_.file("nowhere.tactus")));
   }
   fs::permissions(path(), fs::perms(0666));
   fs::permissions(folder, fs::perms(0555));

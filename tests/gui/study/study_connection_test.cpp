@@ -1,5 +1,7 @@
 #include "app/workbench/study/connection/study_connection.h"
 
+#include <QFile>
+#include <QFileInfo>
 #include <gtest/gtest.h>
 #include <memory>
 
@@ -7,6 +9,7 @@
 
 #include "tests/gui/sample_models.h"
 #include "tests/gui/sample_study.h"
+#include "tests/support/as_nobody.h"
 
 namespace tactus::workbench {
 namespace {
@@ -56,6 +59,43 @@ TEST_F(StudyConnectionTest, ItsEndWaitsForWhatWasOrdered) {
   addPerson("calm-fox");
   study.reset();
   EXPECT_EQ(personsInFile(), 2U);
+}
+
+TEST_F(StudyConnectionTest, WhatMayNotBeWrittenOpensForReading) {
+  closeStudy();
+  const QString folder_path = QFileInfo(path).absolutePath();
+  const auto readable = QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther;
+  const auto entered = QFile::ExeOwner | QFile::ExeGroup | QFile::ExeOther;
+  ASSERT_TRUE(QFile::setPermissions(path, readable));
+  ASSERT_TRUE(QFile::setPermissions(folder_path, readable | entered));
+  {
+    const support::AsNobody nobody;
+    study->open(path);
+    ASSERT_TRUE(comesTrue([this] { return study->isOpen(); })) << failed.toStdString();
+    EXPECT_TRUE(study->isReadOnly());
+    EXPECT_FALSE(study->takesOrders());
+    EXPECT_EQ(study->people().size(), 1U);
+    study->close();
+    ASSERT_TRUE(comesTrue([this] { return !study->isOpen(); })) << failed.toStdString();
+  }
+  EXPECT_FALSE(study->isReadOnly());
+  EXPECT_TRUE(failed.isEmpty()) << failed.toStdString();
+  ASSERT_TRUE(QFile::setPermissions(folder_path, readable | entered | QFile::WriteOwner));
+  ASSERT_TRUE(QFile::setPermissions(path, readable | QFile::WriteOwner));
+  EXPECT_EQ(personsInFile(), 1U);
+}
+
+TEST_F(StudyConnectionTest, ACopyHoldsWhatWasOrdered) {
+  addPerson("calm-fox");
+  const QString copy = folder.path(QStringLiteral("copy.tactus"));
+  bool copied = false;
+  QObject::connect(study.get(), &StudyConnection::copied, [&](const QString& to) { copied = to == copy; });
+  study->saveCopy(copy);
+  ASSERT_TRUE(comesTrue([&] { return copied; })) << failed.toStdString();
+  EXPECT_EQ(store::persons(tests::lookInto(copy))->size(), 2U);
+  study->saveCopy(copy);  // nothing is written over
+  ASSERT_TRUE(comesTrue([this] { return !failed.isEmpty(); }));
+  EXPECT_TRUE(failed.startsWith(QStringLiteral("The copy was not saved."))) << failed.toStdString();
 }
 
 TEST_F(StudyConnectionTest, NothingIsDeliveredToAnAskerThatHasEnded) {

@@ -48,7 +48,7 @@ FeelStore::FeelStore(FeelController& feel, SceneController& scene, StudyConnecti
 
 FeelStore::~FeelStore() { endRecording(); }
 
-bool FeelStore::canRecord() const { return study_.isOpen() && !study_.isOpening(); }
+bool FeelStore::canRecord() const { return study_.takesOrders() && !study_.isOpening(); }
 
 std::optional<study::RecordId> FeelStore::replayed() const {
   return replay_ ? std::optional(replay_->id) : std::nullopt;

@@ -172,7 +172,10 @@ void RecordingsCard::showState() {
   hint_->setVisible(!open);
   content_->setVisible(open);
   where_->setVisible(open);
-  if (open) where_->setText(tr("Into the study %1").arg(study_.fileName()));
+  if (open) {
+    where_->setText(study_.isReadOnly() ? tr("%1 is open for reading only").arg(study_.fileName())
+                                        : tr("Into the study %1").arg(study_.fileName()));
+  }
   setVisible(open || roomy_);
   const bool replaying = store_.replayed().has_value();
   const bool recording = store_.isRecording();

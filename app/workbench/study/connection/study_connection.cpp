@@ -8,7 +8,9 @@
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/check.h"
+#include "core/store/backup.h"
 #include "core/store/persons.h"
+#include "core/store/read_only.h"
 #include "core/store/withdrawal.h"
 
 namespace tactus::workbench {
@@ -19,6 +21,24 @@ using base::Result;
 Result<store::StudyFile> makeStudy(const std::string& path, study::RecordIds& ids) {
   const QString name = QFileInfo(text(path)).completeBaseName();
   return store::StudyFile::create(path, {ids.next(), name.toStdString(), utcNowMs(), std::string(kGenerator)});
+}
+
+struct OpenedFile {
+  store::StudyFile file;
+  QString read_only;  ///< why it is open for reading alone; empty: it is not
+};
+
+/// For writing, where that is possible.
+Result<OpenedFile> openAsItMay(const std::string& path) {
+  auto file = store::StudyFile::open(path);
+  if (file) return OpenedFile{std::move(*file), {}};
+  const auto reason = store::readOnlyReason(path);
+  const bool newer = file.error().code == base::ErrorCode::kVersion;
+  if (!reason && !newer) return tl::unexpected(file.error());
+  auto reading = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
+  if (!reading) return tl::unexpected(reading.error());
+  return OpenedFile{std::move(*reading), newer ? StudyConnection::tr("a newer version of Tactus wrote it")
+                                               : StudyConnection::tr("it or its folder is read-only")};
 }
 
 }  // namespace
@@ -168,6 +188,21 @@ void StudyConnection::onErased(ErasureEnd end) {
   if (end.models_changed) emit modelsErased();
 }
 
+void StudyConnection::saveCopy(const QString& path) {
+  if (!isOpen()) return;
+  read(*this, [this, path](const store::StudyFile& file) -> Deliver {
+    const auto done = store::backUp(file, path.toStdString());
+    const QString sentence = done ? QString() : text(done.error().message());
+    return [this, path, sentence] {
+      if (sentence.isEmpty()) {
+        emit copied(path);
+      } else {
+        emit failed(path, tr("The copy was not saved. %1").arg(sentence));
+      }
+    };
+  });
+}
+
 void StudyConnection::storeNow() {
   if (!isOpen()) return;
   if (keeper_ != nullptr) keeper_->orderAgain();
@@ -224,9 +259,12 @@ void StudyConnection::begin(const QString& path, bool make) {
   emit changed();
   const auto share = keeper_ != nullptr ? keeper_->reader() : StudyKeeper::ReadShare();
   post([this, path = path.toStdString(), make, share](StudyWorker::Desk& desk) {
-    auto file = make ? makeStudy(path, desk.ids) : store::StudyFile::open(path);
-    auto contents = file ? readContents(*file) : tl::unexpected(file.error());
-    auto take = !contents ? tl::unexpected(contents.error()) : share ? share(*file) : StudyKeeper::Take();
+    auto opened = make ? makeStudy(path, desk.ids).map([](store::StudyFile&& made) {
+      return OpenedFile{std::move(made), {}};
+    })
+                       : openAsItMay(path);
+    auto contents = opened ? readContents(opened->file) : tl::unexpected(opened.error());
+    auto take = !contents ? tl::unexpected(contents.error()) : share ? share(opened->file) : StudyKeeper::Take();
     if (!take) {
       answer([this, path = text(path), sentence = text(take.error().message())] {
         opening_ = false;
@@ -235,10 +273,9 @@ void StudyConnection::begin(const QString& path, bool make) {
       });
       return;
     }
-    desk.next = std::move(*file);
-    answer([this, arrival = std::make_shared<Arrival>(Arrival{std::move(*contents), std::move(*take)})] {
-      changeOver(arrival);
-    });
+    desk.next = std::move(opened->file);
+    answer([this, arrival = std::make_shared<Arrival>(Arrival{std::move(*contents), std::move(*take),
+                                                              std::move(opened->read_only)})] { changeOver(arrival); });
   });
 }
 
@@ -258,6 +295,7 @@ void StudyConnection::changeOver(std::shared_ptr<Arrival> arrival) {
 
 void StudyConnection::adopt(Arrival& arrival) {
   path_ = arrival.contents.path;
+  read_only_ = arrival.read_only;
   people_ = std::move(arrival.contents.people);
   recordings_ = std::move(arrival.contents.recordings);
   if (arrival.take) arrival.take();
@@ -273,6 +311,7 @@ void StudyConnection::setNotices(StudyNotices notices) {
 
 void StudyConnection::letGo() {
   path_.clear();
+  read_only_.clear();
   people_.clear();
   recordings_.clear();
   erasing_ = false;

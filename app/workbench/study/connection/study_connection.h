@@ -29,8 +29,11 @@ class StudyConnection : public QObject {
   bool isOpen() const { return !path_.isEmpty(); }
   /// A study is being opened, read alone or closed. Further calls of this kind are ignored.
   bool isOpening() const { return opening_; }
-  /// Whether `order` may be called: a study is open and is not being closed.
-  bool takesOrders() const { return isOpen() && !closing_; }
+  /// Whether `order` may be called: a study is open for writing and is not being closed.
+  bool takesOrders() const { return isOpen() && !closing_ && !isReadOnly(); }
+  /// The study is open, but for reading alone; `readOnlyReason` says why, to stand behind "because".
+  bool isReadOnly() const { return !read_only_.isEmpty(); }
+  const QString& readOnlyReason() const { return read_only_; }
   const QString& path() const { return path_; }
   /// The file name for the screen.
   QString fileName() const;
@@ -75,14 +78,16 @@ class StudyConnection : public QObject {
   void detach();
 
  public slots:
-  /// Opens the study file `path`. Ends with `opened` or `failed`. The current study stays open until then. If it is the
-  /// one that is open: `openedAgain`.
+  /// Opens the study file `path`; for reading alone where it cannot be written to. Ends with `opened` or `failed`. The
+  /// current study stays open until then. If it is the one that is open: `openedAgain`.
   void open(const QString& path);
   /// Creates the study file `path` and opens it.
   void create(const QString& path);
   void close();
   /// Erases what an interrupted erasure left, in the thread of the study; `said` or `failed` tells the end.
   void finishErasure();
+  /// Copies what is stored to the new file `path`. Ends with `copied` or `failed`.
+  void saveCopy(const QString& path);
   /// Tries again at once what could not be written.
   void storeNow();
   /// Reads the participants and recordings of the study again.
@@ -93,6 +98,7 @@ class StudyConnection : public QObject {
   void leaving();
   void opened();
   void openedAgain();
+  void copied(const QString& path);
   void closed();
   /// One sentence: what failed for which file, and why.
   void failed(const QString& path, const QString& sentence);
@@ -111,6 +117,7 @@ class StudyConnection : public QObject {
   struct Arrival {
     StudyContents contents;
     StudyKeeper::Take take;
+    QString read_only;
   };
   struct ErasureEnd {
     QString failure;
@@ -132,6 +139,7 @@ class StudyConnection : public QObject {
 
   StudyKeeper* keeper_ = nullptr;
   QString path_;
+  QString read_only_;
   bool opening_ = false;
   bool closing_ = false;  ///< everything is written; the file is being closed
   std::vector<StudyPerson> people_;

@@ -184,7 +184,7 @@ void CurvesPanel::drawGhost() {
   ghost_chip_->setName(ghost_.label());
   ghost_chip_->setToolTip(ghost_.whatChanged().isEmpty() ? tr("Show the curves before an edit as dashed lines")
                                                          : tr("Since then: %1").arg(ghost_.whatChanged()));
-  difference_->setFullText(any ? ghost_.differenceText() : tr("nothing is edited yet"));
+  difference_->setFullText(any ? ghost_.differenceText() : QString());
 }
 
 void CurvesPanel::drawReferences() {

@@ -1,0 +1,51 @@
+// Adds the search (Ctrl+K) to the window: menus, panels, and the experts, terms and findings of the open model.
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "app/workbench/shell/command_search.h"
+
+namespace tactus::workbench {
+
+class FindingsController;
+class MainWindow;
+class Panel;
+class RuleController;
+class SceneController;
+class TermController;
+
+class SearchParts : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Controllers {
+    SceneController& scene;
+    TermController& terms;
+    RuleController& rules;
+    FindingsController& findings;
+  };
+  /// Where terms, rules and findings are shown.
+  struct Places {
+    Panel& membership_editor;
+    Panel& rule_editor;
+    Panel& findings;
+  };
+  SearchParts(MainWindow& window, const Controllers& controllers, const Places& places);
+
+  const std::vector<SearchSource>& sources() const { return sources_; }
+
+ private:
+  void open();
+  QList<SearchEntry> experts() const;
+  QList<SearchEntry> terms() const;
+  QList<SearchEntry> findings() const;
+  void reveal(Panel& panel) const;
+
+  MainWindow& window_;
+  Controllers on_;
+  Places places_;
+  std::vector<SearchSource> sources_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,104 @@
+#include "app/workbench/shell/command_search.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "app/workbench/base/theme.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kMostShown = 60;  // a list that nobody reads to its end
+constexpr QSize kSearchSize(560, 380);
+
+/// Smaller is better; nothing: not found.
+std::optional<int> rankOf(const SearchEntry& entry, const QStringList& words) {
+  const auto has = [](const QString& text, const QString& word) { return text.contains(word, Qt::CaseInsensitive); };
+  if (!std::all_of(words.begin(), words.end(),
+                   [&](const QString& word) { return has(entry.text, word) || has(entry.kind, word); })) {
+    return std::nullopt;
+  }
+  if (words.isEmpty() || entry.text.startsWith(words.first(), Qt::CaseInsensitive)) return 0;
+  return has(entry.text, words.first()) ? 1 : 2;
+}
+
+}  // namespace
+
+QList<SearchEntry> foundEntries(const QList<SearchEntry>& all, const QString& typed) {
+  const QStringList words = typed.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  std::vector<std::pair<int, const SearchEntry*>> ranked;
+  for (const SearchEntry& entry : all) {
+    if (const auto rank = rankOf(entry, words)) ranked.emplace_back(*rank, &entry);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  QList<SearchEntry> found;
+  for (const auto& [rank, entry] : ranked) found << *entry;
+  return found;
+}
+
+CommandSearch::CommandSearch(const std::vector<SearchSource>& sources, QWidget* parent)
+    : QDialog(parent), line_(new QLineEdit(this)), list_(new QListWidget(this)) {
+  setWindowTitle(tr("Search"));
+  for (const SearchSource& source : sources) all_ << source();
+  line_->setPlaceholderText(tr("A command, panel, expert, term or finding"));
+  line_->setAccessibleName(tr("Search for"));
+  line_->setClearButtonEnabled(true);
+  line_->installEventFilter(this);
+  list_->setAccessibleName(tr("Found"));
+  list_->setFocusPolicy(Qt::NoFocus);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setTextElideMode(Qt::ElideRight);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(line_);
+  layout->addWidget(list_, 1);
+  resize(kSearchSize);
+  connect(line_, &QLineEdit::textChanged, this, &CommandSearch::find);
+  connect(line_, &QLineEdit::returnPressed, this, &CommandSearch::choose);
+  connect(list_, &QListWidget::itemClicked, this, &CommandSearch::choose);
+  find({});
+}
+
+void CommandSearch::find(const QString& typed) {
+  found_ = foundEntries(all_, typed).mid(0, kMostShown);
+  list_->clear();
+  for (const SearchEntry& entry : found_) {
+    list_->addItem(entry.kind.isEmpty() ? entry.text : entry.text + QStringLiteral("   –   ") + entry.kind);
+  }
+  if (!found_.isEmpty()) list_->setCurrentRow(0);
+}
+
+void CommandSearch::choose() {
+  const int row = list_->currentRow();
+  if (row < 0) return;
+  const auto run = found_[row].run;
+  // What is chosen may show a dialog of its own.
+  accept();
+  run();
+}
+
+// The line keeps the keyboard; the arrows go through the list.
+bool CommandSearch::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == line_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const int last = list_->count() - 1;
+    const int step = key == Qt::Key_Down       ? 1
+                     : key == Qt::Key_Up       ? -1
+                     : key == Qt::Key_PageDown ? 10
+                     : key == Qt::Key_PageUp   ? -10
+                                               : 0;
+    if (step != 0 && last >= 0) {
+      list_->setCurrentRow(std::clamp(list_->currentRow() + step, 0, last));
+      return true;
+    }
+  }
+  return QDialog::eventFilter(watched, event);
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,48 @@
+// The search over everything that has a name (Ctrl+K): type a word, press Enter.
+#pragma once
+
+#include <QDialog>
+#include <QList>
+#include <QString>
+#include <functional>
+#include <vector>
+
+class QLineEdit;
+class QListWidget;
+
+namespace tactus::workbench {
+
+/// Something that can be found.
+struct SearchEntry {
+  QString text;
+  QString kind;  ///< what it is, and the keys that lead there too: `Menu File · Ctrl+O`
+  std::function<void()> run;
+};
+
+/// Gives what can be found at the moment at which the search opens.
+using SearchSource = std::function<QList<SearchEntry>()>;
+
+/// The entries that hold each word of `typed`, wherever it stands in text or kind; those whose text begins with it
+/// first, otherwise in their order. Without words all of them.
+QList<SearchEntry> foundEntries(const QList<SearchEntry>& all, const QString& typed);
+
+class CommandSearch : public QDialog {
+  Q_OBJECT
+
+ public:
+  CommandSearch(const std::vector<SearchSource>& sources, QWidget* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void find(const QString& typed);
+  void choose();
+
+  QList<SearchEntry> all_;
+  QList<SearchEntry> found_;
+  QLineEdit* line_;
+  QListWidget* list_;
+};
+
+}  // namespace tactus::workbench

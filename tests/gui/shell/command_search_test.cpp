@@ -1,0 +1,141 @@
+#include "app/workbench/shell/command_search.h"
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QTest>
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/feel/feel_panel.h"
+#include "app/workbench/feel/force_off_button.h"
+#include "app/workbench/shell/operating_strip.h"
+#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
+#include "app/workbench/workbench.h"
+
+#include "tests/gui/shown_bench.h"
+
+namespace tactus::workbench {
+namespace {
+
+QStringList textsOf(const QList<SearchEntry>& entries) {
+  QStringList texts;
+  for (const SearchEntry& entry : entries) texts << entry.text;
+  return texts;
+}
+
+TEST(FoundEntries, HoldEachWordAndBeginWithTheFirstWhereTheyCan) {
+  const QList<SearchEntry> all{{QStringLiteral("Save as"), QStringLiteral("File"), {}},
+                               {QStringLiteral("Open"), QStringLiteral("File"), {}},
+                               {QStringLiteral("Reopen"), QStringLiteral("File"), {}}};
+  EXPECT_EQ(textsOf(foundEntries(all, {})), textsOf(all));
+  EXPECT_EQ(textsOf(foundEntries(all, QStringLiteral("open"))),
+            (QStringList{QStringLiteral("Open"), QStringLiteral("Reopen")}));
+  EXPECT_EQ(textsOf(foundEntries(all, QStringLiteral("reo FILE"))), QStringList{QStringLiteral("Reopen")});
+  EXPECT_EQ(textsOf(foundEntries(all, QStringLiteral("file as"))), QStringList{QStringLiteral("Save as")});
+  EXPECT_TRUE(foundEntries(all, QStringLiteral("open as")).isEmpty());
+}
+
+class SearchTest : public tests::ShownBench {
+ protected:
+  SearchTest() : ShownBench(Stage::kUnderstand) {}
+  // Types into the search and takes the first that is found.
+  void searchFor(const QString& typed) {
+    CommandSearch search(bench.search_parts.sources(), &bench.window);
+    search.show();
+    auto* line = search.findChild<QLineEdit*>();
+    QTest::keyClicks(line, typed);
+    ASSERT_GT(search.findChild<QListWidget*>()->count(), 0) << typed.toStdString();
+    QTest::keyClick(line, Qt::Key_Return);
+    QCoreApplication::processEvents();
+  }
+};
+
+TEST_F(SearchTest, LeadsToCommandsPanelsTermsAndExperts) {
+  searchFor(QStringLiteral("findings panel"));
+  EXPECT_TRUE(bench.finding_parts.panel().isVisible());
+  searchFor(QStringLiteral("near"));
+  EXPECT_EQ(bench.window.stage(), Stage::kTune);
+  EXPECT_EQ(bench.terms.variable().id, "depth");
+  const auto& expert = bench.models.current()->model.experts.back();
+  searchFor(labelOf(expert) + QStringLiteral(" expert"));
+  EXPECT_EQ(bench.rules.expert().id, expert.id);
+  searchFor(QStringLiteral("feel layout"));
+  EXPECT_EQ(bench.window.layoutBeside(), FeelParts::layoutId());
+}
+
+TEST_F(SearchTest, F6GoesThroughThePartsOfTheWindowAndBack) {
+  QList<QWidget*> visited;
+  const auto partOf = [&](QWidget* widget) -> QWidget* {
+    for (QWidget* at = widget; at != nullptr; at = at->parentWidget()) {
+      if (qobject_cast<Panel*>(at) != nullptr || at == &bench.window.strip()) return at;
+    }
+    return nullptr;
+  };
+  for (int i = 0; i < 12; ++i) {
+    bench.window.focusNextPart(true);
+    QWidget* part = partOf(bench.window.focusWidget());
+    if (part != nullptr && !visited.contains(part)) visited << part;
+  }
+  EXPECT_TRUE(visited.contains(&bench.window.strip()));
+  EXPECT_TRUE(visited.contains(&bench.curve_parts.curves()));
+  EXPECT_GE(visited.size(), 4);
+  QWidget* here = bench.window.focusWidget();
+  bench.window.focusNextPart(true);
+  EXPECT_NE(bench.window.focusWidget(), here);
+  bench.window.focusNextPart(false);
+  EXPECT_EQ(partOf(bench.window.focusWidget()), partOf(here));
+}
+
+TEST_F(SearchTest, TheFeelLayoutIsForFeelingAloneAndLeadsBack) {
+  bench.window.enterLayout(FeelParts::layoutId());
+  settle();
+  for (const Panel* panel : bench.window.panels().panels()) {
+    EXPECT_EQ(panel->isVisible(), panel == &bench.feel_parts.panel()) << panel->objectName().toStdString();
+  }
+  const auto* picture = bench.feel_parts.view().findChild<anatomy::AnatomyView*>();
+  ASSERT_NE(picture, nullptr);
+  EXPECT_GE(picture->height(), 320);
+  // All of it is on the screen.
+  EXPECT_TRUE(bench.feel_parts.view().rect().contains(
+      QRect(picture->mapTo(&bench.feel_parts.view(), QPoint(0, 0)), picture->size())));
+  EXPECT_EQ(bench.window.stage(), Stage::kUnderstand);
+  bench.window.leaveLayout();
+  EXPECT_TRUE(bench.curve_parts.curves().isVisible());
+  EXPECT_TRUE(bench.window.layoutBeside().isEmpty());
+}
+
+TEST_F(SearchTest, ForceOffIsRedInTheCornerWhileADeviceGivesForces) {
+  auto* off = bench.window.findChild<ForceOffButton*>();
+  ASSERT_NE(off, nullptr);
+  EXPECT_FALSE(off->isVisible());
+  bench.feel.start(QStringLiteral("virtual"));
+  ASSERT_TRUE(bench.feel.isRunning());
+  for (const Stage stage : {Stage::kUnderstand, Stage::kTune, Stage::kDeliver}) {
+    bench.window.enter(stage);
+    EXPECT_TRUE(off->isVisible());
+  }
+  QTest::mousePress(off, Qt::LeftButton);
+  EXPECT_FALSE(bench.feel.isRunning());
+  EXPECT_FALSE(off->isVisible());
+}
+
+TEST_F(SearchTest, ANamedLayoutComesBackInAnyStage) {
+  PanelArea& panels = bench.window.panels();
+  bench.map_parts.map().close();
+  panels.nameLayout(QStringLiteral("two / lines"));
+  panels.resetLayout();
+  EXPECT_TRUE(bench.map_parts.map().isVisibleTo(&panels));
+  EXPECT_EQ(panels.namedLayouts(), QStringList{QStringLiteral("two / lines")});
+  bench.window.enter(Stage::kTune);
+  panels.showNamed(QStringLiteral("two / lines"));
+  EXPECT_FALSE(bench.map_parts.map().isVisibleTo(&panels));
+  EXPECT_TRUE(bench.curve_parts.curves().isVisibleTo(&panels));
+  panels.forgetNamed(QStringLiteral("two / lines"));
+  EXPECT_TRUE(panels.namedLayouts().isEmpty());
+}
+
+}  // namespace
+}  // namespace tactus::workbench
