@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/bundle/bundle.h"
+#include "app/figures/colors.h"
 #include "app/report/html.h"
 #include "app/report/palette.h"
 #include "app/report/svg_plot.h"
@@ -58,8 +59,9 @@ std::string curves(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& c
     return series;
   };
   const std::size_t experts = model.experts.size();
+  const std::vector<std::size_t> numbers = figures::expertNumbers(model.experts);
   for (std::size_t e = 0; e < experts && experts > 1 && experts <= kMostExpertLines; ++e) {
-    plot.line(line(e), {report::seriesColor(e), 1.2, report::Dash::kDashed}, model.experts[e].id);
+    plot.line(line(e), {report::seriesColor(numbers[e]), 1.2, report::Dash::kDashed}, model.experts[e].id);
   }
   plot.line(line(std::nullopt), {report::kInk, 2.4, report::Dash::kSolid}, experts > 1 ? "mean" : "");
   return plot.svg();

@@ -3,11 +3,11 @@
 #include <QApplication>
 #include <QPalette>
 #include <QSettings>
-#include <QStyleFactory>
 #include <QWidget>
 #include <cstdint>
 
 #include "app/figures/colors.h"
+#include "app/workbench/base/field_style.h"
 
 namespace tactus::workbench::theme {
 namespace {
@@ -64,7 +64,7 @@ void setPalette(QApplication& application, Look look) {
   palette.setColor(QPalette::ToolTipText, Qt::white);
   palette.setColor(QPalette::Link, accent());
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-    palette.setColor(QPalette::Disabled, role, pick(0x6B7784, 0x8A96A2));
+    palette.setColor(QPalette::Disabled, role, pick(0x65717E, 0x929EAA));
   }
   application.setPalette(palette);
 }
@@ -152,7 +152,7 @@ QFont headingFont() { return scaled(0, QFont::DemiBold); }
 QFont smallFont() { return scaled(-1, QFont::Normal); }
 
 void apply(QApplication& application, Look look) {
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new FieldStyle);
   QFont font = QApplication::font();
   if (font.pointSizeF() < 9.5) font.setPointSizeF(9.5);
   QApplication::setFont(font);

@@ -5,6 +5,7 @@
 
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/plot/mixed_color.h"
 #include "app/workbench/plot/plot_canvas.h"
 
 namespace tactus::workbench {
@@ -156,13 +157,7 @@ QVector<double> UniverseTicker::createTickVector(double step, const QCPRange& ra
   return ticks;
 }
 
-QColor fadedLine(const QColor& line) {
-  const QColor ground = theme::card();
-  const auto mix = [](int shown, int behind) {
-    return static_cast<int>(shown * kGhostShare + behind * (1 - kGhostShare));
-  };
-  return {mix(line.red(), ground.red()), mix(line.green(), ground.green()), mix(line.blue(), ground.blue())};
-}
+QColor fadedLine(const QColor& line) { return mixedColor(theme::card(), line, kGhostShare); }
 
 QPen ghostPen(const QColor& line, bool fast) {
   QPen pen(fadedLine(line), fast ? 1 : 1.4, Qt::CustomDashLine);

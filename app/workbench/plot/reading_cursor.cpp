@@ -52,7 +52,13 @@ void ReadingCursor::applyDefaultAntialiasingHint(QCPPainter* painter) const { pa
 
 void ReadingCursor::draw(QCPPainter* painter) {
   const QCPAxisRect* area = mParentPlot->axisRect();
-  if (!area->axis(QCPAxis::atBottom)->range().contains(x_)) return;
+  const QCPRange shown = area->axis(QCPAxis::atBottom)->range();
+  if (from_ && shown.contains(*from_)) {
+    const double from = area->axis(QCPAxis::atBottom)->coordToPixel(*from_);
+    painter->setPen(QPen(theme::accent(), 1, Qt::DashLine));
+    painter->drawLine(QLineF(from, area->top(), from, area->bottom()));
+  }
+  if (!shown.contains(x_)) return;
   const double x = area->axis(QCPAxis::atBottom)->coordToPixel(x_);
   painter->setPen(QPen(theme::accent(), 1.2));
   painter->drawLine(QLineF(x, area->top(), x, area->bottom()));

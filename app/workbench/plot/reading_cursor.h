@@ -2,6 +2,7 @@
 // includes this.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/workbench/plot/plot_style.h"
@@ -20,6 +21,8 @@ class ReadingCursor : public QCPLayerable {
   explicit ReadingCursor(QCustomPlot& plot);
 
   void set(double x, QString tag, std::vector<Dot> dots);
+  /// The other place from which differences are counted: a dashed line; nothing: none.
+  void setFrom(std::optional<double> x) { from_ = x; }
 
  protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
@@ -29,6 +32,7 @@ class ReadingCursor : public QCPLayerable {
   class Dots;
 
   double x_ = 0;
+  std::optional<double> from_;
   QString tag_;
   std::vector<Dot> dots_;
   QFont font_;

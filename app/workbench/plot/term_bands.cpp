@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/plot/mixed_color.h"
 #include "app/workbench/plot/term_colors.h"
 
 namespace tactus::workbench {
@@ -82,10 +83,7 @@ void TermBands::paint(QPainter& painter, const QRectF& room) const {
 QColor TermBands::colorAt(double place) const {
   QColor color = theme::card();
   for (std::size_t i = 0; i < terms_.size(); ++i) {
-    const double share = kFullAlpha * terms_[i](place);
-    const QColor& band = colors_[i];
-    const auto mix = [share](int below, int above) { return qRound(below + (above - below) * share); };
-    color.setRgb(mix(color.red(), band.red()), mix(color.green(), band.green()), mix(color.blue(), band.blue()));
+    color = mixedColor(color, colors_[i], kFullAlpha * terms_[i](place));
   }
   return color;
 }

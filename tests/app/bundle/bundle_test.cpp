@@ -11,6 +11,7 @@
 
 #include "app/bundle/force_table.h"
 #include "app/bundle/verify_bundle.h"
+#include "app/figures/colors.h"
 #include "core/analysis/check_points.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
@@ -284,6 +285,22 @@ TEST(MakeBundle, AHoleIsRefusedByNameAndAcceptedByName) {
   const auto unknown = makeBundle(model, {{"depth 1 to 2 mm"}, "", ""});
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, base::ErrorCode::kReference);
+}
+
+TEST(BundleReportTest, AnExpertHasTheColorOfItsNumber) {
+  fuzzy::ForceModel model = support::s4FiveRegions();
+  model.experts.push_back(model.experts.front());
+  model.experts.back().id = "S2";
+  const auto made = makeBundle(model, {{}, "2026-11-22T08:00:00Z", std::string(kProgram)});
+  ASSERT_TRUE(made) << made.error().message();
+  const auto report = std::find_if(made->files.begin(), made->files.end(),
+                                   [](const auto& file) { return file.first == "report.html"; });
+  ASSERT_NE(report, made->files.end());
+  // S4 is number 3, S2 number 1, wherever they stand in the model.
+  for (const std::size_t number : {3, 1}) {
+    EXPECT_NE(report->second.find(figures::hex(figures::expertColor(number))), std::string::npos) << number;
+  }
+  EXPECT_EQ(report->second.find(figures::hex(figures::expertColor(0))), std::string::npos);
 }
 
 TEST(ForceTableTest, IsExactAtItsNodesAndLinearBetween) {

@@ -3,18 +3,17 @@
 #include <array>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/plot/mixed_color.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/understand/curves/reference_curve.h"
 
 namespace tactus::workbench {
+
 QPen familyPen(std::size_t index, std::size_t count, bool fast) {
   constexpr std::array<Qt::PenStyle, 4> kStyles = {Qt::SolidLine, Qt::DashLine, Qt::DashDotLine, Qt::DotLine};
   const double share = count < 2 ? 1 : static_cast<double>(index) / static_cast<double>(count - 1);
-  const QColor from = theme::mutedInk();
-  const QColor to = theme::ink();
-  const auto mix = [share](int low, int high) { return qRound(low + (high - low) * share); };
-  return {QColor(mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue())),
-          fast ? 1.0 : 1.6 + share, kStyles[index % kStyles.size()]};
+  return {mixedColor(theme::mutedInk(), theme::ink(), share), fast ? 1.0 : 1.6 + share,
+          kStyles[index % kStyles.size()]};
 }
 
 QPen referencePen(std::size_t index) {

@@ -1,0 +1,56 @@
+#include "app/workbench/base/field_style.h"
+
+#include <QPainter>
+#include <QStyleOption>
+
+#include "app/workbench/base/theme.h"
+
+namespace tactus::workbench::theme {
+namespace {
+
+constexpr double kRound = 2;  // px, as in Fusion
+
+// Focus has a frame of its own, and what is disabled may be pale.
+bool wantsEdge(const QStyleOption& option) {
+  return option.state.testFlag(QStyle::State_Enabled) && !option.state.testFlag(QStyle::State_HasFocus);
+}
+
+void drawEdge(QPainter& painter, const QRectF& place, double round) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(fieldEdge(), 1));
+  painter.drawRoundedRect(place.adjusted(0.5, 0.5, -0.5, -0.5), round, round);
+  painter.restore();
+}
+
+}  // namespace
+
+QColor fieldEdge() { return isDark() ? QColor(0x7A, 0x86, 0x92) : QColor(0x7D, 0x88, 0x94); }
+
+FieldStyle::FieldStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                               const QWidget* widget) const {
+  QProxyStyle::drawPrimitive(element, option, painter, widget);
+  if (!wantsEdge(*option)) return;
+  if (element == PE_FrameLineEdit) drawEdge(*painter, option->rect, kRound);
+  if (element == PE_IndicatorCheckBox) drawEdge(*painter, option->rect, 0);
+}
+
+void FieldStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                                    const QWidget* widget) const {
+  QProxyStyle::drawComplexControl(control, option, painter, widget);
+  if (!wantsEdge(*option)) return;
+  if (control == CC_ComboBox) {
+    const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+    if (box != nullptr && box->frame) drawEdge(*painter, option->rect, kRound);
+  }
+  if (control == CC_SpinBox) {
+    const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+    // Fusion leaves a line above and below.
+    if (box != nullptr && box->frame) drawEdge(*painter, QRectF(option->rect).adjusted(0, 1, 0, -1), kRound);
+  }
+}
+
+}  // namespace tactus::workbench::theme

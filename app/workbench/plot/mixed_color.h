@@ -1,0 +1,11 @@
+// Mixes two colors, as figures::mixed does for the report.
+#pragma once
+
+#include <QColor>
+
+namespace tactus::workbench {
+
+/// `share` in [0, 1] of `to`, the rest of `from`. Both are opaque.
+QColor mixedColor(const QColor& from, const QColor& to, double share);
+
+}  // namespace tactus::workbench
