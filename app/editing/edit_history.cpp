@@ -141,11 +141,14 @@ void EditHistory::snapshot(const std::string& name, const Stamp& stamp) {
   record(EventKind::kSnapshot, name, stamp, versionOf(current_));
 }
 
-void EditHistory::signOff(const Stamp& stamp) {
+void EditHistory::signOff(const Stamp& stamp, const Felt& felt) {
   commit(stamp);
-  const std::size_t edits = states_[current_].edits;
-  record(EventKind::kSignOff, "feels right, after " + std::to_string(edits) + (edits == 1 ? " edit" : " edits"), stamp,
-         versionOf(current_));
+  repeatSignOff(stamp, signOffText(states_[current_].edits, felt));
+}
+
+void EditHistory::repeatSignOff(const Stamp& stamp, const std::string& label) {
+  commit(stamp);
+  record(EventKind::kSignOff, label, stamp, versionOf(current_));
 }
 
 std::vector<StateId> EditHistory::line() const {

@@ -16,6 +16,7 @@
 #include "app/editing/kept_model.h"
 #include "app/editing/model_ghost.h"
 #include "app/editing/ready_model.h"
+#include "app/editing/sign_off.h"
 #include "core/study/record_id.h"
 
 namespace tactus::editing {
@@ -38,7 +39,7 @@ enum class EventKind {
   kRedo,      ///< forward again
   kReturn,    ///< to any other state
   kSnapshot,  ///< a state was named
-  kSignOff,   ///< an expert said of a state: "this feels right"
+  kSignOff,   ///< an expert approved a state, felt or not
 };
 
 /// `opened`, `edit`, `undo`, `redo`, `return`, `snapshot`, `sign-off`.
@@ -108,8 +109,11 @@ class EditHistory {
 
   /// Names the current state.
   void snapshot(const std::string& name, const Stamp& stamp);
-  /// The author of `stamp` says of the current state: "this feels right". The event's label gives the number of edits.
-  void signOff(const Stamp& stamp);
+  /// The author of `stamp` signs off the current state. The event's label says after how many edits and how it was felt
+  /// (sign_off.h).
+  void signOff(const Stamp& stamp, const Felt& felt = {});
+  /// A sign-off that was recorded elsewhere, with its label.
+  void repeatSignOff(const Stamp& stamp, const std::string& label);
 
   StateId current() const { return current_; }
   const std::vector<State>& states() const { return states_; }

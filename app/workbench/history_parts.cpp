@@ -4,6 +4,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/felt_state.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/shell/main_window.h"
@@ -24,6 +25,7 @@ HistoryParts::HistoryParts(MainWindow& window, EditController& edits, CompareCon
   auto* strip = new CompareStrip(compare);
   window.addStrip(strip);
   connect(&feel, &FeelController::stateChanged, strip, [strip, &feel] { strip->setFelt(feel.isRunning()); });
+  new FeltState(feel, scene, edits, this);
   buildMenu();
   connect(&edits_, &EditController::modelReset, this, &HistoryParts::showActions);
   connect(&compare_, &CompareController::shownChanged, this, &HistoryParts::showActions);

@@ -77,7 +77,10 @@ ReadinessLine apart(const ReadinessFacts& facts) {
 ReadinessLine signOff(const ReadinessFacts& facts) {
   ReadinessLine line{
       Topic::kSignOff, Readiness::kReady, ReadinessText::tr("Sign-off"), {}, ReadinessText::tr("Sign off…")};
-  if (facts.signed_by) {
+  if (facts.signed_by && !facts.signed_felt) {
+    line.state = Readiness::kLook;
+    line.sentence = ReadinessText::tr("%1 approved this state without feeling it.").arg(*facts.signed_by);
+  } else if (facts.signed_by) {
     line.sentence = ReadinessText::tr("%1 signed off this state.").arg(*facts.signed_by);
   } else if (facts.edits > 0) {
     line.state = Readiness::kLook;

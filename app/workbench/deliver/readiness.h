@@ -55,6 +55,7 @@ struct ReadinessFacts {
   QString default_force;             ///< where no rule fires
   std::size_t edits = 0;             ///< since the last sign-off on the way to the current state
   std::optional<QString> signed_by;  ///< of the current state
+  bool signed_felt = true;           ///< that sign-off says that the state was felt
   bool simulated = false;
   bool origin_known = true;  ///< the file says what data the model is from
   /// The bundle that was made or read back last.

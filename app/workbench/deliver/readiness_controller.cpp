@@ -12,13 +12,13 @@
 namespace tactus::workbench {
 namespace {
 
-/// The expert who signed off `state` last.
-std::optional<QString> signerOf(const editing::EditHistory& history, editing::StateId state) {
+/// The last sign-off of `state`; null if there is none.
+const editing::Event* signOffOf(const editing::EditHistory& history, editing::StateId state) {
   const auto& events = history.events();
   const auto event = std::find_if(events.rbegin(), events.rend(), [state](const editing::Event& one) {
     return one.kind == editing::EventKind::kSignOff && one.state == state;
   });
-  return event == events.rend() ? std::nullopt : std::optional(text(event->stamp.author));
+  return event == events.rend() ? nullptr : &*event;
 }
 
 /// Edits on the way to the current state since a state that was signed off, or since the first.
@@ -67,7 +67,11 @@ ReadinessFacts ReadinessController::facts() const {
   facts.experts = model.experts.size();
   facts.default_force = forceText(model.default_force_n, model.output.unit);
   facts.edits = unsignedEdits(history);
-  if (!edits_.inGesture()) facts.signed_by = signerOf(history, history.current());
+  const editing::Event* const sign_off = edits_.inGesture() ? nullptr : signOffOf(history, history.current());
+  if (sign_off != nullptr) {
+    facts.signed_by = text(sign_off->stamp.author);
+    facts.signed_felt = editing::saysFelt(sign_off->label);
+  }
   facts.simulated = models_.current() && models_.current()->simulated;
   facts.origin_known = model.provenance.has_value();
   if (const auto& delivered = maker_.delivered())

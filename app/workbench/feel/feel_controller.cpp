@@ -8,6 +8,7 @@
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 #include "core/haptics/sources/servo_scene.h"
+#include "core/render/low_pass.h"
 
 namespace tactus::workbench {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr double kEditFadeS = 0.05;    // docs/servo.md
 constexpr double kGestureFadeS = 1.0;  // a neck is not flexed faster
 // Coarser than the noise of a held hand, so that a hand at rest moves nothing on the screen.
+constexpr double kFollowS = 0.1;  // of the speed that the curves follow
 constexpr double kDepthStepMm = 0.1;
 constexpr double kSpeedStepMmS = 1;
 
@@ -167,6 +169,7 @@ void FeelController::onSampled(std::span<const haptics::Sample> samples) {
 void FeelController::onAdvanced() {
   if (!isOwnRun()) return;
   if (const Shown now = shown(); now != shown_before_) emit handMoved(now.depth_mm, now.speed_mm_s);
+  followSpeed();
   emit advanced();
 }
 
@@ -190,11 +193,19 @@ void FeelController::onValue(std::size_t input) {
   }
 }
 
-void FeelController::onHandMoved(double depth_mm, double speed_mm_s) {
+void FeelController::onHandMoved(double depth_mm) {
   if (!follows_hand_) return;
-  const fuzzy::ForceModel& model = scene_.model()->model;
-  if (const auto speed = inputNamed(model, kSpeedId)) scene_.setValue(*speed, speed_mm_s);
-  if (const auto depth = inputNamed(model, kDepthId)) scene_.setValue(*depth, depth_mm);
+  if (const auto depth = inputNamed(scene_.model()->model, kDepthId)) scene_.setValue(*depth, depth_mm);
+}
+
+// The whole curve moves with the speed; unsmoothed it would flicker. The force on the hand knows nothing of this.
+void FeelController::followSpeed() {
+  const auto speed = inputNamed(scene_.model()->model, kSpeedId);
+  const double elapsed_s = static_cast<double>(latest().time_ns - std::exchange(followed_ns_, latest().time_ns)) * 1e-9;
+  if (!follows_hand_ || !speed || elapsed_s <= 0) return;
+  const double hand = shown().speed_mm_s;
+  followed_mm_s_ = hand + (followed_mm_s_ - hand) * render::decay(elapsed_s, kFollowS);
+  scene_.setValue(*speed, rounded(followed_mm_s_, kSpeedStepMmS));
 }
 
 base::Result<std::shared_ptr<const haptics::ServoScene>> FeelController::servoScene(double fade_s) {

@@ -115,7 +115,8 @@ class FeelController : public QObject {
   void onModel();
   void onAnotherModel();
   void onValue(std::size_t input);
-  void onHandMoved(double depth_mm, double speed_mm_s);
+  void onHandMoved(double depth_mm);
+  void followSpeed();
   bool isFelt() const { return isRunning() || state() == State::kOpening; }
   Shown shown() const;
   base::Result<std::shared_ptr<const haptics::ServoScene>> servoScene(double fade_s);
@@ -130,8 +131,10 @@ class FeelController : public QObject {
   RecordedForce recorded_;  ///< of a replay that is about to begin
   Shown shown_before_;      ///< at the beginning of a beat
   bool follows_hand_ = true;
-  bool flexing_ = false;         ///< the next change of neck flexion is a gesture
-  bool conditions_new_ = false;  ///< posted at the next beat, because a dragged slider changes them more often
+  double followed_mm_s_ = 0;      ///< the speed of the hand, smoothed for the curves
+  std::int64_t followed_ns_ = 0;  ///< time of the sample that it follows
+  bool flexing_ = false;          ///< the next change of neck flexion is a gesture
+  bool conditions_new_ = false;   ///< posted at the next beat, because a dragged slider changes them more often
   std::uint64_t placement_orders_ = 0;
   PlacementMeter meter_;
   std::optional<PlacementSummary> last_placement_;

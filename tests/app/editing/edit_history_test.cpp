@@ -97,6 +97,15 @@ TEST_F(EditHistoryTest, ChecksFollowAnEditAndComeBackWithUndo) {
   EXPECT_TRUE(sameBits(history.model(), model));
 }
 
+TEST_F(EditHistoryTest, ASignOffSaysHowTheStateWasFelt) {
+  history_.signOff({"S4", 5000}, {4, "Touch", false, {"Nasal cavity", "Nasopharynx", "Oropharynx"}});
+  EXPECT_EQ(history_.events().back().label,
+            "feels right, after 0 edits: 4 strokes on Touch, Nasal cavity to Oropharynx");
+  EXPECT_TRUE(saysFelt(history_.events().back().label));
+  history_.signOff({"S4", 6000}, {1, "Virtual device", true, {}});
+  EXPECT_EQ(history_.events().back().label, "feels right, after 0 edits: 1 stroke on Virtual device (simulated)");
+}
+
 TEST_F(EditHistoryTest, SnapshotsAndSignOffTellOfTheState) {
   history_.apply(foot(history_.model(), 130), kAnn);
   history_.snapshot("before lunch", kAnn);
@@ -108,7 +117,8 @@ TEST_F(EditHistoryTest, SnapshotsAndSignOffTellOfTheState) {
   EXPECT_EQ(events[2].kind, EventKind::kSnapshot);
   EXPECT_EQ(events[2].state, 1);
   EXPECT_EQ(events[2].label, "before lunch");
-  EXPECT_EQ(events[5].label, "feels right, after 3 edits");
+  EXPECT_EQ(events[5].label, "approved without feeling, after 3 edits");
+  EXPECT_FALSE(saysFelt(events[5].label));
   EXPECT_EQ(events[5].stamp, (Stamp{"S4", 5000}));
   EXPECT_EQ(events[5].state, 3);
 }

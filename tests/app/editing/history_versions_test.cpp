@@ -74,7 +74,7 @@ TEST_F(HistoryVersions, TheStudyFileTellsTheWholeStory) {
   }
   EXPECT_EQ(read.states()[3].edits, 2);
   EXPECT_TRUE(unstoredVersions(read).empty());
-  EXPECT_EQ(store::modelVersions(file_)->back().label, "sign-off: feels right, after 1 edit");
+  EXPECT_EQ(store::modelVersions(file_)->back().label, "sign-off: approved without feeling, after 1 edit");
 }
 
 TEST_F(HistoryVersions, UndoWorksAcrossARestart) {

@@ -148,6 +148,9 @@ TEST_F(BundleMakerTest, ReadinessCountsTheEditsSinceASignOff) {
   bench.edits.apply(editing::finished(other, "weight"));
   EXPECT_TRUE(sign_off().sentence.contains(QStringLiteral("2 edit"))) << sign_off().sentence.toStdString();
   bench.edits.signOff(QStringLiteral("S4"));
+  EXPECT_EQ(sign_off().sentence, QStringLiteral("S4 approved this state without feeling it."));
+  bench.edits.setFelt({1, "Touch", false, {}});
+  bench.edits.signOff(QStringLiteral("S4"));
   EXPECT_EQ(sign_off().state, Readiness::kReady);
   EXPECT_TRUE(sign_off().sentence.startsWith(QStringLiteral("S4")));
   other.experts[0].rules[0].weight = 0.25;

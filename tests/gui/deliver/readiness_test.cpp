@@ -80,6 +80,8 @@ TEST(Readiness, AsksForASignOffOfEdits) {
   facts.signed_by = QStringLiteral("S4");
   EXPECT_EQ(lineOf(facts, ReadinessTopic::kSignOff).state, Readiness::kReady);
   EXPECT_TRUE(lineOf(facts, ReadinessTopic::kSignOff).sentence.startsWith(QStringLiteral("S4")));
+  facts.signed_felt = false;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSignOff).state, Readiness::kLook);
 }
 
 TEST(Readiness, NeverCallsSimulatedOrUnknownDataReady) {

@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <thread>
 
@@ -96,6 +98,24 @@ TEST_F(FeelControllerTest, AHandThatPushesFeelsTheForceOfTheModel) {
   EXPECT_LE(feel.latest().force_n, 1.15 * kLowN + kRounding);
   // The hand is a spring of 0.1 N/mm: it stays behind the cursor by what it pushes with.
   EXPECT_GT(feel.lagMm(), feel.latest().force_n / 0.1);
+}
+
+TEST_F(FeelControllerTest, TheCurvesFollowTheSpeedOfTheHandSmoothly) {
+  feel.start(QStringLiteral("virtual"));
+  push();
+  double before = scene.value(0);
+  double largest_step = 0;
+  double fastest = 0;
+  QObject::connect(&scene, &SceneController::valueChanged, &feel, [&](std::size_t input) {
+    if (input != 0) return;
+    largest_step = std::max(largest_step, std::abs(scene.value(0) - before));
+    before = scene.value(0);
+    fastest = std::max(fastest, before);
+  });
+  time.moveTo(feel, 60, 60);
+  // A beat of 16 ms closes 1 - exp(-16/100) = 0.148 of the gap to at most 60 mm/s, then it is rounded to 1 mm/s.
+  EXPECT_GT(fastest, 30);
+  EXPECT_LE(largest_step, 0.148 * 60 + 1);
 }
 
 TEST_F(FeelControllerTest, WithoutAGripThereIsNoForce) {
