@@ -8,6 +8,7 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/model_controller.h"
+#include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/understand/curves/curves_panel.h"
@@ -41,6 +42,7 @@ CurveParts::CurveParts(MainWindow& window, const ModelController& models, SceneC
   connect(&edits, &EditController::changed, curves_, show_pace);
   connect(&edits, &EditController::historyChanged, curves_, show_pace);
   addActions();
+  addZoom(scene);
 }
 
 void CurveParts::addActions() {
@@ -52,6 +54,23 @@ void CurveParts::addActions() {
   connect(reference, &QAction::triggered, this, &CurveParts::chooseReference);
   connect(picture, &QAction::triggered, &curves_->plotMenu(), &PlotMenu::choosePicture);
   for (QAction* action : {reference, picture}) {
+    action->setEnabled(false);
+    connect(&models_, &ModelController::opened, action, [action] { action->setEnabled(true); });
+  }
+}
+
+// The input on the x axis, in every plot that shows it.
+void CurveParts::addZoom(SceneController& scene) {
+  constexpr double kStep = 1.5;
+  WindowMenus& menus = window_.menus();
+  QAction* const in = menus.addAction(MenuSlot::kView, tr("Zoom &in at the operating point"), QKeySequence::ZoomIn);
+  QAction* const out = menus.addAction(MenuSlot::kView, tr("Zoom &out"), QKeySequence::ZoomOut);
+  QAction* const all = menus.addAction(MenuSlot::kView, tr("Show the &whole axis"), Qt::CTRL | Qt::Key_0);
+  const auto zoom = [&scene](double factor) { scene.ranges().zoom(scene.xVariable(), scene.readingX(), factor); };
+  connect(in, &QAction::triggered, this, [zoom] { zoom(1 / kStep); });
+  connect(out, &QAction::triggered, this, [zoom] { zoom(kStep); });
+  connect(all, &QAction::triggered, this, [&scene] { scene.ranges().showAll(scene.xVariable()); });
+  for (QAction* action : {in, out, all}) {
     action->setEnabled(false);
     connect(&models_, &ModelController::opened, action, [action] { action->setEnabled(true); });
   }

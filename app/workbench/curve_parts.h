@@ -32,6 +32,7 @@ class CurveParts : public QObject {
 
  private:
   void addActions();
+  void addZoom(SceneController& scene);
   void keepChoices(GhostController& ghost);
   void chooseReference();
   void openReferences();

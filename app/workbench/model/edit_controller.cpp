@@ -179,9 +179,24 @@ void EditController::signOff(const QString& who) {
   commit();
   editing::Stamp signed_by = stamp();
   signed_by.author = who.trimmed().toStdString();
-  history_->signOff(signed_by);
+  history_->signOff(signed_by, felt_);
   emit historyChanged();
   emit reported(tr("%1: %2").arg(who.trimmed(), text(history_->events().back().label)));
+}
+
+void EditController::repeatSignOff(const QString& who, const std::string& label) {
+  if (!isOpen()) return;
+  commit();
+  editing::Stamp signed_by = stamp();
+  signed_by.author = who.trimmed().toStdString();
+  history_->repeatSignOff(signed_by, label);
+  emit historyChanged();
+}
+
+void EditController::setFelt(editing::Felt felt) {
+  if (felt == felt_) return;
+  felt_ = std::move(felt);
+  emit feltChanged();
 }
 
 void EditController::adoptModel() {

@@ -82,8 +82,13 @@ class EditController : public QObject {
 
   /// Names the current state. Does nothing if `name` is empty.
   void snapshot(const QString& name);
-  /// Records that `who`, an expert's name or code, says of the current state: "this feels right".
+  /// Records that `who`, an expert's name or code, approves the current state, with how it was felt (`setFelt`).
   void signOff(const QString& who);
+  /// Repeats a sign-off that was recorded elsewhere, with its label.
+  void repeatSignOff(const QString& who, const std::string& label);
+  /// How the current state was felt so far; no strokes until it is felt.
+  void setFelt(editing::Felt felt);
+  const editing::Felt& felt() const { return felt_; }
 
  public slots:
   void undo();
@@ -102,6 +107,8 @@ class EditController : public QObject {
   void historyChanged();
   /// An event was marked as stored.
   void stored();
+  /// The current state was felt, or another state is current.
+  void feltChanged();
   /// The effect of an edit is about to be reported. Receivers must now call `include` for the curve on the screen.
   void reporting();
   /// The effects of edits became known or more exact.
@@ -123,6 +130,7 @@ class EditController : public QObject {
   std::optional<editing::EditHistory> history_;
   VersionReader read_version_;
   QString author_;
+  editing::Felt felt_;
   QString stopped_;
   QTimer frame_{this};  ///< runs for 16 ms after a model was sent
   bool due_ = false;    ///< a newer model waits for the end of `frame_`

@@ -9,6 +9,7 @@
 #include "app/workbench/model/impact_text.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_impact.h"
+#include "app/workbench/model/where_it_acts.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
@@ -151,10 +152,8 @@ QString GhostController::differenceText() const {
   const GhostCurves* ghost = curves();
   if (!ghost) return {};
   const QString curve = curveText();
-  const auto impact = reference_ || edits_.inGesture() || scene_.showsAnother()
-                          ? std::nullopt
-                          : edits_.impactOf(edits_.history().current());
-  if (!impact) return ghost->difference.largest_at ? tr("max ΔF on this curve %1").arg(curve) : curve;
+  const auto impact = this->impact();
+  if (!impact) return ghost->difference.largest_at ? tr("max ΔF on this curve at least %1").arg(curve) : curve;
   const QString whole = impactText(*impact, scene_.model()->model.output.unit);
   const bool shown_here = ghost->difference.largest_at && ghost->difference.largest_n >= impact->largest_n;
   const bool same_place = ghost->difference.noticeable_at == ghost->difference.largest_at;
@@ -165,8 +164,36 @@ QString GhostController::differenceText() const {
     const QString rest = end < 0 ? QString() : whole.mid(end);
     return tr("%1 at %2").arg(end < 0 ? whole : whole.left(end), place) + rest;
   }
-  if (ghost->difference.largest_at) return tr("%1 · on this curve %2").arg(whole, curve);
+  if (ghost->difference.largest_at) return tr("%1 · on this curve at least %2").arg(whole, curve);
+  if (const auto there = elsewhere()) return tr("No change here: acts at %1 · %2").arg(there->where, whole);
   return impact->at.empty() ? curve : whole + QStringLiteral(" · ") + curve;
+}
+
+std::optional<editing::EditImpact> GhostController::impact() const {
+  if (reference_ || edits_.inGesture() || scene_.showsAnother()) return std::nullopt;
+  return edits_.impactOf(edits_.history().current());
+}
+
+std::optional<GhostController::Elsewhere> GhostController::elsewhere() const {
+  const GhostCurves* ghost = curves();
+  if (ghost == nullptr) return std::nullopt;
+  const editing::GhostCurve& here = ghost->difference;
+  if (here.largest_at || here.closed > 0 || here.opened > 0) return std::nullopt;
+  const auto impact = this->impact();
+  if (!impact || impact->at.empty()) return std::nullopt;
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const auto region = editing::changedRegion(before()->model, model);
+  QString where = rangesOutside(model, region, scene_.values(), scene_.xInput());
+  if (where.isEmpty()) {
+    // Between the regions of two edits, or where another expert's rule is stronger.
+    QStringList places;
+    for (std::size_t i = 0; i < impact->at.size(); ++i) {
+      if (i == scene_.xInput()) continue;
+      places << labelOf(model.inputs[i]) + QLatin1Char(' ') + placeText(model.inputs[i], impact->at[i]);
+    }
+    where = places.join(QStringLiteral(", "));
+  }
+  return Elsewhere{where, impact->at};
 }
 
 // `0.116 N (1.4 JND) at 215 mm`

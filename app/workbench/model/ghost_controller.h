@@ -52,11 +52,17 @@ class GhostController : public QObject {
 
   /// The curves of `before`; null if there is none. Computed at the first call after a change. A model must be open.
   const GhostCurves* curves() const;
-  /// The effect of the last edit as in the history, and the largest difference along the current curves: `max ΔF at
-  /// least 0.032 N (0.4 JND) · on this curve 0.021 N (0.3 JND) at 215 mm`. Against a reference, and during a gesture,
-  /// the curve alone: `max ΔF on this curve …`. Just-noticeable differences appear only if the unit of the force is
-  /// newtons. If the largest of them is at another place, the text names both places.
+  /// The effect of the last edit as in the history, and the largest difference along the current curves: `max ΔF
+  /// anywhere at least 0.032 N (0.4 JND) · on this curve at least 0.021 N (0.3 JND) at 215 mm`. Against a reference,
+  /// and during a gesture, the curve alone: `max ΔF on this curve …`. Just-noticeable differences appear only if the
+  /// unit of the force is newtons. If the largest of them is at another place, the text names both places.
   QString differenceText() const;
+  /// Where the last edit acts, if it changed the force and the curve on the screen does not show it.
+  struct Elsewhere {
+    QString where;           ///< `Tube lubrication 0.4 to 0.6`
+    std::vector<double> at;  ///< the place of the largest change, one value per input
+  };
+  std::optional<Elsewhere> elsewhere() const;
 
  public slots:
   void setOn(bool on);
@@ -72,6 +78,7 @@ class GhostController : public QObject {
   std::optional<editing::StateId> stateBefore() const;
   void compute() const;
   QString curveText() const;
+  std::optional<editing::EditImpact> impact() const;
 
   EditController& edits_;
   const SceneController& scene_;

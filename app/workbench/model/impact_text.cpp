@@ -21,11 +21,21 @@ QString forceChangeText(double change_n, const std::string& unit) {
                                    : forceText(change_n, unit);
 }
 
+QString largestChangeText(double change_n, const std::string& unit, Scope scope) {
+  const QString change = forceChangeText(change_n, unit);
+  return scope == Scope::kAnywhere ? ImpactText::tr("max ΔF anywhere at least %1").arg(change)
+                                   : ImpactText::tr("max ΔF on this curve at least %1").arg(change);
+}
+
+QString noticeableExplained() {
+  return ImpactText::tr("JND: just-noticeable difference. A change below 1 JND is too small to feel.");
+}
+
 QString impactText(const editing::EditImpact& impact, const std::string& unit) {
   QStringList parts;
   // Less is rounding.
   if (impact.largest_n > 1e-12 * std::abs(impact.before_n)) {
-    QString change = ImpactText::tr("max ΔF at least %1").arg(forceChangeText(impact.largest_n, unit));
+    QString change = largestChangeText(impact.largest_n, unit, Scope::kAnywhere);
     if (unit == "N") change += ImpactText::tr(" (%1 JND)").arg(numberText(impact.noticeable, 1));
     parts << change;
   }

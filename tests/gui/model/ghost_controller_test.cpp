@@ -53,7 +53,7 @@ TEST_F(GhostControllerTest, StandsForTheModelBeforeTheLastEdit) {
   EXPECT_NEAR(curves->difference.largest_n, 0.25, 1e-12);
   EXPECT_NEAR(curves->difference.noticeable, 0.25 / std::sqrt(0.0016 + 0.0036), 1e-9);
   EXPECT_GE(*curves->difference.largest_at, 6);
-  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF at least 0.250 N (3.5 JND) at ")))
+  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF anywhere at least 0.250 N (3.5 JND) at ")))
       << ghost.differenceText().toStdString();
 }
 
@@ -119,7 +119,13 @@ TEST_F(GhostControllerTest, FollowsTheSetting) {
   ASSERT_TRUE(edits.apply(farSays(edits.model(), "low")));
   scene.setXInput(0);  // along speed, at a depth of "near" the edit does nothing
   scene.setValue(1, 2);
-  EXPECT_EQ(ghost.differenceText(), QStringLiteral("max ΔF at least 0.250 N (3.5 JND) · no change of this curve"));
+  EXPECT_EQ(ghost.differenceText(),
+            QStringLiteral("No change here: acts at Depth 6 to 10 mm · max ΔF anywhere at least 0.250 N (3.5 JND)"));
+  // Going there shows it.
+  ASSERT_TRUE(ghost.elsewhere().has_value());
+  scene.goTo(ghost.elsewhere()->at);
+  EXPECT_FALSE(ghost.elsewhere().has_value());
+  EXPECT_NEAR(ghost.curves()->difference.largest_n, 0.25, 1e-12);
   scene.setValue(1, 8);
   EXPECT_NEAR(ghost.curves()->difference.largest_n, 0.25, 1e-12);
 }
@@ -147,8 +153,8 @@ TEST_F(GhostControllerTest, TheMostNoticeableChangeMayBeAtAnotherPlace) {
   ASSERT_TRUE(edits.apply(editing::finished(model, "both")));
   scene.setValue(0, 20);
   // Near: 0.2 N from 0.25 N, 0.2 / sqrt(0.0016 + 0.0009) = 4 JND. Far: 0.22 N from 0.5 N, 3.1 JND.
-  EXPECT_TRUE(
-      ghost.differenceText().startsWith(QStringLiteral("max ΔF at least 0.220 N (4 JND) · on this curve 0.220 N at ")));
+  EXPECT_TRUE(ghost.differenceText().startsWith(
+      QStringLiteral("max ΔF anywhere at least 0.220 N (4 JND) · on this curve at least 0.220 N at ")));
   EXPECT_TRUE(ghost.differenceText().contains(QStringLiteral(", 4 JND at "))) << ghost.differenceText().toStdString();
 }
 
@@ -194,7 +200,7 @@ TEST_F(GhostControllerTest, NewtonsAloneAreNoticed) {
   models.open(folder.write(model, QStringLiteral("other.tactus.json")));
   model.experts[0].rules[2].then = "low";
   ASSERT_TRUE(edits.apply(editing::finished(model, "far is low")));
-  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF at least 0.250 mN at ")))
+  EXPECT_TRUE(ghost.differenceText().startsWith(QStringLiteral("max ΔF anywhere at least 0.250 mN at ")))
       << ghost.differenceText().toStdString();
   EXPECT_FALSE(ghost.differenceText().contains(QStringLiteral("JND")));
 }

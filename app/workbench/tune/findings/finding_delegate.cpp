@@ -15,6 +15,7 @@ constexpr int kSign = 20;        // px, the square of the sign
 constexpr int kForceWidth = 92;  // px, the column of the newtons
 constexpr int kPad = theme::kGrid;
 constexpr int kMostLines = 2;
+constexpr int kIndent = 2 * theme::kGrid;  // px, of findings below their heading
 
 // A gap in a line; two arrows that meet; a step; a crossed out line.
 void drawSign(QPainter& painter, const QRectF& square, FindingGroup group, const QColor& color) {
@@ -89,6 +90,16 @@ void drawSentence(QPainter& painter, const QRect& room, const QFont& font, const
   layout.endLayout();
 }
 
+void paintFrame(QPainter& painter, const QStyleOptionViewItem& option) {
+  const bool selected = option.state.testFlag(QStyle::State_Selected);
+  if (!selected && !option.state.testFlag(QStyle::State_MouseOver)) return;
+  QColor fill = theme::accent();
+  fill.setAlpha(selected ? 40 : 16);
+  painter.setPen(selected ? QPen(theme::accent(), 1) : QPen(Qt::NoPen));
+  painter.setBrush(fill);
+  painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 1.5, -1.5, -1.5), 5, 5);
+}
+
 }  // namespace
 
 QColor findingColor(FindingGroup group) {
@@ -110,29 +121,55 @@ FindingDelegate::FindingDelegate(const FindingsModel& model, QObject* parent)
 
 QSize FindingDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const int head = QFontMetrics(theme::headingFont()).lineSpacing();
+  if (model_.isHeading(index.row())) return {0, head + 2 * kPad};
   const int line = QFontMetrics(theme::smallFont()).lineSpacing();
   // A row is as high as its sentence needs; the list has the width to lay it out in.
-  const int room = option.rect.width() - 3 * kPad - kSign - kForceWidth;
+  const int indent = model_.rowAt(index.row()).in_group ? kIndent : 0;
+  const int room = option.rect.width() - indent - 3 * kPad - kSign - kForceWidth;
   const int wide = QFontMetrics(theme::smallFont()).horizontalAdvance(model_.findingAt(index.row()).sentence);
   const int lines = room > 0 && wide <= room ? 1 : kMostLines;
   return {0, head + lines * line + 2 * (kPad / 2) + kPad / 2};
 }
 
-void FindingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+// A triangle that says whether the group is open, its title, and the most newtons in it.
+void FindingDelegate::paintHeading(QPainter& painter, const QStyleOptionViewItem& option, int row) const {
+  const ShownFinding& first = model_.findingAt(row);
+  const std::optional<double> most = model_.rowAt(row).newtons;
+  const bool quiet = first.acceptance != Acceptance::kNone || old_;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintFrame(painter, option);
+  const QRect place = option.rect.adjusted(kPad, 0, -kPad, 0);
+  const QPointF middle(place.left() + kSign / 2.0, place.center().y() + 0.5);
+  const QPolygonF closed = {{-3, -5}, {4, 0}, {-3, 5}};
+  const QPolygonF open = {{-5, -3}, {5, -3}, {0, 4}};
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(quiet ? theme::mutedInk() : findingColor(first.group));
+  painter.drawPolygon((model_.rowAt(row).unfolded ? open : closed).translated(middle));
+  painter.setFont(theme::headingFont());
+  painter.setPen(quiet ? theme::mutedInk() : theme::ink());
+  const QRect words = place.adjusted(kSign + kPad, 0, most ? -kForceWidth - kPad : 0, 0);
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(model_.titleAt(row), Qt::ElideRight, words.width()));
+  if (most) {
+    painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, tr("to %1").arg(forceText(*most, force_unit_)));
+  }
+  painter.restore();
+}
+
+void FindingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given, const QModelIndex& index) const {
+  if (model_.isHeading(index.row())) {
+    paintHeading(*painter, given, index.row());
+    return;
+  }
+  QStyleOptionViewItem option = given;
+  if (model_.rowAt(index.row()).in_group) option.rect.setLeft(option.rect.left() + kIndent);
   const ShownFinding& shown = model_.findingAt(index.row());
   const bool quiet = shown.acceptance != Acceptance::kNone;
-  const bool selected = option.state.testFlag(QStyle::State_Selected);
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   const QRect row = option.rect.adjusted(0, 0, -1, 0);
-  const QRectF frame = QRectF(row).adjusted(0.5, 1.5, -0.5, -1.5);
-  if (selected || option.state.testFlag(QStyle::State_MouseOver)) {
-    QColor fill = theme::accent();
-    fill.setAlpha(selected ? 40 : 16);
-    painter->setPen(selected ? QPen(theme::accent(), 1) : QPen(Qt::NoPen));
-    painter->setBrush(fill);
-    painter->drawRoundedRect(frame, 5, 5);
-  }
+  paintFrame(*painter, option);
   const QColor color = quiet || old_ ? theme::mutedInk() : findingColor(shown.group);
   const QColor ink = quiet || old_ ? theme::mutedInk() : theme::ink();
   const QFontMetrics head(theme::headingFont());

@@ -30,6 +30,8 @@ class FindingDelegate : public QStyledItemDelegate {
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  private:
+  void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, int row) const;
+
   const FindingsModel& model_;
   std::string force_unit_;
   bool old_ = false;

@@ -2,8 +2,10 @@
 
 #include <QStringList>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/model/impact_text.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {
@@ -23,6 +25,20 @@ void FindingsModel::setWho(const QString& who) {
   adopt();
 }
 
+void FindingsModel::setOrder(FindingOrder order) {
+  if (order == order_) return;
+  order_ = order;
+  adopt();
+}
+
+void FindingsModel::fold(int row) {
+  const QString key = groupKey(findingAt(row));
+  if (!unfolded_.remove(key)) unfolded_.insert(key);
+  adopt();
+}
+
+QString FindingsModel::titleAt(int row) const { return groupTitle(findingAt(row), rowAt(row).members); }
+
 int FindingsModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
@@ -30,10 +46,16 @@ int FindingsModel::rowCount(const QModelIndex& parent) const {
 QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   const ShownFinding& shown = findingAt(index.row());
+  if (isHeading(index.row())) {
+    if (role == Qt::ToolTipRole) return tr("Click to see each of them");
+    return role == Qt::DisplayRole || role == Qt::AccessibleTextRole ? QVariant(titleAt(index.row())) : QVariant();
+  }
   if (role == Qt::DisplayRole) return shown.sentence;
   if (role == Qt::ToolTipRole) {
-    return shown.finding.at_least ? tr("%1\n≥: the largest force of the tested settings").arg(shown.sentence)
-                                  : shown.sentence;
+    QStringList lines = {shown.sentence};
+    if (shown.finding.at_least) lines << tr("≥: the largest force of the tested settings");
+    if (shown.noticeable) lines << noticeableExplained();
+    return lines.join(QLatin1Char('\n'));
   }
   // What a screen reader says.
   if (role == Qt::AccessibleTextRole) return QStringLiteral("%1, %2: %3").arg(shown.kind, shown.who, shown.sentence);
@@ -41,8 +63,15 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
 }
 
 int FindingsModel::rowOf(std::size_t index) const {
-  const auto it = std::find(rows_.begin(), rows_.end(), index);
-  return it == rows_.end() ? -1 : static_cast<int>(it - rows_.begin());
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    if (rows_[row].finding == index && rows_[row].members == 0) return static_cast<int>(row);
+  }
+  if (index >= all_->size()) return -1;
+  const QString key = groupKey((*all_)[index]);
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    if (rows_[row].members > 0 && groupKey((*all_)[rows_[row].finding]) == key) return static_cast<int>(row);
+  }
+  return -1;
 }
 
 bool FindingsModel::isCurrent() const { return all_ == findings_.shared(); }
@@ -50,16 +79,17 @@ bool FindingsModel::isCurrent() const { return all_ == findings_.shared(); }
 void FindingsModel::adopt() {
   beginResetModel();
   all_ = findings_.shared();
-  rows_.clear();
   std::set<std::string> experts;
   if (const fuzzy::ForceModel* const model = findings_.lintedModel(); model != nullptr && !who_.isEmpty()) {
     for (const fuzzy::Expert& expert : model->experts) {
       if (labelOf(expert) == who_) experts.insert(expert.id);
     }
   }
+  std::vector<std::size_t> passing;
   for (std::size_t i = 0; i < all_->size(); ++i) {
-    if (passes((*all_)[i], experts)) rows_.push_back(i);
+    if (passes((*all_)[i], experts)) passing.push_back(i);
   }
+  rows_ = findingRows(*all_, std::move(passing), order_, unfolded_);
   endResetModel();
 }
 

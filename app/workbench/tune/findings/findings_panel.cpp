@@ -33,6 +33,7 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
       delegate_(new FindingDelegate(model_, this)),
       kind_(new QComboBox(this)),
       who_(new QComboBox(this)),
+      order_(new QComboBox(this)),
       state_(new ElidedLabel(this)),
       list_(new QListView(this)),
       empty_(new QLabel(this)),
@@ -40,14 +41,17 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
       range_(new ElidedLabel(this)) {
   kind_->setAccessibleName(tr("Which findings are listed"));
   who_->setAccessibleName(tr("Whose findings are listed"));
-  for (QComboBox* choice : {kind_, who_}) {
+  order_->setAccessibleName(tr("Order of the findings"));
+  order_->addItem(tr("Most newtons first"), static_cast<int>(FindingOrder::kNewtons));
+  order_->addItem(tr("By expert"), static_cast<int>(FindingOrder::kExpert));
+  order_->addItem(tr("By place"), static_cast<int>(FindingOrder::kPlace));
+  for (QComboBox* choice : {kind_, who_, order_}) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setMinimumContentsLength(10);
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     choice->setMaximumWidth(220);
   }
   setMuted(*state_);
-  state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   setMuted(*range_);
   list_->setModel(&model_);
   list_->setItemDelegate(delegate_);
@@ -68,11 +72,12 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
   head->setSpacing(theme::kGrid);
   head->addWidget(kind_, 3);
   head->addWidget(who_, 2);
-  head->addWidget(state_, 3);
+  head->addWidget(order_, 2);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid);
   layout->addLayout(head);
+  layout->addWidget(state_);
   layout->addWidget(body_, 1);
   layout->addWidget(new FixCard(findings_, this));
   layout->addWidget(range_);
@@ -88,10 +93,20 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
     showChosen();
     showState();
   });
-  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
-    if (index.isValid() && model_.isCurrent()) findings_.choose(model_.indexAt(index.row()));
+  connect(order_, &QComboBox::activated, this, [this] {
+    model_.setOrder(static_cast<FindingOrder>(order_->currentData().toInt()));
+    showChosen();
   });
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
+    if (!index.isValid() || !model_.isCurrent() || model_.isHeading(index.row())) return;
+    findings_.choose(model_.indexAt(index.row()));
+  });
+  connect(list_, &QListView::activated, this, [this](const QModelIndex& index) { fold(index.row()); });
   connect(list_, &QListView::clicked, this, [this](const QModelIndex& index) {
+    if (model_.isHeading(index.row())) {
+      fold(index.row());
+      return;
+    }
     // A second click on the same row goes back to its place.
     if (model_.isCurrent() && findings_.chosen() == model_.indexAt(index.row())) findings_.goTo(false);
   });
@@ -160,6 +175,15 @@ void FindingsPanel::fillFilters() {
   model_.setWho(who_->currentData().toString());
 }
 
+// The heading keeps its place, and the keys stay with it.
+void FindingsPanel::fold(int row) {
+  if (row >= model_.rowCount() || !model_.isHeading(row)) return;
+  const QSignalBlocker quiet(list_->selectionModel());
+  model_.fold(row);
+  list_->setCurrentIndex(model_.index(row));
+  list_->viewport()->update();
+}
+
 void FindingsPanel::showChosen() {
   const auto chosen = findings_.chosen();
   const int row = chosen ? model_.rowOf(*chosen) : -1;
@@ -170,6 +194,7 @@ void FindingsPanel::showChosen() {
 
 void FindingsPanel::showState() {
   state_->setFullText(stateText());
+  state_->setVisible(!stateText().isEmpty());
   range_->setFullText(rangeText());
   range_->setVisible(!rangeText().isEmpty());
   const bool any = model_.rowCount() > 0;
@@ -182,7 +207,7 @@ QString FindingsPanel::stateText() const {
   const auto* const lint = findings_.lint();
   if (!lint->model.coverage_complete) return tr("The search for holes was cut off: the model is too finely divided");
   if (!lint->newtons_complete) return tr("The model is very large, so only some forces were computed");
-  return tr("Most newtons first");
+  return {};
 }
 
 QString FindingsPanel::emptyText() const {

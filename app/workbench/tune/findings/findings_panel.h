@@ -30,6 +30,7 @@ class FindingsPanel : public Card {
   void fillFilters();
   void showChosen();
   void showState();
+  void fold(int row);
   QString stateText() const;
   QString emptyText() const;
   QString rangeText() const;
@@ -39,6 +40,7 @@ class FindingsPanel : public Card {
   FindingDelegate* delegate_;
   QComboBox* kind_;
   QComboBox* who_;
+  QComboBox* order_;
   ElidedLabel* state_;
   QListView* list_;
   QLabel* empty_;

@@ -42,10 +42,29 @@ class Shower {
     } else {
       out.at = placeWithoutForce(finding);
     }
+    out.step = stepOf(finding);
+    const auto input = analysis::inputOf(finding.where, model_);
+    if (input && *input < out.at.size() && out.at[*input]) out.along = {*input, *out.at[*input]};
     return out;
   }
 
  private:
+  QString stepOf(const RuleFinding& finding) const {
+    const auto* const place = std::get_if<analysis::StepPlace>(&finding.where);
+    if (place == nullptr || place->expert >= model_.experts.size()) return {};
+    const fuzzy::Expert& expert = model_.experts[place->expert];
+    const fuzzy::Variable& input = model_.inputs[place->step.input];
+    const auto term_of = [&](std::size_t rule) {
+      for (const fuzzy::Condition& condition : expert.rules[rule].conditions) {
+        if (condition.input != input.id) continue;
+        const fuzzy::Term* const term = fuzzy::findTerm(fuzzy::termsFor(expert, input), condition.term);
+        return term == nullptr ? text(condition.term) : labelOf(*term);
+      }
+      return QString();
+    };
+    return ShownFindingText::tr("%1 → %2").arg(term_of(place->step.before), term_of(place->step.after));
+  }
+
   std::vector<RuleOfExpert> rulesOf(const RuleFinding& finding) const {
     std::vector<RuleOfExpert> out;
     for (std::size_t s = 0; s < finding.sources.size(); ++s) {

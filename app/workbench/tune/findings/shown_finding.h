@@ -4,6 +4,7 @@
 #include <QString>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/fuzzy/compiled_model.h"
@@ -42,6 +43,10 @@ struct ShownFinding {
   QString who;       ///< `S1 and S4`, or `Mean`
   QString sentence;  ///< one sentence, with the labels of the model
   Acceptance acceptance = Acceptance::kNone;
+  /// `Nasopharynx → Oropharynx` of a step between two neighboring terms; empty otherwise.
+  QString step;
+  /// The input along which it lies and the value there, to sort by place; nothing without a place.
+  std::optional<std::pair<std::size_t, double>> along;
   std::vector<RuleOfExpert> rules;  ///< in the order of the sentence; empty if no rule is the cause
   /// The force at stake in just-noticeable differences around the force at its beginning; nothing if the force is not
   /// in newtons.

@@ -139,7 +139,7 @@ void CompareCard::showResult() {
   const std::string& unit = scene_.model()->model.output.unit;
   QString sentence = tr("No difference of the force was found.");
   if (!result->at.empty()) {
-    sentence = tr("max ΔF at least %1").arg(forceChangeText(result->largest_n, unit));
+    sentence = largestChangeText(result->largest_n, unit, Scope::kAnywhere);
     if (unit == "N") sentence += tr(" (%1 JND from A)").arg(numberText(result->noticeable, 1));
     sentence += tr(" · RMS %1").arg(forceText(result->rms_n, unit));
   }

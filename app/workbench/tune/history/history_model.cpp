@@ -4,6 +4,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
+#include "app/workbench/model/impact_text.h"
 
 namespace tactus::workbench {
 namespace {
@@ -96,6 +97,8 @@ QString HistoryModel::tipOf(const editing::HistoryRow& row) const {
       lines.append(tr("An earlier branch. Click to return to it"));
       break;
   }
+  const bool newtons = edits_.model().output.unit == "N";
+  if (newtons && edits_.impactOf(row.state)) lines.append(noticeableExplained());
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -104,7 +107,10 @@ QStringList HistoryModel::marksOf(const editing::HistoryRow& row, EventKind kind
   for (const std::size_t mark : row.marks) {
     const editing::Event& event = edits_.history().events()[mark];
     if (event.kind != kind) continue;
-    out.append(kind == EventKind::kSnapshot ? text(event.label) : tr("%1: feels right").arg(text(event.stamp.author)));
+    out.append(kind == EventKind::kSnapshot
+                   ? text(event.label)
+                   : (editing::saysFelt(event.label) ? tr("%1: feels right") : tr("%1: approved unfelt"))
+                         .arg(text(event.stamp.author)));
   }
   return out;
 }

@@ -19,7 +19,7 @@ class HistoryModel : public QAbstractListModel {
   enum Role {
     kEffectRole = Qt::UserRole,  ///< QString: `max ΔF 0.032 N (0.4 JND) · 19:20 · M. Ortiz`
     kSnapshotsRole,              ///< QStringList: names
-    kSignOffsRole,               ///< QStringList: `S4 feels right`
+    kSignOffsRole,               ///< QStringList: `S4: feels right`, `S4: approved unfelt`
   };
 
   /// Empty until `refresh`, and again when another history begins.

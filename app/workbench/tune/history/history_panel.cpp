@@ -45,7 +45,7 @@ HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, Sc
       snapshot_(new QLineEdit(this)),
       name_it_(new QPushButton(tr("Name it"), this)),
       expert_(new QComboBox(this)),
-      sign_off_(new QPushButton(tr("Feels right"), this)),
+      sign_off_(new QPushButton(this)),
       author_field_(new QLineEdit(author.name(), this)),
       refresh_(new Refresh(this, [this] { list(); })) {
   view_->setModel(model_);
@@ -96,6 +96,7 @@ HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, Sc
   connect(expert_, &QComboBox::currentTextChanged, this,
           [this](const QString& who) { sign_off_->setEnabled(edits_.isOpen() && !who.trimmed().isEmpty()); });
   connect(expert_->lineEdit(), &QLineEdit::returnPressed, this, &HistoryPanel::takeSignOff);
+  connect(&edits_, &EditController::feltChanged, this, &HistoryPanel::showFelt);
   connect(sign_off_, &QPushButton::clicked, this, &HistoryPanel::takeSignOff);
   connect(author_field_, &QLineEdit::editingFinished, this, [this] { author_.setName(author_field_->text()); });
   connect(switch_, &QToolButton::clicked, this, [this] { showSide(!side_asked_); });
@@ -130,8 +131,7 @@ QWidget* HistoryPanel::makeSide(CompareController& compare, SceneController& sce
   expert_->setAccessibleName(tr("Expert who signs off"));
   expert_->setMinimumContentsLength(6);
   expert_->lineEdit()->setPlaceholderText(tr("Expert's code"));
-  sign_off_->setAccessibleName(sign_off_->text());
-  sign_off_->setToolTip(tr("The expert says of the current state: this feels right"));
+  showFelt();
   sign_off_->setEnabled(false);
   author_field_->setPlaceholderText(tr("Your name, shown as the author of your edits"));
   author_field_->setAccessibleName(tr("Your name"));
@@ -191,6 +191,18 @@ void HistoryPanel::takeSnapshot() {
   edits_.snapshot(snapshot_->text());
   snapshot_->clear();
   view_->setFocus();
+}
+
+// The button says what the sign-off will read.
+void HistoryPanel::showFelt() {
+  const editing::Felt& felt = edits_.felt();
+  const bool any = felt.strokes > 0;
+  sign_off_->setText(any ? tr("Feels right") : tr("Approve unfelt"));
+  sign_off_->setAccessibleName(sign_off_->text());
+  sign_off_->setToolTip(any ? tr("%n stroke(s) were felt on this state, on %1", nullptr, static_cast<int>(felt.strokes))
+                                  .arg(text(felt.device))
+                            : tr("This state was not felt yet: the sign-off will read “approved without feeling”. "
+                                 "Feel one stroke on it for “feels right”."));
 }
 
 void HistoryPanel::takeSignOff() {

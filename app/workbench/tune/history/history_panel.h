@@ -50,6 +50,7 @@ class HistoryPanel : public Card {
   void listExperts();
   void takeSnapshot();
   void takeSignOff();
+  void showFelt();
   void openMenu(const QPoint& at);
 
   EditController& edits_;

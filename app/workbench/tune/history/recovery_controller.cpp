@@ -242,7 +242,7 @@ void RecoveryController::goOn(const editing::KeptVersions& kept) {
     const std::string label = colon == std::string::npos ? version.label : version.label.substr(colon + 2);
     show(model->model, label);
     if (kind == editing::name(editing::EventKind::kSnapshot)) edits_.snapshot(text(label));
-    if (kind == editing::name(editing::EventKind::kSignOff)) edits_.signOff(text(version.author));
+    if (kind == editing::name(editing::EventKind::kSignOff)) edits_.repeatSignOff(text(version.author), label);
   }
   if (kept.unfinished) show(kept.unfinished->model, recoveredLabel(*kept.unfinished));
 }

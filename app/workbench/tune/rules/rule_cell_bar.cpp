@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
@@ -21,23 +20,18 @@ RuleCellBar::RuleCellBar(RuleController& rules, QWidget* parent)
       conditions_(new ElidedLabel(this)),
       weight_(makeWeightBox(this)),
       enabled_(new QCheckBox(tr("Enabled"), this)),
-      go_(new QToolButton(this)),
       words_(new WordBar(this)) {
   conditions_->setFont(theme::smallFont());
   weight_->setAccessibleName(tr("Weight of the selected rule"));
   enabled_->setAccessibleName(tr("The selected rule is enabled"));
   // A click leaves the keys with the grids.
   enabled_->setFocusPolicy(Qt::TabFocus);
-  go_->setText(tr("Go there"));
-  go_->setToolTip(tr("Move the operating point to where the conditions of this rule hold"));
-  go_->setFocusPolicy(Qt::TabFocus);
   auto* first = new QHBoxLayout;
   first->setSpacing(theme::kGrid);
   first->addWidget(conditions_, 1);
   first->addWidget(new QLabel(tr("Weight"), this));
   first->addWidget(weight_);
   first->addWidget(enabled_);
-  first->addWidget(go_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
@@ -54,7 +48,6 @@ RuleCellBar::RuleCellBar(RuleController& rules, QWidget* parent)
     rules_.endWeighing();
     if (weight_->hasFocus()) emit done();
   });
-  connect(go_, &QToolButton::clicked, &rules_, &RuleController::goWhereItActs);
   connect(enabled_, &QCheckBox::clicked, this, [this](bool on) {
     const auto cell = rules_.selected();
     if (cell && rules_.cell(*cell).rule) rules_.enable({*rules_.cell(*cell).rule}, on);
@@ -83,7 +76,6 @@ void RuleCellBar::showCell() {
   words_->setAnswer(cell.rule ? rules_.wordOf(cell.then) : std::nullopt);
   weight_->setEnabled(cell.rule.has_value());
   enabled_->setEnabled(cell.rule.has_value());
-  go_->setEnabled(cell.rule.has_value());
   const QSignalBlocker no_weight(weight_);
   const QSignalBlocker no_enabled(enabled_);
   // Typed text stays until it is committed.

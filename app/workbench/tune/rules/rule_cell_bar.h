@@ -4,7 +4,6 @@
 #include <QWidget>
 
 class QCheckBox;
-class QToolButton;
 
 namespace tactus::workbench {
 
@@ -31,7 +30,6 @@ class RuleCellBar : public QWidget {
   ElidedLabel* conditions_;
   NumberBox* weight_;
   QCheckBox* enabled_;
-  QToolButton* go_;
   WordBar* words_;
   bool warns_ = false;
 };

@@ -31,7 +31,7 @@ QFont boldFont() {
 void setHeadInk(QPainter& painter, bool holds, const QString& label, double width) {
   const bool bold = holds && brokenWidth(label, QFontMetricsF(boldFont())) <= width;
   painter.setFont(bold ? boldFont() : theme::smallFont());
-  painter.setPen(holds ? theme::accent() : theme::mutedInk());
+  painter.setPen(holds ? theme::readableText(theme::accent()) : theme::mutedInk());
 }
 
 QString nameOf(const std::vector<fuzzy::Term>& terms, std::size_t term) {
@@ -145,6 +145,9 @@ QMenu* RuleGrids::makeMenu() {
   QAction* none = menu->addAction(tr("No answer"));
   none->setEnabled(selected && rules_.cell(*selected).rule);
   connect(none, &QAction::triggered, &rules_, [this] { rules_.answer(std::nullopt); });
+  QAction* go = menu->addAction(tr("&Go where it acts"));
+  go->setEnabled(none->isEnabled());
+  connect(go, &QAction::triggered, &rules_, &RuleController::goWhereItActs);
   return menu;
 }
 

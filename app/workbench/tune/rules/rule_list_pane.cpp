@@ -197,13 +197,11 @@ bool RuleListPane::eventFilter(QObject* watched, QEvent* event) {
 bool RuleListPane::answerWithKey(QKeyEvent* event) {
   if (!rules_.isOpen()) return false;
   if (event->matches(QKeySequence::Copy)) {
-    sync();
-    const QString lines = rules_.copied();
-    if (!lines.isEmpty()) QGuiApplication::clipboard()->setText(lines);
+    copy();
     return true;
   }
   if (event->matches(QKeySequence::Paste)) {
-    rules_.paste(QGuiApplication::clipboard()->text());
+    paste();
     return true;
   }
   const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
@@ -213,6 +211,14 @@ bool RuleListPane::answerWithKey(QKeyEvent* event) {
   rules_.setConsequent(chosen(), rules_.words()[static_cast<std::size_t>(word)].id);
   return true;
 }
+
+void RuleListPane::copy() {
+  sync();
+  const QString lines = rules_.copied();
+  if (!lines.isEmpty()) QGuiApplication::clipboard()->setText(lines);
+}
+
+void RuleListPane::paste() { rules_.paste(QGuiApplication::clipboard()->text()); }
 
 void RuleListPane::refresh() {
   if (!rules_.isOpen()) return;
@@ -351,6 +357,10 @@ void RuleListPane::openMenu(QPoint at) {
     action->setEnabled(button->isEnabled());
     connect(action, &QAction::triggered, button, &QToolButton::click);
   }
+  menu->addSeparator();
+  QAction* copied = menu->addAction(tr("Copy as text"), this, &RuleListPane::copy);
+  copied->setEnabled(!rules_.selection().rules().empty());
+  menu->addAction(tr("Paste rules from text"), this, &RuleListPane::paste);
   menu->popup(table_->viewport()->mapToGlobal(at));
 }
 

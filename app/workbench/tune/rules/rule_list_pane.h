@@ -38,6 +38,8 @@ class RuleListPane : public QWidget {
   void showSelected();
   void showPointed();
   bool answerWithKey(QKeyEvent* event);
+  void copy();
+  void paste();
   void showCount();
   void showActions();
   void fitRows();

@@ -10,6 +10,7 @@
 #include "app/editing/term_edits.h"
 #include "app/editing/term_split.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/tune/terms/term_id.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
@@ -20,25 +21,6 @@ using editing::VertexPlace;
 using fuzzy::Shape;
 using fuzzy::Term;
 using Part = Grip::Part;
-
-constexpr std::size_t kLongestId = 48;  // bytes; leaves room for a number behind it
-
-// `Upper esophagus` becomes `upper_esophagus`.
-std::string idFrom(const QString& label) {
-  std::string id;
-  for (const QChar letter : label.toLower()) {
-    const char c = letter.toLatin1();
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (plain) {
-      id += c;
-    } else if (!id.empty() && id.back() != '_') {
-      id += '_';
-    }
-    if (id.size() == kLongestId) break;
-  }
-  while (!id.empty() && id.back() == '_') id.pop_back();
-  return id.empty() ? "term" : id;
-}
 
 // A lock belongs to a corner; the corners of another shape are others.
 void unlock(std::vector<VertexPlace>& locked, const TermListId& list, const std::string& term) {
@@ -286,13 +268,13 @@ void TermController::convert(std::string term, Shape shape) {
 void TermController::add(const QString& label, double at) {
   endSteps();
   if (waitsForScope([=, this] { add(label, at); })) return;
-  const std::string id = editing::freeTermId(terms(), idFrom(label));
+  const std::string id = editing::freeTermId(terms(), termIdFrom(label));
   const std::string name = label.trimmed().toStdString();
   if (!keepsSum()) {
     Term term = editing::suggestedTerm(variable(), terms(), at);
     term.id = id;
     term.label = name;
-    edits_.apply(editing::addTerm(model(), list_, term));
+    if (edits_.apply(editing::addTerm(model(), list_, term))) selectTerm(id);
     return;
   }
   // Terms that sum to one make room: the one that holds the place in full is cut there, and keeps its rules.
@@ -314,7 +296,7 @@ void TermController::add(const QString& label, double at) {
   // The rules stay with the part that holds the middle; so does the name.
   options.names = at > (from + to) / 2 ? std::vector<editing::TermName>{old_name, {id, name}}
                                        : std::vector<editing::TermName>{{id, name}, old_name};
-  edits_.apply(editing::splitTerm(model(), placeOf(full->id), options));
+  if (edits_.apply(editing::splitTerm(model(), placeOf(full->id), options))) selectTerm(id);
 }
 
 void TermController::rename(std::string term, const QString& label) {
@@ -330,6 +312,20 @@ void TermController::remove(std::string term, bool with_rules) {
   options.rules = with_rules ? editing::RulesOfTerm::kRemove : editing::RulesOfTerm::kRefuse;
   options.sum_to_one = keepsSum();
   edits_.apply(editing::removeTerm(model(), placeOf(term), options));
+}
+
+QString TermController::whyNotSplit(const std::string& term, const std::vector<double>& cuts) const {
+  editing::SplitOptions options;
+  options.cuts = cuts;
+  const auto edit = editing::splitTerm(model(), placeOf(term), options);
+  return edit ? QString() : text(edit.error().message());
+}
+
+// A new term is the one that the user goes on with.
+void TermController::selectTerm(const std::string& id) {
+  const auto& all = terms();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Term& term) { return term.id == id; });
+  if (found != all.end()) select(Grip{static_cast<std::size_t>(found - all.begin()), Part::kTerm});
 }
 
 void TermController::split(std::string term, const std::vector<double>& cuts) {

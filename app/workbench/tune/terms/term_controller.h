@@ -30,6 +30,8 @@ class TermController : public QObject {
   const editing::TermListId& list() const { return list_; }
   const fuzzy::Variable& variable() const;
   const std::vector<fuzzy::Term>& terms() const;
+  /// Why a term cannot be split at `cuts`, in one sentence; empty if it can.
+  QString whyNotSplit(const std::string& term, const std::vector<double>& cuts) const;
   /// The chosen expert; empty: the shared lists.
   const std::string& expert() const { return expert_; }
   /// The experts whose rules use the list.
@@ -104,6 +106,7 @@ class TermController : public QObject {
   void resolveList();
   const std::vector<fuzzy::Term>& termsIn(const fuzzy::ForceModel& model) const;
   editing::MoveOptions options() const;
+  void selectTerm(const std::string& id);
   editing::TermPlace placeOf(const std::string& term) const { return {list_, term}; }
   base::Result<editing::Edit> moved(const Grip& grip, double by) const;
 

@@ -80,6 +80,10 @@ void askSplit(TermController& terms, const std::string& term, const QWidget& anc
           TermForms::tr("%1 Type the cuts with semicolons between them, such as 290; 365.").arg(places.error()));
       return;
     }
+    if (const QString why = terms.whyNotSplit(term, *places); !why.isEmpty()) {
+      form->setNote(why);
+      return;
+    }
     form->close();
     terms.split(term, *places);
   });

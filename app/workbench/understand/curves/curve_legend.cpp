@@ -125,7 +125,10 @@ void CurveLegend::setTail(std::vector<QWidget*> tail) {
 
 std::vector<QWidget*> CurveLegend::parts() const {
   std::vector<QWidget*> all(chips_.begin(), chips_.end());
-  all.insert(all.end(), tail_.begin(), tail_.end());
+  for (QWidget* part : tail_) {
+    const bool taken_away = part->isHidden() && part->testAttribute(Qt::WA_WState_ExplicitShowHide);
+    if (!taken_away) all.push_back(part);
+  }
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/axis_zoom.h"
 #include "app/workbench/plot/landmark_marks.h"
+#include "app/workbench/plot/mixed_color.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/reading_cursor.h"
 #include "app/workbench/plot/term_bands.h"
@@ -21,7 +22,9 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kLabelRows = 2;
-constexpr int kMeanGraph = 0;  // graph of the mean; that of expert i is i + 1
+constexpr double kSameForce = 0.002;  // of the output; a line is wider
+constexpr double kDash = 5;           // widths of a line
+constexpr int kMeanGraph = 0;         // graph of the mean; that of expert i is i + 1
 
 Qt::PenStyle lineStyle(std::size_t number) {
   // The colors repeat after six experts; the dashes then tell them apart.
@@ -33,16 +36,22 @@ Qt::PenStyle lineStyle(std::size_t number) {
 QPen expertPen(std::size_t number, std::size_t count) {
   constexpr std::size_t kMany = 24;  // six colors with four kinds of dashes
   if (count <= kMany) return {theme::expert(number), 1.6, lineStyle(number)};
-  const QColor color = theme::expert(number);
-  const QColor card = theme::card();
-  return {QColor((color.red() + card.red()) / 2, (color.green() + card.green()) / 2, (color.blue() + card.blue()) / 2),
-          1};
+  return {mixedColor(theme::card(), theme::expert(number), 0.5), 1};
 }
 
 QPen linePen(std::size_t graph, const std::vector<std::size_t>& numbers, bool fast) {
   QPen pen = graph == kMeanGraph ? QPen(theme::mean(), 4) : expertPen(numbers[graph - 1], numbers.size());
   if (fast) pen.setWidthF(1);
   return pen;
+}
+
+// Lines on each other take turns: one shows where the others have their gaps.
+void interleave(QPen& pen, const Coincidence& place) {
+  // The lowest one stays whole.
+  if (place.member == 0) return;
+  pen.setDashPattern({kDash, kDash * static_cast<double>(place.of - 1)});
+  pen.setDashOffset(-kDash * static_cast<double>(place.member));
+  pen.setCapStyle(Qt::FlatCap);
 }
 
 constexpr auto kMeanLayer = "mean";
@@ -104,6 +113,8 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   output_ = output;
   styleAxis(*plot_->xAxis, x);
   styleAxis(*plot_->yAxis, output);
+  // Forces are read by round numbers; the end of their universe is none.
+  plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
   zoom_->setInputs(x);
   plot_->xAxis->setLabel(axisText(x));
   plot_->yAxis->setLabel(axisText(output));
@@ -121,6 +132,7 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
     addLine(*plot_, labelOf(expert));
     weights_.push_back(expert.weight);
   }
+  coincidences_.clear();
   styleLines();
   everyone_silent_.clear();
   silent_.clear();
@@ -145,6 +157,11 @@ void CurvePlot::setCurves(const figures::ForceCurves& curves) {
   const SpreadShown spread = overlays_->familySize() > 0 ? SpreadShown{false, false} : spread_;
   const bool any = spread.range || spread.deviation;
   overlays_->setSpread(curves.x, any ? spreadOf(curves, weights_) : ForceSpread(), spread);
+  auto together = coincidences(curves, kSameForce * (output_.max - output_.min));
+  if (together != coincidences_) {
+    coincidences_ = std::move(together);
+    styleLines();
+  }
   updateSilence();
 }
 
@@ -158,7 +175,21 @@ void CurvePlot::setMeanShown(bool shown) {
   redraw(*plot_);
 }
 
-void CurvePlot::setReading(const Reading& reading) {
+// `   Δ +58 mm, −0.210 N`
+QString CurvePlot::differenceText(const Reading& reading, double from, const fuzzy::Evaluation& left_behind) const {
+  const auto signed_text = [](double change, const QString& size) {
+    return (change < 0 ? QStringLiteral("−") : QStringLiteral("+")) + size;
+  };
+  const double way = reading.x - from;
+  QString out = signed_text(way, quantityText(std::abs(way), x_.unit));
+  if (reading.mean.fired && left_behind.fired) {
+    const double change = reading.mean.force_n - left_behind.force_n;
+    out += QStringLiteral(", ") + signed_text(change, forceText(std::abs(change), output_.unit));
+  }
+  return QStringLiteral("   Δ ") + out;
+}
+
+void CurvePlot::setReading(const Reading& reading, double from, const std::optional<fuzzy::Evaluation>& left_behind) {
   std::vector<ReadingCursor::Dot> dots;
   for (std::size_t i = 0; i < reading.experts.size(); ++i) {
     if (reading.experts[i].fired && shown(i + 1))
@@ -169,7 +200,11 @@ void CurvePlot::setReading(const Reading& reading) {
   const QString said = !reading.mean.fired    ? tr("no rule fires")
                        : numbers_.size() == 1 ? force
                                               : tr("mean %1").arg(force);
-  cursor_->set(reading.x, placeText(x_, reading.x) + QStringLiteral("   ") + said, std::move(dots));
+  QString tag = placeText(x_, reading.x) + QStringLiteral("   ") + said;
+  if (left_behind) tag += differenceText(reading, from, *left_behind);
+  setAccessibleDescription(tag);
+  cursor_->setFrom(left_behind ? std::optional(from) : std::nullopt);
+  cursor_->set(reading.x, std::move(tag), std::move(dots));
   redraw(*plot_);
 }
 
@@ -248,7 +283,9 @@ void CurvePlot::setFast(bool fast) {
 void CurvePlot::styleLines() {
   for (std::size_t i = 0; i <= weights_.size(); ++i) {
     QCPGraph* line = plot_->graph(static_cast<int>(i));
-    line->setPen(linePen(i, numbers_, fast_));
+    QPen pen = linePen(i, numbers_, fast_);
+    if (i > 0 && i <= coincidences_.size()) interleave(pen, coincidences_[i - 1]);
+    line->setPen(pen);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "app/figures/force_curves.h"
 #include "app/workbench/model/curve_family.h"
 #include "app/workbench/plot/plot_source.h"
+#include "app/workbench/understand/curves/coincident_curves.h"
 #include "app/workbench/understand/curves/curve_looks.h"
 #include "app/workbench/understand/curves/reference_curve.h"
 #include "core/analysis/force_steps.h"
@@ -49,7 +50,9 @@ class CurvePlot : public QWidget, public PlotSource {
   void setMeanShown(bool shown);
   bool isMeanShown() const;
   bool isExpertShown(std::size_t expert) const;
-  void setReading(const Reading& reading);
+  /// `left_behind`: the mean force at the operating point `from`, where the reading is elsewhere; the tag then gives
+  /// the difference to it.
+  void setReading(const Reading& reading, double from, const std::optional<fuzzy::Evaluation>& left_behind);
   /// Chooses the parts of the spread that `setCurves` draws.
   void setSpreadShown(SpreadShown shown) { spread_ = shown; }
   SpreadShown spreadShown() const { return spread_; }
@@ -92,6 +95,7 @@ class CurvePlot : public QWidget, public PlotSource {
   void onMouse(QMouseEvent* event);
   void updateSilence();
   bool shown(std::size_t graph) const;
+  QString differenceText(const Reading& reading, double from, const fuzzy::Evaluation& left_behind) const;
   void styleLines();
 
   QCustomPlot* plot_;
@@ -107,6 +111,7 @@ class CurvePlot : public QWidget, public PlotSource {
   std::vector<figures::Interval> everyone_silent_;
   std::vector<std::vector<figures::Interval>> silent_;  ///< one list per expert
   std::vector<double> weights_;                         ///< of the experts
+  std::vector<Coincidence> coincidences_;               ///< of the experts; empty before the first curves
   std::vector<std::size_t> numbers_;                    ///< of the experts, for their colors
   SpreadShown spread_;
   QString ghost_name_;

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -62,12 +63,13 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
       legend_(new CurveLegend(this)),
       ghost_chip_(new LegendChip(ghostLook(tr("Before the last edit")), {}, this)),
       difference_(new ElidedLabel(this)),
+      go_there_(new QToolButton(this)),
       step_(new ElidedLabel(this)),
       reference_bar_(new ReferenceBar(references, scene, this)),
       draw_curves_(new Refresh(this, [this] { drawCurves(); })),
       draw_ghost_(new Refresh(this, [this] { drawGhost(); })),
       draw_references_(new Refresh(this, [this] { drawReferences(); })),
-      draw_reading_(new Refresh(this, [this] { plot_->setReading(scene_.reading()); })) {
+      draw_reading_(new Refresh(this, [this] { showReading(); })) {
   title_->setFont(theme::headingFont());
   title_->setTextFormat(Qt::PlainText);
   title_->setBuddy(x_input_);
@@ -75,6 +77,9 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   x_input_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
 
   difference_->setFont(theme::smallFont());
+  go_there_->setText(tr("Go there"));
+  go_there_->setToolTip(tr("Move the operating point to where the last edit changes the force most"));
+  go_there_->hide();
   ghost_chip_->setChecked(ghost_.isOn());
   setAcceptDrops(true);
   step_->setFont(theme::smallFont());
@@ -94,7 +99,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid / 2);
-  legend_->setTail({ghost_chip_, difference_});
+  legend_->setTail({ghost_chip_, go_there_, difference_});
   layout->addLayout(head);
   layout->addWidget(legend_);
   layout->addWidget(plot_, 1);
@@ -114,10 +119,23 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   connect(ghost_chip_, &LegendChip::toggled, &ghost_, &GhostController::setOn);
   connect(&ghost_, &GhostController::changed, draw_ghost_, &Refresh::request);
   connect(&scene_, &SceneController::curvesChanged, draw_ghost_, &Refresh::request);
+  connect(go_there_, &QToolButton::clicked, this, [this] {
+    if (const auto there = ghost_.elsewhere()) scene_.goTo(there->at);
+  });
   connect(&references_, &ReferenceController::changed, draw_references_, &Refresh::request);
   connect(&references_, &ReferenceController::refused, this,
           [this](const QString& sentence) { sayError(*this, sentence); });
   draw_ghost_->request();
+}
+
+void CurvesPanel::showReading() {
+  const double from = scene_.value(scene_.xInput());
+  std::optional<fuzzy::Evaluation> left_behind;
+  if (scene_.readingX() != from) {
+    left_behind = scene_.model()->compiled.evaluate(scene_.values());
+    scene_.countEvaluations(1);
+  }
+  plot_->setReading(scene_.reading(), from, left_behind);
 }
 
 void CurvesPanel::setFast(bool fast) { plot_->setFast(fast); }
@@ -185,6 +203,7 @@ void CurvesPanel::drawGhost() {
   ghost_chip_->setToolTip(ghost_.whatChanged().isEmpty() ? tr("Show the curves before an edit as dashed lines")
                                                          : tr("Since then: %1").arg(ghost_.whatChanged()));
   difference_->setFullText(any ? ghost_.differenceText() : QString());
+  go_there_->setVisible(ghost_.elsewhere().has_value());
 }
 
 void CurvesPanel::drawReferences() {

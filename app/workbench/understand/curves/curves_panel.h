@@ -8,6 +8,7 @@
 
 class QComboBox;
 class QLabel;
+class QToolButton;
 
 namespace tactus::workbench {
 
@@ -57,6 +58,7 @@ class CurvesPanel : public Card {
   void drawCurves();
   void drawSteps();
   void drawGhost();
+  void showReading();
   void drawReferences();
   PlotTable table();
   QStringList notes() const;
@@ -72,6 +74,7 @@ class CurvesPanel : public Card {
   CurveLegend* legend_;
   LegendChip* ghost_chip_;
   ElidedLabel* difference_;
+  QToolButton* go_there_;
   ElidedLabel* step_;
   ReferenceBar* reference_bar_;
   Refresh* draw_curves_;

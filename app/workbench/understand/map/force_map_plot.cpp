@@ -7,6 +7,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/plot/axis_zoom.h"
 #include "app/workbench/plot/landmark_marks.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_labels.h"
@@ -35,7 +36,8 @@ QCPColorGradient forceColors() {
 
 }  // namespace
 
-ForceMapPlot::ForceMapPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+ForceMapPlot::ForceMapPlot(ShownRanges& ranges, QWidget* parent)
+    : QWidget(parent), plot_(makePlot(this)), zoom_(new AxisZoom(*plot_, ranges)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
@@ -69,6 +71,7 @@ void ForceMapPlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, c
   y_ = y;
   styleAxis(*plot_->xAxis, x);
   styleAxis(*plot_->yAxis, y);
+  zoom_->setInputs(x, y);
   styleAxis(*scale_->axis(), output);
   plot_->xAxis->setLabel(axisText(x));
   plot_->yAxis->setLabel(axisText(y));

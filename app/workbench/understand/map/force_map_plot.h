@@ -13,16 +13,19 @@ class QMouseEvent;
 
 namespace tactus::workbench {
 
+class AxisZoom;
 class ContourMarks;
 class LandmarkMarks;
 class MapCross;
+class ShownRanges;
 class TermLabels;
 
 class ForceMapPlot : public QWidget, public MapView {
   Q_OBJECT
 
  public:
-  explicit ForceMapPlot(QWidget* parent = nullptr);
+  /// Shows the parts of the inputs in `ranges`, and changes them with the wheel and Shift-drag.
+  explicit ForceMapPlot(ShownRanges& ranges, QWidget* parent = nullptr);
 
   void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, const fuzzy::Variable& output) override;
   /// The terms along both axes, with their names.
@@ -44,6 +47,7 @@ class ForceMapPlot : public QWidget, public MapView {
   void makeRoom(int height);
 
   QCustomPlot* plot_;
+  AxisZoom* zoom_;
   QCPColorMap* colors_ = nullptr;
   QCPColorScale* scale_ = nullptr;
   ContourMarks* contours_;

@@ -8,7 +8,7 @@
 namespace tactus::workbench {
 
 MapPanel::MapPanel(SceneController& scene, ForceMapController& map, QWidget* parent)
-    : MapPanel(scene, map, new ForceMapPlot, parent) {}
+    : MapPanel(scene, map, new ForceMapPlot(scene.ranges()), parent) {}
 
 MapPanel::MapPanel(SceneController& scene, ForceMapController& map, ForceMapPlot* plot, QWidget* parent)
     : MapViewPanel(scene, map,

@@ -6,6 +6,8 @@
 #include <QListView>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "app/workbench/shell/panel_area.h"
@@ -82,11 +84,29 @@ TEST_F(FindingsPanelTest, AClickOnAFindingAndOneOnItsFixSettleIt) {
   EXPECT_EQ(bench.edits.model(), tests::twoExperts());
 }
 
+TEST_F(FindingsPanelTest, AClickOnARuleOfAFindingSelectsItInTheEditor) {
+  look();
+  const auto& all = bench.findings.findings();
+  const auto with_rules = std::find_if(all.begin(), all.end(), [](const auto& one) { return !one.rules.empty(); });
+  ASSERT_NE(with_rules, all.end());
+  const RuleOfExpert rule = with_rules->rules.front();
+  bench.findings.choose(static_cast<std::size_t>(with_rules - all.begin()));
+  // Silently: the findings stay in front.
+  EXPECT_EQ(bench.selection.expert(), rule.expert);
+  EXPECT_FALSE(bench.selection.rules().empty());
+  EXPECT_TRUE(panel().isVisible());
+  auto* const button = panel().findChild<QToolButton*>(QStringLiteral("rule_0"));
+  ASSERT_NE(button, nullptr);
+  button->click();
+  EXPECT_EQ(bench.selection.rule(), rule.rule);
+  EXPECT_FALSE(panel().isVisible());
+}
+
 TEST_F(FindingsPanelTest, FiltersByKindAndExpert) {
   look();
   const int all = list().model()->rowCount();
   const auto choices = panel().findChildren<QComboBox*>();
-  ASSERT_EQ(choices.size(), 2);
+  ASSERT_EQ(choices.size(), 3);  // the third one is the order
   QComboBox& kind = *choices[0];
   QComboBox& who = *choices[1];
   EXPECT_TRUE(kind.itemText(0).contains(QString::number(all)));

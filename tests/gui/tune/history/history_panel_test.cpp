@@ -96,7 +96,8 @@ TEST_F(HistoryPanelTest, ARowSaysWhatTheEditDid) {
   bench.edits.apply(editing::moveEdge(bench.edits.model(), {{"force", ""}, "high"}, editing::Side::kLeft, 0.1));
   ASSERT_TRUE(waitForRows(2));
   EXPECT_TRUE(cell(1).contains(QStringLiteral("High")));
-  EXPECT_TRUE(cell(1, HistoryModel::kEffectRole).startsWith(QStringLiteral("max ΔF at least 0.050 N (0.5 JND) · ")));
+  EXPECT_TRUE(
+      cell(1, HistoryModel::kEffectRole).startsWith(QStringLiteral("max ΔF anywhere at least 0.050 N (0.5 JND) · ")));
 }
 
 TEST_F(HistoryPanelTest, TheAuthorIsTypedOnceAndKept) {
@@ -141,11 +142,11 @@ TEST_F(HistoryPanelTest, AnExpertSignsOff) {
   auto* who = named<QComboBox>(QStringLiteral("Expert who signs off"));
   ASSERT_EQ(who->count(), 2);
   who->setCurrentText(QStringLiteral("B"));
-  QTest::mouseClick(named<QPushButton>(QStringLiteral("Feels right")), Qt::LeftButton);
+  QTest::mouseClick(named<QPushButton>(QStringLiteral("Approve unfelt")), Qt::LeftButton);
   const editing::Event& event = bench.edits.history().events().back();
   EXPECT_EQ(event.kind, editing::EventKind::kSignOff);
   EXPECT_EQ(event.stamp.author, "B");
-  EXPECT_EQ(event.label, "feels right, after 2 edits");
+  EXPECT_EQ(event.label, "approved without feeling, after 2 edits");
   EXPECT_EQ(event.state, bench.edits.history().current());
 }
 

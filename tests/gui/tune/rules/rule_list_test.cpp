@@ -1,5 +1,6 @@
 // The list of all rules below the grids, and the form for rules in free form.
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -52,6 +53,30 @@ TEST_F(RuleListTest, TheListIsFilteredByWordsAndByKind) {
   EXPECT_TRUE(waitForRows(table, 2));
   only->setCurrentIndex(0);
   EXPECT_TRUE(waitForRows(table, 46));
+}
+
+TEST_F(RuleListTest, AKeyAnswersAllSelectedRulesInOneStep) {
+  QTableView* table = openList();
+  selection.selectRules({0, 1, 4});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->selectionModel()->selectedRows().size() == 3; }, kPatience));
+  QTest::keyClick(table, Qt::Key_4);
+  for (const std::size_t r : {0, 1, 4}) EXPECT_EQ(rule(r).then, "large");
+  EXPECT_EQ(selection.rules(), (std::vector<std::size_t>{0, 1, 4}));
+  edits.undo();
+  EXPECT_EQ(edits.model().experts[0].rules, start.experts[0].rules);
+}
+
+TEST_F(RuleListTest, RulesAreCopiedAndPastedAsText) {
+  QTableView* table = openList();
+  selection.selectRules({3});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->selectionModel()->selectedRows().size() == 1; }, kPatience));
+  QTest::keySequence(table, QKeySequence::Copy);
+  EXPECT_EQ(QApplication::clipboard()->text().trimmed(),
+            QStringLiteral("IF Tube lubrication is well AND Depth is esophagus THEN Force is medium"));
+  QApplication::clipboard()->setText(QStringLiteral("IF Tube lubrication is well AND Depth is esophagus THEN large"));
+  QTest::keySequence(table, QKeySequence::Paste);
+  EXPECT_EQ(rule(3).then, "large");
+  EXPECT_EQ(count(), 45U);
 }
 
 TEST_F(RuleListTest, TheListIsSortedByItsHeads) {

@@ -82,6 +82,17 @@ TEST_F(CurvesPanelTest, AClickInTheLegendHidesALine) {
   EXPECT_EQ(picture(), before);
 }
 
+TEST_F(CurvesPanelTest, TheMouseReadsTheDifferenceToTheOperatingPoint) {
+  bench.scene.setValue(0, 20);
+  bench.scene.setValue(1, 2);
+  settle();
+  EXPECT_FALSE(plot.accessibleDescription().contains(QStringLiteral("Δ")));
+  bench.scene.setHover(8);
+  settle();
+  // Near: A alone says low, 0.25 N. Far: A says high, 0.75 N, and B low, so the mean is 0.5 N.
+  EXPECT_EQ(plot.accessibleDescription(), QStringLiteral("8 mm   mean 0.500 N   Δ +6 mm, +0.250 N"));
+}
+
 TEST_F(CurvesPanelTest, TheRangeCanBeTakenAway) {
   const QImage before = picture();
   QTest::mouseClick(chip(QStringLiteral("Range")), Qt::LeftButton);
@@ -97,7 +108,7 @@ TEST_F(CurvesPanelTest, AnEditLeavesAGhostAndSaysHowFarItWent) {
   model.experts[0].rules[2].then = "low";
   ASSERT_TRUE(bench.edits.apply(editing::finished(model, "far is low")));
   settle();
-  EXPECT_TRUE(says(panel, QStringLiteral("max ΔF at least 0.250 N (3.5 JND) at")));
+  EXPECT_TRUE(says(panel, QStringLiteral("max ΔF anywhere at least 0.250 N (3.5 JND) at")));
   EXPECT_TRUE(legend().contains(QStringLiteral("Before the last edit")));
   const QImage with_ghost = picture();
   QTest::mouseClick(chip(QStringLiteral("Before the last edit")), Qt::LeftButton);

@@ -1,0 +1,57 @@
+#include "app/workbench/understand/map/force_map_plot.h"
+
+#include <QWheelEvent>
+#include <gtest/gtest.h>
+#include <qcustomplot.h>
+
+#include "app/workbench/model/shown_ranges.h"
+
+namespace tactus::workbench {
+namespace {
+
+const fuzzy::Variable kDepth{"depth", "Depth", "mm", 0, 600, {}};
+const fuzzy::Variable kSpeed{"speed", "Speed", "mm/s", 0, 400, {}};
+const fuzzy::Variable kForce{"force", "Force", "N", 0, 1, {}};
+
+class ForceMapPlotTest : public testing::Test {
+ protected:
+  ForceMapPlotTest() {
+    map.resize(500, 400);
+    map.setAxes(kDepth, kSpeed, kForce);
+    map.show();
+    inner = map.findChild<QCustomPlot*>();
+    inner->replot();
+  }
+
+  void wheel(double x, double y) {
+    const QPointF place(inner->xAxis->coordToPixel(x), inner->yAxis->coordToPixel(y));
+    QWheelEvent turn(place, inner->mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                     false);
+    QCoreApplication::sendEvent(inner, &turn);
+  }
+
+  ShownRanges ranges;
+  ForceMapPlot map{ranges};
+  QCustomPlot* inner = nullptr;
+};
+
+TEST_F(ForceMapPlotTest, TheWheelZoomsBothInputsAroundTheMouse) {
+  wheel(150, 100);
+  // A notch shows 1/1.25 = 0.8 of each axis, and the mouse stays where it points.
+  EXPECT_NEAR(ranges.of(kDepth).high - ranges.of(kDepth).low, 480, 1e-9);
+  EXPECT_NEAR(ranges.of(kSpeed).high - ranges.of(kSpeed).low, 320, 1e-9);
+  EXPECT_NEAR(ranges.of(kDepth).low, 30, 2);  // to a pixel
+  EXPECT_NEAR(inner->xAxis->range().lower, ranges.of(kDepth).low, 1e-9);
+  EXPECT_NEAR(inner->yAxis->range().upper, ranges.of(kSpeed).high, 1e-9);
+}
+
+TEST_F(ForceMapPlotTest, WhatTheCurvesShowTheMapShowsTooAndAnotherModelKeepsIt) {
+  ranges.show(kDepth, {0, 250});
+  EXPECT_NEAR(inner->xAxis->range().upper, 250, 1e-9);
+  EXPECT_NEAR(inner->yAxis->range().upper, 400, 1e-9);
+  map.setAxes(kDepth, kSpeed, kForce);
+  EXPECT_NEAR(inner->xAxis->range().upper, 250, 1e-9);
+}
+
+}  // namespace
+}  // namespace tactus::workbench
