@@ -87,7 +87,7 @@ TEST_F(LabViews, TheRoundButtonChoosesTheWayOfTheModel) {
   ASSERT_TRUE(comesTrue([&] { return !lab.votes().steps.empty(); }));
   const auto choices = view.findChildren<QRadioButton*>();
   ASSERT_EQ(choices.size(), 3);
-  ASSERT_TRUE(comesTrue([&] { return choices[0]->isChecked(); }));
+  ASSERT_TRUE(comesTrue([&] { return choices[0]->isChecked() && choices[1]->isEnabled(); }));
   choices[1]->click();
   EXPECT_EQ(data.settings().force_terms, elicitation::ForceTermsFrom::kFrequency);
 }

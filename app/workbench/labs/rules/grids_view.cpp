@@ -88,7 +88,7 @@ void GridsView::layOut() {
   brief_ = std::any_of(grids.output.terms.begin(), grids.output.terms.end(), [&](const fuzzy::Term& word) {
     return brokenWidth(labelOf(word), QFontMetricsF(font())) > places_.cell(0, {}, 0).width() - kWordPad;
   });
-  block_ = std::min(block_, grids.experts.size());
+  if (block_ > grids.experts.size()) block_ = 1;
 }
 
 void GridsView::resizeEvent(QResizeEvent* event) {
