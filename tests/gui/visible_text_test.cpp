@@ -39,7 +39,8 @@ constexpr Untranslated kUntranslated[] = {
     {"\\b1\\.ta[a-z.]*", "names of the files, also cut to the width of a label"},
     {"Virtual device \\(simulated\\)", "names of devices come from core/haptics"},
     {"\\bTactus demo\\b", "the name of a folder, found again in every language"},
-    {"^(Exploring and tuning a model|Running sessions with nurses|Taking part as a nurse|Ten minutes to a force)$",
+    {"^(Exploring and tuning a model|Running sessions with nurses|From words to an agreed model|Taking part as a "
+     "nurse|Ten minutes to a force)$",
      "headings of the guide, which is written in English"},
     {"\\([^()]+ (19|20)\\d\\d[^()]*\\)", "sources of landmarks"},
     {"no consent text|the text that participants agree to", "sentences of errors come from app/session"},
