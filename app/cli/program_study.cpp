@@ -51,6 +51,11 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                command.add_flag("--bom", o.mark, "Begin each table with a byte order mark, for spreadsheet programs");
                addJson(command, o.json);
              });
+  addCommand(study, chosen, "compare", "Does a choice of the method matter here? In newtons", studyCompare,
+             [](CLI::App& command, StudyCompareOptions& o) {
+               addBuildOptions(command, o, "compare");
+               addJson(command, o.json);
+             });
   addCommand(study, chosen, "recode", "Give a participant another code", studyRecode,
              [](CLI::App& command, StudyRecodeOptions& o) {
                addFile(command, o.file);

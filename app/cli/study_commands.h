@@ -102,4 +102,9 @@ struct StudyEraseOptions {
 /// Finishes an interrupted erasure.
 base::Result<Output> studyErase(const StudyEraseOptions& options);
 
+/// The options of `build` for the model that the others are compared with; `out` is not used.
+struct StudyCompareOptions : BuildOptions {};
+/// The averaged model under other choices of the method, one at a time, in newtons and just-noticeable differences.
+base::Result<Output> studyCompare(const StudyCompareOptions& options);
+
 }  // namespace tactus::cli

@@ -1,7 +1,8 @@
-// What one record moves: the averaged force with and without a judgement or a rule, in newtons.
+// What one record moves: the averaged force with and without a judgement, a rule or a stroke, in newtons.
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 #include "core/analysis/force_difference.h"
 #include "core/base/error.h"
@@ -22,5 +23,12 @@ base::Result<RecordInfluence> withoutJudgement(const BuiltModel& built, const st
 
 /// Without rule `rule` of the expert number `expert`. Refused for the only rule of the only expert. Thread: any.
 base::Result<RecordInfluence> withoutRule(const BuiltModel& built, std::size_t expert, std::size_t rule);
+
+/// Without one stroke: the speeds of its participant are clustered again and averaged with those of the others,
+/// everything else of `built` stays. `study`, `settings`: as used for `built`. Refused: a stroke that is not there, the
+/// last one of all participants, and what is left of the participant's speeds not making terms. Thread: any.
+base::Result<RecordInfluence> withoutStroke(const BuiltModel& built, const study::Study& study,
+                                            const BuildSettings& settings, std::string_view participant,
+                                            std::string_view level, int stroke);
 
 }  // namespace tactus::elicitation

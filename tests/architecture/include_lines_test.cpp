@@ -29,7 +29,8 @@ const std::map<std::string, Permission>& permissions() {
                                          "core/haptics/servo"};
   const std::set<std::string> elicitation = {"elicitation/clustering", "elicitation/speed",       "elicitation/force",
                                              "elicitation/rules",      "elicitation/agreement",   "elicitation/model",
-                                             "elicitation/variables",  "elicitation/uncertainty", "elicitation/depth"};
+                                             "elicitation/variables",  "elicitation/uncertainty", "elicitation/depth",
+                                             "elicitation/tracing"};
   const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/study"};
   const auto joined = [](std::set<std::string> folders, std::initializer_list<std::set<std::string>> more) {
     for (const auto& set : more) folders.insert(set.begin(), set.end());
@@ -93,6 +94,7 @@ const std::map<std::string, Permission>& permissions() {
       {"elicitation/agreement", {joined({"elicitation/force"}, {base, model}), {kJson}}},
       {"elicitation/model", {joined(elicitation, {base, model}), {kJson}}},
       {"elicitation/uncertainty", {joined(elicitation, {base, model}), {}}},
+      {"elicitation/tracing", {joined(elicitation, {base, model}), {}}},
       {"questionnaires", {joined({"core/study"}, {base}), {kJson}}},
       {"app/session",
        {joined({"core/haptics/device", "core/haptics/safety", "core/store", "experiments", "questionnaires"},

@@ -1,6 +1,8 @@
 // `tactus report`: the page of a study file or a folder of tables, with the options of `build`.
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/study/csv_tables.h"
 #include "elicitation/variables/ngt_variables.h"
@@ -48,6 +50,26 @@ TEST_F(Report, AMistakeWritesNothing) {
   EXPECT_NE(run.err.find("absent.tactus"), std::string::npos) << run.err;
   EXPECT_FALSE(std::filesystem::exists(out_));
   EXPECT_EQ(ProgramRun({"report", tables_}).status, 2);
+}
+
+TEST_F(Report, StudyCompareSaysWhichChoicesMatter) {
+  const ProgramRun text({"study", "compare", tables_});
+  ASSERT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("alpha, now 0.95"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("not possible: "), std::string::npos) << "the tables hold no categories";
+  const ProgramRun run({"study", "compare", tables_, "--json", "--alpha", "0.9"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json.at("experts"), 2);
+  EXPECT_EQ(json.at("points"), 4096);
+  std::set<std::string> alphas;
+  for (const auto& one : json.at("variants")) {
+    if (one.at("factor") == "alpha") alphas.insert(one.at("value"));
+    if (!one.at("available").get<bool>()) continue;
+    EXPECT_GE(one.at("largest_n").get<double>(), one.at("rms_n").get<double>());
+  }
+  EXPECT_EQ(alphas, (std::set<std::string>{"0.8", "0.95", "1"})) << "all but the one that is set";
+  EXPECT_EQ(ProgramRun({"study", "compare", folder_.file("absent")}).status, 1);
 }
 
 }  // namespace

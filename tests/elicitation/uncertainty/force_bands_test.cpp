@@ -6,9 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "elicitation/variables/ngt_variables.h"
-
-#include "tests/support/invented_experts.h"
+#include "tests/elicitation/four_people.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -17,39 +15,6 @@ const std::vector<std::vector<double>> kPoints = {
     {1, 60, 70, 50}, {1, 60, 200, 50}, {1, 60, 300, 50}, {.3, 45, 170, 80}};
 constexpr std::size_t kA = 1;        // place of (1, 60, 200, 50)
 constexpr double kPrinted = 5.1e-6;  // half of the last digit printed, and rounding
-
-study::Study fourPeople() {
-  study::Study study;
-  study.name = "four";
-  const std::vector<std::pair<std::string, std::string>> judged = {
-      {"E1", "SMLVVVVVVVV"}, {"E2", "vSMMLLLVVVV"}, {"E3", "vvSSMMLLLVV"}, {"S4", "vvvSMMMMLLV"}};
-  const std::string letters = "vSMLV";  // very small to very large
-  for (const auto& [code, words] : judged) {
-    study::Participant one;
-    one.code = code;
-    study.participants.push_back(one);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      study::ForceJudgement judgement;
-      judgement.participant = code;
-      judgement.series = "ascending";
-      judgement.step = static_cast<int>(i) + 1;
-      judgement.force_n = static_cast<double>(i + 1) / 10;
-      judgement.kind = study::ForceJudgement::Kind::kTerm;
-      judgement.term = ngtOutput().terms[letters.find(words[i])].id;
-      study.judgements.push_back(judgement);
-    }
-  }
-  for (const auto& expert : support::inventedExperts().experts) {
-    for (const auto& rule : expert.rules) {
-      study::GivenRule given;
-      given.participant = expert.id;
-      for (const auto& condition : rule.conditions) given.conditions.push_back({condition.input, condition.term});
-      given.then = rule.then;
-      study.rules.push_back(given);
-    }
-  }
-  return study;
-}
 
 /// Ramps from the centers of domain facts 5.4 instead of strokes.
 void giveRamps(BuiltModel& built) {

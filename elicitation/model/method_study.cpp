@@ -1,0 +1,252 @@
+#include "elicitation/model/method_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/analysis/force_box.h"
+#include "core/analysis/force_difference.h"
+#include "core/analysis/term_conversion.h"
+#include "core/base/text.h"
+#include "core/fuzzy/compiled_model.h"
+#include "elicitation/force/noticeable_force.h"
+
+namespace tactus::elicitation {
+namespace {
+
+using base::Result;
+using fuzzy::ForceModel;
+
+/// A choice to try, and how its model is made.
+struct Choice {
+  std::string factor;
+  std::string value;
+  std::function<Result<ForceModel>()> model;
+};
+
+/// `model` with every term as `shape`.
+Result<ForceModel> inShape(ForceModel model, fuzzy::Shape shape) {
+  const auto convert = [&](const fuzzy::Variable& variable, std::vector<fuzzy::Term>& terms) -> Result<void> {
+    for (auto& term : terms) {
+      auto other = analysis::convertedTerm(term, shape, variable.min, variable.max);
+      if (!other) return tl::unexpected(other.error());
+      term = std::move(*other);
+    }
+    return {};
+  };
+  std::vector<fuzzy::Variable*> variables;
+  for (auto& input : model.inputs) variables.push_back(&input);
+  variables.push_back(&model.output);
+  for (auto* variable : variables) {
+    if (auto ok = convert(*variable, variable->terms); !ok) return tl::unexpected(ok.error());
+    for (auto& expert : model.experts) {
+      for (auto& own : expert.overrides) {
+        if (own.variable != variable->id) continue;
+        if (auto ok = convert(*variable, own.terms); !ok) return tl::unexpected(ok.error());
+      }
+    }
+  }
+  return model;
+}
+
+class Choices {
+ public:
+  Choices(const study::Study& study, std::span<const study::Form> forms, const BuildSettings& settings,
+          const BuiltModel& built)
+      : study_(study), forms_(forms), settings_(settings), built_(built) {}
+
+  std::vector<Choice> all() {
+    for (const auto shape : {fuzzy::Shape::kTriangle, fuzzy::Shape::kGaussian}) {
+      add("shapes", std::string(fuzzy::name(shape)), [this, shape] { return inShape(built_.model, shape); });
+    }
+    const auto other =
+        built_.model.implication == fuzzy::Implication::kClip ? fuzzy::Implication::kScale : fuzzy::Implication::kClip;
+    add("implication", std::string(fuzzy::name(other)), [this, other]() -> Result<ForceModel> {
+      auto model = built_.model;
+      model.implication = other;
+      return model;
+    });
+    if (!built_.speeds.empty()) addSpeedChoices();
+    if (built_.force_terms) {
+      for (const auto from : {ForceTermsFrom::kVote, ForceTermsFrom::kFrequency, ForceTermsFrom::kThresholds}) {
+        if (from != settings_.force_terms) {
+          rebuilt("force_terms", std::string(name(from)), [from](BuildSettings& s) { s.force_terms = from; });
+        }
+      }
+    }
+    if (built_.model.experts.size() > 1) {
+      for (const auto policy :
+           {WeightPolicy::kEqual, WeightPolicy::kYears, WeightPolicy::kCategory, WeightPolicy::kColumn}) {
+        if (policy == settings_.weights.policy) continue;
+        add("weights", std::string(name(policy)), [this, policy]() {
+          auto settings = settings_;
+          settings.weights.policy = policy;
+          return reweightedModel(built_, study_, settings);
+        });
+      }
+    }
+    return std::move(choices_);
+  }
+
+  /// The value of a factor in the settings.
+  std::string unchanged(const std::string& factor) const {
+    if (factor == "shapes") return "as they are";
+    if (factor == "implication") return std::string(fuzzy::name(built_.model.implication));
+    if (factor == "alpha") return base::formatNumber(settings_.speed.alpha);
+    if (factor == "m") return base::formatNumber(settings_.speed.fcm.m);
+    if (factor == "trim") return base::formatNumber(settings_.speed.trim);
+    if (factor == "centres") return std::string(name(settings_.speed.centres));
+    if (factor == "averaging") return std::string(name(settings_.averaging));
+    if (factor == "terms") return std::string(name(settings_.terms));
+    if (factor == "force_terms") return std::string(name(settings_.force_terms));
+    return std::string(name(settings_.weights.policy));
+  }
+
+ private:
+  void add(std::string factor, std::string value, std::function<Result<ForceModel>()> model) {
+    choices_.push_back({std::move(factor), std::move(value), std::move(model)});
+  }
+
+  template <class Change>
+  void rebuilt(const std::string& factor, const std::string& value, Change change) {
+    add(factor, value, [this, change]() -> Result<ForceModel> {
+      auto settings = settings_;
+      change(settings);
+      auto built = buildModel(study_, forms_, settings);
+      if (!built) return tl::unexpected(built.error());
+      return std::move(built->model);
+    });
+  }
+
+  void addSpeedChoices() {
+    for (const double alpha : {0.8, 0.9, 0.95, 1.0}) {
+      if (alpha == settings_.speed.alpha) continue;
+      rebuilt("alpha", base::formatNumber(alpha), [alpha](BuildSettings& s) { s.speed.alpha = alpha; });
+    }
+    for (const double m : {1.5, 2.0, 2.5, 3.0}) {
+      if (m == settings_.speed.fcm.m) continue;
+      rebuilt("m", base::formatNumber(m), [m](BuildSettings& s) { s.speed.fcm.m = m; });
+    }
+    for (const double trim : {0.0, 0.2}) {
+      if (trim == settings_.speed.trim) continue;
+      rebuilt("trim", base::formatNumber(trim), [trim](BuildSettings& s) { s.speed.trim = trim; });
+    }
+    for (const auto centres : {SpeedCentres::kClusters, SpeedCentres::kLevelMeans}) {
+      if (centres == settings_.speed.centres) continue;
+      rebuilt("centres", std::string(name(centres)), [centres](BuildSettings& s) { s.speed.centres = centres; });
+    }
+    if (built_.speeds.size() < 2) return;
+    for (const auto averaging : {Averaging::kMean, Averaging::kMedian}) {
+      if (averaging == settings_.averaging) continue;
+      rebuilt("averaging", std::string(name(averaging)), [averaging](BuildSettings& s) { s.averaging = averaging; });
+    }
+    const auto terms = settings_.terms == SpeedTermsOf::kOwn ? SpeedTermsOf::kAveraged : SpeedTermsOf::kOwn;
+    rebuilt("terms", std::string(name(terms)), [terms](BuildSettings& s) { s.terms = terms; });
+  }
+
+  const study::Study& study_;
+  std::span<const study::Form> forms_;
+  const BuildSettings& settings_;
+  const BuiltModel& built_;
+  std::vector<Choice> choices_;
+};
+
+/// The forces of the unchanged model at the points of the box.
+struct Unchanged {
+  const ForceModel& model;
+  const fuzzy::CompiledModel& compiled;
+  std::vector<std::vector<double>> points;
+  std::vector<fuzzy::Evaluation> forces;
+};
+
+Result<void> compare(const Unchanged& unchanged, const ForceModel& changed, MethodVariant& out) {
+  const auto compiled = fuzzy::compile(changed);
+  if (!compiled) return tl::unexpected(compiled.error());
+  double squares_n = 0;
+  double squares_noticeable = 0;
+  std::size_t both = 0;
+  std::size_t noticeable = 0;
+  std::size_t only_one = 0;
+  const auto take = [&](double newtons, double noticeable_n, const std::vector<double>& point) {
+    if (newtons <= out.largest_n) return;
+    out.largest_n = newtons;
+    out.largest_noticeable = newtons / noticeable_n;
+    out.at = point;
+  };
+  for (std::size_t p = 0; p < unchanged.points.size(); ++p) {
+    const auto& before = unchanged.forces[p];
+    const auto after = compiled->evaluate(unchanged.points[p]);
+    if (before.fired != after.fired) ++only_one;
+    if (!before.fired || !after.fired) continue;
+    const double newtons = std::abs(after.force_n - before.force_n);
+    const double noticeable_n = justNoticeableDifference(std::abs(before.force_n));
+    squares_n += newtons * newtons;
+    squares_noticeable += newtons * newtons / (noticeable_n * noticeable_n);
+    if (newtons > noticeable_n) ++noticeable;
+    ++both;
+    take(newtons, noticeable_n, unchanged.points[p]);
+  }
+  if (both > 0) {
+    out.rms_n = std::sqrt(squares_n / static_cast<double>(both));
+    out.rms_noticeable = std::sqrt(squares_noticeable / static_cast<double>(both));
+  }
+  const auto all = static_cast<double>(unchanged.points.size());
+  out.noticeable_share = static_cast<double>(noticeable) / all;
+  out.only_one_share = static_cast<double>(only_one) / all;
+  // The centroid of Gaussians is an integral: tens of thousands of them would take minutes.
+  const auto& words = changed.output.terms;
+  if (std::any_of(words.begin(), words.end(), [](const auto& one) { return one.shape == fuzzy::Shape::kGaussian; })) {
+    return {};
+  }
+  const auto kinks = analysis::forceDifference(unchanged.model, unchanged.compiled, changed, *compiled);
+  take(kinks.largest_n, justNoticeableDifference(std::abs(kinks.first_n)), kinks.at);
+  return {};
+}
+
+std::vector<MethodFactor> factorsOf(const std::vector<MethodVariant>& variants, const Choices& choices) {
+  std::vector<MethodFactor> out;
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    if (out.empty() || out.back().factor != variants[v].factor) {
+      out.push_back({variants[v].factor, choices.unchanged(variants[v].factor), std::nullopt, false});
+    }
+    auto& factor = out.back();
+    if (!variants[v].unavailable.empty()) continue;
+    if (!factor.worst || variants[*factor.worst].rms_noticeable < variants[v].rms_noticeable) factor.worst = v;
+    factor.matters = factor.matters || variants[v].noticeable_share > kMattersShare;
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<MethodStudy> methodStudy(const study::Study& study, std::span<const study::Form> forms,
+                                const BuildSettings& settings, const BuiltModel& built, const MethodStudyRun& run) {
+  const auto compiled = fuzzy::compile(built.model);
+  if (!compiled) return tl::unexpected(compiled.error());
+  Unchanged unchanged{built.model, *compiled, analysis::boxPoints(built.model), {}};
+  for (const auto& point : unchanged.points) unchanged.forces.push_back(compiled->evaluate(point));
+
+  Choices choices(study, forms, settings, built);
+  const auto all = choices.all();
+  MethodStudy out;
+  out.points = unchanged.points.size();
+  for (const auto& choice : all) {
+    if (run.stop.stop_requested()) {
+      return base::fail(base::ErrorCode::kCancelled, "method study", "a request to stop", "time to end");
+    }
+    auto& variant = out.variants.emplace_back();
+    variant.factor = choice.factor;
+    variant.value = choice.value;
+    const auto model = choice.model();
+    if (!model) {
+      variant.unavailable = model.error().message();
+    } else if (auto ok = compare(unchanged, *model, variant); !ok) {
+      variant.unavailable = ok.error().message();
+    }
+    if (run.progress) run.progress(static_cast<double>(out.variants.size()) / static_cast<double>(all.size()));
+  }
+  out.factors = factorsOf(out.variants, choices);
+  return out;
+}
+
+}  // namespace tactus::elicitation

@@ -1,0 +1,115 @@
+#include "elicitation/model/method_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "app/session/known_forms.h"
+
+#include "tests/elicitation/four_people.h"
+#include "tests/support/table_study.h"
+
+namespace tactus::elicitation {
+namespace {
+
+/// A says Small and B Medium wherever the tube is well, medium or poorly lubricated: .35 and .55 N by symmetric terms,
+/// whatever clips or scales them.
+study::Study smallAndMedium(double years_a, double years_b) {
+  study::Study study;
+  for (const auto& [code, years, then] : {std::tuple("A", years_a, "small"), std::tuple("B", years_b, "medium")}) {
+    study::Participant one;
+    one.code = code;
+    one.years_experience = years;
+    study.participants.push_back(one);
+    for (const char* term : {"poor", "medium", "well"}) {
+      study::GivenRule rule;
+      rule.participant = code;
+      rule.conditions = {{"lubrication", term}};
+      rule.then = then;
+      study.rules.push_back(rule);
+    }
+  }
+  return study;
+}
+
+const MethodVariant& variantOf(const MethodStudy& study, const std::string& factor, const std::string& value) {
+  return *std::find_if(study.variants.begin(), study.variants.end(),
+                       [&](const auto& one) { return one.factor == factor && one.value == value; });
+}
+
+const MethodFactor& factorOf(const MethodStudy& study, const std::string& factor) {
+  return *std::find_if(study.factors.begin(), study.factors.end(),
+                       [&](const auto& one) { return one.factor == factor; });
+}
+
+TEST(MethodStudy, ByHand) {
+  // Equal weights give .45 N, nine years to one .37 N: .08 N of a just-noticeable difference of .0672 N.
+  const auto study = smallAndMedium(9, 1);
+  const auto built = buildModel(study, {}, {});
+  ASSERT_TRUE(built) << built.error().message();
+  std::vector<double> progress;
+  MethodStudyRun run;
+  run.progress = [&](double share) { progress.push_back(share); };
+  const auto compared = methodStudy(study, {}, {}, *built, run);
+  ASSERT_TRUE(compared) << compared.error().message();
+  EXPECT_EQ(compared->points, 4096U);
+  const auto& years = variantOf(*compared, "weights", "years");
+  EXPECT_NEAR(years.rms_n, 0.08, 1e-12);  // rounding of the centroids
+  EXPECT_NEAR(years.largest_n, 0.08, 1e-12);
+  EXPECT_NEAR(years.rms_noticeable, 0.08 / std::hypot(0.04, 0.12 * 0.45), 1e-10);
+  EXPECT_EQ(years.noticeable_share, 1);
+  EXPECT_EQ(years.only_one_share, 0);
+  const auto& category = variantOf(*compared, "weights", "category");
+  EXPECT_NE(category.unavailable, "") << "the study has no categories";
+  EXPECT_TRUE(factorOf(*compared, "weights").matters);
+  EXPECT_EQ(factorOf(*compared, "weights").unchanged, "equal");
+  // Symmetric sets have their centroid where it is.
+  EXPECT_LT(variantOf(*compared, "implication", "scale").largest_n, 1e-12);
+  EXPECT_LT(variantOf(*compared, "shapes", "triangle").largest_n, 1e-12);
+  EXPECT_FALSE(factorOf(*compared, "implication").matters);
+  // No strokes, no judgements: nothing to compare there.
+  for (const auto& one : compared->factors) EXPECT_NE(one.factor, "alpha");
+  EXPECT_EQ(progress.size(), compared->variants.size());
+  EXPECT_EQ(progress.back(), 1);
+}
+
+TEST(MethodStudy, ASmallChangeDoesNotMatter) {
+  // Two years to one: .45 to .41667 N, half a just-noticeable difference.
+  const auto study = smallAndMedium(2, 1);
+  const auto built = buildModel(study, {}, {}).value();
+  const auto compared = methodStudy(study, {}, {}, built).value();
+  EXPECT_NEAR(variantOf(compared, "weights", "years").rms_n, 0.2 / 6, 1e-12);
+  EXPECT_EQ(variantOf(compared, "weights", "years").noticeable_share, 0);
+  EXPECT_FALSE(factorOf(compared, "weights").matters);
+}
+
+// At (1, 60, 200, 50) the vote gives .534861 N, mean thresholds .49263 N, by another program.
+TEST(MethodStudy, TheLargestDifferenceIsAtLeastThatOfAKnownPoint) {
+  const auto study = fourPeople();
+  const auto built = buildModel(study, {}, {}).value();
+  const auto compared = methodStudy(study, {}, {}, built).value();
+  EXPECT_GE(variantOf(compared, "force_terms", "thresholds").largest_n, .534861 - .49263 - 1e-5);
+  EXPECT_EQ(factorOf(compared, "force_terms").unchanged, "vote");
+}
+
+TEST(MethodStudy, OfAWholeStudyTriesEveryFactorAndEndsOnRequest) {
+  auto study = support::tableStudy(1, {.nurses = 2, .rows_per_s = 30});
+  const auto forms = session::knownForms();
+  const auto built = buildModel(study, forms, {}).value();
+  const auto compared = methodStudy(study, forms, {}, built);
+  ASSERT_TRUE(compared);
+  std::vector<std::string> factors;
+  for (const auto& one : compared->factors) factors.push_back(one.factor);
+  EXPECT_EQ(factors, (std::vector<std::string>{"shapes", "implication", "alpha", "m", "trim", "centres", "averaging",
+                                               "terms", "force_terms", "weights"}));
+  EXPECT_GT(variantOf(*compared, "alpha", "0.8").largest_n, 0);
+
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped = methodStudy(study, forms, {}, built, {source.get_token(), {}});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, base::ErrorCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace tactus::elicitation
