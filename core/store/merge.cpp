@@ -40,6 +40,7 @@ std::vector<MergedTable> mergedTables() {
   std::vector<MergedTable> tables = {{"person", "id", "id"},
                                      {"person_code", "id", "id"},
                                      {"protocol", "id", "version, utc_ms, id"},
+                                     {"depth_measurement", "id", "image_id IS NOT NULL, utc_ms, id"},
                                      {"session", "id", "id"}};
   for (const std::string_view entry : kEntryTables) {
     const std::string name(entry);

@@ -106,14 +106,24 @@ bool NameCleaning::clean(ModelTexts& version) const {
 
 const std::vector<FreeText>& freeTexts() {
   static const std::vector<FreeText> places = [] {
-    std::vector<FreeText> all = {{"study", "name"},         {"session", "consent_version"},
-                                 {"session", "station"},    {"session", "device"},
-                                 {"session", "settings"},   {"profile", "category"},
-                                 {"profile", "handedness"}, {"profile", "gloves"},
-                                 {"profile", "tube_size"},  {"profile", "haptic_experience"},
-                                 {"profile", "comfort"},    {"protocol", "author"},
-                                 {"protocol", "reason"},    {"event", "detail"},
-                                 {"import_log", "source"},  {"import_log", "detail"},
+    std::vector<FreeText> all = {{"study", "name"},
+                                 {"session", "consent_version"},
+                                 {"session", "station"},
+                                 {"session", "device"},
+                                 {"session", "settings"},
+                                 {"profile", "category"},
+                                 {"profile", "handedness"},
+                                 {"profile", "gloves"},
+                                 {"profile", "tube_size"},
+                                 {"profile", "haptic_experience"},
+                                 {"profile", "comfort"},
+                                 {"protocol", "author"},
+                                 {"protocol", "reason"},
+                                 {"depth_measurement", "author"},
+                                 {"depth_measurement", "text"},
+                                 {"event", "detail"},
+                                 {"import_log", "source"},
+                                 {"import_log", "detail"},
                                  {"incident", "detail"}};
     for (const std::string_view table : kEntryTables) all.push_back({table, "reason"});
     return all;

@@ -87,6 +87,18 @@ std::vector<RecordTable> makeTables() {
                      {"text", Kind::kJson, "", "Settings, languages, consent texts, device"}},
                     3});
   tables.push_back(
+      {"depth_measurement",
+       "depth_measurements.csv",
+       "How the depths of the regions were measured on an image; the latest counts",
+       "image_id IS NOT NULL, utc_ms, id",
+       {{"id", Kind::kId, "", "The record of the measurement"},
+        {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
+        {"author", Kind::kText, "", "By whom", "", true},
+        {"text", Kind::kJson, "", "Scale, way of the tube, boundaries, overlaps, anatomical scale"},
+        {"image_id", Kind::kId, "", "The record that holds the image; empty: this one", "depth_measurement", true},
+        {"image", Kind::kBytes, "", "The bytes of the image's file", "", true}},
+       4});
+  tables.push_back(
       {"session",
        "sessions.csv",
        "One visit of one participant",

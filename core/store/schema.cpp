@@ -14,12 +14,15 @@ std::string_view guardsOfVersion2();
 std::string_view viewsOfVersion2();
 std::string_view tablesOfVersion3();
 std::string_view guardsOfVersion3();
+std::string_view tablesOfVersion4();
+std::string_view guardsOfVersion4();
 
 std::span<const Migration> schemaSteps() {
   static const std::vector<Migration> steps = {
       {1, std::string(tablesOfVersion1()) + std::string(guardsOfVersion1()) + std::string(viewsOfVersion1())},
       {2, std::string(tablesOfVersion2()) + std::string(guardsOfVersion2()) + std::string(viewsOfVersion2())},
       {3, std::string(tablesOfVersion3()) + std::string(guardsOfVersion3())},
+      {4, std::string(tablesOfVersion4()) + std::string(guardsOfVersion4())},
   };
   return steps;
 }

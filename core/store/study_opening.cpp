@@ -172,6 +172,7 @@ void readAsNewest(Connection& connection, int version) {
   connection.database().exec("PRAGMA temp_store = MEMORY");
   if (version == 1) connection.database().exec(std::string(readingVersion1()));
   if (version == 2) connection.database().exec(std::string(readingVersion2()));
+  if (version <= 3) connection.database().exec(std::string(readingVersion3()));
   connection.database().exec(viewsForReading());
   connection.database().exec("PRAGMA query_only = ON");
 }

@@ -25,6 +25,7 @@ class Guards : public testing::Test {
     sql_->complaint("INSERT INTO person_code SELECT randomblob(16), id, 1, 'calm-fox', 0 FROM person");
     sql_->complaint("INSERT INTO incident VALUES (randomblob(16), 1, 'journal_missing', '', 0)");
     sql_->complaint("INSERT INTO protocol VALUES (randomblob(16), 1, 1, '', '', '{}', 0)");
+    sql_->complaint("INSERT INTO depth_measurement VALUES (randomblob(16), 1, '', '{}', NULL, NULL, 0)");
     sql_->complaint("INSERT INTO research_key VALUES (1, 1, '', 0)");
   }
 
@@ -44,10 +45,10 @@ class Guards : public testing::Test {
   std::string path_ = folder_.file("study.tactus");
   std::unique_ptr<PlainSql> sql_;
 
-  const std::vector<std::string> tables_ = {"study",         "person",    "session",     "profile",    "event",
-                                            "stroke",        "recording", "answer",      "rating",     "rule",
-                                            "model_version", "judgement", "tombstone",   "import_log", "person_code",
-                                            "incident",      "protocol",  "research_key"};
+  const std::vector<std::string> tables_ = {
+      "study",    "person",       "session",          "profile",   "event",     "stroke",     "recording",   "answer",
+      "rating",   "rule",         "model_version",    "judgement", "tombstone", "import_log", "person_code", "incident",
+      "protocol", "research_key", "depth_measurement"};
   const std::vector<std::string> no_records_ = {"opening", "erasure"};
 };
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
+#include "core/store/depth_records.h"
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
 #include "core/store/persons.h"
@@ -37,8 +38,10 @@ class Migrations : public testing::Test {
   }
   /// The error of migrating through `later` steps after those of the program, which every study here has taken.
   std::string migrateTo(const std::vector<std::string>& later) const {
-    std::vector<Migration> steps = {
-        {1, "this must not run again"}, {2, "this must not run again"}, {3, "this must not run again"}};
+    std::vector<Migration> steps = {{1, "this must not run again"},
+                                    {2, "this must not run again"},
+                                    {3, "this must not run again"},
+                                    {4, "this must not run again"}};
     for (const auto& sql : later) steps.push_back({static_cast<int>(steps.size()) + 1, sql});
     const auto done = migrateFile(path_, steps);
     return done ? "" : done.error().message();
@@ -47,9 +50,9 @@ class Migrations : public testing::Test {
   support::TempFolder folder_;
   SampleRecords records_;
   std::string path_ = folder_.file("study.tactus");
-  const std::string fourth_ = "ALTER TABLE answer ADD COLUMN certainty REAL";
+  const std::string fifth_ = "ALTER TABLE answer ADD COLUMN certainty REAL";
   // The rebuild of a table, as SQLite's manual describes it for what ALTER cannot do.
-  const std::string fifth_ =
+  const std::string sixth_ =
       "CREATE TABLE person_new (id BLOB NOT NULL PRIMARY KEY, code TEXT NOT NULL, simulated INTEGER NOT NULL,"
       " note TEXT NOT NULL) STRICT, WITHOUT ROWID;"
       "INSERT INTO person_new SELECT id, code, simulated, '' FROM person;"
@@ -57,25 +60,25 @@ class Migrations : public testing::Test {
 };
 
 TEST_F(Migrations, EachStepRunsOnceInOrder) {
-  ASSERT_EQ(migrateTo({fourth_, fifth_}), "");
+  ASSERT_EQ(migrateTo({fifth_, sixth_}), "");
   {
     PlainSql sql(path_);
-    EXPECT_EQ(sql.number("PRAGMA user_version"), 5);
+    EXPECT_EQ(sql.number("PRAGMA user_version"), 6);
     EXPECT_EQ(sql.number("SELECT count(*) FROM answer WHERE certainty IS NULL"), 1);
     EXPECT_EQ(sql.text("SELECT code || note FROM person"), "velvet-otter");
     EXPECT_EQ(sql.lines("PRAGMA foreign_key_check"), "");
     EXPECT_NE(sql.complaint("UPDATE answer SET certainty = 1"), "");  // new columns are guarded too
   }
-  EXPECT_EQ(migrateTo({fourth_, fifth_}), "");
+  EXPECT_EQ(migrateTo({fifth_, sixth_}), "");
 }
 
 TEST_F(Migrations, ACopyIsMadeBeforeAndOnlyWhenNeeded) {
   ASSERT_EQ(migrateTo({}), "");
-  EXPECT_FALSE(fs::exists(path_ + ".before-v4"));
-  ASSERT_EQ(migrateTo({fourth_}), "");
-  const auto copy = StudyFile::open(path_ + ".before-v4");
+  EXPECT_FALSE(fs::exists(path_ + ".before-v5"));
+  ASSERT_EQ(migrateTo({fifth_}), "");
+  const auto copy = StudyFile::open(path_ + ".before-v5");
   ASSERT_TRUE(copy) << copy.error().message();
-  EXPECT_EQ(copy->version(), 3);
+  EXPECT_EQ(copy->version(), 4);
   EXPECT_EQ(answers(*copy)->size(), 1U);
 }
 
@@ -83,7 +86,7 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
   std::string schema;
   schema = PlainSql(path_).lines(kSchema);
   const std::vector<std::pair<std::string, std::string>> failing = {
-      {fourth_ + "; SELECT nonsense FROM nowhere", "no such table"},
+      {fifth_ + "; SELECT nonsense FROM nowhere", "no such table"},
       {"INSERT INTO recording VALUES (1, randomblob(16), randomblob(16), 1000, 0, '', zeroblob(24), 0)",
        "found a row of recording without the row it belongs to"},
       {"UPDATE answer SET value = 'small'", "never changed"},
@@ -92,20 +95,20 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
   for (const auto& [sql, complaint] : failing) {
     EXPECT_NE(migrateTo({sql}).find(complaint), std::string::npos) << migrateTo({sql});
     PlainSql plain(path_);
-    EXPECT_EQ(plain.number("PRAGMA user_version"), 3);
+    EXPECT_EQ(plain.number("PRAGMA user_version"), 4);
     EXPECT_EQ(plain.lines(kSchema), schema);
     EXPECT_EQ(plain.number("SELECT count(*) FROM answer WHERE value = 'very_large'"), 1);
-    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v4" : ".before-v4-" + std::to_string(copies))));
+    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v5" : ".before-v5-" + std::to_string(copies))));
   }
   const auto file = StudyFile::open(path_);
   ASSERT_TRUE(file) << file.error().message();
 }
 
 TEST_F(Migrations, TheStepsBeforeAFailingOneStay) {
-  EXPECT_NE(migrateTo({fourth_, "nonsense"}), "");
-  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 4);
-  ASSERT_EQ(migrateTo({fourth_, fifth_}), "");
+  EXPECT_NE(migrateTo({fifth_, "nonsense"}), "");
   EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 5);
+  ASSERT_EQ(migrateTo({fifth_, sixth_}), "");
+  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 6);
 }
 
 TEST_F(Migrations, OnlyOfStudies) {
@@ -160,7 +163,7 @@ TEST_P(Version1, IsReadInFull) {
   const auto findings = checkStudy(*file);
   ASSERT_TRUE(findings) << findings.error().message();
   EXPECT_TRUE(findings->empty());
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 3 : 1);
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 4 : 1);
   EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
 }
 INSTANTIATE_TEST_SUITE_P(Both, Version1, testing::Values(Access::kReadWrite, Access::kReadOnly));
@@ -180,7 +183,7 @@ TEST_P(Version2, IsReadInFull) {
   EXPECT_FALSE(*hasResearchKey(*file));
   EXPECT_EQ(*checkStudy(*file),
             std::vector<std::string>{"incident: the journal was missing when the study was opened"});
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 3 : 2);
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 4 : 2);
   EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
 }
 
@@ -197,9 +200,14 @@ TEST_P(Version2, ADamagedRecordStaysDamaged) {
 }
 INSTANTIATE_TEST_SUITE_P(Both, Version2, testing::Values(Access::kReadWrite, Access::kReadOnly));
 
-TEST(StoredVersions, Version3IsReadInFull) {
+class Version3 : public testing::TestWithParam<Access> {};
+
+TEST_P(Version3, IsReadInFull) {
   const support::TempFolder folder;
-  const auto file = StudyFile::open(makeFixture(folder, "v3"));
+  const auto file = StudyFile::open(makeFixture(folder, "v3"), {GetParam(), {}});
+  EXPECT_EQ(*depthMeasurement(*file), std::nullopt);
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 4 : 3);
+  EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
   expectRecords(file);
   EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 3");
   EXPECT_EQ(judgements(*file)->front().delivered_share, 0.53);
@@ -217,6 +225,21 @@ TEST(StoredVersions, Version3IsReadInFull) {
             std::vector<std::string>{"incident: the journal was missing when the study was opened"});
 }
 
+INSTANTIATE_TEST_SUITE_P(Both, Version3, testing::Values(Access::kReadWrite, Access::kReadOnly));
+
+TEST(StoredVersions, Version4IsReadInFull) {
+  const support::TempFolder folder;
+  const auto file = StudyFile::open(makeFixture(folder, "v4"));
+  expectRecords(file);
+  EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 4");
+  const auto measured = depthMeasurement(*file);
+  ASSERT_TRUE(measured && *measured);
+  EXPECT_EQ((*measured)->text, R"({"mm_per_px":0.5})");
+  EXPECT_EQ((*measured)->image, "\x89PNG") << "of the record before";
+  EXPECT_EQ(*checkStudy(*file),
+            std::vector<std::string>{"incident: the journal was missing when the study was opened"});
+}
+
 TEST(StoredVersions, TablesOfVersion1ComeBack) {
   const support::TempFolder folder;
   ASSERT_TRUE(restoreRecords(std::string(TACTUS_GOLDEN_DIR) + "/store/v1-tables", folder.file("restored.tactus")));
@@ -228,7 +251,7 @@ TEST(StoredVersions, TheStepsOfTheProgramStillMakeTheSameTables) {
   SampleRecords records;
   auto made = StudyFile::create(folder.file("new.tactus"), records.study());
   ASSERT_TRUE(made && made->close());
-  for (const char* version : {"v1", "v2", "v3"}) {
+  for (const char* version : {"v1", "v2", "v3", "v4"}) {
     const auto fixture = makeFixture(folder, version);
     ASSERT_TRUE(StudyFile::open(fixture));  // brings it to the newest version
     EXPECT_EQ(PlainSql(fixture).lines(kSchema), PlainSql(folder.file("new.tactus")).lines(kSchema)) << version;
