@@ -3,10 +3,12 @@
 #include <utility>
 
 #include "app/workbench/kit/message_banner.h"
+#include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/experts/experts_lab_view.h"
 #include "app/workbench/labs/force/force_lab_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
+#include "app/workbench/model/author_name.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/session_run.h"
 #include "app/workbench/shell/main_window.h"
@@ -16,8 +18,13 @@
 namespace tactus::workbench {
 
 LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study, StudyModels& study_models,
-                   const ModelController& models, const SessionRun& run)
-    : data_(study), screen_(new LabScreen(data_)), speed_view_(new SpeedLabView(speed_, corrections_)) {
+                   const ModelController& models, const SessionRun& run, const AuthorName& author)
+    : data_(study),
+      depth_(data_, [&author] { return author.name(); }),
+      screen_(new LabScreen(data_)),
+      depth_view_(new DepthLabView(depth_)),
+      speed_view_(new SpeedLabView(speed_, corrections_)) {
+  screen_->addLab(tr("Depth"), depth_view_, &depth_);
   screen_->addLab(tr("Speed"), speed_view_, &corrections_);
   screen_->watch(speed_.work(), tr("Clustering the speeds"));
   screen_->watch(model_.work(), tr("Building the model"));

@@ -6,6 +6,7 @@
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_model.h"
+#include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/experts/experts_lab.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/frame/lab_screen.h"
@@ -14,6 +15,8 @@
 
 namespace tactus::workbench {
 
+class AuthorName;
+class DepthLabView;
 class MainWindow;
 class ModelController;
 class ModelFiles;
@@ -26,7 +29,7 @@ class LabParts : public QObject {
 
  public:
   LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study, StudyModels& study_models,
-           const ModelController& models, const SessionRun& run);
+           const ModelController& models, const SessionRun& run, const AuthorName& author);
   /// Takes the screen out of the window, because it shows what ends here.
   ~LabParts() override;
 
@@ -34,6 +37,8 @@ class LabParts : public QObject {
   LabModel& model() { return model_; }
   Corrections& corrections() { return corrections_; }
   LabScreen& screen() { return *screen_; }
+  DepthLab& depth() { return depth_; }
+  DepthLabView& depthView() { return *depth_view_; }
   SpeedLab& speed() { return speed_; }
   SpeedLabView& speedView() { return *speed_view_; }
 
@@ -46,7 +51,9 @@ class LabParts : public QObject {
   ForceLab force_{data_, model_, corrections_};
   RulesLab rules_{data_, model_, corrections_};
   ExpertsLab experts_{data_, model_};
+  DepthLab depth_;
   LabScreen* screen_;
+  DepthLabView* depth_view_;
   SpeedLabView* speed_view_;
 };
 

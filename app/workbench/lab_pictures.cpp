@@ -4,6 +4,7 @@
 #include <QTabWidget>
 #include <QTimer>
 
+#include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/picture_album.h"
 #include "app/workbench/workbench.h"
 
@@ -31,6 +32,7 @@ void waitForLab(const LabScreen& screen) {
 base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
   LabScreen& screen = bench.lab_parts.screen();
   bench.window.enter(Stage::kAgree);
+  bench.lab_parts.depthView().showExample();
   for (QWidget* const lab : screen.labs()) {
     screen.reveal(lab);
     waitForLab(screen);

@@ -41,7 +41,7 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
       study_parts(window, files, study, study_models, feel, feel_parts.view(), feel_store, models, recent),
       collect_parts(window, study_parts, study, study_models, models, device, author),
       start_parts(window, files, collect_parts, models, recent, rule_parts.panel()),
-      lab_parts(window, files, study, study_models, models, collect_parts.run()),
+      lab_parts(window, files, study, study_models, models, collect_parts.run(), author),
       note_parts(window, study, study_models, edit_parts.editor()),
       history_parts(window, edits, compare, scene, feel, author, ghost),
       selection_parts(window, selection, terms, findings, edits, history_parts, rule_parts.panel(), edit_parts),

@@ -36,6 +36,7 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
       redo_(new QToolButton(this)),
       failure_(new QLabel(this)),
       pages_(new QStackedWidget(this)) {
+  setFocusPolicy(Qt::ClickFocus);
   new TabLook(*tabs_);
   tabs_->setExpanding(false);
   tabs_->setFont(theme::headingFont());
@@ -164,6 +165,13 @@ void LabScreen::followWork() {
 void LabScreen::followStudy() {
   failure_->setText(data_.failure());
   failure_->setVisible(!data_.failure().isEmpty());
+}
+
+// So that keys are for the lab, not for the model, from the beginning.
+void LabScreen::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  const QWidget* const focus = focusWidget();
+  if (focus == nullptr || !focus->hasFocus()) setFocus(Qt::OtherFocusReason);
 }
 
 // The window's own undo is of the model: inside a lab, the keys belong to the lab.

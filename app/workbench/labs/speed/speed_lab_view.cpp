@@ -32,13 +32,13 @@ SpeedLabView::SpeedLabView(SpeedLab& lab, Corrections& corrections, QWidget* par
       on_(new QToolButton(this)),
       place_(new QLabel(this)),
       nothing_(new QLabel(this)) {
+  setObjectName(QStringLiteral("speed"));
+  setWindowTitle(tr("Speed"));
   auto* settings = new SpeedSettingsPanel(lab, this);
   settings->setFixedWidth(kSettingsWidth);
   new TabLook(*pages_->tabBar());
   pages_->setDocumentMode(true);
-  auto* numbers = new NumberPage(lab, this);
-  // Names of the pictures of --screens.
-  setObjectName(QStringLiteral("speed"));
+  auto* const numbers = new NumberPage(lab, this);
   strokes_->setObjectName(QStringLiteral("strokes"));
   numbers->setObjectName(QStringLiteral("table"));
   pages_->addTab(new ClusterPage(lab, this), tr("Clusters and terms"));

@@ -62,11 +62,7 @@ StrokePage::StrokePage(SpeedLab& lab, Corrections& corrections, QWidget* parent)
   });
   connect(&lab_, &SpeedLab::pageChanged, this, &StrokePage::follow);
   connect(&traces_, &StrokeTraces::arrived, this, &StrokePage::follow);
-  // A mark that could not be stored goes back.
-  connect(&corrections_, &Corrections::refused, this, [this] {
-    for (TraceRow* row : rows_) row->show({}, {}, nullptr, 1);
-    follow();
-  });
+  connect(&corrections_, &Corrections::refused, this, &StrokePage::putBack);
 }
 
 // Levels come first, as in Fig. 6; the fastest is shown at the beginning.
@@ -127,7 +123,17 @@ void StrokePage::follow() {
   }
 }
 
+// A mark that was not stored goes back.
+void StrokePage::putBack() {
+  for (TraceRow* row : rows_) row->show({}, {}, nullptr, 1);
+  follow();
+}
+
 void StrokePage::correct(const study::StrokeRecord& before, const study::StrokeRecord& wanted, bool marks) {
+  if (corrections_.isBusy()) {
+    putBack();
+    return;
+  }
   const QString who = text(lab_.data().study() ? lab_.data().study()->codeOf(before.entry.session) : std::string());
   const QString stroke = tr("stroke %1 of %2, %3").arg(before.number).arg(who, text(before.level));
   if (marks) {

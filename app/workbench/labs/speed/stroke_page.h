@@ -38,6 +38,7 @@ class StrokePage : public QWidget {
   std::vector<Cell> cells() const;
   void fillChoice();
   void follow();
+  void putBack();
   void correct(const study::StrokeRecord& before, const study::StrokeRecord& wanted, bool marks);
 
   SpeedLab& lab_;

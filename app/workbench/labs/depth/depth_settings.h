@@ -1,0 +1,50 @@
+// The settings of a depth measurement: image, scale, boundaries with their overlaps, anatomical scale.
+#pragma once
+
+#include <vector>
+
+#include "app/workbench/kit/card.h"
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace tactus::workbench {
+
+class DepthLab;
+class NumberBox;
+class SettingRow;
+
+class DepthSettingsPanel : public Card {
+  Q_OBJECT
+
+ public:
+  /// `lab` outlives this.
+  explicit DepthSettingsPanel(DepthLab& lab, QWidget* parent = nullptr);
+
+ signals:
+  void loadAsked();
+  void exampleAsked();
+  void lengthAsked();
+
+ private:
+  QWidget* makeBoundaries();
+  void follow();
+  void setBoundary(std::size_t index, double depth_mm, double half_overlap_mm);
+
+  DepthLab& lab_;
+  QLabel* name_;
+  NumberBox* mm_per_px_;
+  QPushButton* length_;
+  SettingRow* scale_;
+  struct Row {
+    QLabel* name;
+    NumberBox* depth;
+    NumberBox* overlap;
+  };
+  std::vector<Row> rows_;
+  QLabel* way_;
+  QLabel* problem_;
+};
+
+}  // namespace tactus::workbench

@@ -1,0 +1,77 @@
+#include "app/workbench/labs/depth/image_reader.h"
+
+#include <QBuffer>
+#include <QImageReader>
+#include <QStringList>
+#include <cmath>
+
+#include "app/workbench/anatomy/anatomy_drawing.h"
+#include "app/workbench/anatomy/tube_way.h"
+#include "elicitation/depth/depth_measurement.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kMostPixels = 40'000;  // of a side: beyond that no screen helps
+constexpr int kMostMegabytes = 512;  // decoded: the paper's image needs 25
+constexpr double kDrawingHeightMm = 620;
+constexpr double kClickMm = 15;       // between two points of the example's way
+constexpr qsizetype kPreamble = 128;  // bytes before the letters DICM in a DICOM file
+
+bool isDicom(const QByteArray& bytes) { return bytes.mid(kPreamble, 4) == "DICM"; }
+
+}  // namespace
+
+base::Result<QImage> readImage(const QByteArray& bytes, const QString& name) {
+  const std::string file = name.toStdString();
+  if (isDicom(bytes)) {
+    return base::fail(base::ErrorCode::kSyntax, file, "a DICOM image",
+                      "PNG, JPEG or TIFF; dcm2img (DCMTK) or gdcm2pnm (GDCM) converts it, and the pixel spacing that "
+                      "they print is the scale");
+  }
+  QImageReader::setAllocationLimit(kMostMegabytes);
+  QByteArray held = bytes;
+  QBuffer buffer(&held);
+  buffer.open(QIODevice::ReadOnly);
+  QImageReader reader(&buffer);
+  reader.setAutoTransform(true);
+  const QSize size = reader.size();
+  if (size.isValid() && (size.width() > kMostPixels || size.height() > kMostPixels)) {
+    return base::fail(base::ErrorCode::kLimit, file,
+                      std::to_string(size.width()) + " x " + std::to_string(size.height()) + " pixels",
+                      "at most " + std::to_string(kMostPixels) + " on a side");
+  }
+  QImage image = reader.read();
+  if (image.isNull()) {
+    return base::fail(base::ErrorCode::kSyntax, file, "no image that can be read", "a PNG, JPEG or TIFF image");
+  }
+  return image;
+}
+
+QString imagePatterns() {
+  QStringList patterns;
+  for (const QByteArray& format : QImageReader::supportedImageFormats()) {
+    patterns << QStringLiteral("*.") + QString::fromLatin1(format);
+  }
+  return patterns.join(QLatin1Char(' '));
+}
+
+ExampleImage exampleImage() {
+  using namespace anatomy;
+  const int height = static_cast<int>(std::lround(kDrawingHeightMm / elicitation::kVisibleHumanMmPerPx));
+  const QSize size(height * 2 / 3, height);
+  const QRectF frame = frameOf(Framing::kWhole, Posture::kUpright, size);
+  AnatomyDrawing drawing;
+  ExampleImage out{
+      drawing.pixmap(Posture::kUpright, Framing::kWhole, size, 1).toImage(), frame.width() / size.width(), {}};
+  const TubeWay way(0);
+  const int clicks = static_cast<int>(std::ceil(way.endMm() / kClickMm));
+  for (int i = 0; i <= clicks; ++i) {
+    const QPointF place = (way.placeAt(way.endMm() * i / clicks) - frame.topLeft()) / out.mm_per_px;
+    // As a click is: a whole pixel.
+    out.path.push_back({std::round(place.x()), std::round(place.y())});
+  }
+  return out;
+}
+
+}  // namespace tactus::workbench
