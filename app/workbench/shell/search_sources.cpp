@@ -48,7 +48,8 @@ QList<SearchEntry> menuEntries(const QMenuBar& bar) {
 
 void goToPanel(MainWindow& window, Panel& panel) {
   const auto stage = window.stage();
-  if (!stage || *stage == Stage::kCollect) window.enter(Stage::kUnderstand);
+  const bool has_panels = stage == Stage::kUnderstand || stage == Stage::kTune || stage == Stage::kDeliver;
+  if (!has_panels) window.enter(Stage::kUnderstand);
   panel.reveal();
 }
 
