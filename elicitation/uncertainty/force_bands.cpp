@@ -129,8 +129,8 @@ void ForceBands::plan() {
   const auto people = study_.people();
   const bool enumerated = people <= kMostEnumerated;
   for (const Drawn drawn : kOfPeople) {
-    if (people < 2 || (drawn == Drawn::kWhoMoved && !study_.hasSpeeds()) ||
-        (drawn == Drawn::kWhoJudged && !study_.hasJudgements())) {
+    if (people < 2 || (drawn != Drawn::kPeople && !settings_.split) ||
+        (drawn == Drawn::kWhoMoved && !study_.hasSpeeds()) || (drawn == Drawn::kWhoJudged && !study_.hasJudgements())) {
       continue;
     }
     auto& plan = plans_.emplace_back();

@@ -68,6 +68,7 @@ struct BandSettings {
   std::uint64_t seed = 1;
   std::size_t replicates = 2000;  ///< of each plan that is not enumerated; bands are shown from 200 on
   bool again = true;              ///< whether the plans of the band "again" are made
+  bool split = true;              ///< whether the parts of the band "others" are drawn too
 };
 
 /// Adds replicates in batches, so that a caller can show, refine and stop.
