@@ -68,7 +68,7 @@ std::string bandPlot(const ReportContext& context, const elicitation::ForceBand&
                 .y = forceAxis(context),
                 .simulated = context.simulated()});
   markRegions(plot, context.regions);
-  plot.between(low, high, kSky, 0.45, "95 % at each depth: " + std::string(whatOf(band.kind)));
+  plot.between(low, high, kSky, 0.45, "95 % at each depth");
   plot.line(mean, {.color = kInk, .width = 2.4}, "Averaged force");
   return plot.svg();
 }
