@@ -56,6 +56,7 @@ constexpr Exception kExceptions[] = {
     {"workbench/main.cpp", "Tactus Workbench", "the name of the program"},
     {"plot/picture_export.cpp", "PNG", "the name of a format"},
     {"labs/depth/image_reader.cpp", "DICM", "the mark of a format"},
+    {"base/field_style.cpp", "Fusion", "the name of a style"},
     {"understand/curves/curve_overlays.cpp", "under the curves", "the name of a layer"},
     {"understand/curves/curve_overlays.cpp", "over the curves", "the name of a layer"},
     {"anatomy/anatomy_drawing.cpp", "<g id=\\\"tube\\\">", "markup"},
