@@ -44,6 +44,7 @@ LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study
   });
   connect(&study_models, &StudyModels::failed, this, [this] { leads_to_bench_ = false; });
   screen_->watch(experts_.work(), tr("Comparing the weights"));
+  screen_->watch(experts_.bands().work(), tr("Drawing participants again"));
   window.addScreen(Stage::kAgree, screen_, MainWindow::Needs::kStudy);
   connect(&run, &SessionRun::changed, this, [this, &run] { data_.setSessionRunning(run.isRunning()); });
   connect(&corrections_, &Corrections::stored, this, [&window](const QString& what) {

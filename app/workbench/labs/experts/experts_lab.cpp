@@ -25,10 +25,9 @@ double startOf(const fuzzy::Variable& input) {
 }  // namespace
 
 ExpertsLab::ExpertsLab(LabData& data, LabModel& model, QObject* parent)
-    : QObject(parent),
-      data_(data),
-      model_(model),
-      compare_(data, [this](const LabWork::Run& run) { return compare(run); }) {
+    : QObject(parent), data_(data), model_(model), bands_(data), compare_(data, [this](const LabWork::Run& run) {
+        return compare(run);
+      }) {
   compare_.ignoreSettings();
   connect(&model_, &LabModel::builtChanged, this, &ExpertsLab::takeModel);
   connect(&data_, &LabData::settingsChanged, this, &ExpertsLab::changed);
@@ -64,6 +63,7 @@ void ExpertsLab::takeModel() {
     compared_.clear();
     curves_ = {};
     draws_.drop();
+    bands_.setCurve(std::nullopt);
     emit changed();
     emit curvesChanged();
     return;
@@ -84,6 +84,7 @@ void ExpertsLab::takeModel() {
 
 void ExpertsLab::drawCurves() {
   if (built_ == nullptr) return;
+  bands_.setCurve(BandLab::Curve{built_, model_.builtFrom(), model_.builtWith(), x_input_, values_});
   draws_.run([this, built = built_, values = values_, x = x_input_](const std::stop_token&) -> Background::Deliver {
     const auto compiled = fuzzy::compile(built->model);
     if (!compiled) return {};
@@ -128,6 +129,7 @@ void ExpertsLab::setWanted(bool wanted) {
   data_.setWanted(*this, wanted);
   model_.setWanted(*this, wanted);
   compare_.setWanted(wanted);
+  bands_.setWanted(wanted);
 }
 
 std::vector<std::vector<double>> pullsOf(const figures::ForceCurves& curves) {

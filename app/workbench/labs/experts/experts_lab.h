@@ -13,6 +13,7 @@
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/data/lab_work.h"
+#include "app/workbench/labs/experts/band_lab.h"
 #include "elicitation/model/expert_weights_compared.h"
 
 namespace tactus::workbench {
@@ -43,6 +44,8 @@ class ExpertsLab : public QObject {
   /// Each policy beside equal weights, as far as it is computed.
   const std::vector<ComparedWeights>& compared() const { return compared_; }
   LabWork& work() { return compare_; }
+  /// The band around the averaged force along these curves.
+  BandLab& bands() { return bands_; }
   const LabData& data() const { return data_; }
 
   /// Uses `policy` for the model. With kTable the experts keep the weights that they have.
@@ -84,6 +87,7 @@ class ExpertsLab : public QObject {
   std::size_t x_input_ = 0;
   figures::ForceCurves curves_;
   Background draws_;
+  BandLab bands_;
   std::atomic<std::shared_ptr<const Input>> input_;  ///< written here, read by the work
   LabWork compare_;                                  ///< last: its end waits for the work, which answers to all above
 };

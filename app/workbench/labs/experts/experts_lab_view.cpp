@@ -11,9 +11,12 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
+#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/wrapped_label.h"
+#include "app/workbench/labs/experts/band_lab.h"
 #include "app/workbench/labs/experts/experts_lab.h"
 #include "app/workbench/labs/experts/pair_table.h"
 #include "app/workbench/labs/experts/policy_table.h"
@@ -32,6 +35,8 @@ using elicitation::WeightPolicy;
 
 constexpr WeightPolicy kPolicies[] = {WeightPolicy::kEqual, WeightPolicy::kYears, WeightPolicy::kCategory,
                                       WeightPolicy::kColumn, WeightPolicy::kTable};
+constexpr elicitation::BandKind kBands[] = {elicitation::BandKind::kAgain, elicitation::BandKind::kOthers,
+                                            elicitation::BandKind::kNext};
 
 }  // namespace
 
@@ -45,6 +50,8 @@ ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
       policy_(new QComboBox),
       open_(new PrimaryButton(tr("&Open in the bench"))),
       failure_(new QLabel),
+      band_(new QComboBox),
+      band_text_(new WrappedLabel),
       settings_(new QWidget) {
   setObjectName(QStringLiteral("experts"));
   setWindowTitle(tr("Experts"));
@@ -69,6 +76,10 @@ ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
           [this](int index) { lab_.setPolicy(kPolicies[static_cast<std::size_t>(index)]); });
   auto* refresh = new Refresh(this, [this] { follow(); });
   connect(&lab_, &ExpertsLab::changed, refresh, &Refresh::request);
+  connect(band_, &QComboBox::activated, this, [this](int index) {
+    lab_.bands().choose(index == 0 ? std::nullopt : std::optional(kBands[static_cast<std::size_t>(index - 1)]));
+  });
+  connect(&lab_.bands(), &BandLab::changed, this, &ExpertsLabView::followBand);
   auto* redraws = new Refresh(plot_, [this] { followCurves(); });
   connect(&lab_, &ExpertsLab::curvesChanged, redraws, &Refresh::request);
 }
@@ -111,13 +122,26 @@ QWidget* ExpertsLabView::makeRight() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kGrid);
+  band_->setAccessibleName(tr("Band around the averaged force"));
+  band_->setToolTip(tr("How far the averaged force can be trusted."));
+  band_->addItem(tr("Band: the experts"));
+  for (const elicitation::BandKind kind : kBands) {
+    band_->addItem(tr("Band: %1").arg(bandName(kind)));
+    band_->setItemData(band_->count() - 1, bandMeaning(kind), Qt::ToolTipRole);
+  }
+  setMuted(*band_text_);
+  band_text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  band_text_->setMinimumHeight(3 * QFontMetrics(band_text_->font()).lineSpacing());
+  band_text_->hide();
   column->addWidget(plot_, 1);
+  column->addWidget(band_text_);
   column->addWidget(settings_);
   open_->setToolTip(tr("Adds the averaged model to the study as another model, and leads to tuning."));
   connect(open_, &QPushButton::clicked, this, &ExpertsLabView::benchAsked);
   auto* card = new LabCard(tr("Who pulls where"), page);
   card->addTool(new PlotMenu(
       *plot_, [this] { return pullTable(lab_); }, card));
+  card->addTool(band_);
   card->addTool(open_);
   return card;
 }
@@ -167,6 +191,15 @@ void ExpertsLabView::follow() {
   }
   const auto* const chosen = std::find(std::begin(kPolicies), std::end(kPolicies), lab_.weights().policy);
   policy_->setCurrentIndex(static_cast<int>(chosen - std::begin(kPolicies)));
+}
+
+void ExpertsLabView::followBand() {
+  const ShownBand* const shown = lab_.bands().shown();
+  const QString text = shown != nullptr ? bandText(*shown) : lab_.bands().failure();
+  band_text_->setText(text);
+  band_text_->setVisible(!text.isEmpty());
+  plot_->setBand(shown);
+  followCurves();
 }
 
 void ExpertsLabView::followCurves() {

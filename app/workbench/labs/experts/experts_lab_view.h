@@ -42,6 +42,7 @@ class ExpertsLabView : public QWidget {
   void makeSettings();
   void follow();
   void followCurves();
+  void followBand();
 
   ExpertsLab& lab_;
   WeightTable* weights_;
@@ -51,6 +52,8 @@ class ExpertsLabView : public QWidget {
   QComboBox* policy_;
   QPushButton* open_;
   QLabel* failure_;
+  QComboBox* band_;
+  QLabel* band_text_;
   QWidget* settings_;
   std::vector<std::pair<std::size_t, SettingRow*>> rows_;  ///< with their input
 };

@@ -77,15 +77,20 @@ void PullPlot::setCurves(const fuzzy::ForceModel& model, std::size_t x_input, co
   redraw(*plot_);
 }
 
-void PullPlot::drawForces(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
-                          const std::vector<std::size_t>& numbers) {
-  const QVector<double> x(curves.x.begin(), curves.x.end());
-  QCPAxis* const left = forces_->axis(QCPAxis::atLeft);
-  styleAxis(*left, model.output);
-  left->setLabel(axisText(model.output));
+void PullPlot::setBand(const ShownBand* band) { band_ = band == nullptr ? std::nullopt : std::optional(*band); }
+
+void PullPlot::drawBand(const figures::ForceCurves& curves) {
+  QVector<double> x(curves.x.begin(), curves.x.end());
   QVector<double> low;
   QVector<double> high;
-  for (qsizetype i = 0; i < x.size(); ++i) {
+  if (band_) {
+    x = QVector<double>(band_->x.begin(), band_->x.end());
+    for (const elicitation::BandPoint& point : band_->band.points) {
+      low << (point.force_n ? point.low_n : qQNaN());
+      high << (point.force_n ? point.high_n : qQNaN());
+    }
+  }
+  for (qsizetype i = 0; !band_ && i < x.size(); ++i) {
     double least = qQNaN();
     double most = qQNaN();
     for (const auto& expert : curves.experts) {
@@ -105,7 +110,17 @@ void PullPlot::drawForces(const fuzzy::ForceModel& model, const figures::ForceCu
   top.setData(x, high, true);
   top.setBrush(theme::onCard(fill));
   top.setChannelFillGraph(&bottom);
-  legend_.push_back({tr("From the lowest to the highest expert"), Qt::NoPen, theme::onCard(fill)});
+  const QString name = band_ ? bandMeaning(band_->kind) : tr("From the lowest to the highest expert");
+  legend_.push_back({name, Qt::NoPen, theme::onCard(fill)});
+}
+
+void PullPlot::drawForces(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
+                          const std::vector<std::size_t>& numbers) {
+  const QVector<double> x(curves.x.begin(), curves.x.end());
+  QCPAxis* const left = forces_->axis(QCPAxis::atLeft);
+  styleAxis(*left, model.output);
+  left->setLabel(axisText(model.output));
+  drawBand(curves);
   for (std::size_t e = 0; e < curves.experts.size(); ++e) {
     const QPen pen(theme::expert(numbers[e]), kExpertPx);
     addLine(*forces_, pen).setData(x, forcesOf(curves.experts[e]), true);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/figures/force_curves.h"
+#include "app/workbench/labs/experts/band_lab.h"
 #include "app/workbench/plot/plot_source.h"
 #include "core/fuzzy/force_model.h"
 
@@ -23,6 +24,8 @@ class PullPlot : public QWidget, public PlotSource {
 
   /// `x_input`: the input of the curves.
   void setCurves(const fuzzy::ForceModel& model, std::size_t x_input, const figures::ForceCurves& curves);
+  /// The band around the mean, in place of that from the lowest to the highest expert; null: that one.
+  void setBand(const ShownBand* band);
   void clear();
 
   QSize pictureSize() const override { return {1000, 760}; }
@@ -31,6 +34,7 @@ class PullPlot : public QWidget, public PlotSource {
 
  private:
   QCPGraph& addLine(QCPAxisRect& area, const QPen& pen);
+  void drawBand(const figures::ForceCurves& curves);
   void drawForces(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
                   const std::vector<std::size_t>& numbers);
   void drawPulls(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
@@ -40,6 +44,7 @@ class PullPlot : public QWidget, public PlotSource {
   QCPAxisRect* forces_;
   QCPAxisRect* pulls_;
   std::vector<LegendEntry> legend_;
+  std::optional<ShownBand> band_;
 };
 
 }  // namespace tactus::workbench

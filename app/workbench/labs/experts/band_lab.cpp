@@ -1,0 +1,137 @@
+#include "app/workbench/labs/experts/band_lab.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "core/analysis/force_box.h"
+#include "core/base/check.h"
+
+namespace tactus::workbench {
+namespace {
+
+using elicitation::BandKind;
+using elicitation::BandPoint;
+
+constexpr std::size_t kBandPoints = 121;  // every 5 mm of the depth
+constexpr std::size_t kFirstShown = 200;  // replicates: fewer would only jump
+constexpr std::size_t kBatch = 25;
+
+ShownBand bandOf(const elicitation::ForceBands& bands, BandKind kind, const std::vector<double>& x) {
+  return {kind, x, bands.band(kind), bands.done(), bands.planned()};
+}
+
+}  // namespace
+
+BandLab::BandLab(LabData& data, QObject* parent)
+    : QObject(parent), work_(data, [this](const LabWork::Run& run) { return compute(run); }) {
+  work_.ignoreSettings();
+}
+
+BandLab::~BandLab() = default;
+
+LabWork::Deliver BandLab::compute(const LabWork::Run& run) {
+  const auto order = order_.load();
+  if (order == nullptr) return {};
+  const Curve& curve = order->curve;
+  const auto& inputs = curve.built->model.inputs;
+  elicitation::BandSettings settings;
+  settings.points = analysis::linePoints(curve.built->model, curve.values, curve.x_input, kBandPoints);
+  settings.again = order->kind == BandKind::kAgain;
+  std::vector<double> x;
+  for (const auto& point : settings.points) x.push_back(point[curve.x_input]);
+  TACTUS_CHECK(inputs.size() == curve.values.size());
+  auto bands = elicitation::ForceBands::of(curve.study->study, *curve.built, curve.settings, std::move(settings));
+  if (!bands) return [this, why = text(bands.error().message())] { take(nullptr, why); };
+  while (!run.stop.stop_requested()) {
+    const bool more = bands->add(kBatch);
+    run.progress(bands->planned() == 0 ? 1
+                                       : static_cast<double>(bands->done()) / static_cast<double>(bands->planned()));
+    if (!more) break;
+    if (bands->done() < kFirstShown || bands->done() % kFirstShown >= kBatch) continue;
+    auto so_far = std::make_shared<ShownBand>(bandOf(*bands, order->kind, x));
+    run.hand([this, so_far] { take(so_far, {}); });
+  }
+  auto whole = std::make_shared<ShownBand>(bandOf(*bands, order->kind, x));
+  return [this, whole] { take(whole, {}); };
+}
+
+void BandLab::take(std::shared_ptr<ShownBand> band, const QString& failure) {
+  shown_ = band == nullptr ? std::nullopt : std::optional(std::move(*band));
+  failure_ = failure;
+  if (shown_ && shown_->band.points.empty()) {
+    shown_.reset();
+    failure_ = tr("One participant alone says nothing about others.");
+  }
+  emit changed();
+}
+
+void BandLab::setCurve(std::optional<Curve> curve) {
+  curve_ = std::move(curve);
+  begin();
+}
+
+void BandLab::choose(std::optional<BandKind> kind) {
+  if (chosen_ == kind) return;
+  chosen_ = kind;
+  begin();
+}
+
+void BandLab::setWanted(bool wanted) {
+  wanted_ = wanted;
+  work_.setWanted(wanted_ && order_.load() != nullptr);
+}
+
+void BandLab::begin() {
+  shown_.reset();
+  failure_.clear();
+  const bool some = curve_ && chosen_;
+  order_.store(some ? std::make_shared<const Order>(Order{*curve_, *chosen_}) : nullptr);
+  work_.setWanted(wanted_ && some);
+  if (some) work_.restart();
+  emit changed();
+}
+
+QString bandName(BandKind kind) {
+  switch (kind) {
+    case BandKind::kAgain:
+      return BandLab::tr("Again");
+    case BandKind::kOthers:
+      return BandLab::tr("Others");
+    case BandKind::kNext:
+      return BandLab::tr("Next");
+  }
+  return {};
+}
+
+QString bandMeaning(BandKind kind) {
+  switch (kind) {
+    case BandKind::kAgain:
+      return BandLab::tr("The same participants once more");
+    case BandKind::kOthers:
+      return BandLab::tr("As many other participants like these");
+    case BandKind::kNext:
+      return BandLab::tr("One more participant");
+  }
+  return {};
+}
+
+QString bandText(const ShownBand& shown) {
+  double widest = 0;
+  double abstains = 0;
+  for (const BandPoint& point : shown.band.points) {
+    widest = std::max(widest, (point.high_n - point.low_n) / 2);
+    abstains = std::max(abstains, point.abstains);
+  }
+  QStringList lines;
+  lines << BandLab::tr("%1, 95 % at each depth by itself: at most ± %2.")
+               .arg(bandMeaning(shown.kind), quantityText(widest, "N"));
+  if (abstains > 0) {
+    lines << BandLab::tr("Up to %1 % of the draws give no force somewhere.").arg(numberText(abstains * 100, 0));
+  }
+  for (const std::string& one : shown.band.assumed) lines << text(one);
+  for (const std::string& one : shown.band.not_included) lines << text(one);
+  return lines.join(QLatin1Char(' '));
+}
+
+}  // namespace tactus::workbench

@@ -1,0 +1,86 @@
+// How far the averaged force can be trusted along the curve: one of the bands "again", "others" and "next"
+// (elicitation/uncertainty/force_bands.h), made in batches in the background and refined while it is shown.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/lab_work.h"
+#include "elicitation/uncertainty/force_bands.h"
+
+namespace tactus::workbench {
+
+/// A band along one input.
+struct ShownBand {
+  elicitation::BandKind kind = elicitation::BandKind::kOthers;
+  std::vector<double> x;
+  elicitation::ForceBand band;
+  std::size_t done = 0;  ///< replicates
+  std::size_t planned = 0;
+};
+
+/// Thread: gui.
+class BandLab : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `data` outlives this.
+  explicit BandLab(LabData& data, QObject* parent = nullptr);
+  ~BandLab() override;
+
+  /// What a band is made of.
+  struct Curve {
+    std::shared_ptr<const elicitation::BuiltModel> built;
+    std::shared_ptr<const LabStudy> study;
+    elicitation::BuildSettings settings;  ///< of that build
+    std::size_t x_input = 0;
+    std::vector<double> values;  ///< one per input
+  };
+  /// The curve around which the band lies; nothing: no model.
+  void setCurve(std::optional<Curve> curve);
+  /// Nothing: no band.
+  void choose(std::optional<elicitation::BandKind> kind);
+  const std::optional<elicitation::BandKind>& chosen() const { return chosen_; }
+  /// The band so far; null while there is none.
+  const ShownBand* shown() const { return shown_ ? &*shown_ : nullptr; }
+  /// Why there is no band; empty if there is one, or none was chosen.
+  const QString& failure() const { return failure_; }
+  LabWork& work() { return work_; }
+
+  /// Computes while wanted and chosen.
+  void setWanted(bool wanted);
+
+ signals:
+  /// `shown` or `failure` changed.
+  void changed();
+
+ private:
+  struct Order {
+    Curve curve;
+    elicitation::BandKind kind;
+  };
+  LabWork::Deliver compute(const LabWork::Run& run);
+  void begin();
+  void take(std::shared_ptr<ShownBand> band, const QString& failure);
+
+  std::optional<Curve> curve_;
+  std::optional<elicitation::BandKind> chosen_;
+  std::optional<ShownBand> shown_;
+  QString failure_;
+  bool wanted_ = false;
+  std::atomic<std::shared_ptr<const Order>> order_;  ///< written here, read by the work
+  LabWork work_;                                     ///< last: its end waits for the work, which answers to all above
+};
+
+/// `Again`, `Others`, `Next`, with what each means.
+QString bandName(elicitation::BandKind kind);
+QString bandMeaning(elicitation::BandKind kind);
+/// What the band says and leaves out, for below the curve.
+QString bandText(const ShownBand& shown);
+
+}  // namespace tactus::workbench

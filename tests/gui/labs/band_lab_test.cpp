@@ -1,0 +1,54 @@
+#include "app/workbench/labs/experts/band_lab.h"
+
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "app/workbench/labs/experts/experts_lab.h"
+
+#include "tests/gui/labs/lab_study_file.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using elicitation::BandKind;
+using tests::comesTrue;
+
+class BandLabTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    study.open(path);
+    lab.setWanted(true);
+    ASSERT_TRUE(comesTrue([this] { return lab.built() != nullptr; }));
+  }
+
+  QTemporaryDir folder;
+  QString path = tests::demoStudyIn(folder);
+  StudyConnection study;
+  LabData data{study};
+  LabModel model{data};
+  ExpertsLab lab{data, model};
+};
+
+TEST_F(BandLabTest, LiesAroundTheAveragedForceAndIsWidestForAnotherParticipant) {
+  BandLab& bands = lab.bands();
+  EXPECT_EQ(bands.shown(), nullptr);
+  bands.choose(BandKind::kNext);
+  ASSERT_TRUE(comesTrue([&] { return bands.shown() != nullptr && !bands.work().isBusy(); }));
+  const ShownBand next = *bands.shown();
+  ASSERT_EQ(next.x.size(), 121U);
+  EXPECT_EQ(next.x.front(), 0);
+  EXPECT_EQ(next.x.back(), 600);
+  for (const auto& point : next.band.points) {
+    if (!point.force_n) continue;
+    EXPECT_LE(point.low_n, *point.force_n);
+    EXPECT_GE(point.high_n, *point.force_n);
+  }
+  EXPECT_TRUE(bandText(next).contains(QStringLiteral("95 %")));
+  bands.choose(std::nullopt);
+  EXPECT_EQ(bands.shown(), nullptr);
+  EXPECT_FALSE(bands.work().isBusy());
+}
+
+}  // namespace
+}  // namespace tactus::workbench
