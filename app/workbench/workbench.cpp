@@ -42,6 +42,7 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
       collect_parts(window, study_parts, study, study_models, models, device, author),
       start_parts(window, files, collect_parts, models, recent, rule_parts.panel()),
       lab_parts(window, files, study, study_models, models, collect_parts.run(), author),
+      report_parts(window, study, lab_parts.data()),
       note_parts(window, study, study_models, edit_parts.editor()),
       history_parts(window, edits, compare, scene, feel, author, ghost),
       selection_parts(window, selection, terms, findings, edits, history_parts, rule_parts.panel(), edit_parts),

@@ -29,6 +29,7 @@
 #include "app/workbench/note_parts.h"
 #include "app/workbench/picture_parts.h"
 #include "app/workbench/recovery_parts.h"
+#include "app/workbench/report_parts.h"
 #include "app/workbench/rule_parts.h"
 #include "app/workbench/search_parts.h"
 #include "app/workbench/selection_parts.h"
@@ -97,6 +98,7 @@ struct Workbench {
   CollectParts collect_parts;
   StartParts start_parts;
   LabParts lab_parts;
+  ReportParts report_parts;
   NoteParts note_parts;
   HistoryParts history_parts;
   SelectionParts selection_parts;

@@ -76,6 +76,9 @@ constexpr Exception kExceptions[] = {
     {"workbench/collect_pictures.cpp", "zh-Hant", "the id of a language"},
     {"workbench/collect_pictures.cpp", "This study is run by the School of Nursing. Questions: ask the researcher.",
      "stored in the study of the pictures"},
+    {"workbench/report_parts.cpp", "Study", "stands in the report, which is in English"},
+    {"workbench/report_parts.cpp", "Program", "stands in the report, which is in English"},
+    {"workbench/report_parts.cpp", "Created (UTC)", "stands in the report, which is in English"},
     {"feel/recordings/feel_store.cpp", " alone", "stored in the study, the same in every language"},
 };
 

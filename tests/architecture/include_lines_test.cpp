@@ -39,9 +39,9 @@ const std::map<std::string, Permission>& permissions() {
 
   // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
   const std::set<std::string> below =
-      joined({"app", "app/bundle", "app/demo", "app/editing", "app/figures", "app/link", "app/session", "app/devices",
-              "core/analysis/gradient", "core/render", "core/haptics/simulated", "core/store", "core/model_io",
-              "core/exchange/import", "experiments", "questionnaires"},
+      joined({"app", "app/bundle", "app/demo", "app/editing", "app/figures", "app/link", "app/report", "app/session",
+              "app/devices", "core/analysis/gradient", "core/render", "core/haptics/simulated", "core/store",
+              "core/model_io", "core/exchange/import", "experiments", "questionnaires"},
              {base, haptics, elicitation, model});
   const auto room = [&](const std::set<std::string>& names, bool plots = false) {
     std::set<std::string> folders = below;

@@ -1,8 +1,11 @@
 // Stage Agree in the window: where its labs lead.
 #include "app/workbench/lab_parts.h"
 
+#include <QFile>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QTest>
 #include <gtest/gtest.h>
 
 #include "app/workbench/labs/experts/experts_lab_view.h"
@@ -15,6 +18,8 @@ namespace tactus::workbench {
 namespace {
 
 using tests::comesTrue;
+
+constexpr int kReportMs = 120'000;  // a second or two on a quiet machine
 
 class LabPartsTest : public testing::Test {
  protected:
@@ -51,6 +56,22 @@ TEST_F(LabPartsTest, TheAveragedModelWithTheLabsSettingsOpensInTheBench) {
   EXPECT_NEAR(small[2], 0.275, 1e-9);
   EXPECT_NEAR(small[3], 0.375, 1e-9);
   EXPECT_TRUE(bench.study_models.keepsModel());
+}
+
+TEST_F(LabPartsTest, TheReportOfTheStudyIsWrittenWhole) {
+  const QString report = folder.filePath(QStringLiteral("report.html"));
+  QSignalSpy written(&bench.report_parts, &ReportParts::written);
+  bench.report_parts.write(report);
+  EXPECT_TRUE(bench.report_parts.isBusy());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return written.size() == 1; }, kReportMs));
+  QFile file(report);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QByteArray page = file.readAll();
+  EXPECT_TRUE(page.startsWith("<!"));
+  EXPECT_TRUE(page.contains("</html>"));
+  QSignalSpy failed(&bench.report_parts, &ReportParts::failed);
+  bench.report_parts.write(folder.filePath(QStringLiteral("no/such/folder.html")));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.size() == 1; }, kReportMs));
 }
 
 }  // namespace
