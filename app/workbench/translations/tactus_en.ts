@@ -232,6 +232,122 @@
     </message>
 </context>
 <context>
+    <name>FindingRowsText</name>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n hole</numerusform>
+            <numerusform>%n holes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n jump(s) of the mean</source>
+        <translation>
+            <numerusform>%n jump of the mean</numerusform>
+            <numerusform>%n jumps of the mean</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) of the force</source>
+        <translation>
+            <numerusform>%n step of the force</numerusform>
+            <numerusform>%n steps of the force</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n region(s) without a rule</source>
+        <translation>
+            <numerusform>%n region without a rule</numerusform>
+            <numerusform>%n regions without a rule</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n missing answer(s)</source>
+        <translation>
+            <numerusform>%n missing answer</numerusform>
+            <numerusform>%n missing answers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n conflict(s)</source>
+        <translation>
+            <numerusform>%n conflict</numerusform>
+            <numerusform>%n conflicts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>apart at %n place(s)</source>
+        <translation>
+            <numerusform>apart at %n place</numerusform>
+            <numerusform>apart at %n places</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) against the declaration</source>
+        <translation>
+            <numerusform>%n step against the declaration</numerusform>
+            <numerusform>%n steps against the declaration</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n jump(s)</source>
+        <translation>
+            <numerusform>%n jump</numerusform>
+            <numerusform>%n jumps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n change(s) of direction</source>
+        <translation>
+            <numerusform>%n change of direction</numerusform>
+            <numerusform>%n changes of direction</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n disagreement(s)</source>
+        <translation>
+            <numerusform>%n disagreement</numerusform>
+            <numerusform>%n disagreements</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n redundant rule(s)</source>
+        <translation>
+            <numerusform>%n redundant rule</numerusform>
+            <numerusform>%n redundant rules</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rule(s) that never fire</source>
+        <translation>
+            <numerusform>%n rule that never fires</numerusform>
+            <numerusform>%n rules that never fire</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreachable term(s)</source>
+        <translation>
+            <numerusform>%n unreachable term</numerusform>
+            <numerusform>%n unreachable terms</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unused term(s)</source>
+        <translation>
+            <numerusform>%n unused term</numerusform>
+            <numerusform>%n unused terms</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>FindingWords</name>
     <message>
         <source>No rule of any expert fires: %1</source>
@@ -460,10 +576,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>max ΔF at least %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> (%1 JND)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -477,6 +589,18 @@
     </message>
     <message>
         <source>no change of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max ΔF anywhere at least %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max ΔF on this curve at least %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JND: just-noticeable difference. A change below 1 JND is too small to feel.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1148,6 +1272,10 @@
         <source>To settle first</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 approved this state without feeling it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecentText</name>
@@ -1196,6 +1324,13 @@
     <name>RuleWeight</name>
     <message>
         <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SearchText</name>
+    <message>
+        <source>Panel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1290,6 +1425,10 @@
     </message>
     <message>
         <source>Unused term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1684,6 +1823,45 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::BandLab</name>
+    <message>
+        <source>One participant alone says nothing about others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same participants once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As many other participants like these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One more participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, 95 % at each depth by itself: at most ± %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to %1 % of the draws give no force somewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::BundleMaker</name>
     <message>
         <source>Canceled: nothing was written.</source>
@@ -2053,6 +2231,25 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::CommandSearch</name>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A command, panel, expert, term or finding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::CompareCard</name>
     <message>
         <source>Go there</source>
@@ -2068,10 +2265,6 @@
     </message>
     <message>
         <source>No difference of the force was found.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>max ΔF at least %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2238,6 +2431,18 @@
         <source>Save &amp;picture of the curves…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Zoom &amp;in at the operating point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the &amp;whole axis</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::CurvePlot</name>
@@ -2285,10 +2490,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>nothing is edited yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 along</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2306,6 +2507,14 @@
     </message>
     <message>
         <source>Reference %1 and %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the operating point to where the last edit changes the force most</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2455,6 +2664,204 @@
     </message>
     <message>
         <source>The demo study could not be made. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DepthCanvas</name>
+    <message>
+        <source>Image with the way of the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 of the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 | %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load a sagittal image, or look at the example. Then click along the way of the tube, from the nostril to the stomach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 | %2  %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DepthLab</name>
+    <message>
+        <source>image %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the example</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anatomy drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DepthLabView</name>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel: zoom · right button: move the image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click both ends of a line whose length you know.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Terms of the depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Terms of the insertion depth, measured on %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one pixel is %1 mm · anatomical scale %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load a sagittal image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images (%1);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is larger than the %2 MB that a study takes: save it with fewer pixels, or as JPEG.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of this line (mm):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale of the image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DepthSettingsPanel</name>
+    <message>
+        <source>Millimeters per pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Known length…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anatomical scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All depths of the terms times this factor: 0.93 for a small adult, 1.05 for a large one. The measurement stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Load an image…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Example</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One pixel is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Way of the tube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boundaries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale of the image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>anatomical scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overlap ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 | %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overlap of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None yet. A sagittal image (PNG, JPEG, TIFF) through the middle of head and trunk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s), %1 mm from the nostril to the end</source>
+        <translation>
+            <numerusform>%n point, %1 mm from the nostril to the end</numerusform>
+            <numerusform>%n points, %1 mm from the nostril to the end</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click along the way on the image, from the nostril on. Drag a point to move it, Del removes it; drag a red circle to the boundary of two regions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DepthTermPlot</name>
+    <message>
+        <source>Terms of the depth</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2759,6 +3166,22 @@
         <source>The curves are drawn at this value.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Band around the averaged force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the averaged force can be trusted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Band: the experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Band: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::FeelController</name>
@@ -2959,6 +3382,10 @@
         <source>%1 JND</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::FindingsController</name>
@@ -2974,8 +3401,11 @@
 <context>
     <name>tactus::workbench::FindingsModel</name>
     <message>
-        <source>%1
-≥: the largest force of the tested settings</source>
+        <source>Click to see each of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>≥: the largest force of the tested settings</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3039,6 +3469,18 @@
     </message>
     <message>
         <source>The model is very large, so only some forces were computed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order of the findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By place</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3276,15 +3718,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>max ΔF on this curve %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 at %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 · on this curve %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3309,6 +3743,18 @@
     </message>
     <message>
         <source>no change of this curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max ΔF on this curve at least %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · on this curve at least %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No change here: acts at %1 · %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3502,6 +3948,10 @@
         <source>An earlier branch. Click to return to it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: approved unfelt</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::HistoryPanel</name>
@@ -3542,10 +3992,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The expert says of the current state: this feels right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Your name</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3575,6 +4021,21 @@
     </message>
     <message>
         <source>Your name, shown as the author of your edits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Approve unfelt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) were felt on this state, on %1</source>
+        <translation>
+            <numerusform>%n stroke was felt on this state, on %1</numerusform>
+            <numerusform>%n strokes were felt on this state, on %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This state was not felt yet: the sign-off will read “approved without feeling”. Feel one stroke on it for “feels right”.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3678,6 +4139,14 @@
     </message>
     <message>
         <source>Comparing the weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing participants again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4195,6 +4664,22 @@
         <source>Reop&amp;en</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 was not saved. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save elsewhere…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> – study %1 (read-only)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another file…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::ModelHeader</name>
@@ -4246,6 +4731,18 @@
             <numerusform>%n notice</numerusform>
             <numerusform>%n notices</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open for reading only, because %1. Study, Save a copy of the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Study %1, read-only</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4773,10 +5270,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pictures (*.png *.svg *.pdf)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save the table</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4786,6 +5279,14 @@
     </message>
     <message>
         <source>Saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture for the screen (*.png);;Drawing for a web page (*.svg);;Drawing for print (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not saved. %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5419,6 +5920,10 @@ felt on the model %2</source>
         <source>Armed: the recording begins with Start. Click to cancel</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 is open for reading only</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::RecoveryController</name>
@@ -5523,6 +6028,36 @@ felt on the model %2</source>
     </message>
 </context>
 <context>
+    <name>tactus::workbench::RehearseStart</name>
+    <message>
+        <source>No session can begin: %1 is open for reading only, because %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::ReportParts</name>
+    <message>
+        <source>Repor&amp;t of the study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The report is written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report of the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::RuleCellBar</name>
     <message>
         <source>Enabled</source>
@@ -5550,14 +6085,6 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Conflict with a rule for %1. Choose an answer to resolve it. %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go there</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move the operating point to where the conditions of this rule hold</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5727,6 +6254,10 @@ felt on the model %2</source>
         <source>; conflicts with a rule for %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Go where it acts</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::RuleListDelegate</name>
@@ -5879,6 +6410,14 @@ felt on the model %2</source>
         <source>Select several rules with Ctrl or Shift: an edit changes all of them · 1–9 answer · Ctrl+C and Ctrl+V copy and paste them as text</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Copy as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste rules from text</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::RulePanel</name>
@@ -5999,6 +6538,25 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Click a cell of the grids. A double click on an expert&apos;s word corrects it; the old one stays in the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::SearchParts</name>
+    <message>
+        <source>&amp;Search…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert: rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Term of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6263,6 +6821,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>%1 to %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6634,6 +7196,18 @@ p</source>
         <source>%1 has to be written first: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a newer version of Tactus wrote it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it or its folder is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The copy was not saved. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::StudyHome</name>
@@ -6744,6 +7318,10 @@ p</source>
         <source>Choose a participant to continue, or start a session for a new one.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The study is open for reading only, because %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::StudyModels</name>
@@ -6844,6 +7422,38 @@ p</source>
         <source>The last changes are not stored in %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Save a c&amp;opy of the study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A copy of the study was saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is open for reading only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is open for reading only, because %2. Nothing can be stored in it; a copy can be changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a copy…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save a copy of the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another file…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::SurfacePanel</name>
@@ -6868,6 +7478,13 @@ p</source>
             <numerusform>%n participant imported from %1.</numerusform>
             <numerusform>%n participants imported from %1.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::TakePartStart</name>
+    <message>
+        <source>No session can begin: %1 is open for reading only, because %2.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7154,6 +7771,26 @@ p</source>
     </message>
     <message>
         <source>Lay&amp;outs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next p&amp;art of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part &amp;before of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the s&amp;ystem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
