@@ -60,7 +60,7 @@ void StudyParts::buildMenu() {
   WindowMenus& menus = window_.menus();
   make_ = menus.addAction(MenuSlot::kStudyOpen, tr("&New study…"), QKeySequence::New);
   show_ = menus.addAction(MenuSlot::kStudyOpen, tr("Show the study's &model"));
-  copy_ = menus.addAction(MenuSlot::kStudyOpen, tr("Save a c&opy of the study…"));
+  copy_ = menus.addAction(MenuSlot::kStudyOpen, tr("Sa&ve a copy of the study…"));
   put_ = menus.addAction(MenuSlot::kStudyModel, tr("&Put the open model into the study"));
   build_ = menus.addAction(MenuSlot::kStudyModel, tr("&Build the averaged model from the answers"));
   close_ = menus.addAction(MenuSlot::kStudyClose, tr("&Close the study"));

@@ -34,18 +34,16 @@ TEST_F(AppearanceTest, AnOddTextSizeIsTheSystems) {
 }
 
 TEST_F(AppearanceTest, AllTextsGrowAndShrinkTogether) {
-  QLabel plain;
   QLabel large;
   large.setFont(theme::titleFont());
-  plain.show();
-  large.show();
-  const double plain_points = plain.font().pointSizeF();
+  const double plain_points = QApplication::font().pointSizeF();
   const double large_points = large.font().pointSizeF();
   appearance::changeTextSize(*qApp, 150);
-  EXPECT_NEAR(plain.font().pointSizeF(), 1.5 * plain_points, 1e-9);
+  EXPECT_NEAR(QApplication::font().pointSizeF(), 1.5 * plain_points, 1e-9);
   EXPECT_NEAR(large.font().pointSizeF(), 1.5 * large_points, 1e-9);
+  EXPECT_NEAR(theme::titleFont().pointSizeF() - QApplication::font().pointSizeF(), 3, 1e-9);
   appearance::changeTextSize(*qApp, 100);
-  EXPECT_NEAR(plain.font().pointSizeF(), plain_points, 1e-9);
+  EXPECT_NEAR(QApplication::font().pointSizeF(), plain_points, 1e-9);
   EXPECT_NEAR(large.font().pointSizeF(), large_points, 1e-9);
 }
 
