@@ -7423,10 +7423,6 @@ p</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save a c&amp;opy of the study…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A copy of the study was saved as %1.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7452,6 +7448,10 @@ p</source>
     </message>
     <message>
         <source>Open another file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve a copy of the study…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
