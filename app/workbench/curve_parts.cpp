@@ -64,7 +64,7 @@ void CurveParts::addZoom(SceneController& scene) {
   constexpr double kStep = 1.5;
   WindowMenus& menus = window_.menus();
   QAction* const in = menus.addAction(MenuSlot::kView, tr("Zoom &in at the operating point"), QKeySequence::ZoomIn);
-  QAction* const out = menus.addAction(MenuSlot::kView, tr("Zoom &out"), QKeySequence::ZoomOut);
+  QAction* const out = menus.addAction(MenuSlot::kView, tr("&Zoom out"), QKeySequence::ZoomOut);
   QAction* const all = menus.addAction(MenuSlot::kView, tr("Show the &whole axis"), Qt::CTRL | Qt::Key_0);
   const auto zoom = [&scene](double factor) { scene.ranges().zoom(scene.xVariable(), scene.readingX(), factor); };
   connect(in, &QAction::triggered, this, [zoom] { zoom(1 / kStep); });

@@ -38,6 +38,8 @@ constexpr Untranslated kUntranslated[] = {
     {"\\b([Ll]eft|[Rr]ight) (foot|shoulder)\\b", "names of vertices come from app/editing"},
     {"\\b1\\.ta[a-z.]*", "names of the files, also cut to the width of a label"},
     {"Virtual device \\(simulated\\)", "names of devices come from core/haptics"},
+    {"\\b(Nasal cavity|Nasopharynx|Oropharynx|Laryngopharynx|Esophagus|Stomach)\\b",
+     "labels of terms come from elicitation/variables"},
     {"\\bTactus demo\\b", "the name of a folder, found again in every language"},
     {"^(Exploring and tuning a model|Running sessions with nurses|From words to an agreed model|Taking part as a "
      "nurse|Ten minutes to a force)$",

@@ -2436,11 +2436,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Zoom &amp;out</source>
+        <source>Show the &amp;whole axis</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show the &amp;whole axis</source>
+        <source>&amp;Zoom out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

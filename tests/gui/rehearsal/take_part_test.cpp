@@ -85,6 +85,11 @@ class TakePartTest : public testing::Test {
   void doIt() {
     settle();
     switch (at().screen) {
+      case Screen::kWelcome:
+        goOn();
+        // The study's thread draws her code, in real time.
+        ASSERT_TRUE(comesTrue([this] { return !at().code.isEmpty(); }));
+        return;
       case Screen::kAboutYou: {
         if (at().can_go_on) return goOn();
         const char* answer = at().about.question == AboutYouState::Question::kYears  ? "you.years_3"
