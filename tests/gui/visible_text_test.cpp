@@ -38,10 +38,11 @@ constexpr Untranslated kUntranslated[] = {
     {"\\b([Ll]eft|[Rr]ight) (foot|shoulder)\\b", "names of vertices come from app/editing"},
     {"\\b1\\.ta[a-z.]*", "names of the files, also cut to the width of a label"},
     {"Virtual device \\(simulated\\)", "names of devices come from core/haptics"},
-    {"\\b(Nasal cavity|Nasopharynx|Oropharynx|Laryngopharynx|Esophagus|Stomach)\\b",
-     "labels of terms come from elicitation/variables"},
+    {"\\b(Insertion depth|Nasal cavity|Nasopharynx|Oropharynx|Laryngopharynx|Esophagus|Stomach)\\b",
+     "labels come from elicitation/variables"},
     {"\\bTactus demo\\b", "the name of a folder, found again in every language"},
-    {"^(Exploring and tuning a model|Running sessions with nurses|From words to an agreed model|Taking part as a "
+    {"^(Exploring and tuning a model|Running sessions with nurses|The labs: from recordings to depth and speed "
+     "terms|From words to an agreed model|Taking part as a "
      "nurse|Ten minutes to a force)$",
      "headings of the guide, which is written in English"},
     {"\\([^()]+ (19|20)\\d\\d[^()]*\\)", "sources of landmarks"},

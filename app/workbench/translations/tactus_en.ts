@@ -7813,7 +7813,7 @@ p</source>
     <name>tactus::workbench::VotesView</name>
     <message numerus="yes">
         <source>%n participant(s)</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n participant</numerusform>
             <numerusform>%n participants</numerusform>
         </translation>
