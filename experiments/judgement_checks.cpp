@@ -261,7 +261,7 @@ class Checker {
     say("thresholds", false,
         "The terms change at " + base::joined(places, ", ") + " N (" +
             (probit ? "ordered probit, spread " + base::formatFixed(*result_.thresholds.sigma_n, 2) + " N"
-                    : std::string("midpoints between neighbouring forces")) +
+                    : std::string("midpoints between neighboring forces")) +
             ").");
   }
 

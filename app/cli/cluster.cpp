@@ -74,7 +74,7 @@ std::string asJson(const elicitation::FcmResult& result, const elicitation::FcmV
 /// `column` is empty for a file without a header.
 std::string asText(const elicitation::FcmResult& result, const elicitation::FcmValidity& validity,
                    const std::string& column) {
-  const std::string centre = column.empty() ? "centre" : base::oneLine("centre (" + column + ")");
+  const std::string centre = column.empty() ? "center" : base::oneLine("center (" + column + ")");
   std::size_t samples = 0;
   for (const std::size_t size : validity.sizes) samples += size;
   std::string text = "cluster  " + padded(centre, 12, 2) + "nearest samples\n";

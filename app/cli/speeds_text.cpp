@@ -34,7 +34,7 @@ std::string participantAsText(const ParticipantSpeeds& one, const SpeedIntervals
     text += level.samples == 0 ? " no strokes"
                                : " " + fixed1(level.mean_mm_s) + " ± " + fixed1(level.sd_mm_s) + " mm/s, strokes " +
                                      std::to_string(level.stroke_means_mm_s.size());
-    text += "; centre " + withInterval(one.centres[k], intervals == nullptr ? nullptr : &intervals->centres[k]);
+    text += "; center " + withInterval(one.centres[k], intervals == nullptr ? nullptr : &intervals->centres[k]);
     if (k < found.separations.size() && found.separations[k]) {
       text += "; d' to the next level " + formatFixed(*found.separations[k], 2);
     }
@@ -45,7 +45,7 @@ std::string participantAsText(const ParticipantSpeeds& one, const SpeedIntervals
             base::formatNumber(found.trend->most_j) + ", p " + shortProbability(found.trend->p) +
             (found.trend->exact ? " (exact)\n" : " (normal approximation)\n");
   }
-  return text + "  nearest centre against level: adjusted Rand index " +
+  return text + "  nearest center against level: adjusted Rand index " +
          formatFixed(found.confusion.adjusted_rand_index, 2) + ", accuracy " +
          formatFixed(found.confusion.accuracy, 2) + '\n';
 }

@@ -155,7 +155,7 @@ void addAgreement(HtmlPage& page, const ReportContext& context) {
       elicitation::agreementData(context.in.study.judgements, context.in.build_settings.series, ids);
   const auto answers = elicitation::agreementData(context.in.study.answers, {}, context.in.forms, ids);
   Table table{.caption = strong("Agreement in words.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                         " Ordinal alpha and consensus know that neighbouring terms are close. 1 is full agreement, 0 "
+                         " Ordinal alpha and consensus know that neighboring terms are close. 1 is full agreement, 0 "
                          "is what chance gives.",
               .head = {{{.text = "Ratings"},
                         numberCell("Units × raters"),

@@ -67,7 +67,7 @@ std::string clusterPlot(const ReportContext& context, const elicitation::Partici
     plot.verticalRule(centres[k], {.color = color, .width = 1, .dash = Dash::kDotted});
   }
   for (std::size_t k = 0; intervals != nullptr && k < centres.size(); ++k) {
-    errorBar(plot, intervals->centres[k], 0.06, kInk, k == 0 ? "95 % interval of a centre" : "");
+    errorBar(plot, intervals->centres[k], 0.06, kInk, k == 0 ? "95 % interval of a center" : "");
   }
   return plot.svg();
 }
@@ -144,8 +144,8 @@ void addClusters(HtmlPage& page, const ReportContext& context) {
                            marks(context, {Badge::kComputed, Badge::kSimulated}) +
                            (context.demo != nullptr ? " Clusters of the simulated speeds."
                                                     : " Fuzzy C-Means of each participant.") +
-                           " Grey: histogram of the samples, scaled to its fullest bin. "
-                           "Lines: membership in each cluster; dotted: its centre, with its 95 % interval at the foot.",
+                           " Gray: histogram of the samples, scaled to its fullest bin. "
+                           "Lines: membership in each cluster; dotted: its center, with its 95 % interval at the foot.",
                 .panels = {},
                 .columns = 2};
   char letter = 'a';

@@ -36,7 +36,7 @@ std::string_view words(RuleFinding::Kind kind) {
     case Kind::kAgainstDeclaration:
       return "Against the declared direction";
     case Kind::kLevelJump:
-      return "Jump between neighbouring answers";
+      return "Jump between neighboring answers";
     case Kind::kDirectionChange:
       return "Change of direction";
     case Kind::kDisagreement:

@@ -225,7 +225,7 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
                  marks(context, {Badge::kPublished, Badge::kComputed, Badge::kSimulated}) + " Rules of " +
                  context.demo->published_expert +
                  " alone at 50 mm/s, lubrication 1, neck flexion 60 deg. The rules are published, the terms of "
-                 "the speed come from simulated strokes. Dark grey: no rule fires.",
+                 "the speed come from simulated strokes. Dark gray: no rule fires.",
       .panels = {}};
   const auto& experts = context.in.built.model.experts;
   const auto published = static_cast<std::size_t>(

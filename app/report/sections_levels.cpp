@@ -24,7 +24,7 @@ bool startsGroup(std::size_t value) { return value == 0 || value == 3 || value =
 
 std::vector<std::vector<Cell>> valueHead() {
   return {{{.text = ""},
-           {.text = "Centres", .columns = 3, .group_start = true},
+           {.text = "Centers", .columns = 3, .group_start = true},
            {.text = "Ramp slow, medium", .columns = 2, .group_start = true},
            {.text = "Ramp medium, fast", .columns = 2, .group_start = true}},
           {{.text = "Participant"},
@@ -38,7 +38,7 @@ std::vector<std::vector<Cell>> valueHead() {
 }
 
 Table clusterTable(const ReportContext& context) {
-  Table table{.caption = strong("Cluster centres and ramps.") + " " +
+  Table table{.caption = strong("Cluster centers and ramps.") + " " +
                          marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " Fuzzy C-Means of each participant’s samples, in mm/s. A ramp falls from 1 at p to 0 "
                          "at q; the next term rises there.",
@@ -119,7 +119,7 @@ Table levelTable(const ReportContext& context) {
                          " Commanded levels, measured speeds, and the clusters of the samples. Speeds in mm/s.",
               .head = {{{.text = "", .columns = 2},
                         {.text = "Speed", .columns = 3, .group_start = true},
-                        {.text = "% nearest to the centre", .columns = 3, .group_start = true},
+                        {.text = "% nearest to the center", .columns = 3, .group_start = true},
                         {.text = "Agreement", .columns = 2, .group_start = true},
                         {.text = "Order of strokes", .columns = 2, .group_start = true},
                         {.text = "", .group_start = true}},

@@ -77,7 +77,7 @@ std::string termsOrigin(const ReportContext& context) {
       break;
   }
   return std::string(context.demo != nullptr ? " From the published votes:" : " From the vote:") +
-         " the core of a term runs from the first to the last force it won, ramps join neighbouring cores.";
+         " the core of a term runs from the first to the last force it won, ramps join neighboring cores.";
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Agreement agreement(const AgreementData& data) {
 }
 
 std::string_view nominalCaution() {
-  return "Fleiss' kappa misleads here: it takes neighbouring terms for as different as the ends of the scale, so "
+  return "Fleiss' kappa misleads here: it takes neighboring terms for as different as the ends of the scale, so "
          "raters "
          "who are one term apart count as strangers.";
 }

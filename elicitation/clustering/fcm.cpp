@@ -50,11 +50,11 @@ void setObjective(FcmResult& result, double scaled, int exponent) {
 void addWarnings(FcmResult& result) {
   if (result.m > kPinningM) {
     result.warnings.push_back("Fuzziness m = " + formatNumber(result.m) +
-                              " is above 5: the centres pin to single samples, and J has many minima.");
+                              " is above 5: the centers pin to single samples, and J has many minima.");
   }
   if (result.stop == FcmStop::kIterationLimit) {
     result.warnings.push_back("The iterations ran out after " + std::to_string(result.iterations) +
-                              " steps; the centres are not final.");
+                              " steps; the centers are not final.");
   }
   if (!result.other_minima.empty() && result.other_minima.front().objective_ratio < 1.01) {
     result.warnings.push_back(

@@ -37,7 +37,7 @@ void addInterpolated(ForceTerms& out, const fuzzy::Term& term, const ForceEnd& e
   out.notes.push_back((above ? "No force up to " + base::roundedNumber(end.last_n) + " N was given "
                              : std::string("No force was given ")) +
                       base::quoted(term.id) + ": its term is placed " +
-                      (above ? "one step above, at " : "between its neighbours, around ") + base::roundedNumber(at_n) +
+                      (above ? "one step above, at " : "between its neighbors, around ") + base::roundedNumber(at_n) +
                       " N.");
 }
 

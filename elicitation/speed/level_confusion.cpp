@@ -84,7 +84,7 @@ LevelConfusion levelConfusion(std::span<const study::SpeedSample> samples, std::
   }
   if (!low.empty()) {
     out.warnings.push_back("Participant " + participant +
-                           ": the samples nearest to each centre are not those of the level that was asked for (" +
+                           ": the samples nearest to each center are not those of the level that was asked for (" +
                            base::joined(low, "; ") +
                            "); the slow cluster may be the start and stop of the strokes, which trimming removes.");
   }

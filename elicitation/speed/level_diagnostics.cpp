@@ -26,7 +26,7 @@ void warnOfCentres(LevelDiagnostics& out, std::span<const double> centres, const
   for (std::size_t k = 0; k < centres.size() && k < out.levels.size(); ++k) {
     const LevelSpeeds& level = out.levels[k];
     if (level.samples == 0 || std::abs(centres[k] - level.mean_mm_s) <= level.sd_mm_s) continue;
-    out.warnings.push_back(who + ": the centre for " + level.level + ", " + fixed1(centres[k]) +
+    out.warnings.push_back(who + ": the center for " + level.level + ", " + fixed1(centres[k]) +
                            " mm/s, lies outside the mean ± SD of that level, " + fixed1(level.mean_mm_s) + " ± " +
                            fixed1(level.sd_mm_s) + " mm/s.");
   }

@@ -68,7 +68,7 @@ Result<std::vector<double>> levelMeans(std::span<const LevelSpeeds> levels) {
     std::vector<std::string> found;
     for (const auto& level : levels) found.push_back(level.level + " " + base::roundedNumber(level.mean_mm_s));
     return fail(ErrorCode::kData, "level means", base::joined(found, ", ") + " mm/s",
-                "means that rise with the level, or clusters as centres");
+                "means that rise with the level, or clusters as centers");
   }
   return means;
 }

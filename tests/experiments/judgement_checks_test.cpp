@@ -157,7 +157,7 @@ TEST(JudgementChecks, CorrectedRecordsAreLeftOut) {
   EXPECT_EQ(checks.monotonicity[0].violations, 0U);
   EXPECT_DOUBLE_EQ(checks.thresholds.threshold_n[0].value(), 0.15);
   EXPECT_EQ(session.finding(checks, "thresholds").sentence,
-            "The terms change at 0.15, ?, ?, ? N (midpoints between neighbouring forces).");
+            "The terms change at 0.15, ?, ?, ? N (midpoints between neighboring forces).");
 }
 
 TEST(JudgementChecks, NothingIsSaidOfNothing) {

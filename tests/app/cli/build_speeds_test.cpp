@@ -60,7 +60,7 @@ TEST_F(BuildSpeeds, ShowsLevelsOrderAndIntervals) {
   // tests/golden/speeds/reference.json: d' .594 and .389, index .229, accuracy .407, J 46 and p 8 / 34650.
   const ProgramRun run = build({"--replicates", "50"});
   ASSERT_EQ(run.status, 0) << run.err;
-  for (const char* text : {"speeds of S4: 600 of 600 samples", "  slow 31.1 ± 8.9 mm/s, strokes 4; centre 9.5 [",
+  for (const char* text : {"speeds of S4: 600 of 600 samples", "  slow 31.1 ± 8.9 mm/s, strokes 4; center 9.5 [",
                            "d' to the next level 0.59", "Jonckheere-Terpstra J 46 of 48, p 0.000231 (exact)",
                            "adjusted Rand index 0.23, accuracy 0.41",
                            "in brackets: 95 % intervals (Student's t, standard deviation of 50 draws of whole strokes)",

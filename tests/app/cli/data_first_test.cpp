@@ -65,7 +65,7 @@ TEST_F(DataFirst, WhatIsDoubtfulStandsBeforeTheNumbers) {
   EXPECT_NE(built.out.find("  answers.csv, line 182: N5 answers 45 of 45 items with 'small'"), std::string::npos)
       << built.out;
   EXPECT_EQ(built.out.find("0.0 ± 0.0"), std::string::npos) << "a level without strokes has no mean";
-  EXPECT_NE(built.out.find("  fast no strokes; centre "), std::string::npos) << built.out;
+  EXPECT_NE(built.out.find("  fast no strokes; center "), std::string::npos) << built.out;
   const json data = json::parse(build({"--json"}).out).at("data");
   ASSERT_EQ(data.size(), 2U);
   EXPECT_EQ(data.at(1).at("kind"), "one_answer");
