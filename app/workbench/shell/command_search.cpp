@@ -14,7 +14,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kMostShown = 60;  // a list that nobody reads to its end
-constexpr QSize kSearchSize(560, 380);
+constexpr QSize kSearchSize(680, 380);
 
 /// Smaller is better; nothing: not found.
 std::optional<int> rankOf(const SearchEntry& entry, const QStringList& words) {
@@ -52,7 +52,10 @@ CommandSearch::CommandSearch(const std::vector<SearchSource>& sources, QWidget* 
   list_->setAccessibleName(tr("Found"));
   list_->setFocusPolicy(Qt::NoFocus);
   list_->setFrameShape(QFrame::NoFrame);
-  list_->setTextElideMode(Qt::ElideRight);
+  // Findings are long; they wrap, so that their ends can be read.
+  list_->setWordWrap(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setSpacing(2);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid);
