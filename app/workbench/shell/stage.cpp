@@ -52,7 +52,7 @@ QString stageHint(Stage stage) {
     case Stage::kTune:
       return StageText::tr("terms and their force");
     case Stage::kAgree:
-      return StageText::tr("recordings and experts, side by side");
+      return StageText::tr("experts side by side");
     case Stage::kDeliver:
       return StageText::tr("a bundle for a simulator");
   }

@@ -1471,7 +1471,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>recordings and experts, side by side</source>
+        <source>experts side by side</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
