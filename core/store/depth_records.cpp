@@ -49,7 +49,8 @@ Result<void> append(StudyFile& file, const DepthRecord& record) {
       refuse(ErrorCode::kSyntax, std::string(kDepthTable), base::quoted(record.text), "a JSON object");
     }
     if (record.image.size() > kMostImageBytes) {
-      refuse(ErrorCode::kLimit, std::string(kDepthTable), "an image of " + std::to_string(record.image.size()) + " bytes",
+      refuse(ErrorCode::kLimit, std::string(kDepthTable),
+             "an image of " + std::to_string(record.image.size()) + " bytes",
              "at most " + std::to_string(kMostImageBytes));
     }
     if (record.image_of && (!record.image.empty() || imageOf(connection, *record.image_of).empty())) {
