@@ -24,7 +24,7 @@ FeelParts::FeelParts(MainWindow& window, const ModelController& models, SceneCon
   window_.strip().setCorner(off_);
   connect(off_, &ForceOffButton::pressed, &feel_, &FeelController::stop);
   connect(status, &FeelStatus::latencyChanged, &window_.strip(), &OperatingStrip::showLatency);
-  // Nobody can stop the force once the window is gone.
+  // Without the window the user cannot stop the force.
   connect(&window_, &MainWindow::closing, &feel_, &FeelController::stop);
   buildMenu();
   connect(&feel_, &FeelController::stateChanged, this, &FeelParts::showActions);

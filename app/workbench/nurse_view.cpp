@@ -102,7 +102,7 @@ QString deviceText(DeviceStep step) {
     case DeviceStep::kWait:
       return NurseViewText::tr("not in use");
     case DeviceStep::kHold:
-      return NurseViewText::tr("ready, nobody holds it");
+      return NurseViewText::tr("ready, not held");
     case DeviceStep::kStill:
     case DeviceStep::kPush:
     case DeviceStep::kRelease:

@@ -222,7 +222,7 @@ QWidget* MonitorWindow::makeCourse() {
 void MonitorWindow::follow() {
   const NurseView& nurse = monitor_.nurse();
   const bool paused = monitor_.isPaused();
-  code_->setText(nurse.code.isEmpty() ? tr("Nobody yet") : harmless(nurse.code));
+  code_->setText(nurse.code.isEmpty() ? tr("No participant yet") : harmless(nurse.code));
   simulated_->setVisible(nurse.simulated);
   const QString failure = monitor_.failure();
   call_->setVisible(nurse.called || nurse.device_trouble || !failure.isEmpty());

@@ -142,7 +142,7 @@ QWidget* StudyHome::makeInvitation() {
   auto* page = new Card(this);
   auto* box = new QWidget(page);
   box->setFixedWidth(kInvitationWidth);
-  auto* title = new QLabel(tr("Nobody takes part yet"), box);
+  auto* title = new QLabel(tr("No participants yet"), box);
   title->setFont(theme::titleFont());
   title->setAlignment(Qt::AlignHCenter);
   auto* text = new QLabel(tr("Set the protocol first: forces, questions, languages and the consent text. Then add "

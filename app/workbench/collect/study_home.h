@@ -33,7 +33,7 @@ class StudyHome : public QWidget {
   void select(const study::RecordId& person);
 
  signals:
-  /// The nurse's screens for `code`; empty: whoever sits down says so.
+  /// The nurse's screens for `code`; empty: the screens ask for the code.
   void startAsked(const QString& code);
   /// The usability form for a clinical teacher, who gets a code of their own.
   void usabilityAsked();

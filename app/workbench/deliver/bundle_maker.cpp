@@ -50,7 +50,7 @@ bool BundleMaker::mayCancel() const {
 
 void BundleMaker::compare() {
   if (!delivered_ || !edits_.isOpen()) return;
-  // Nobody reads it during a drag.
+  // It is not read during a drag.
   old_ = edits_.inGesture() || !analysis::modelChanges(delivered_->model, edits_.model()).empty();
 }
 

@@ -156,7 +156,7 @@ void TubePad::mouseReleaseEvent(QMouseEvent* event) {
   emit gripped(false);
 }
 
-// Nobody hears of the release any more.
+// The release no longer reaches a widget.
 void TubePad::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   if (std::exchange(pressed_, false)) emit gripped(false);

@@ -3,7 +3,7 @@
 #include <QFile>
 #include <QFileInfo>
 
-// The library is static: its resource is not there until somebody names it, outside of any namespace.
+// The library is static: the linker drops its resource unless the code names it, outside of any namespace.
 static void carryGuide() { Q_INIT_RESOURCE(guide); }
 
 namespace tactus::workbench {

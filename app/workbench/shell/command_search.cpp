@@ -13,7 +13,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kMostShown = 60;  // a list that nobody reads to its end
+constexpr int kMostShown = 60;  // more rows are not read
 constexpr QSize kSearchSize(680, 380);
 
 /// Smaller is better; nothing: not found.

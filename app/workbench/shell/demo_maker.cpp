@@ -79,7 +79,7 @@ void DemoMaker::make() {
   });
 }
 
-// The study is whole before its report is: nobody waits for that.
+// The study is whole before its report is; the user need not wait for the report.
 void DemoMaker::begin(int part) {
   tell(part);
   if (part == static_cast<int>(demo::DemoPart::kModel)) emit ready(study());

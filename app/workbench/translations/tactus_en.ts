@@ -902,10 +902,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>ready, nobody holds it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>being checked</source>
         <translation type="unfinished"></translation>
     </message>
@@ -919,6 +915,10 @@
     </message>
     <message>
         <source>not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ready, not held</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1669,10 +1669,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody chose a word.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> Raised to the word of a smaller force: words must not fall.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1714,6 +1710,10 @@
     </message>
     <message>
         <source>random order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No participant chose a word.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4907,10 +4907,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The participant calls you. The force is off.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4948,6 +4944,10 @@
     </message>
     <message>
         <source>%1 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No participant yet</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6525,10 +6525,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody has filled in the usability form in this study. </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Published: nine clinical teachers (Table 3); no nine answers give its third line as printed.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6538,6 +6534,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Click a cell of the grids. A double click on an expert&apos;s word corrects it; the old one stays in the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This study has no usability forms yet. </source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7228,10 +7228,6 @@ p</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody takes part yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Set the protocol first: forces, questions, languages and the consent text. Then add participants, or start a session: who is new gets a code of two words on the screen.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7320,6 +7316,10 @@ p</source>
     </message>
     <message>
         <source>The study is open for reading only, because %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No participants yet</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -61,7 +61,7 @@ QString reasonRule(const elicitation::VoteStep& step) {
       out = VoteWords::tr("No word has half and no force was decided before: the lower median.");
       break;
     case VoteReason::kNoVotes:
-      out = VoteWords::tr("Nobody chose a word.");
+      out = VoteWords::tr("No participant chose a word.");
       break;
   }
   if (step.monotone_raised) out += VoteWords::tr(" Raised to the word of a smaller force: words must not fall.");

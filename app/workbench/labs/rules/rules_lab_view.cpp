@@ -130,7 +130,7 @@ void RulesLabView::follow() {
   const auto& rows = lab_.usability();
   const bool answered = std::any_of(rows.begin(), rows.end(), [](const UsabilityRow& row) { return row.here.n > 0; });
   usability_note_->setText(
-      (answered ? QString() : tr("Nobody has filled in the usability form in this study. ")) +
+      (answered ? QString() : tr("This study has no usability forms yet. ")) +
       tr("Published: nine clinical teachers (Table 3); no nine answers give its third line as printed."));
   followCell();
 }

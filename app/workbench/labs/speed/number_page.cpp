@@ -18,7 +18,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kMostShortRows = 8;
-constexpr qsizetype kMostWarnings = 60;  // lines: nobody reads more
+constexpr qsizetype kMostWarnings = 60;  // lines; more are not read
 
 /// A card with a heading and `content`.
 Card* titled(const QString& title, QWidget* content, QWidget* parent) {

@@ -24,7 +24,7 @@ class SpeedLab : public QObject {
   /// `data` outlives this.
   explicit SpeedLab(LabData& data, QObject* parent = nullptr);
 
-  /// While nobody sees the lab, nothing is computed.
+  /// Nothing is computed while the lab is hidden.
   void setSeen(bool seen) { work_.setWanted(seen); }
   /// The newest result; null before the first one, and without a study.
   const std::shared_ptr<const SpeedResult>& result() const { return result_; }

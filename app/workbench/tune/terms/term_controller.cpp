@@ -77,7 +77,7 @@ void TermController::chooseScope(bool for_all) {
   if (edit && (for_all || !isSharedWithOthers())) edit();
 }
 
-// Nobody may move the terms of three experts who meant those of one.
+// The terms of three experts must not move when the user means those of one.
 bool TermController::waitsForScope(std::function<void()> edit) {
   if (!isSharedWithOthers() || editsForAll()) return false;
   pending_ = std::move(edit);
