@@ -36,6 +36,7 @@ study::RecordId addVisit(store::StudyFile& file, study::RecordIds& ids, const st
   return session.id;
 }
 
-bool comesTrue(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 10000); }
+// Work in the background has a low priority, so a busy machine makes it wait long.
+bool comesTrue(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60'000); }
 
 }  // namespace tactus::tests
