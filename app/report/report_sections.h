@@ -101,6 +101,8 @@ PlotAxis depthAxis(const ReportContext& context);
 PlotAxis forceAxis(const ReportContext& context);
 /// Shades every second region and writes the names along the top.
 void markRegions(SvgPlot& plot, const std::vector<Region>& regions);
+/// A plot over the depth at the conditions of the curves, with its regions marked. `height`: px.
+SvgPlot depthPlot(const ReportContext& context, const std::string& title, double height, const PlotAxis& y);
 /// `tube lubrication 0.90, neck flexion angle 35 deg, …`: a point of the input space.
 std::string settingText(const fuzzy::ForceModel& model, const std::vector<double>& point);
 /// The line of expert `index`, with its own color and dash.

@@ -181,16 +181,22 @@ void addInfluences(HtmlPage& page, const ReportContext& context) {
   page.figure(figure);
 }
 
-void addExperts(HtmlPage& page, const ReportContext& context) {
-  page.section(context.demo != nullptr ? "Four experts and their mean" : "The experts and their mean");
-  SvgPlot plot({.title = "Force over depth of each expert and of the averaged model",
+SvgPlot depthPlot(const ReportContext& context, const std::string& title, double height, const PlotAxis& y) {
+  SvgPlot plot({.title = title,
                 .description = "Lubrication 1, neck flexion 60 deg, speed 50 mm/s.",
                 .width = 940,
-                .height = 380,
+                .height = height,
                 .x = depthAxis(context),
-                .y = forceAxis(context),
+                .y = y,
                 .simulated = context.simulated()});
   markRegions(plot, context.regions);
+  return plot;
+}
+
+void addExperts(HtmlPage& page, const ReportContext& context) {
+  page.section(context.demo != nullptr ? "Four experts and their mean" : "The experts and their mean");
+  SvgPlot plot =
+      depthPlot(context, "Force over depth of each expert and of the averaged model", 380, forceAxis(context));
   const auto& experts = context.in.built.model.experts;
   if (experts.size() > kMostDrawn) {
     drawRange(plot, *context.curves, experts.size());

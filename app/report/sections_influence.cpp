@@ -66,14 +66,8 @@ std::string influencePlot(const ReportContext& context) {
       change.push_back({point.depth_mm, change_n});
     }
   }
-  SvgPlot plot({.title = "Change of the mean when one expert is left out",
-                .description = "Lubrication 1, neck flexion 60 deg, speed 50 mm/s.",
-                .width = 940,
-                .height = 280,
-                .x = depthAxis(context),
-                .y = {.label = "Change of the mean (N)", .min = -1.15 * largest_n, .max = 1.15 * largest_n},
-                .simulated = context.simulated()});
-  markRegions(plot, context.regions);
+  SvgPlot plot = depthPlot(context, "Change of the mean when one expert is left out", 280,
+                           {.label = "Change of the mean (N)", .min = -1.15 * largest_n, .max = 1.15 * largest_n});
   plot.area(upper, kSky, 0.2, "below one just-noticeable difference");
   plot.area(lower, kSky, 0.2);
   for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -60,14 +60,8 @@ std::string bandPlot(const ReportContext& context, const elicitation::ForceBand&
     low.push_back({depth_mm, one.force_n ? std::optional(one.low_n) : std::nullopt});
     high.push_back({depth_mm, one.force_n ? std::optional(one.high_n) : std::nullopt});
   }
-  SvgPlot plot({.title = "95 % band of the averaged force: " + std::string(whatOf(band.kind)),
-                .description = "Lubrication 1, neck flexion 60 deg, speed 50 mm/s.",
-                .width = 940,
-                .height = 250,
-                .x = depthAxis(context),
-                .y = forceAxis(context),
-                .simulated = context.simulated()});
-  markRegions(plot, context.regions);
+  SvgPlot plot =
+      depthPlot(context, "95 % band of the averaged force: " + std::string(whatOf(band.kind)), 250, forceAxis(context));
   plot.between(low, high, kSky, 0.45, "95 % at each depth");
   plot.line(mean, {.color = kInk, .width = 2.4}, "Averaged force");
   return plot.svg();

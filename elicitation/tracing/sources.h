@@ -1,5 +1,5 @@
 // From a number of the model back to the records behind it. Places are indices into the study that built the model;
-// whoever read the study from a file knows their ids.
+// the reader of the study file knows their ids.
 #pragma once
 
 #include <cstddef>
