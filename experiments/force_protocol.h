@@ -83,7 +83,7 @@ inline constexpr double kLeastShare = 0.99;
 /// Order: familiarisation, ascending series (to its end or to the first `beyond_practice`), descending series, random
 /// block. A judgement without forward motion, or of a force that was not delivered, is recorded but not scored, and its
 /// step comes again, until `attempts_most` of them: then the step is left out. Corrections (`entry.supersedes`) count
-/// instead of what they correct: where one takes a `beyond_practice` back, the ascending series goes on.
+/// instead of what they correct: where one takes a `beyond_practice` back, the ascending series continues.
 class ForceProtocol {
  public:
   /// `records`: those of the session so far, in the order of insertion. Returns an error if they do not fit the

@@ -43,7 +43,7 @@ std::string ofWhom(const TableStroke& stroke) { return stroke.name() + " of " + 
 
 using Pairs = std::map<std::string_view, std::vector<Pair>>;
 
-/// Strokes with the same speeds row for row, whoever's and wherever they are. The others go into `rest`.
+/// Strokes with the same speeds row for row, of any participant, at any place. The others go into `rest`.
 Pairs samePairs(const std::vector<StrokeGroup>& groups, std::vector<const StrokeNumbers*>& rest) {
   std::unordered_map<std::size_t, std::vector<const StrokeNumbers*>> by_hash;
   Pairs out;

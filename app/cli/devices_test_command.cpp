@@ -36,7 +36,7 @@ class SelfTestPrompt final : public devices::SelfTestGuide {
     for (;;) {
       say(wrapped(question + " Type t (toward), a (away) or n (nothing).", "? ", 2));
       const auto line = nextLine();
-      // Without anybody to answer nothing was felt.
+      // Without a person to answer, no force was felt.
       if (!line) return Felt::kNothing;
       const std::string answer = base::lowered(base::trimmed(*line));
       if (answer == "t" || answer == "toward") return Felt::kToward;

@@ -73,7 +73,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
           if (!o.yes && !o.dry_run) throw CLI::RequiredError("--yes or --dry-run");
         });
       });
-  addCommand(study, chosen, "protocol", "Show or set what everybody in the study is asked", studyProtocol,
+  addCommand(study, chosen, "protocol", "Show or set what each participant is asked", studyProtocol,
              [](CLI::App& command, StudyProtocolOptions& o) {
                addFile(command, o.file);
                command.add_option("--set", o.set, "NAME=VALUE, with a name that the command lists; repeatable")

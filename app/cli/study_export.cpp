@@ -9,7 +9,7 @@
 namespace tactus::cli {
 namespace {
 
-/// A seed that nobody can repeat, so that the order of the participants stays secret.
+/// A random seed that is not kept, so that the order of the participants stays secret.
 std::uint64_t secretSeed() {
   std::random_device device;
   return (static_cast<std::uint64_t>(device()) << 32U) | device();

@@ -152,7 +152,7 @@ Result<Output> studyKey(const StudyKeyOptions& options) {
   for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
   const std::string name = base::oneLine(options.file);
   return Output{options.remove ? "The research key of " + name +
-                                     " is removed: anybody can leave the participant's "
+                                     " is removed: anyone can leave the participant's "
                                      "screens\n"
                                : "The research key of " + name +
                                      " is set: it leads from the participant's screens to "

@@ -78,7 +78,7 @@ std::string checksAsCsv(const fuzzy::ForceModel& model) {
   return csv.text();
 }
 
-// Says that a folder is a demo's, so that a demo never writes over anybody's work.
+// Says that a folder is a demo's, so that a demo never writes over other files.
 constexpr std::string_view kMarkerFile = "written-by-tactus-demo.txt";
 constexpr std::string_view kMarker =
     "tactus demo wrote this folder, and running it again on this folder replaces its files.\n"

@@ -92,7 +92,7 @@ std::string turnAxisAdvice(const std::string& id, const haptics::Vector3& inward
 std::string directionText(const haptics::Vector3& direction) {
   std::string text;
   for (const double coordinate : {direction.x, direction.y, direction.z}) {
-    // Four digits are as many as anybody can set up; -0 becomes 0.
+    // Four digits are more than a person can set up; -0 becomes 0.
     text += (text.empty() ? "" : ",") + base::formatNumber(std::round(coordinate * 1e4) / 1e4 + 0.0);
   }
   return text;

@@ -1,7 +1,6 @@
 #include "app/link/server_lines.h"
 
 #include "app/link/client_message.h"
-#include "app/link/compact_json.h"
 #include "core/base/files/sha256.h"
 #include "core/base/json/json_writer.h"
 
@@ -20,6 +19,23 @@ std::string regionAt(const LinkSetting& setting, double depth_mm) {
   }
   const bool at_end = !setting.regions.empty() && depth_mm == setting.regions.back().to_mm;
   return at_end ? jsonString(setting.regions.back().id) : "null";
+}
+
+// `json`, which must be valid, without its byte order mark and without white space between tokens. Strings, digits and
+// the order of keys stay byte for byte, so the result reads as the same model.
+std::string compactJson(std::string_view json) {
+  if (json.starts_with("\xEF\xBB\xBF")) json.remove_prefix(3);
+  std::string out;
+  out.reserve(json.size());
+  bool in_string = false;
+  bool escaped = false;
+  for (const char c : json) {
+    if (!in_string && (c == ' ' || c == '\t' || c == '\n' || c == '\r')) continue;
+    out += c;
+    if (c == '"' && !escaped) in_string = !in_string;
+    escaped = in_string && c == '\\' && !escaped;
+  }
+  return out;
 }
 
 }  // namespace

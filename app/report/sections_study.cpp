@@ -141,7 +141,7 @@ void addParticipants(HtmlPage& page, const ReportContext& context) {
   page.section("Participants");
   Table table{.caption = strong("Participants.") +
                          " Random codes, and what each one gave. Years of experience are "
-                         "left out, so that nobody is recognized by them.",
+                         "left out, so that no participant is recognized by them.",
               .head = {{{.text = "Participant"},
                         {.text = "Category"},
                         {.text = "Hand"},

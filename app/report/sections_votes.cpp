@@ -42,7 +42,7 @@ std::string_view explain(elicitation::VoteReason reason) {
     case elicitation::VoteReason::kFirstMedian:
       return "no term has half and no force was decided before, so the lower median";
     case elicitation::VoteReason::kNoVotes:
-      return "nobody voted";
+      return "no votes";
   }
   return "";
 }

@@ -59,7 +59,7 @@ std::optional<fs::path> otherFile(const fs::path& folder) {
   return std::nullopt;
 }
 
-/// An earlier export has its codebook, and nothing of anybody else.
+/// An earlier export has its codebook, and no file that an export does not write.
 Result<void> requireFree(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder, error)) return {};

@@ -135,7 +135,7 @@ void addAbsent(const study::Study& study, std::vector<DataFinding>& out) {
        "the words for forces are the others'"},
       {Kind::kWithoutAnswers, codesWithRules(study), "answers and no rules", "no expert of the model"}};
   for (const auto& block : blocks) {
-    if (block.codes.empty()) continue;  // an absent table is said once, not of everybody
+    if (block.codes.empty()) continue;  // an absent table is said once, not of each participant
     for (const auto& participant : study.participants) {
       if (block.codes.contains(participant.code)) continue;
       out.push_back(study::remark(block.kind, Severity::kWarning, participant, "participant",

@@ -84,7 +84,7 @@ Result<void> SessionState::log(const char* kind, std::string text) {
 
 Result<void> SessionState::tell(study::ProfileRecord made, const std::optional<Note>& beside) {
   if (aborted)
-    return base::fail(base::ErrorCode::kValue, "session", "a profile after its end", "a session that goes on");
+    return base::fail(base::ErrorCode::kValue, "session", "a profile after its end", "a session that has not ended");
   made.entry = entry();
   if (profile) made.entry.supersedes = profile->entry.id;
   return store(

@@ -145,7 +145,7 @@ void addRule(const study::GivenRule& rule, Rows& rows) {
   rows.rules.push_back(std::move(record));
 }
 
-/// The rows of each participant, in the participants' order; rows of nobody among them are left out.
+/// The rows of each participant, in the participants' order; rows without one of them are left out.
 std::vector<Rows> rowsOfAll(const study::Study& study) {
   std::vector<Rows> all(study.participants.size());
   std::map<std::string_view, Rows*> by_code;

@@ -1,4 +1,4 @@
-// The study's protocol: what everybody in the study is asked, and its text in the study file.
+// The study's protocol: what each participant is asked, and its text in the study file.
 #pragma once
 
 #include <map>

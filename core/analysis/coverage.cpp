@@ -208,7 +208,7 @@ double rounded(double value, int digits) {
   return value;
 }
 
-/// Ends of an input's terms, whoever's. Those of Gaussians have seventeen digits, which a person cannot read.
+/// Ends of an input's terms, of all experts. Those of Gaussians have seventeen digits, which a person cannot read.
 struct TermEnds {
   std::set<double> all;
   std::set<double> of_gaussians;

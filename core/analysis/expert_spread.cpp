@@ -30,7 +30,7 @@ std::optional<ExpertSpread> spreadAt(ForceProbe& probe, std::vector<double> poin
       std::tie(out.nearest, out.nearest_n) = std::pair{expert, force_n};
     }
   }
-  out.nobody_feels_mean = std::abs(out.nearest_n - out.mean_n) > noticeable(std::abs(out.mean_n));
+  out.mean_far_from_all = std::abs(out.nearest_n - out.mean_n) > noticeable(std::abs(out.mean_n));
   out.point = std::move(point);
   return out;
 }
@@ -51,7 +51,7 @@ std::vector<ExpertSpread> expertsApart(ForceProbe& probe, std::optional<std::siz
     if (!region) continue;
     auto spread = spreadAt(probe, std::move(point), noticeable);
     if (!spread || spread->high_n - spread->low_n <= times * noticeable(std::abs(spread->mean_n))) continue;
-    const auto rank = [](const ExpertSpread& s) { return std::pair{s.nobody_feels_mean, s.high_n - s.low_n}; };
+    const auto rank = [](const ExpertSpread& s) { return std::pair{s.mean_far_from_all, s.high_n - s.low_n}; };
     auto& best = largest[*region];
     if (best && rank(*spread) <= rank(*best)) continue;
     if (region_input) spread->region = model.inputs[*region_input].terms[*region].id;

@@ -23,7 +23,7 @@ struct ExpertSpread {
   double mean_n = 0;        ///< the averaged force
   std::size_t nearest = 0;  ///< expert with the force nearest to the mean
   double nearest_n = 0;
-  bool nobody_feels_mean = false;  ///< the nearest force is also more than one noticeable difference away
+  bool mean_far_from_all = false;  ///< the nearest force is also more than one noticeable difference away
   std::vector<double> point;
 };
 

@@ -122,7 +122,7 @@ ForceStep stepFrom(Lines& lines, std::size_t who, std::size_t input, double from
 ForceStep refined(Lines& lines, std::size_t who, std::size_t input, const LineForce& line, const LinePair& pair,
                   double width, const StepLimits& limits) {
   ForceStep best = stepFrom(lines, who, input, line.x[pair.from], line.x[pair.to], limits);
-  // The ends of the piece, where nobody starts or stops to fire.
+  // The ends of the piece, where no rule starts or stops to fire.
   std::size_t first = pair.from;
   std::size_t last = pair.to;
   while (first > 0 && line.piece[first - 1] == line.piece[pair.from]) --first;

@@ -14,7 +14,7 @@ struct Point {
   double y;
 };
 
-/// The points of a term. Beyond its first and last point it goes on flat, so a shoulder at the end of the universe
+/// The points of a term. Beyond its first and last point it continues flat, so a shoulder at the end of the universe
 /// begins at that end.
 std::vector<Point> pointsOf(const fuzzy::Term& term, const fuzzy::Variable& variable) {
   const Corners f = cornersOf(term);

@@ -73,7 +73,7 @@ Result<void> FreshFile::place() {
   if (error == EEXIST) return thereAlready(path_);
   if (error != 0) return systemError(path_, error, "a file that can be written");
   temporary_.clear();
-  in_use_.close();  // before anybody opens the database: a later close would take its locks away
+  in_use_.close();  // before the database is opened: a later close would take its locks away
   error = base::syncFolderOf(path_);
   if (error != 0) return systemError(path_, error, "a folder that can be synced");
   return {};

@@ -228,7 +228,7 @@ class TableMerge {
 
   const MergedTable& table_;
   const std::vector<TimedCleaning>& cleanings_;
-  std::map<int, std::string> texts_;  ///< of the current row, in place of those that name somebody; by parameter
+  std::map<int, std::string> texts_;  ///< of the current row, in place of those that name a person; by parameter
   std::optional<std::int64_t> cleaned_utc_ms_;
   std::vector<std::string> columns_;
   SQLite::Statement rows_;

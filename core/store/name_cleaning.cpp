@@ -89,7 +89,7 @@ NameCleaning::NameCleaning(std::vector<std::string> names) : names_(std::move(na
 std::string NameCleaning::cleaned(std::string_view text) const { return base::withoutNames(text, names_); }
 
 bool NameCleaning::clean(ModelTexts& version) const {
-  // Most versions name nobody; a JSON text may spell a name with escapes.
+  // Most versions name no person; a JSON text may spell a name with escapes.
   const bool may_name = base::holdsName(version.text, names_) || version.text.find("\\u") != std::string::npos ||
                         base::holdsName(version.label, names_) || base::holdsName(version.author, names_);
   if (!may_name) return false;

@@ -93,7 +93,7 @@ void Opening::beginWrite() {
   const bool free = checkpoint.next() && checkpoint.integer() == 0;
   const auto frames = free ? checkpoint.integer() : -1;
   if (!free || checkpoint.integer() != frames) {
-    refuse(ErrorCode::kIo, {}, "a journal that could not be worked in", "a study that nobody else uses");
+    refuse(ErrorCode::kIo, {}, "a journal that could not be worked in", "a study that no other program uses");
   }
   checkpointed_ = false;
   study_ = identityOf(connection_.path());
@@ -168,7 +168,7 @@ void Opening::truncateJournal() {
   room_bytes_ = 0;
   Query truncate(connection_, "PRAGMA wal_checkpoint(TRUNCATE)");
   if (!truncate.next() || truncate.integer() != 0) {
-    refuse(ErrorCode::kIo, {}, "a journal that could not be emptied", "a study that nobody else uses");
+    refuse(ErrorCode::kIo, {}, "a journal that could not be emptied", "a study that no other program uses");
   }
   frames_end_ = 0;
   study_.bytes = 0;  // a file that was rewritten may be shorter

@@ -52,7 +52,7 @@ Result<void> recode(StudyFile& file, const RecordId& person, const std::string& 
     if (base::looksLikeFormula(code)) refuse(ErrorCode::kValue, {}, "the code " + base::quoted(code), base::kNoFormula);
     if (wasEverUsed(connection, code)) {
       refuse(ErrorCode::kValue, {}, "the code " + base::quoted(code) + ", which a person of the study has or had",
-             "one that nobody had yet, such as " + base::quoted(freeCodeLike(connection, code)));
+             "one that no person had yet, such as " + base::quoted(freeCodeLike(connection, code)));
     }
     refuseWithdrawnCode(connection, code);
     Query insert(connection, insertion(connection, "person_code"));

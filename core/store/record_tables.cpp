@@ -77,7 +77,7 @@ std::vector<RecordTable> makeTables() {
                     2});
   tables.push_back({"protocol",
                     "protocols.csv",
-                    "A version of the study's protocol: what everybody is asked",
+                    "A version of the study's protocol: what each participant is asked",
                     "version, utc_ms, id",
                     {{"id", Kind::kId, "", "The record of the protocol"},
                      {"version", Kind::kInteger, "", "From 1; of the rows of one version the latest counts"},

@@ -73,7 +73,7 @@ void emptyJournal(Connection& connection) {
   if (connection.opening) return connection.opening->emptyJournal();
   Query truncate(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
   if (!truncate.next() || truncate.integer() != 0) {
-    refuse(ErrorCode::kIo, {}, "a journal that could not be emptied", "a study that nobody else uses");
+    refuse(ErrorCode::kIo, {}, "a journal that could not be emptied", "a study that no other program uses");
   }
 }
 

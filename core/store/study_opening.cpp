@@ -157,7 +157,7 @@ JournalFindings examine(Connection& connection, const JournalFile& journal) {
   return findings;
 }
 
-/// Keeps the journal for whoever looks into what was lost: its new name.
+/// A free name for the damaged journal, which is kept so that what was lost can be looked into.
 std::string freeNameFor(const std::string& path) {
   std::string name = path + ".damaged-journal";
   for (int number = 2; identityOf(name).isThere(); ++number) name = path + ".damaged-journal-" + std::to_string(number);
@@ -195,7 +195,7 @@ void settle(Connection& connection, const std::optional<Incident>& incident) {
   }
   Query truncate(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
   if (!truncate.next() || truncate.integer() != 0) {
-    refuse(ErrorCode::kIo, {}, "a journal that could not be worked in", "a study that nobody else uses");
+    refuse(ErrorCode::kIo, {}, "a journal that could not be worked in", "a study that no other program uses");
   }
 }
 

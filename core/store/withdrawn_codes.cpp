@@ -148,7 +148,7 @@ void refuseWithdrawnCode(Connection& connection, std::string_view code) {
   const auto tombstones = readTombstones(connection);
   if (const auto* row = withdrawnWith(tombstones, code); row != nullptr) {
     refuse(ErrorCode::kValue, {}, describeWithdrawn(code, *row),
-           "nobody who took back their consent; another person needs another code");
+           "a person who has not taken back their consent; another person needs another code");
   }
 }
 

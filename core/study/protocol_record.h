@@ -8,7 +8,7 @@
 
 namespace tactus::study {
 
-/// What everybody in the study is asked. Append-only: a change is a further record.
+/// What each participant is asked. Append-only: a change is a further record.
 struct ProtocolRecord {
   RecordId id;
   int version = 1;  ///< from 1; the records of one version are drafts, of which the latest counts

@@ -55,7 +55,7 @@ base::Result<ForceEnd> forceEnd(std::span<const VoteStep> steps, std::optional<d
   const std::size_t all = countTo(steps, [](const VoteStep&) { return true; });
   if (all == 0 || !(steps[all - 1].force_n > 0)) {
     return base::fail(base::ErrorCode::kData, "vote", all == 0 ? "no decided force" : "decided forces of 0 N alone",
-                      "at least one force above 0 N that somebody judged");
+                      "at least one force above 0 N that was judged");
   }
   ForceEnd out;
   out.given_n = given_n;

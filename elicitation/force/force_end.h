@@ -13,7 +13,7 @@
 namespace tactus::elicitation {
 
 /// The steps that count, and the steps above them. One participant who continues after all others stopped must not move
-/// everybody's terms: a universe that ends later moves the centroid of the highest term.
+/// the terms of all experts: a universe that ends later moves the centroid of the highest term.
 /// Example: of four participants, all vote at 0.1 to 0.7 N and one at 0.8 to 1.5 N: the steps up to 0.7 N count.
 struct ForceEnd {
   std::size_t steps = 0;           ///< number of steps that count, from the first

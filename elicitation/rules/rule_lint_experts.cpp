@@ -60,7 +60,7 @@ std::vector<RuleFinding> findingsOfExperts(const RuleContext& context, analysis:
     finding.text = low + " gives " + newtonsText(spread.low_n) + " by " + describe({finding.sources.front()});
     finding.text += " and " + high + ' ' + newtonsText(spread.high_n) + " by " + describe({finding.sources.back()});
     finding.text += (spread.region.empty() ? "" : " where " + finding.place) + "; ";
-    finding.text += spread.nobody_feels_mean ? "nobody's force is near their mean of " + newtonsText(spread.mean_n)
+    finding.text += spread.mean_far_from_all ? "no expert's force is near their mean of " + newtonsText(spread.mean_n)
                                              : "the mean of " + newtonsText(spread.mean_n) + " is near that of " +
                                                    context.model.experts[spread.nearest].id;
     finding.text += ", one just-noticeable difference is " + newtonsText(justNoticeableDifference(spread.mean_n)) +

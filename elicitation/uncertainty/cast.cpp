@@ -26,7 +26,7 @@ void fill(std::size_t place, std::size_t left, WeightedCast& one, std::vector<We
 
 }  // namespace
 
-Cast everybody(std::size_t people) { return Cast(people, 1); }
+Cast everyPerson(std::size_t people) { return Cast(people, 1); }
 
 Cast drawCast(std::size_t people, base::Random& random) {
   Cast cast(people, 0);

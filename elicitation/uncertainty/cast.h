@@ -16,8 +16,8 @@ struct WeightedCast {
   double weight = 1;  ///< its probability among all draws of as many people as there are
 };
 
-/// Everybody once.
-Cast everybody(std::size_t people);
+/// Each person once.
+Cast everyPerson(std::size_t people);
 
 /// As many draws as there are people, each of them equally likely.
 Cast drawCast(std::size_t people, base::Random& random);

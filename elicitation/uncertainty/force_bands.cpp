@@ -157,7 +157,7 @@ std::vector<study::ForceJudgement> ForceBands::judgedAgain(std::size_t who) {
 }
 
 Recast ForceBands::nextOf(const Plan& plan, double& weight) {
-  const Cast all = everybody(study_.people());
+  const Cast all = everyPerson(study_.people());
   Recast recast{all, all, all};
   if (plan.drawn == Drawn::kOwnStrokes) {
     for (auto& strokes : strokes_) {

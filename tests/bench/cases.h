@@ -49,7 +49,7 @@ Points shuffledPoints(const fuzzy::ForceModel& model, const std::vector<std::opt
 fuzzy::ForceModel oneExpert(fuzzy::Implication implication);
 
 /// The same expert and `count` - 1 synthetic variations: invented experts who differ from S4 in one or two steps of the
-/// force in some rules. Nobody gave these answers. With `own_terms` every variation has terms of its own.
+/// force in some rules. No person gave these answers. With `own_terms` every variation has terms of its own.
 fuzzy::ForceModel syntheticExperts(int count, bool own_terms = false);
 
 /// The case `name`; exact forces at the first `exact_points`.

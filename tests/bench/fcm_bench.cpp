@@ -184,7 +184,8 @@ int run(const Options& options) {
   results.circumstances.back() +=
       "; loops of the clustering: " + std::string(elicitation::supportedFcmKernels().back().name);
   results.circumstances.push_back(
-      "Data: simulated strokes (nobody made them), twelve at three levels with the means of the paper's Table 1, S1");
+      "Data: simulated strokes (no person made them), twelve at three levels with the means of the paper's Table 1, "
+      "S1");
   results.circumstances.push_back("Error: largest distance of a centre from the textbook iteration in long double");
   const std::string e1071 = options.peers ? e1071Version() : "";
   results.circumstances.push_back("e1071: " + (e1071.empty() ? "not installed or left out" : e1071) +

@@ -7,7 +7,8 @@
 namespace tactus::bench {
 
 /// Speeds in mm/s of twelve simulated strokes, four for each of three levels, sampled evenly: bell-shaped speed
-/// profiles with the means of the paper's Table 1 for S1, strokes that differ, and noise of 2 mm/s. Nobody made them.
+/// profiles with the means of the paper's Table 1 for S1, strokes that differ, and noise of 2 mm/s. No person made
+/// them.
 std::vector<double> simulatedStrokes(std::size_t samples);
 
 /// Centres of the fixed point of the textbook iteration in long double.

@@ -108,7 +108,7 @@ void measureLive(FeelPart& part, int edits) {
   TACTUS_CHECK(started.has_value());
   fuzzy::ForceModel model = syntheticExperts(4);
   haptics::ServoOrders orders = feelOrders(feelScene(model));
-  // A busy machine may keep the servo waiting; the benchmark goes on and shows it.
+  // A busy machine may keep the servo waiting; the benchmark continues and shows it.
   orders.limits.servo_trip_s = 1e6;
   std::vector<haptics::Sample> room(haptics::SampleRing::kDefaultCapacity);
   std::vector<double> waited, making_ms, edit_ms, post_ms;

@@ -215,7 +215,7 @@ FeelPart measureVelocityEstimators(int rounds) {
   for (const double corner_hz : kCornersHz) addRenderer(part, corner_hz);
   part.notes = {
       "Motions: " + std::to_string(all.size()) +
-          " closed loops with the virtual device (simulated, nobody made them): " +
+          " closed loops with the virtual device (simulated, no person made them): " +
           "pinch, arm, five-parameter; strokes of 60 mm in 0.45 to 2 s at depths of 40 to 280 mm, with and "
           "without tremor "
           "of 0.3 mm at 10 Hz, and even pushes; counts of 0.055 mm, four experts",

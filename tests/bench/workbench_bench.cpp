@@ -146,7 +146,7 @@ int run(const Options& options, const std::string& self) {
     text += "\nThe same in turns with an earlier version, medians in ms\n\n" + againstTable(options, self);
   }
   if (options.idle_s > 0) {
-    std::vector<std::vector<std::string>> rows = {{"nobody does anything", "% of a core"}};
+    std::vector<std::vector<std::string>> rows = {{"without input", "% of a core"}};
     for (const auto& [what, percent] : idleShares(syntheticExperts(4), options.idle_s)) {
       rows.push_back({what, threeDigits(percent)});
     }

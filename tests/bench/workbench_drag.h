@@ -44,7 +44,7 @@ class TimedApplication : public QApplication {
 
 /// What the edits of a drag took.
 struct DragTimes {
-  std::vector<double> call_ms;     ///< the call that makes the edit and hands it to everybody
+  std::vector<double> call_ms;     ///< the call that makes the edit and hands it to all who show it
   std::vector<double> shown_ms;    ///< until the last panel is painted
   std::vector<double> cpu_ms;      ///< of this, on a processor
   std::vector<double> strip_ms;    ///< the same as the strip of the window says

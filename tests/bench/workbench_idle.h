@@ -1,4 +1,4 @@
-// How much of a processor core the window takes while nobody does anything.
+// How much of a processor core the window takes without input.
 #pragma once
 
 #include <string>

@@ -185,7 +185,7 @@ TEST(StrokeSegmentation, NamesAStrokeWithAGapOrWithoutAnEnd) {
   const auto open = Hand().rest(0.5).move(60, 0.6).strokes();
   ASSERT_EQ(open.size(), 1U);
   EXPECT_EQ(open[0].verdict, StrokeVerdict::kInterrupted);
-  // A gap while nothing moves harms nobody.
+  // A gap while nothing moves does no harm.
   const auto quiet = Hand().rest(0.5).lose(0.5).rest(0.5).move(60, 0.6).rest(1).strokes();
   ASSERT_EQ(quiet.size(), 1U);
   EXPECT_EQ(quiet[0].verdict, StrokeVerdict::kAccepted);

@@ -11,7 +11,7 @@
 namespace tactus::stress {
 
 /// A study of `people` nurses, each drawn independently: thresholds between the words, words of 45 rules around those
-/// of S4, and ramps of the speed. Nobody's data.
+/// of S4, and ramps of the speed. No person's data.
 struct InventedStudy {
   study::Study study;
   elicitation::BuiltModel built;  ///< with the nurses' ramps in the place of clustered strokes

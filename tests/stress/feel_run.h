@@ -16,7 +16,7 @@ struct FeelRun {
   int transitions = 0;                   ///< between stuck and sliding
   double ripple_n = 0;                   ///< rms of the resistance above 30 Hz while the hand holds the device
   double largest_step_n = 0;             ///< of the resistance in one tick of 1 ms
-  double lowest_certificate_mj = 0;      ///< stored energy that nobody put in; 0 up to rounding
+  double lowest_certificate_mj = 0;      ///< stored energy that no hand put in; 0 up to rounding
   double largest_depth_error_mm = 0;     ///< |Δdepth - (Δx - Δz)| within a stroke
   bool tripped = false;
 };

@@ -1,4 +1,4 @@
-// File permissions do not bind the superuser, so tests of them act as somebody else meanwhile.
+// File permissions do not bind the superuser, so tests of them act as another user meanwhile.
 #pragma once
 
 #include <cstdlib>

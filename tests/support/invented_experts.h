@@ -1,4 +1,4 @@
-// Three invented experts beside S4 on the same terms: nobody's answers, for numbers that another program computed.
+// Three invented experts beside S4 on the same terms: no person's answers, for numbers that another program computed.
 #pragma once
 
 #include "core/fuzzy/force_model.h"

@@ -1,4 +1,4 @@
-// A study of simulated nurses as well-made tables hold it, for tests that then spoil it. Not a model of anybody.
+// A study of simulated nurses as well-made tables hold it, for tests that then spoil it. Not a model of a person.
 #pragma once
 
 #include <cstdint>

@@ -46,7 +46,7 @@ void ServoRun::pull(double resistance_n) {
   orders.stimulus.force_n = resistance_n;
   orders.axis = haptics::axisOf(calibration_);
   orders.limits = haptics::LimitSettings::forDevice(device_->info());
-  orders.limits.fade_in_s = 0.1;  // nobody is there to be startled
+  orders.limits.fade_in_s = 0.1;  // no person is there to be startled
   servo_->post(std::move(orders));
 }
 

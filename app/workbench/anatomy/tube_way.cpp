@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "app/workbench/anatomy/neck_rig.h"
-#include "app/workbench/anatomy/smooth_line.h"
 
 namespace tactus::workbench::anatomy {
 namespace {
@@ -24,11 +23,32 @@ constexpr std::array kThrough = {
     QPointF(127, 297),   QPointF(121, 312),   QPointF(114.5, 324), QPointF(109, 333),   QPointF(106, 341),
     QPointF(103, 356),   QPointF(97, 372),    QPointF(86, 385),    QPointF(72, 392),    QPointF(60, 392)};
 
+// A smooth line through points (Catmull and Rom): each piece is a cubic whose control points lie at a sixth of the
+// chord between the neighbors.
+std::vector<QPointF> smoothLine(const std::vector<QPointF>& through) {
+  const std::size_t last = through.size() - 1;
+  std::vector<QPointF> line;
+  line.reserve(last * kSteps + 1);
+  for (std::size_t i = 0; i < last; ++i) {
+    const QPointF from = through[i];
+    const QPointF to = through[i + 1];
+    const QPointF leaving = from + (to - through[i == 0 ? 0 : i - 1]) / 6;
+    const QPointF arriving = to - (through[std::min(i + 2, last)] - from) / 6;
+    for (std::size_t step = 0; step < kSteps; ++step) {
+      const double t = static_cast<double>(step) / static_cast<double>(kSteps);
+      const double s = 1 - t;
+      line.push_back(from * (s * s * s) + leaving * (3 * s * s * t) + arriving * (3 * s * t * t) + to * (t * t * t));
+    }
+  }
+  line.push_back(through.back());
+  return line;
+}
+
 std::vector<QPointF> lineAt(double flexion_deg) {
   std::vector<QPointF> through;
   through.reserve(kThrough.size());
   for (const QPointF& point : kThrough) through.push_back(posed(point, Part::kSoft, flexion_deg));
-  return smoothLine(through, kSteps);
+  return smoothLine(through);
 }
 
 // The way along `line`, 0 at the nostril.

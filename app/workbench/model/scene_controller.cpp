@@ -205,7 +205,7 @@ void SceneController::adoptModel() {
       values_[input] = clamped(model.inputs[input], setting.value);
     }
   }
-  // Whoever opens an edited file again, or a second model of the same kind, keeps the setting.
+  // The setting stays when an edited file is opened again, or a second model of the same kind.
   if (previous) {
     for (std::size_t i = 0; i < model.inputs.size(); ++i) {
       const auto old = inputNamed(previous->model, model.inputs[i].id);

@@ -37,7 +37,7 @@ Result<void> writeInto(const std::string& path, std::string_view bytes) {
   // Without a reader a pipe would wait for one.
   Descriptor file(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
   if (file.number() < 0 && errno == ENXIO) {
-    return ioError(path, "a pipe that nobody reads", "a file that can be written");
+    return ioError(path, "a pipe without a reader", "a file that can be written");
   }
   if (file.number() >= 0) ::fcntl(file.number(), F_SETFL, O_WRONLY);
   if (file.number() >= 0 && writeAll(file.number(), bytes) && file.close()) return {};
@@ -148,7 +148,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view bytes
   // A device or a pipe is written into: putting a file in its place would destroy it.
   if (exists && !S_ISREG(info.st_mode)) return writeInto(path, bytes);
 
-  // What replaces a file has its mode, and until then nobody else reads it.
+  // What replaces a file has its mode, and until then no other user reads it.
   auto [temporary, file] = makeUnfinishedFile(target, exists ? 0600 : 0666);
   if (!file.isOpen()) return ioError(path, systemReason(errno), "a folder that can be written to");
 

@@ -41,7 +41,7 @@ Token tokenAt(std::string_view text, std::size_t last) {
   return token;
 }
 
-/// Whether the bytes up to `last`, with the whole character that begins or goes on there, are not UTF-8.
+/// Whether the bytes up to `last`, with the whole character that begins or continues there, are not UTF-8.
 bool isBrokenUtf8(std::string_view text, std::size_t last) {
   std::size_t end = last + 1;
   for (int more = 0; more < 3 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U; ++more)

@@ -129,7 +129,7 @@ Result<void> CsvTable::fill(std::string& text, Header header) {
   }
   if (first) return fail(ErrorCode::kSchema, {}, "an empty table", "a header line with the names of the columns");
   starts_.push_back(static_cast<std::uint32_t>(splitter.end()));
-  // Where commas separate cells, one in a cell is part of a text, or of a number that nobody can be sure of.
+  // Where commas separate cells, one in a cell is part of a text, or of a number that is uncertain.
   if (dialect.separator != ',') readCommas(text);
   return {};
 }

@@ -109,7 +109,7 @@ class TermCarrier {
     return x(1) > 0 ? trapezoid(x(0), x(0), high(x(0)), high(x(0))) : trapezoid(low(x(0)), low(x(0)), x(0), x(0));
   }
 
-  /// From 0 up to 1, along 1, down to 0. Without a 0 before the 1 or after it, the term goes on beyond the points.
+  /// From 0 up to 1, along 1, down to 0. Without a 0 before the 1 or after it, the term continues beyond the points.
   Carrying points() const {
     const std::size_t count = term_.numbers.size() / 2;
     const auto place = [this](std::size_t i) { return x(2 * i); };

@@ -25,7 +25,7 @@ struct TermProblem {
 std::optional<ForeignRange> reachOf(const ForeignTerm& term);
 
 /// `term` on the universe `range`. Exact inside the universe: a rectangle, a ramp, a step and points that go from 0 to
-/// 1 and back become trapezoids, and what goes on beyond the universe ends at its end. `fold`: shoulders beyond the
+/// 1 and back become trapezoids, and what continues beyond the universe ends at its end. `fold`: shoulders beyond the
 /// universe are put back to its end (FIS files move them out).
 tl::expected<CarriedTerm, TermProblem> carried(const ForeignTerm& term, ForeignRange range, bool fold,
                                                const SourceText& source);

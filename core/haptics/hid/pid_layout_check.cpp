@@ -90,7 +90,7 @@ class Checker {
       done_ = lie(what,
                   "steps of " + base::formatNumber(*step_s) + " s up to " + std::to_string(slot.logical_max) +
                       ", in which 0.09 s are " + base::formatNumber(given_s) + " s",
-                  "0.09 s to 5 ms, because an effect without an end goes on when the program dies");
+                  "0.09 s to 5 ms, because an effect without an end continues when the program dies");
   }
 
   void checkOtherReports() {

@@ -7,7 +7,7 @@
 namespace tactus::haptics {
 namespace {
 
-/// Names to try when nobody chose one; null is the driver's own default.
+/// Names to try when none was chosen; null is the driver's own default.
 constexpr const char* kDefaultNames[] = {nullptr, "Default Device", "Default PHANToM"};
 
 struct Opened {

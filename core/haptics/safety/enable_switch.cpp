@@ -22,7 +22,7 @@ void EnableSwitch::update(const SwitchInput& input, const EnableSettings& settin
   }
   armed_ = input.armed;
   if (!input.down) {
-    changed_ns_ = input.now_ns;  // nobody saw it stay down
+    changed_ns_ = input.now_ns;  // it may have been let go meanwhile
     return;
   }
 

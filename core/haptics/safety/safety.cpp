@@ -93,7 +93,7 @@ void Safety::passTime(const SafetyInput& input, const LimitSettings& limits) noe
   }
 }
 
-/// What the motors gave since the last tick. A force that nobody renews counts in full, for as long as it could last.
+/// What the motors gave since the last tick. A force that is not renewed counts in full, for as long as it could last.
 void Safety::heat(double elapsed_s, const LimitSettings& limits) noexcept {
   const bool to_the_end = !told_nothing_ && elapsed_s <= ThermalBudget::kLongestHeldS;
   if (!told_nothing_ && !to_the_end) {
@@ -141,7 +141,7 @@ void Safety::arm(bool armed) noexcept {
   armed_ = armed;
   if (!armed) return;
   armed_ns_ = now_ns_;
-  before_ns_ = now_ns_;  // what was late before is nobody's concern
+  before_ns_ = now_ns_;  // what was late before does not count
   faded_in_s_ = 0;
   fading_from_gap_ = false;
   if (!switch_.letGo()) return;

@@ -62,7 +62,7 @@ class Servo final : public Ticked {
   void stop() noexcept { stop_.store(true, std::memory_order_relaxed); }
 
   /// Samples since the last call, oldest first; at most `room.size()`. Returns those filled. Samples that were lost
-  /// because nobody drained show as a jump of Sample::tick: a recording ends there. Thread: one reader.
+  /// because the reader did not drain show as a jump of Sample::tick: a recording ends there. Thread: one reader.
   std::span<Sample> drain(std::span<Sample> room) noexcept { return ring_.drain(room); }
   /// Ticks begun so far. Thread: any. Real-time safe: yes.
   std::uint64_t ticks() const noexcept { return meter_.ticks(); }

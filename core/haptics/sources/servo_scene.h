@@ -42,7 +42,7 @@ struct SceneSettings {
 /// (experts, rules, terms), hardly on its numbers. Stops at the first point above `enough_s`.
 double measuredCostS(const fuzzy::CompiledModel& compiled, double enough_s = SceneSettings().largest_cost_s);
 
-/// Immutable; made by whoever posts it, only read by the servo, freed by whoever posted it.
+/// Immutable; made and freed by the thread that posts it, only read by the servo.
 class ServoScene : public render::TubeScene {
  public:
   /// Refused with one sentence: an invalid model, a depth, speed or force in other units than mm, mm/s and N (a

@@ -1,7 +1,7 @@
 """Follows the live link of Tactus with the standard library alone: models, states, and forces at points.
 
   python3 live_link.py --port P --token-file FILE                      prints a line for each model
-  python3 live_link.py --port P --token-file FILE --states 50          and 50 states a second while somebody feels
+  python3 live_link.py --port P --token-file FILE --states 50          and 50 states a second while the model is felt
   python3 live_link.py --port P --token-file FILE --ask 1,45,130,50    the force at a point, then the end
 
 The server is `tactus serve MODEL`, or the workbench: Feel, "Serve to a simulator". The protocol: docs/live-link.md.

@@ -6,7 +6,7 @@ DROP TRIGGER judgement_keep;
 DROP TRIGGER profile_keep;
 DROP TRIGGER session_keep;
 
--- What everybody in the study is asked: levels, steps, order, languages, consent texts, device; JSON. Rows of the same version are
+-- What each participant is asked: levels, steps, order, languages, consent texts, device; JSON. Rows of the same version are
 -- drafts, of which the latest counts, until the first participant's session follows one.
 CREATE TABLE protocol (
   id BLOB NOT NULL PRIMARY KEY CHECK (length(id) = 16),

@@ -121,7 +121,7 @@ TEST(VoteCommand, SetsTheFrequencyCurveBesideTheVote) {
   const json frequency = json::parse(run.out).at("frequency");
   ASSERT_EQ(frequency.at("shares").size(), 4);
   EXPECT_EQ(frequency.at("shares").at(1).at("shares"), json({0, 0.5, 0.5, 0, 0}));
-  EXPECT_TRUE(frequency.at("shares").at(3).at("shares").is_null()) << "nobody chose a term at 0.4 N";
+  EXPECT_TRUE(frequency.at("shares").at(3).at("shares").is_null()) << "no term was chosen at 0.4 N";
   EXPECT_EQ(frequency.at("terms").at(0).at("id"), "very_small");
   EXPECT_EQ(frequency.at("terms").at(0).at("points").size(), 4);
 }

@@ -35,7 +35,7 @@ class StudyNotices : public testing::Test {
     fs::remove(path("open.tactus"));
     return path(name);
   }
-  /// With a person, after an erasure of somebody else that was interrupted.
+  /// With a person, after an erasure of another person that was interrupted.
   std::string withUnfinishedErasure(const std::string& name) {
     store::SampleRecords records(++seed_);
     auto study = store::makeStudy(path(name), records);

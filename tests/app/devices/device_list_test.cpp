@@ -13,7 +13,7 @@ namespace {
 using haptics::HidDevice;
 using haptics::HidDeviceKind;
 
-/// The stand-in is as nobody has touched it.
+/// The stand-in is untouched.
 class LookAtOpenHaptics : public haptics::WithStandIn {};
 class OpenDevice : public haptics::WithStandIn {};
 

@@ -1,4 +1,5 @@
-// A finding says where it is by indices and ids: names that look like other names, or like the wording, mislead nobody.
+// A finding says where it is by indices and ids: names that look like other names, or like the wording, mislead no
+// reader.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <map>

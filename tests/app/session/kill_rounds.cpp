@@ -206,7 +206,7 @@ std::string losses(const std::vector<RecordId>& said, const std::vector<std::vec
     count += kind.size();
   }
   if (found != said.size()) return std::to_string(said.size() - found) + " acknowledged records are lost";
-  if (count > said.size() + static_cast<std::size_t>(kills)) return "there are records that nobody gave";
+  if (count > said.size() + static_cast<std::size_t>(kills)) return "there are records that were not given";
   return {};
 }
 

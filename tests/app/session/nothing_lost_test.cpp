@@ -1,4 +1,4 @@
-// A session whose program is killed loses nothing that was acknowledged, and goes on as it would have.
+// A session whose program is killed loses nothing that was acknowledged, and continues as it would have.
 #include <gtest/gtest.h>
 #include <iostream>
 

@@ -28,7 +28,7 @@ SessionSettings shortSession() {
   return settings;
 }
 
-/// Time that goes on by 7 ms with each look.
+/// Time that advances by 7 ms with each look.
 SessionTools steadyTools(std::uint64_t seed) {
   return {[moment = study::Moment{1'700'000'000'000, 0}]() mutable {
             moment.utc_ms += 7;
@@ -186,7 +186,7 @@ TEST_F(SessionTest, GoesThroughItsStagesInOrder) {
   EXPECT_EQ(entered.back(), R"({"stage":"finished"})");
 }
 
-// The promise: whatever was acknowledged is there, and the session goes on where it stood, in the same order.
+// The promise: what was acknowledged is there, and the session continues where it stood, in the same order.
 TEST_F(SessionTest, GoesOnAfterARestartAtAnyMoment) {
   begin(start());
   base::Random random(2);
@@ -343,7 +343,7 @@ TEST_F(SessionTest, ACorrectedJudgementIsARecordOfItsOwnAndCountsInstead) {
   ASSERT_TRUE(session_->judge(answer));
   EXPECT_EQ(session_->part(), SessionPart::kRating) << "beyond practice ends the ascending series";
   EXPECT_FALSE(session_->correctJudgement(Kind::kTerm, "no_such_term"));
-  // A slip: she meant a word, so the series goes on.
+  // A slip: she meant a word, so the series continues.
   ASSERT_TRUE(session_->correctJudgement(Kind::kTerm, "small", AnswerInput{InputMeans::kMouse, "", 0}));
   EXPECT_EQ(session_->part(), SessionPart::kForce);
   ASSERT_TRUE(session_->correctJudgement(Kind::kTerm, "medium"));

@@ -60,7 +60,7 @@ TEST(StrokeCapture, AGapInterruptsTheStrokeAndEndsItsRecording) {
   const auto whole = experiments::findStrokes(stream);
   ASSERT_TRUE(whole && whole->size() == 1U);
   const std::size_t middle = (whole->front().first + whole->front().last) / 2;
-  // Twenty samples are lost: too few for the times to tell, so whoever lost them says it.
+  // Twenty samples are lost: too few for the times to tell, so the device that lost them says it.
   StrokeCapture capture;
   std::vector<CapturedStroke> found;
   std::size_t taken = 0;

@@ -213,7 +213,7 @@ TEST_F(StudyImportTest, TheSameCodesAndRowsAtTwoSitesAreOtherPersons) {
       << view.error().message();
   EXPECT_FALSE(importTables(smallStudy(3), *file));  // whose they are cannot be told
 
-  // Two of each three get other codes, and nobody's data are mixed.
+  // Two of each three get other codes, and the data of no two are mixed.
   std::map<std::string, int> seen;
   const auto everybody = store::persons(*file);
   for (const auto& person : *everybody) {
@@ -247,9 +247,10 @@ TEST_F(StudyImportTest, WhoWithdrewDoesNotComeBack) {
   for (const std::uint64_t seed : {1, 2}) {
     const auto again = importTables(smallStudy(seed), file);
     ASSERT_FALSE(again);
-    EXPECT_NE(again.error().message().find("found the code 'amber-otter' of a participant who withdrew on "
-                                           "2026-05-28T20:26:40Z, wanted nobody who took back their consent"),
-              std::string::npos)
+    EXPECT_NE(
+        again.error().message().find("found the code 'amber-otter' of a participant who withdrew on "
+                                     "2026-05-28T20:26:40Z, wanted a person who has not taken back their consent"),
+        std::string::npos)
         << again.error().message();
   }
   EXPECT_FALSE(*store::findPerson(file, "amber-otter"));

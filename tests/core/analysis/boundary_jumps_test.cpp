@@ -58,7 +58,7 @@ TEST(JumpOfMean, IsTheShareOfTheExpertWhoLeaves) {
   model.experts.pop_back();
   const auto alone = fuzzy::compile(model);
   ForceProbe lonely(model, *alone, kPlenty);
-  EXPECT_FALSE(jumpOfMean(lonely, holes[0], 0, 10).has_value()) << "nobody goes on";
+  EXPECT_FALSE(jumpOfMean(lonely, holes[0], 0, 10).has_value()) << "no expert continues";
 }
 
 int apart(const BoundaryJump& jump) {

@@ -136,7 +136,7 @@ TEST(Coverage, NarrowGaussiansEndWhereTheyUnderflow) {
 }
 
 TEST(Coverage, AHoleBesideAGaussianHasANameThatCanBeRead) {
-  // 20 -+ 38.604 * 0.1 (above); the last digits of the exact ends are nobody's concern.
+  // 20 -+ 38.604 * 0.1 (above); the last digits of the exact ends are not checked.
   const auto model = gaussianModel({{20, 0.1}});
   const auto found = coverage(model, everyone(model));
   ASSERT_EQ(found.holes.size(), 2);

@@ -41,7 +41,7 @@ TEST(ExpertSpread, OfTwoExperts) {
   EXPECT_EQ(found[0].high, 0U);
   EXPECT_NEAR(found[0].high_n - found[0].low_n, 0.35, 1e-12);
   EXPECT_NEAR(found[0].mean_n, 0.525, 1e-12);
-  EXPECT_TRUE(found[0].nobody_feels_mean) << ".175 N from either, .1 N is felt";
+  EXPECT_TRUE(found[0].mean_far_from_all) << ".175 N from either, .1 N is felt";
   // .35 N is below four noticeable differences.
   EXPECT_TRUE(apart(saying({"large", "small"}), std::nullopt, 4).empty());
 }
@@ -51,7 +51,7 @@ TEST(ExpertSpread, SomebodyInTheMiddleFeelsTheMean) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].mean_n, 1.6 / 3, 1e-12);
   EXPECT_EQ(found[0].nearest, 2U);
-  EXPECT_FALSE(found[0].nobody_feels_mean);
+  EXPECT_FALSE(found[0].mean_far_from_all);
 }
 
 TEST(ExpertSpread, OneEntryForEachRegion) {

@@ -96,7 +96,7 @@ TEST(ForceSteps, ACrossingIsAStepWhereItIsNarrowEnough) {
   EXPECT_NEAR(steps[0].noticeable, 0.06 / jnd(0.25), 0.01);
 }
 
-// 0.25 to 0.26 N at an edge: nobody feels 0.01 N, but no spring of 0.25 N/mm follows it.
+// 0.25 to 0.26 N at an edge: no hand feels 0.01 N, but no spring of 0.25 N/mm follows it.
 TEST(ForceSteps, ASmallEdgeIsSteeperThanTheRenderer) {
   auto model = twoRegions({0, 0, 40, 40}, {40, 40, 100, 100});
   model.output.terms[1].points = {0.21, 0.21, 0.31, 0.31};

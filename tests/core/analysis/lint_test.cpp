@@ -156,7 +156,7 @@ TEST(LintNewtons, OfADisagreementAreTheDifferentChanges) {
   EXPECT_NEAR(found->newtons.value(), std::abs(change(0) - (change(1) + change(2)) / 2), 1e-14);
 }
 
-// A second expert with five regions goes on where S4's oropharynx is missing.
+// A second expert with five regions continues where S4's oropharynx is missing.
 TEST(LintNewtons, OfAnAbstentionJumpAreReproduced) {
   ForceModel model = support::s4AsPrinted();
   auto other = support::s4FiveRegions();

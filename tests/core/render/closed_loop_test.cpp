@@ -30,7 +30,7 @@ struct Scenario {
 HandPlan reversals() { return haptics::swing(15, 0.8); }
 
 /// The limits: 6 transitions in a monotone stroke, 20 in 4 s of reversals; 10 Hz of tremor pass the middle 80 times.
-/// A device that nobody holds springs back at 140 mm/s and swings: three counts a tick are 0.041 N, damping comes
+/// A device that is not held springs back at 140 mm/s and swings: three counts a tick are 0.041 N, damping comes
 /// beside.
 std::vector<Scenario> scenarios() {
   return {{"stroke 0.4 s", haptics::stroke(60, 0.4), 0.9, 6},

@@ -26,7 +26,7 @@ class FaultyDisk {
   /// `for_good`, all after it: a full disk and a removed medium do not come back by themselves.
   void failAt(long long operation, Fault fault, bool for_good);
   /// Puts what a crash just before operation number `operation` from now would leave into the folder `folder`, with
-  /// `seed` choosing which unsynced sectors are there. Goes on as if nothing happened.
+  /// `seed` choosing which unsynced sectors are there. Continues as if nothing happened.
   void pictureAt(long long operation, const std::string& folder, std::uint64_t seed);
   /// Kills this process (SIGKILL) just before operation number `operation` from now.
   void killAt(long long operation);

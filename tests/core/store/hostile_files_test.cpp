@@ -1,4 +1,4 @@
-// Study files that somebody made to mislead or to stop a program.
+// Study files made to mislead or to stop a program.
 #include <filesystem>
 #include <gtest/gtest.h>
 

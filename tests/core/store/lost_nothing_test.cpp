@@ -114,7 +114,7 @@ TEST_P(FailingDisk, WhatIsAcknowledgedIsThereAndWhatIsNotSaysWhy) {
             }
             ++acknowledged;
           }
-          // On a disk that works again the same file goes on.
+          // On a disk that works again the same file continues.
           if (!first.empty() && !GetParam().second) {
             const auto again = script.write(file, acknowledged);
             EXPECT_TRUE(again) << again.error().message();

@@ -195,7 +195,7 @@ class MergeProperties : public Merges, public testing::WithParamInterface<int> {
 };
 
 TEST_P(MergeProperties, OrderAndRepetitionDoNotMatter) {
-  // A code of somebody else who withdrew refuses a merge, and then in every order.
+  // A code of another person who withdrew refuses a merge, and then in every order.
   int refused = 0;
   const auto merge = [&](const char* into, const char* from) {
     const auto merged = tryMerge(into, from);
@@ -225,13 +225,13 @@ TEST_P(MergeProperties, OrderAndRepetitionDoNotMatter) {
     EXPECT_TRUE(repeated.added.empty() || (repeated.added.size() == 1 && repeated.added[0].table == "import_log"));
   }
   EXPECT_EQ(contentOf(path("ab_c")), content);
-  // Nobody who withdrew is an expert of any model.
+  // No person who withdrew is an expert of any model.
   auto file = StudyFile::open(path("ab_c"), fast());
   EXPECT_EQ(erase(*file)->models, 0);
 }
 
 TEST_P(MergeProperties, WhoWithdrewNeverComesBack) {
-  if (!tryMerge("a", "b") || !tryMerge("a", "c")) return;  // a code of somebody else who withdrew
+  if (!tryMerge("a", "b") || !tryMerge("a", "c")) return;  // a code of another person who withdrew
   mergeInto("a", "origin");
   PlainSql sql(path("a"));
   EXPECT_EQ(sql.number("SELECT count(*) FROM person WHERE id IN (SELECT person_id FROM tombstone)"), 0);

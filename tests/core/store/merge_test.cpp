@@ -109,7 +109,7 @@ TEST_F(Merges, WhatBothCorrectedIsListedAndTheLaterCounts) {
 }
 
 TEST_F(Merges, DifferentTablesThatAnOlderVersionGaveToOnePersonAreNotMixed) {
-  // The id that version 1 gave to everybody with this code: the first half of the SHA-256 of "person N01".
+  // The id that version 1 gave to each person with this code: the first half of the SHA-256 of "person N01".
   const auto id = study::parseRecordId("b9ccdac316bc5a16a7450b7e871ab6fb");
   SampleRecords records(3);
   const auto import = [&](const std::string& name) {

@@ -122,7 +122,7 @@ TEST_F(Persons, ANewCodeCountsEverywhereAndTheOldOneStaysTheirs) {
   }
   const auto refused = recode(study_.file, study_.person.id, "velvet-otter", records_.id(), 11);
   EXPECT_NE(
-      refused.error().message().find("which a person of the study has or had, wanted one that nobody had yet, such "
+      refused.error().message().find("which a person of the study has or had, wanted one that no person had yet, such "
                                      "as 'velvet-otter-2'"),
       std::string::npos)
       << refused.error().message();

@@ -15,7 +15,7 @@
 namespace tactus::store {
 namespace {
 
-/// What `checkStudy` finds after somebody worked on the file with the guards taken away.
+/// What `checkStudy` finds after a change of the file with the guards taken away.
 class StudyChecks : public testing::Test {
  protected:
   void SetUp() override {

@@ -111,7 +111,7 @@ TEST_F(Withdrawals, ATombstoneKeepsThePersonOut) {
   const auto back = append(study_.file, study_.person);
   ASSERT_FALSE(back);
   EXPECT_NE(back.error().message().find("found the code 'velvet-otter' of a participant who withdrew on "
-                                        "2026-05-28T20:26:40Z, wanted nobody who took back their consent"),
+                                        "2026-05-28T20:26:40Z, wanted a person who has not taken back their consent"),
             std::string::npos)
       << back.error().message();
   auto renamed = study_.person;

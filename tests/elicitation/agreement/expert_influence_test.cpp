@@ -40,7 +40,7 @@ TEST(ExpertInfluence, OfTwoExpertsByHand) {
   const auto influences = expertInfluence(model);
   ASSERT_TRUE(influences) << influences.error().message();
   ASSERT_EQ(influences->experts.size(), 2);
-  // At x >= .6 A says .2 and B says .8: the mean .5 moves by .3 whoever is left out.
+  // At x >= .6 A says .2 and B says .8: the mean .5 moves by .3 with either left out.
   for (const auto& one : influences->experts) {
     ASSERT_TRUE(one.largest);
     EXPECT_NEAR(one.largest->newtons, 0.3, 1e-12);  // rounding of the centroid

@@ -82,7 +82,7 @@ TEST(ForceTerms, NoRoomMeansNoTerm) {
 }
 
 TEST(ForceTerms, AMissingTopTermLiesOneStepAbove) {
-  // Everybody says "beyond" at 0.8 N and above: large ends at 0.7 N, very large begins there.
+  // All say "beyond" at 0.8 N and above: large ends at 0.7 N, very large begins there.
   const auto terms = forceTerms(ngtOutput(), won({{0.1, 0},
                                                   {0.2, 0},
                                                   {0.3, 1},
@@ -105,7 +105,7 @@ TEST(ForceTerms, AMissingTopTermLiesOneStepAbove) {
 }
 
 TEST(ForceTerms, SeveralMissingTopTermsLieAStepApart) {
-  // Nobody judged anything above medium, so the steps go on as they were: 0.1 N apart.
+  // No judgement is above medium, so the steps continue as they were: 0.1 N apart.
   const auto terms = forceTerms(ngtOutput(), won({{0.1, 0}, {0.2, 1}, {0.3, 2}}));
   ASSERT_TRUE(terms);
   EXPECT_EQ(points(*terms, "medium"), (std::vector<double>{0.2, 0.3, 0.3, 0.4}));
@@ -143,7 +143,7 @@ TEST(ForceTerms, AnEndThatWasAskedForIsTaken) {
   EXPECT_EQ(terms->output.max, 1.2);
   EXPECT_TRUE(terms->notes.empty());
   EXPECT_EQ(terms->end_reason, "as asked for");
-  // Above all judgements: the shoulder goes on.
+  // Above all judgements: the shoulder continues.
   terms = forceTerms(ngtOutput(), oneTalksOn(), 2);
   EXPECT_EQ(points(*terms, "very_large"), (std::vector<double>{0.7, 0.8, 2, 2}));
   // Below them: what begins there does not exist, what lies across is cut.

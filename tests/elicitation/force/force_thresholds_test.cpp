@@ -36,7 +36,7 @@ void judge(std::vector<study::ForceJudgement>& out, const std::string& who, cons
   }
 }
 
-/// What the table of judgements gives, with everybody who judged enrolled.
+/// What the table of judgements gives, with all who judged enrolled.
 ThresholdTerms found(const std::vector<study::ForceJudgement>& judgements, std::optional<double> end_n = std::nullopt) {
   std::vector<std::string> ids;
   for (const auto& term : ngtOutput().terms) ids.push_back(term.id);
@@ -143,7 +143,7 @@ TEST(ForceThresholds, BeyondIsAboveAllTermsAndNotFeltBelow) {
   const auto terms = found(all);
   expectNear(terms.participants[0].threshold_n, {0.25, 0.35, 0.45, 0.55});
   expectNear(terms.participants[1].threshold_n, {0.15, 0.35, 0.45, 0.55});
-  // Nobody says very large: it begins where both said "beyond", and the universe has room for it.
+  // No judgement is very large: it begins where both said "beyond", and the universe has room for it.
   expectTerms(
       terms,
       {{0, 0, 0.15, 0.25}, {0.15, 0.25, 0.3, 0.4}, {0.3, 0.4, 0.4, 0.5}, {0.4, 0.5, 0.5, 0.6}, {0.5, 0.6, 0.6, 0.6}});

@@ -45,7 +45,7 @@ TEST(ForceVoting, FirstStepWithoutWinnerTakesTheLowerMedian) {
   EXPECT_EQ(voteOn({{1, 1, 1, 1, 0}})[0].term, 1U);
   EXPECT_EQ(voteOn({{1, 1, 1, 0, 1}})[0].reason, VoteReason::kFirstMedian);
   EXPECT_EQ(voteOn({{0, 2, 1, 1, 1}})[0].term, 2U);  // five votes: the third
-  // A step nobody voted on decides nothing, so the next one is still the first.
+  // A step without votes decides nothing, so the next one is still the first.
   const auto steps = voteOn({{0, 0, 0}, {1, 1, 1}});
   EXPECT_EQ(steps[0].reason, VoteReason::kNoVotes);
   EXPECT_FALSE(steps[0].term);

@@ -173,7 +173,7 @@ TEST(ModelBuilder, ForceTermsComeFromTheVote) {
   EXPECT_TRUE(mentions(built->notes, "The universe of the force ends at 1.25 N instead of 1.1 N"));
   EXPECT_EQ(built->model.output.terms[1].points, (std::vector<double>{0.25, 0.5, 0.5, 0.75}));
 
-  // Nobody says medium, and nothing lies between small and large but the gap: a triangle, which A's rule may use.
+  // No judgement is medium, and nothing lies between small and large but the gap: a triangle, which A's rule may use.
   study.judgements.erase(study.judgements.begin() + 4, study.judgements.begin() + 6);
   built = buildModel(study, forms(), {});
   ASSERT_TRUE(built);

@@ -122,7 +122,7 @@ TEST(TablePlaces, Judgements) {
             "are: random)");
   changed.judgements = {{"A", "ascending", 1, 0.1, Kind::kNotFelt, "", {4}}};
   EXPECT_EQ(errorOf(changed),
-            "judgements.csv: vote: found no decided force, wanted at least one force above 0 N that somebody judged");
+            "judgements.csv: vote: found no decided force, wanted at least one force above 0 N that was judged");
 }
 
 TEST(TablePlaces, Speeds) {

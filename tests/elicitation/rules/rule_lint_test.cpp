@@ -227,7 +227,7 @@ TEST(RuleLint, ExpertsFarApartAreNamedByRegion) {
   EXPECT_EQ(apart[0].experts, (std::vector<std::string>{"A", "B"}));
   // Both are symmetric: .35 N and .7 N, whatever the strength.
   EXPECT_NEAR(*apart[0].newtons, 0.35, 1e-12);
-  EXPECT_NE(apart[0].text.find("nobody's force is near their mean of 0.525 N"), std::string::npos) << apart[0].text;
+  EXPECT_NE(apart[0].text.find("no expert's force is near their mean of 0.525 N"), std::string::npos) << apart[0].text;
   EXPECT_EQ(apart[0].from, apart[0].to);
   // Every item about the oropharynx has a number that ends in 3 or 8.
   ASSERT_EQ(apart[0].sources.size(), 2U);

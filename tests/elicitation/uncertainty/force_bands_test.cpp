@@ -161,14 +161,14 @@ TEST(ForceBands, LeavingOneOutIsACastToo) {
   const RecastStudy recast(study, built, {});
   const std::vector<double> without_n = {.563148, .513148, .380040, .300000};
   for (std::size_t who = 0; who < 4; ++who) {
-    Cast cast = everybody(4);
+    Cast cast = everyPerson(4);
     cast[who] = 0;
     const auto forces = recast.forces({cast, cast, cast}, kPoints);
     ASSERT_TRUE(forces[kA]);
     EXPECT_NEAR(*forces[kA], without_n[who], 5.1e-7) << who;
   }
-  // Everybody once is the study itself.
-  const auto same = recast.forces({everybody(4), everybody(4), everybody(4)}, kPoints);
+  // Each person once is the study itself.
+  const auto same = recast.forces({everyPerson(4), everyPerson(4), everyPerson(4)}, kPoints);
   EXPECT_NEAR(*same[kA], .534861, 5e-7);
 }
 
@@ -212,7 +212,7 @@ TEST(Cast, EnumeratesEveryMultisetWithItsProbability) {
   });
   EXPECT_NEAR(same->weight, 1.0 / 256, 1e-15);
   const auto mixed =
-      std::find_if(of_four.begin(), of_four.end(), [](const auto& one) { return one.cast == everybody(4); });
+      std::find_if(of_four.begin(), of_four.end(), [](const auto& one) { return one.cast == everyPerson(4); });
   EXPECT_NEAR(mixed->weight, 24.0 / 256, 1e-15);
 }
 

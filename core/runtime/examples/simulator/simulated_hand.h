@@ -1,4 +1,4 @@
-// A hand that pushes a tube in strokes. It is simulated: nobody feels the force.
+// A hand that pushes a tube in strokes. It is simulated: no person feels the force.
 #pragma once
 
 #include <algorithm>

@@ -33,11 +33,11 @@ TEST(SystemReason, PipesAndDevicesAreNotReadForFiles) {
   const support::TempFolder folder;
   const std::string pipe = folder.file("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  // Nobody writes into the pipe: to open it would wait for ever.
+  // The pipe has no writer: to open it would wait for ever.
   EXPECT_EQ(readFile(pipe, 100).error().message(), pipe + ": found a pipe, wanted a file");
   EXPECT_EQ(readFile("/dev/zero", 100).error().message(), "/dev/zero: found a device, wanted a file");
   EXPECT_EQ(writeFileAtomically(pipe, "text").error().message(),
-            pipe + ": found a pipe that nobody reads, wanted a file that can be written");
+            pipe + ": found a pipe without a reader, wanted a file that can be written");
   fs::create_symlink(pipe, folder.file("link"));
   EXPECT_EQ(readFile(folder.file("link"), 100).error().message(),
             folder.file("link") + ": found a pipe, wanted a file");

@@ -137,7 +137,7 @@ CalibrationPlan plan(ScaleMethod method = ScaleMethod::kSpringScale, bool both_a
   return {"hid:1209:ffb0:7", "7", {both_axes, false, true}, method};
 }
 
-// A rising push of 2 % of full scale per second goes on for at most the ticks until 4 counts are seen.
+// A rising push of 2 % of full scale per second lasts at most the ticks until 4 counts are seen.
 constexpr double kFrictionToleranceN = 0.03;
 
 TEST(CalibrationProcedure, FindsTheNumbersOfADevice) {

@@ -30,10 +30,10 @@ class FakeLine {
   explicit FakeLine(support::PidModel model) : device_(model), descriptor_(support::reportDescriptor(model)) {}
 
   std::atomic<std::int64_t> now_ns{1'000'000'000};
-  std::atomic<std::int64_t> write_takes_ns{0};  ///< the clock goes on by this at every write
+  std::atomic<std::int64_t> write_takes_ns{0};  ///< the clock advances by this at every write
   std::atomic<bool> writes_fail{false};
   std::atomic<bool> unplugged{false};
-  std::atomic<std::int64_t> unanswered_takes_ns{0};  ///< a GET_REPORT gets no answer: the clock goes on by this
+  std::atomic<std::int64_t> unanswered_takes_ns{0};  ///< a GET_REPORT gets no answer: the clock advances by this
   std::atomic<int> questions{0};                     ///< GET_REPORTs so far
 
   /// Writes that begin from now on wait until `resume`, then get through.
@@ -43,7 +43,7 @@ class FakeLine {
 
   /// An input report that waits to be read.
   void queue(Bytes report);
-  /// Input reports that nobody has read yet.
+  /// Input reports that are not read yet.
   std::size_t unread() const;
 
   std::vector<Sent> sent() const;

@@ -98,7 +98,7 @@ TEST(PidInput, AnEffectThatStopsBetweenStartAndEndHoldsForcesBack) {
   input.take(sketchState(2, true), 0);
   EXPECT_FALSE(watch(50));
   input.take(sketchState(3, false), 0);
-  EXPECT_FALSE(watch(50)) << "the effect of somebody else";
+  EXPECT_FALSE(watch(50)) << "the effect of another program";
   input.take(sketchState(2, false), 0);
   EXPECT_FALSE(watch(19)) << "the start may be on its way";
   EXPECT_FALSE(watch(95)) << "the effect has run out, as it should";

@@ -192,7 +192,8 @@ TEST(PidLayout, ADescriptorThatLiesIsRefusedInOneSentence) {
       "plays constant forces");
 
   const std::string duration = "report descriptor, duration in Set Effect: found ";
-  const std::string wanted = ", wanted 0.09 s to 5 ms, because an effect without an end goes on when the program dies";
+  const std::string wanted =
+      ", wanted 0.09 s to 5 ms, because an effect without an end continues when the program dies";
   EXPECT_EQ(refusal([](OneAxis& d) { d.duration_exponent = 0; }),
             duration + "steps of 1 s up to 32767, in which 0.09 s are 0 s" + wanted);
   EXPECT_EQ(refusal([](OneAxis& d) {

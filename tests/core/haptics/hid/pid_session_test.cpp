@@ -286,7 +286,7 @@ TEST(PidWriter, OnASlowLineOldCommandsAreLeftOutAndNoneWaits) {
   for (int tick = 1; tick <= 300; ++tick) {
     servo_ns += kMs;
     writer.commands().put({{0.01 * tick, 0, 0}, servo_ns, true});
-    if (run.now() > servo_ns) continue;  // the last round still goes on
+    if (run.now() > servo_ns) continue;  // the last round is not over
     run.line->now_ns = servo_ns;
     ASSERT_TRUE(writer.step(servo_ns));
     ++rounds;
@@ -308,7 +308,7 @@ TEST(PidWriter, WithoutAServoThereIsNoForce) {
     EXPECT_NEAR(run.force()[0], 0.4, 1e-4) << tick;
     EXPECT_FALSE(writer.letsGo(run.now()));
   }
-  // Then it lets go within 5 ms, evenly, in rounds that nobody has to ask for.
+  // Then it lets go within 5 ms, evenly, in rounds without a request.
   for (int tick = 41; tick < 45; ++tick, run.line->now_ns += kMs) {
     EXPECT_TRUE(writer.letsGo(run.now()));
     ASSERT_TRUE(writer.step(run.now()));

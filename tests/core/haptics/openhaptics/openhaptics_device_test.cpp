@@ -218,7 +218,7 @@ TEST_F(OpenHaptics, ARequestFromBeforeTheStartCalibratesNothing) {
   standIn().calibration = hd::kNeedsUpdate;
   standIn().calibration_styles = hd::kEncoderReset;
   const auto device = open();
-  device->requestCalibration();  // whoever held it in its reference posture may have let go
+  device->requestCalibration();  // the hand that held it in its reference posture may have let go
   ASSERT_TRUE(device->start());
   steps(3);
   EXPECT_FALSE(device->calibrated());

@@ -49,7 +49,7 @@ struct State {
 /// One round of the scheduler: the callback, if there is one and the scheduler runs. Returns whether it was called.
 using Step = bool (*)();
 using GetState = State* (*)();
-/// Back to a device that nobody has opened.
+/// Back to a device that is not open.
 using Reset = void (*)();
 
 }  // namespace tactus::haptics::stand_in

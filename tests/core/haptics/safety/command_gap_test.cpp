@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t kTickNs = 1'000'000;
 constexpr double kAskedN = 1.7;
 
-/// A held device that asks for 1.7 N, in simulated time; the servo may stand still while the device goes on.
+/// A held device that asks for 1.7 N, in simulated time; the servo may stand still while the device runs.
 class HeldDevice {
  public:
   explicit HeldDevice(double hold_s, VirtualDeviceSettings settings = {}) {
@@ -166,7 +166,7 @@ TEST(CommandGap, IsCountedOnlyWhereAForceWasOn) {
   EXPECT_FALSE(loop.safety.tripped());
 }
 
-/// A device that takes no force lets go as well, though the servo goes on.
+/// A device that takes no force lets go as well, though the servo runs.
 TEST(CommandGap, ForcesThatDoNotArriveAreAGapToo) {
   SafetyLoop loop;
   loop.safety = Safety(0.02);

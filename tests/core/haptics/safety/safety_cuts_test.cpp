@@ -110,7 +110,7 @@ TEST(Safety, ALostOrFailedDeviceCutsAForceThatFades) {
   }
   SafetyLoop warm = fading();
   warm.device.fault = DeviceFault::kWarmMotors;
-  EXPECT_NEAR(warm.tick(), 0.8 * 26 / 30, 1e-9);  // the device is sound: the fade goes on
+  EXPECT_NEAR(warm.tick(), 0.8 * 26 / 30, 1e-9);  // the device is sound: the fade continues
 }
 
 TEST(Safety, StopCutsTheFadeOfADisarmedLayer) {

@@ -30,7 +30,7 @@ TEST(Safety, FadesInOnceForOneSecondOfHolding) {
   loop.ticks(15);
   for (int i = 1; i <= 500; ++i) ASSERT_NEAR(loop.tick(), 0.001 * i, 1e-9);
   EXPECT_TRUE(loop.limited(kLimitedByFadeIn));
-  // A pause does not count, and the next stroke goes on where this one was.
+  // A pause does not count, and the next stroke continues where this one was.
   loop.press(false);
   EXPECT_EQ(loop.ticks(5000), 0);
   loop.press(true);

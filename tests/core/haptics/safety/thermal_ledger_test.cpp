@@ -1,4 +1,4 @@
-// The budget of the motors goes on where the servo before left it.
+// The budget of the motors continues where the previous servo left it.
 #include "core/haptics/safety/thermal_ledger.h"
 
 #include <cmath>

@@ -148,7 +148,7 @@ TEST_F(VelocityGuardTest, AStallIsNoRest) {
   move(-350, 100);
   time_ms_ += 49;
   position_mm_ -= 49 * 0.350;
-  EXPECT_NEAR(guard_.speedMmS(), -350, kCountErrorMmS);  // nobody knows better
+  EXPECT_NEAR(guard_.speedMmS(), -350, kCountErrorMmS);  // there is nothing better
   for (int i = 0; i < 30; ++i) {
     move(-350, 1);
     ASSERT_NEAR(guard_.speedMmS(), -350, kShortCountErrorMmS);

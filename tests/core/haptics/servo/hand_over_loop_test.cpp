@@ -1,4 +1,4 @@
-// Edits in a closed loop: what a hand feels while somebody else changes the model under it.
+// Edits in a closed loop: what a hand feels while another person changes the model under it.
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using support::lowestEnergyMj;
 using support::rippleN;
 using support::simulateLoop;
 
-// As in tests/core/render/closed_loop_test.cpp, where nobody edits.
+// As in tests/core/render/closed_loop_test.cpp, without edits.
 constexpr double kLargestStepN = 0.03;
 constexpr double kEnergyLimitMj = -0.01;
 constexpr double kDepthMm = 100;

@@ -245,7 +245,7 @@ TEST_F(ServoInVirtualTime, CountersOfTheSceneAreSeenFromOutside) {
   run(100);
   const render::SceneCounters seen = servo_.sceneCounters();
   EXPECT_EQ(seen.ticks, 100U);
-  EXPECT_EQ(seen.released, 100U) << "nobody holds the device";
+  EXPECT_EQ(seen.released, 100U) << "the device is not held";
   EXPECT_EQ(seen.asked, 0U);
   EXPECT_EQ(servo_.thermalShare(), 0);
 }

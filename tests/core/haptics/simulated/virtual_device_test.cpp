@@ -279,12 +279,12 @@ TEST(VirtualDevice, ALongPauseIsLeftOut) {
   i += 3'600'000;
   const DeviceState late = device->read(tickNs(i));
   EXPECT_EQ(late.time_ns, tickNs(i));
-  EXPECT_EQ(device->trueForceN(), 0) << "nobody told it for 250 ms";
+  EXPECT_EQ(device->trueForceN(), 0) << "no command for 250 ms";
   EXPECT_LE(device->truePositionMm() - before_mm, 25 + 5);   // a quarter of a second, and what 0.3 N had held back
   for (int k = 0; k < 1000; ++k) device->read(tickNs(++i));  // the hand rings out with exp(-5.9 t)
   const double then_mm = device->truePositionMm();
   for (int k = 0; k < 100; ++k) device->read(tickNs(++i));
-  EXPECT_NEAR(device->truePositionMm() - then_mm, 10, 0.1) << "goes on in step with the clock";
+  EXPECT_NEAR(device->truePositionMm() - then_mm, 10, 0.1) << "continues in step with the clock";
 }
 
 TEST(VirtualDevice, AClockThatGoesBackMovesNothing) {
