@@ -1,0 +1,52 @@
+// Why the force is what it is: words, rules and experts as weights on a beam that balances at the force.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/analysis/explain.h"
+
+namespace tactus::analysis {
+
+/// An output term. Each slice of an expert's aggregated set belongs to the term that is largest there, the first of
+/// equals. With several experts the numbers are the weighted means of theirs.
+struct WordPull {
+  std::string term;
+  double strength = 0;
+  double share = 0;       ///< of the area; all shares sum to 1
+  double centroid_n = 0;  ///< of its slices; the force itself for a word that is nowhere the largest
+  double pull_n = 0;      ///< share * (centroid - force): below 0 it lowers the force; all pulls sum to 0
+};
+
+/// A rule that fires. The rules of one word share its pull by the max game: a rule counts as far as it lifts the
+/// strength above the rules below it, and equal rules count alike (Littlechild and Owen 1973, "airport game").
+struct RulePull {
+  std::size_t expert = 0;  ///< index in the model
+  std::size_t rule = 0;    ///< index in Expert::rules
+  double pull_n = 0;       ///< over all rules they sum to 0
+};
+
+/// An expert who does not abstain and has a weight > 0.
+struct ExpertPull {
+  std::size_t expert = 0;
+  double force_n = 0;
+  double pull_n = 0;                      ///< weight share * (own force - force); they sum to 0
+  std::optional<double> leave_one_out_n;  ///< force - force without the expert; nothing for the only one
+};
+
+struct ForceBalance {
+  double force_n = 0;
+  std::vector<WordPull> words;  ///< those with a strength > 0, in the order of the output's terms, then of own terms
+  std::vector<RulePull> rules;  ///< strongest pull first
+  std::vector<ExpertPull> experts;
+};
+
+/// The balance of `explanation`, which is of `model`, for its mean or for the expert number `expert` alone. Without a
+/// force (all abstain) everything is empty. Polylines of Gaussians are sampled, so their sums hold to about 1e-6 of the
+/// universe. Thread: any.
+ForceBalance forceBalance(const fuzzy::ForceModel& model, const Explanation& explanation,
+                          std::optional<std::size_t> expert = std::nullopt);
+
+}  // namespace tactus::analysis
