@@ -93,6 +93,15 @@ struct ReportOptions : BuildOptions {};
 /// Writes the report of a study (app/report/study_report.h). What the study lacks is said in it.
 base::Result<Output> writeReport(const ReportOptions& options);
 
+struct WhyOptions {
+  std::string model;
+  std::vector<std::string> at;  ///< `INPUT=VALUE`, each input once
+  std::string expert;           ///< id of one expert; empty: the mean
+  bool json = false;
+};
+/// Why the force at a point is what it is, and what would change it.
+base::Result<Output> why(const WhyOptions& options);
+
 struct SimulateOptions {
   std::string model;
   std::string scenario;  ///< docs/scenario.md

@@ -2,6 +2,7 @@
 
 #include "app/bundle/bundle.h"
 #include "app/cli/commands.h"
+#include "app/cli/model_arguments.h"
 #include "core/base/files/file.h"
 #include "core/base/text.h"
 #include "core/exchange/c_source.h"
@@ -24,21 +25,6 @@ base::Result<Files> expertFiles(const fuzzy::ForceModel& model, exchange::Dialec
   return files;
 }
 
-/// `lubrication=1` as an input of the model and its value.
-base::Result<exchange::FixedInput> fixedInput(const fuzzy::ForceModel& model, const std::string& text) {
-  const auto equals = text.find('=');
-  const auto value = equals == std::string::npos ? std::nullopt : base::parseNumber(text.substr(equals + 1));
-  if (!value)
-    return base::fail(base::ErrorCode::kValue, "--fix", base::quoted(text), "INPUT=VALUE, such as lubrication=1");
-  std::vector<std::string> ids;
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    if (model.inputs[i].id == text.substr(0, equals)) return exchange::FixedInput{i, *value};
-    ids.push_back(model.inputs[i].id);
-  }
-  return base::fail(base::ErrorCode::kReference, "--fix", base::quoted(text.substr(0, equals)),
-                    "an input of the model: " + base::joined(ids, ", "));
-}
-
 base::Result<Files> filesOf(const fuzzy::ForceModel& model, const ConvertOptions& options) {
   if (options.to != "c" && !options.fixed.empty())
     return base::fail(base::ErrorCode::kValue, "--fix", "--to " + options.to, "--to c, which alone can fix inputs");
@@ -47,9 +33,9 @@ base::Result<Files> filesOf(const fuzzy::ForceModel& model, const ConvertOptions
   }
   std::vector<exchange::FixedInput> fixed;
   for (const std::string& text : options.fixed) {
-    const auto one = fixedInput(model, text);
+    const auto one = inputOption(model, "--fix", text);
     if (!one) return tl::unexpected(one.error());
-    fixed.push_back(*one);
+    fixed.push_back({one->first, one->second});
   }
   auto source = exchange::cSource(model, fixed);
   if (!source) return tl::unexpected(source.error());

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/cli/commands.h"
+#include "app/cli/model_arguments.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 #include "core/fuzzy/compiled_model.h"
@@ -13,18 +14,6 @@ using base::CsvTable;
 using base::Error;
 using base::ErrorCode;
 using base::Result;
-
-/// Index of the expert to evaluate; nothing for the mean.
-Result<std::optional<std::size_t>> findExpert(const fuzzy::ForceModel& model, const EvalOptions& options) {
-  if (options.expert.empty()) return std::nullopt;
-  std::string known;
-  for (std::size_t e = 0; e < model.experts.size(); ++e) {
-    if (model.experts[e].id == options.expert) return e;
-    if (known.size() < 200) known += (known.empty() ? "" : ", ") + model.experts[e].id;
-  }
-  return tl::unexpected(
-      Error{ErrorCode::kReference, options.model, "--expert", base::quoted(options.expert), "one of " + known});
-}
 
 /// The column of each input, in the order of the inputs.
 Result<std::vector<std::size_t>> inputColumns(const fuzzy::ForceModel& model, const CsvTable& points) {
@@ -49,7 +38,7 @@ Result<Output> eval(const EvalOptions& options) {
   if (!read) return tl::unexpected(read.error());
   const auto compiled = fuzzy::compile(read->model);
   if (!compiled) return inFile(compiled.error(), options.model);
-  const auto expert = findExpert(read->model, options);
+  const auto expert = expertOption(read->model, options.model, options.expert);
   if (!expert) return tl::unexpected(expert.error());
   const auto points = CsvTable::read(options.points);
   if (!points) return tl::unexpected(points.error());

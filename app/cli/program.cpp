@@ -102,6 +102,16 @@ void addCommands(CLI::App& app, Chosen& chosen) {
     command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
     addJson(command, o.json);
   });
+  addCommand(app, chosen, "why", "Why the force at a point is what it is, and what would change it", why,
+             [](CLI::App& command, WhyOptions& o) {
+               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               command.add_option("--at", o.at, "INPUT=VALUE for each input, separated by commas")
+                   ->required()
+                   ->delimiter(',')
+                   ->check(notEmpty());
+               command.add_option("--expert", o.expert, "One expert; by default the mean of all")->check(notEmpty());
+               addJson(command, o.json);
+             });
   addCommand(app, chosen, "simulate", "The insertion renderer on a model, with a simulated hand and device", simulate,
              [](CLI::App& command, SimulateOptions& o) {
                command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());

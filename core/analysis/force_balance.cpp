@@ -8,7 +8,7 @@
 namespace tactus::analysis {
 namespace {
 
-constexpr double kSame = 1e-12;  // heights that differ by less coincide: the same flank with other rounding
+constexpr double kSame = 1e-12;  // heights (of the highest) that differ by less coincide: one flank, rounded twice
 
 /// Area and first moment of what lies under a line.
 struct Slices {
@@ -16,20 +16,21 @@ struct Slices {
   double moment = 0;
 };
 
-/// The heights of a set just right of `from` and just left of `to`, between which it has no vertex.
+/// The heights of a set just right of `from` and just left of `to`, between which it has no vertex. As shares of the
+/// largest strength, which may be too small for products.
 struct Heights {
   double left = 0;
   double right = 0;
 };
 
-Heights heightsBetween(const Polyline& set, double from, double to) {
+Heights heightsBetween(const Polyline& set, double from, double to, double highest) {
   const auto after =
       std::upper_bound(set.begin(), set.end(), from, [](double x, const Vertex& vertex) { return x < vertex.x; });
   if (after == set.begin() || after == set.end()) return {};
   const Vertex& left = *std::prev(after);
   const Vertex& right = *after;
   const auto at = [&](double x) {
-    return left.height + (right.height - left.height) * ((x - left.x) / (right.x - left.x));
+    return (left.height + (right.height - left.height) * ((x - left.x) / (right.x - left.x))) / highest;
   };
   return {at(from), at(to)};
 }
@@ -41,10 +42,12 @@ void add(Slices& slices, double from, double to, const Heights& heights) {
   slices.moment += from * area + width * width * (heights.left / 6 + heights.right / 3);
 }
 
-/// The slices of each set where it is the largest.
+/// The slices of each set where it is the largest; heights as shares of the largest strength.
 std::vector<Slices> slicesOf(const std::vector<ExplainedOutputTerm>& terms) {
   std::vector<double> ends;
+  double highest = 0;
   for (const auto& term : terms) {
+    highest = std::max(highest, term.strength);
     for (const Vertex& vertex : term.set) ends.push_back(vertex.x);
   }
   std::sort(ends.begin(), ends.end());
@@ -55,7 +58,8 @@ std::vector<Slices> slicesOf(const std::vector<ExplainedOutputTerm>& terms) {
   for (std::size_t piece = 1; piece < ends.size(); ++piece) {
     const double from = ends[piece - 1];
     const double width = ends[piece] - from;
-    for (std::size_t t = 0; t < terms.size(); ++t) heights[t] = heightsBetween(terms[t].set, from, ends[piece]);
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      heights[t] = heightsBetween(terms[t].set, from, ends[piece], highest);
     // The places, as shares of the piece, where two of the lines cross.
     std::vector<double> cuts = {0, 1};
     for (std::size_t one = 0; one < terms.size(); ++one) {

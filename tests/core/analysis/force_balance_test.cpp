@@ -106,7 +106,7 @@ TEST(ForceBalance, IsInBalance) {
     EXPECT_NEAR(share, 1, 1e-9);
     EXPECT_NEAR(words_n, 0, 2e-6 * range);
     EXPECT_NEAR(rules_n, words_n, 1e-9 * range);
-    EXPECT_NEAR(experts_n, 0, 1e-12 * range);
+    EXPECT_NEAR(experts_n, 0, 1e-9 * range);
   }
   EXPECT_GT(balanced, 200);
 }

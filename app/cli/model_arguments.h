@@ -1,0 +1,23 @@
+// Experts and inputs of a model as the command line names them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::cli {
+
+/// The index of the expert with the id `id` in the model of file `path`; nothing for an empty `id`, which means the
+/// mean of all. Returns an error with the known ids for another one.
+base::Result<std::optional<std::size_t>> expertOption(const fuzzy::ForceModel& model, const std::string& path,
+                                                      const std::string& id);
+
+/// `lubrication=1` as the index of an input and its value. `option` is named in the error.
+base::Result<std::pair<std::size_t, double>> inputOption(const fuzzy::ForceModel& model, const std::string& option,
+                                                         const std::string& text);
+
+}  // namespace tactus::cli

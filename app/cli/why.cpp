@@ -1,0 +1,67 @@
+#include <utility>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/model_arguments.h"
+#include "app/cli/why_text.h"
+#include "core/base/text.h"
+#include "core/model_io/model_file.h"
+#include "elicitation/force/noticeable_force.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+
+/// One value for each input of the model.
+base::Result<std::vector<double>> pointOf(const fuzzy::ForceModel& model, const std::vector<std::string>& texts) {
+  std::vector<std::optional<double>> values(model.inputs.size());
+  for (const std::string& text : texts) {
+    const auto one = inputOption(model, "--at", text);
+    if (!one) return tl::unexpected(one.error());
+    auto& value = values[one->first];
+    if (value)
+      return base::fail(ErrorCode::kValue, "--at", "a second " + model.inputs[one->first].id, "each input once");
+    value = one->second;
+  }
+  std::vector<std::string> missing;
+  std::vector<double> point;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i]) missing.push_back(model.inputs[i].id);
+    point.push_back(values[i].value_or(0));
+  }
+  if (missing.empty()) return point;
+  return base::fail(ErrorCode::kValue, "--at", "no value for " + base::joined(missing, ", "),
+                    "INPUT=VALUE for each input of the model, separated by commas");
+}
+
+}  // namespace
+
+base::Result<Output> why(const WhyOptions& options) {
+  const auto read = model_io::readModel(options.model);
+  if (!read) return tl::unexpected(read.error());
+  const auto compiled = fuzzy::compile(read->model);
+  if (!compiled) return inFile(compiled.error(), options.model);
+  const auto expert = expertOption(read->model, options.model, options.expert);
+  if (!expert) return tl::unexpected(expert.error());
+  const auto point = pointOf(read->model, options.at);
+  if (!point) return tl::unexpected(point.error());
+  const auto explanation = analysis::explain(read->model, *compiled, *point);
+  if (!explanation) return tl::unexpected(explanation.error());
+  auto moves =
+      analysis::counterfactuals(read->model, *compiled, *point, elicitation::justNoticeableDifference, *expert);
+  if (!moves) return tl::unexpected(moves.error());
+
+  std::vector<std::string> warnings = read->warnings;
+  for (const analysis::ExplainedInput& input : explanation->inputs) {
+    if (input.given == input.value) continue;
+    warnings.push_back(input.id + " " + base::formatNumber(input.given) + " lies outside its universe; taken as " +
+                       base::formatNumber(input.value));
+  }
+  const Reasons reasons{read->model, *expert ? !explanation->experts[**expert].abstains : explanation->fired,
+                        analysis::forceBalance(read->model, *explanation, *expert), std::move(*moves)};
+  return Output{options.json ? asJson(reasons) : asText(reasons), std::move(warnings)};
+}
+
+}  // namespace tactus::cli
