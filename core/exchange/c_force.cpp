@@ -87,23 +87,15 @@ std::string SourceWriter::oneByOneText(const std::vector<std::size_t>& experts) 
          ";\n  if (fired != NULL) *fired = 1;\n  return " + number(model_.output.min) + " + sum / weights;\n}\n\n";
 }
 
-/// The strengths of all experts side by side, so that compilers compute several centroids at once.
-std::string SourceWriter::sideBySideText(const std::vector<std::size_t>& experts) const {
+/// From the strengths `s` of all experts side by side to the force, so that compilers compute several centroids at
+/// once.
+std::string SourceWriter::sideBySideCentroids(const std::vector<std::size_t>& experts) const {
   const std::size_t g = ordered_[experts.front()]->group;
   const std::string count = std::to_string(experts.size());
-  const std::string terms = std::to_string(groups_[g].live.size());
-  std::string out =
-      "double force_model(const double *inputs, int *fired) {\n  static const double share[" + count + "] = {";
-  for (const std::size_t e : experts) out += (e == experts.front() ? "" : ", ") + share(e);
-  out += "};\n  double m[kMemberships], s[" + terms + " * " + count + "], largest[" + count + "], offset[" + count +
-         "];\n  double sum = 0.0, weights = 0.0;\n  int e;\n  const double nothing = memberships(inputs, m);\n"
-         "  if (fired != NULL) *fired = 0;\n  if (nothing != 0.0) return nothing;\n";
-  for (std::size_t i = 0; i < experts.size(); ++i) {
-    out += "  strengths_" + std::to_string(experts[i]) + "(m, s + " + std::to_string(i) + ", " + count + ");\n";
-  }
-  out += "  for (e = 0; e < " + count + "; ++e) largest[e] = " + largest(groups_[g], " * " + count + " + e]") +
-         ";\n  for (e = 0; e < " + count + "; ++e) {\n    double area, moment;\n    centroid_" + std::to_string(g) +
-         "(s + e, " + count + ", &area, &moment);\n    offset[e] = moment / (largest[e] > 0.0 ? area : 1.0);\n  }\n";
+  std::string out = "  for (e = 0; e < " + count +
+                    "; ++e) largest[e] = " + largest(groups_[g], " * " + count + " + e]") + ";\n  for (e = 0; e < " +
+                    count + "; ++e) {\n    double area, moment;\n    centroid_" + std::to_string(g) + "(s + e, " +
+                    count + ", &area, &moment);\n    offset[e] = moment / (largest[e] > 0.0 ? area : 1.0);\n  }\n";
   for (std::size_t i = 0; i < experts.size(); ++i) {
     const std::string at = "[" + std::to_string(i) + "]";
     out +=
@@ -113,9 +105,51 @@ std::string SourceWriter::sideBySideText(const std::vector<std::size_t>& experts
          ";\n  if (fired != NULL) *fired = 1;\n  return " + number(model_.output.min) + " + sum / weights;\n}\n\n";
 }
 
+/// What the functions that compute centroids side by side begin with.
+std::string SourceWriter::sideBySideStart(const std::vector<std::size_t>& experts) const {
+  const std::string count = std::to_string(experts.size());
+  const std::string terms = std::to_string(groups_[ordered_[experts.front()]->group].live.size());
+  std::string out =
+      "double force_model(const double *inputs, int *fired) {\n  static const double share[" + count + "] = {";
+  for (const std::size_t e : experts) out += (e == experts.front() ? "" : ", ") + share(e);
+  return out + "};\n  double m[kMemberships], s[" + terms + " * " + count + "], largest[" + count + "], offset[" +
+         count + "];\n  double sum = 0.0, weights = 0.0;\n  int e;\n";
+}
+
+std::string SourceWriter::sideBySideText(const std::vector<std::size_t>& experts) const {
+  std::string out = sideBySideStart(experts) +
+                    "  const double nothing = memberships(inputs, m);\n"
+                    "  if (fired != NULL) *fired = 0;\n  if (nothing != 0.0) return nothing;\n";
+  for (std::size_t i = 0; i < experts.size(); ++i) {
+    out += "  strengths_" + std::to_string(experts[i]) + "(m, s + " + std::to_string(i) + ", " +
+           std::to_string(experts.size()) + ");\n";
+  }
+  return out + sideBySideCentroids(experts);
+}
+
+/// The same by the stretches of one input.
+std::string SourceWriter::stretchedText(const std::vector<std::size_t>& experts, std::size_t pivot) const {
+  const std::size_t g = ordered_[experts.front()]->group;
+  const std::string places = std::to_string(groups_[g].live.size() * experts.size());
+  const std::string strengths =
+      "  const double nothing = other_memberships(inputs, m, &at);\n  if (fired != NULL) *fired = 0;\n"
+      "  if (nothing != 0.0) return nothing;\n  strengths_here(at, m, s);\n  for (e = 0; e < " +
+      places + "; ++e) s[e] = larger(s[e], 0.0);\n";
+  const std::string before = memberships_.functionBut(pivot) + "\n" + stretchesText(experts, pivot);
+  if (experts.size() > 1)
+    return before + sideBySideStart(experts) + "  double at;\n" + strengths + sideBySideCentroids(experts);
+  // The centroid of the only expert is the mean.
+  return before + "double force_model(const double *inputs, int *fired) {\n  double m[kMemberships], s[" + places +
+         "], largest, area, moment, at;\n  int e;\n" + strengths + "  largest = " + largest(groups_[g], "]") +
+         ";\n  if (!(largest > 0.0)) return " + number(model_.default_force_n) + ";\n  centroid_" + std::to_string(g) +
+         "(s, 1, &area, &moment);\n  if (fired != NULL) *fired = 1;\n  return " + number(model_.output.min) +
+         " + moment / area;\n}\n\n";
+}
+
 std::string SourceWriter::meanText() const {
   const std::vector<std::size_t> experts = counting();
-  const bool side_by_side = experts.size() > 1 && areOneGroup(experts) && !isLarge();
+  if (const auto pivot = pivotFor(experts)) return stretchedText(experts, *pivot);
+  const bool side_by_side = experts.size() > 1 && areOneGroup(experts) && !isLarge() && !memberships_.isOdd();
   return side_by_side ? sideBySideText(experts) : oneByOneText(experts);
 }
 

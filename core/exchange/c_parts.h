@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,14 +31,22 @@ class MembershipCode {
   std::optional<double> fixedAt(std::size_t input, const fuzzy::Term& term) const;
 
   std::size_t count() const { return terms_.size(); }
+  /// Input and term of membership `index`.
+  const std::pair<std::size_t, fuzzy::Term>& operator[](std::size_t index) const { return terms_[index]; }
   /// The function `memberships`, which fills `m` and returns NaN where an input is not finite, else 0.
   std::string function() const;
+  /// The function `other_memberships`, which leaves out those of `input` and gives its value within the universe in
+  /// `at`. Its memberships may be below 0, which stands for 0. Needs numbers that are not odd.
+  std::string functionBut(std::size_t input) const;
+  /// Membership `index` in C, as in `functionBut`.
+  std::string expressionBelowZero(std::size_t index) const;
   bool usesExp() const;
   /// Some numbers are so large or so small that memberships and strengths must be kept from vanishing.
   bool isOdd() const { return odd_; }
 
  private:
-  std::string expression(std::size_t input, const fuzzy::Term& term) const;
+  std::string expression(std::size_t input, const fuzzy::Term& term, bool below_zero = false) const;
+  std::string valuesText() const;
 
   const fuzzy::ForceModel& model_;
   FixedInputs fixed_;
@@ -44,13 +54,36 @@ class MembershipCode {
   std::vector<std::pair<std::size_t, fuzzy::Term>> terms_;  ///< input, term
 };
 
+/// Memberships that must all hold, ascending.
+using Premise = std::vector<std::size_t>;
+/// The premises of the rules for one output term, by weight.
+using TermRules = std::map<double, std::vector<Premise>>;
+
 /// The strengths of an expert's output terms that a rule can reach.
 struct Strength {
   std::size_t term = 0;
+  TermRules rules;
   std::string text;  ///< an expression in `m`
 };
 /// Ascending by term.
 std::vector<Strength> strengthsOf(const ExpertView& view, MembershipCode& memberships);
+
+/// Several strengths in C, each part that some of them share computed once.
+struct SharedStrengths {
+  std::string statements;           ///< declare what is shared, one line each
+  std::vector<std::string> values;  ///< an expression for each
+};
+/// `pivots`: memberships of which a premise has at most one; rules that differ in it alone are joined.
+SharedStrengths sharedStrengths(std::span<const TermRules> rules, std::span<const std::size_t> pivots);
+
+/// A stretch of an input, `after < x <= until`, and what memberships of the input are there.
+struct Stretch {
+  double after = 0, until = 0;
+  std::vector<std::size_t> in_part;  ///< above 0 somewhere, and below 1 somewhere
+  std::vector<std::size_t> whole;    ///< 1 everywhere; all others of the input are 0
+};
+/// The stretches of the input between the ends of its terms, ascending; empty if there are too many.
+std::vector<Stretch> stretchesOf(const fuzzy::Variable& input, std::size_t index, const MembershipCode& memberships);
 
 /// Experts whose output terms have an order and are the same: their centroids are the same function of the strengths.
 struct CentroidGroup {

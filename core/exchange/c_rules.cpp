@@ -43,8 +43,6 @@ bool isOddModel(const fuzzy::ForceModel& model) {
   return false;
 }
 
-using Premise = std::vector<std::size_t>;  ///< memberships, all of which must hold
-
 std::string subtree(const std::vector<std::string>& parts, const std::string& function, std::size_t first,
                     std::size_t count) {
   if (count == 1) return parts[first];
@@ -130,7 +128,7 @@ bool MembershipCode::usesExp() const {
   });
 }
 
-std::string MembershipCode::expression(std::size_t input, const fuzzy::Term& term) const {
+std::string MembershipCode::expression(std::size_t input, const fuzzy::Term& term, bool below_zero) const {
   if (const auto fixed = fixedAt(input, term)) return number(*fixed);
   const std::string x = "x" + std::to_string(input);
   if (term.shape == fuzzy::Shape::kGaussian) {
@@ -156,13 +154,16 @@ std::string MembershipCode::expression(std::size_t input, const fuzzy::Term& ter
   }
   if (sides.empty()) return "1.0";
   sides.emplace_back("1.0");
-  return "larger(0.0, " + tree(sides, "lower") + ")";
+  return below_zero ? tree(sides, "lower") : "larger(0.0, " + tree(sides, "lower") + ")";
 }
 
-std::string MembershipCode::function() const {
-  std::string out =
-      "PART double memberships(const double *inputs, double *m) {\n"
-      "  double nothing = 0.0;\n";
+std::string MembershipCode::expressionBelowZero(std::size_t index) const {
+  return expression(terms_[index].first, terms_[index].second, true);
+}
+
+/// The values x0, x1, … of the inputs that are not fixed, within their universes, and `nothing`.
+std::string MembershipCode::valuesText() const {
+  std::string out = "  double nothing = 0.0;\n";
   std::vector<std::string> place(model_.inputs.size());  // of each free input in `inputs`
   std::size_t free = 0;
   for (std::size_t i = 0; i < place.size(); ++i) {
@@ -188,20 +189,34 @@ std::string MembershipCode::function() const {
     const std::string x = "x" + std::to_string(i);
     out += "  " + x + " = off_zero(" + x + ");\n";
   }
-  for (std::size_t t = 0; t < terms_.size(); ++t) {
-    out += "  " + membership(t) + " = " + expression(terms_[t].first, terms_[t].second) + ";\n";
-  }
   // What no rule asks for.
   for (std::size_t i = 0; i < place.size(); ++i) {
     if (!fixed_[i]) out += "  (void)x" + std::to_string(i) + ";\n";
+  }
+  return out;
+}
+
+std::string MembershipCode::function() const {
+  std::string out = "PART double memberships(const double *inputs, double *m) {\n" + valuesText();
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    out += "  " + membership(t) + " = " + expression(terms_[t].first, terms_[t].second) + ";\n";
   }
   if (terms_.empty()) out += "  (void)m;\n";
   return out + "  return nothing;\n}\n";
 }
 
+std::string MembershipCode::functionBut(std::size_t input) const {
+  std::string out =
+      "PART double other_memberships(const double *inputs, double *m, double *at) {\n" + valuesText() + "  (void)m;\n";
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    if (terms_[t].first != input) out += "  " + membership(t) + " = " + expressionBelowZero(t) + ";\n";
+  }
+  return out + "  *at = x" + std::to_string(input) + ";\n  return nothing;\n}\n";
+}
+
 std::vector<Strength> strengthsOf(const ExpertView& view, MembershipCode& memberships) {
   // By output term, then by weight: w min(a, b) = min(w a, w b) and w max(a, b) = max(w a, w b) hold for every bit.
-  std::map<std::size_t, std::map<double, std::vector<Premise>>> rules;
+  std::map<std::size_t, TermRules> rules;
   for (const IndexedRule& rule : view.rules) {
     if (rule.weight == 0) continue;
     Premise premise;
@@ -212,19 +227,20 @@ std::vector<Strength> strengthsOf(const ExpertView& view, MembershipCode& member
       can_fire = can_fire && fixed != 0.0;
       if (fixed != 1.0 && fixed != 0.0) premise.push_back(memberships.index(input, condition));
     }
+    std::sort(premise.begin(), premise.end());
     if (can_fire) rules[rule.then][rule.weight].push_back(std::move(premise));
   }
   std::vector<Strength> out;
   for (auto& [term, by_weight] : rules) {
     std::vector<std::string> alternatives;
-    for (auto& [weight, premises] : by_weight) {
-      const std::string inner = strongest(std::move(premises));
+    for (const auto& [weight, premises] : by_weight) {
+      const std::string inner = strongest(premises);
       const std::string held = inner.empty() ? "1.0" : inner;
       const std::string scaled =
           memberships.isOdd() ? "kept_product(" + number(weight) + ", " + held + ")" : number(weight) + " * " + held;
       alternatives.push_back(weight == 1 ? held : scaled);
     }
-    out.push_back({term, tree(alternatives, "larger")});
+    out.push_back({term, std::move(by_weight), tree(alternatives, "larger")});
   }
   return out;
 }

@@ -175,7 +175,7 @@ std::string SourceWriter::source() const {
   // Both change no number: no exception flags are kept, and what is chosen by a comparison stays one instruction.
   out +=
       "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize(\"no-trapping-math\", \"no-thread-jumps\", "
-      "\"tree-vectorize\", \"vect-cost-model=dynamic\")\n#endif\n";
+      "\"tree-vectorize\", \"vect-cost-model=dynamic\", \"no-tree-pre\", \"peel-loops\")\n#endif\n";
   const std::string part = isLarge() ? "static" : "static inline __attribute__((always_inline))";
   out += "#ifdef __GNUC__\n#define PART " + part +
          "\n#define RARE static __attribute__((noinline))\n#else\n#define PART static" +

@@ -39,6 +39,11 @@ class SourceWriter {
   std::string orderedFunctions(std::size_t index) const;
   std::string expertFunctions() const;
   std::string meanText() const;
+  std::optional<std::size_t> pivotFor(const std::vector<std::size_t>& experts) const;
+  std::string stretchesText(const std::vector<std::size_t>& experts, std::size_t pivot) const;
+  std::string stretchedText(const std::vector<std::size_t>& experts, std::size_t pivot) const;
+  std::string sideBySideStart(const std::vector<std::size_t>& experts) const;
+  std::string sideBySideCentroids(const std::vector<std::size_t>& experts) const;
   std::string oneByOneText(const std::vector<std::size_t>& experts) const;
   std::string sideBySideText(const std::vector<std::size_t>& experts) const;
   std::string batchText() const;

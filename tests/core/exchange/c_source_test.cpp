@@ -133,6 +133,38 @@ TEST(CSource, IsTheSameForOtherCompilersAndOptions) {
   expectSame(support::s4Shifted(), random, 2000, "-O2", "clang");
 }
 
+/// The source has code of its own for each stretch of depth between the ends of the terms of all experts.
+TEST(CSource, HasTheForcesAtBothSidesOfEachEnd) {
+  auto model = support::s4FiveRegions();
+  auto& regions = model.inputs[2].terms;
+  regions[1].points[0] = regions[1].points[1];  // a vertical edge, which belongs to the term
+  fuzzy::Expert second = model.experts.front();
+  second.id = "S2";
+  second.rules.front().weight = 0.25;
+  second.rules.erase(second.rules.begin() + 3);
+  model.experts.push_back(second);
+  base::Random random(19);
+  for (const std::size_t experts : {2U, 1U}) {
+    model.experts.resize(experts);
+    const CompiledSource source(model, "-O2");
+    ASSERT_NE(source.force, nullptr);
+    const auto compiled = fuzzy::compile(model);
+    ASSERT_TRUE(compiled);
+    for (const fuzzy::Term& region : regions) {
+      for (const double end : region.points) {
+        for (const double depth_mm : {std::nextafter(end, -1e9), end, std::nextafter(end, 1e9)}) {
+          auto point = support::randomPoint(random, model);
+          point[2] = depth_mm;
+          int fired = 7;
+          const auto wanted = compiled->evaluate(point);
+          ASSERT_NEAR(source.force(point.data(), &fired), wanted.force_n, 1e-12) << depth_mm;
+          ASSERT_EQ(fired != 0, wanted.fired) << depth_mm;
+        }
+      }
+    }
+  }
+}
+
 TEST(CSource, ABatchTakesWhateverTheCallerPasses) {
   const CompiledSource source(support::s4Shifted(), "-O3");
   ASSERT_NE(source.batch, nullptr);
