@@ -1,9 +1,11 @@
+#include <filesystem>
 #include <string>
 
 #include "core/base/check.h"
 #include "core/base/json/json_document.h"
 #include "core/base/tables/csv.h"
 #include "core/fuzzy/compiled_model.h"
+#include "core/model_io/bundle_manifest.h"
 #include "core/model_io/model_file.h"
 
 #include "tests/fuzz/fuzz_targets.h"
@@ -30,6 +32,20 @@ void fuzzModel(std::string_view bytes) {
   TACTUS_CHECK(fuzzy::compile(read->model).has_value());
   const auto again = model_io::parseModel(model_io::formatModel(read->model), "written");
   TACTUS_CHECK(again.has_value() && again->model == read->model);
+}
+
+void fuzzManifest(std::string_view bytes) {
+  const auto manifest = model_io::parseManifest(bytes, "fuzzed");
+  if (!manifest) {
+    TACTUS_CHECK(!manifest.error().wanted.empty());
+    return;
+  }
+  for (const model_io::BundleFile& file : manifest->files) {
+    const std::filesystem::path path = std::filesystem::path(file.path).lexically_normal();
+    TACTUS_CHECK(path.is_relative() && !path.empty() && *path.begin() != "..");
+  }
+  const auto again = model_io::parseManifest(model_io::formatManifest(*manifest), "written");
+  TACTUS_CHECK(again.has_value() && *again == *manifest);
 }
 
 void fuzzCsv(std::string_view bytes) {

@@ -12,6 +12,8 @@ void fuzzFcl(std::string_view bytes);
 void fuzzFis(std::string_view bytes);
 /// A model file that is read is written and read as the same model.
 void fuzzModel(std::string_view bytes);
+/// A manifest of a bundle that is read leads out of no folder, and is written and read as the same.
+void fuzzManifest(std::string_view bytes);
 /// Each cell of a table that is read has a row and a column.
 void fuzzCsv(std::string_view bytes);
 /// JSON that is read can be walked to its end.
