@@ -18,14 +18,33 @@ function(build source folder)
   run(ignored ${CMAKE_COMMAND} --build "${folder}")
 endfunction()
 
-# sameAsProgram(FOUND): FOUND holds the table that `tactus eval` wrote for the points, byte by byte (points_test.cmake).
-set(POINTS "${WORK}/../consumer_points/points.csv")
-function(sameAsProgram found)
-  file(SHA256 "${WORK}/../consumer_points/wanted.csv" wanted)
-  file(SHA256 "${found}" is)
-  if(NOT wanted STREQUAL is)
-    message(FATAL_ERROR "${found} and what tactus eval wrote differ")
+# The models that consumers are compared on, and their points (points_test.cmake). In each folder of a consumer NAME.csv is the
+# table of `tactus eval`, NAME.all what table.c adds to it.
+set(MODELS ngt averaged swallow)
+set(POINTS "${WORK}/../consumer_points")
+
+# sameFile(FOUND WANTED WHOSE)
+function(sameFile found wanted whose)
+  file(SHA256 "${wanted}" wanted_sum)
+  file(SHA256 "${found}" found_sum)
+  if(NOT wanted_sum STREQUAL found_sum)
+    message(FATAL_ERROR "${found} and what ${whose} wrote differ")
   endif()
+endfunction()
+
+# sameAsProgram(NAME FOUND): FOUND holds the table that `tactus eval` wrote for the points of the model NAME, byte by byte.
+function(sameAsProgram name found)
+  sameFile("${found}" "${POINTS}/${name}.wanted.csv" "tactus eval")
+endfunction()
+
+# consumerAgrees(WHAT COMMAND...): run with MODEL POINTS OUT ALL for each model, the command writes the table of `tactus eval`
+# and all that the consumer in C writes (program_test.cmake).
+function(consumerAgrees what)
+  foreach(name IN LISTS MODELS)
+    run(ignored ${ARGN} "${POINTS}/${name}.tactus.json" "${POINTS}/${name}.csv" "${WORK}/${what}-${name}.csv" "${WORK}/${what}-${name}.all")
+    sameAsProgram(${name} "${WORK}/${what}-${name}.csv")
+    sameFile("${WORK}/${what}-${name}.all" "${WORK}/../consumer_program/shared_c-${name}.all" "the program in C")
+  endforeach()
 endfunction()
 
 # bundle(FOLDER): a small bundle, to be verified by the library.

@@ -17,8 +17,7 @@ endfunction()
 # built(HOST): the host builds, and writes the table of forces.
 function(built host)
   run(ignored ${CMAKE_COMMAND} --build "${WORK}/${host}" --target host -j 2)
-  run(ignored "${WORK}/${host}/host" "${MODEL}" "${POINTS}" "${WORK}/${host}.csv")
-  sameAsProgram("${WORK}/${host}.csv")
+  consumerAgrees(${host} "${WORK}/${host}/host")
 endfunction()
 
 configured(embedded "-DTACTUS_SOURCES=${SOURCE}")

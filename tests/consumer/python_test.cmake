@@ -6,10 +6,10 @@ if(NOT PYTHON)
 endif()
 unset(ENV{LD_LIBRARY_PATH})  # it finds the library of its prefix by itself
 bundle("${WORK}/bundle")
-run(said "${PYTHON}" "${SOURCE}/tests/consumer/outside/table.py" "${PREFIX}/share/tactus/languages" "${MODEL}"
-    "${POINTS}" "${WORK}/python.csv" "${WORK}/bundle")
+set(outside "${SOURCE}/tests/consumer/outside")
+consumerAgrees(python "${PYTHON}" "${outside}/table.py" "${PREFIX}/share/tactus/languages")
+run(said "${PYTHON}" "${outside}/uses.py" "${PREFIX}/share/tactus/languages" "${MODEL}" "${WORK}/bundle")
 message("${said}")
-sameAsProgram("${WORK}/python.csv")
 run(force "${PYTHON}" "${PREFIX}/share/tactus/examples/force.py" "${MODEL}" 1 45 30 30)
 if(NOT force MATCHES "^0\\.12666666666666[0-9]* N\n$")
   message(FATAL_ERROR "force.py: ${force}")

@@ -219,6 +219,7 @@ namespace Tactus
             Native.Want(inputs, Inputs);
             int any;
             double forceN = Native.tactus_force(Handle, inputs, out any);
+            GC.KeepAlive(this);  // or the finalizer could free the model during the call
             fired = any != 0;
             return forceN;
         }
@@ -227,7 +228,9 @@ namespace Tactus
         {
             Native.Want(inputs, Inputs);
             int any;
-            return Native.tactus_expert_force(Handle, (UIntPtr)expert, inputs, out any);
+            double forceN = Native.tactus_expert_force(Handle, (UIntPtr)expert, inputs, out any);
+            GC.KeepAlive(this);
+            return forceN;
         }
 
         /// Points one after another; `forceN` holds one value for each. `fired` may be null.
@@ -237,13 +240,16 @@ namespace Tactus
             if (fired != null && fired.Length < forceN.Length)
                 throw new Error(Status.BadArgument, "fired: found " + fired.Length + " values, wanted " + forceN.Length);
             Native.tactus_force_batch(Handle, inputs, (UIntPtr)forceN.Length, forceN, fired);
+            GC.KeepAlive(this);
         }
 
         /// Bit i: input i is outside its universe and is clamped.
         public uint Clamped(double[] inputs)
         {
             Native.Want(inputs, Inputs);
-            return Native.tactus_clamped(Handle, inputs);
+            uint bits = Native.tactus_clamped(Handle, inputs);
+            GC.KeepAlive(this);
+            return bits;
         }
 
         /// The model with some inputs fixed, by id.
@@ -265,6 +271,7 @@ namespace Tactus
             IntPtr handle = Native.Made((out IntPtr scene, byte[] message, UIntPtr size) =>
                 Native.tactus_scene_make(Handle, indices, values, (UIntPtr)indices.Length, out scene, message, size),
                 out warning);
+            GC.KeepAlive(this);
             return new Scene(handle, warning);
         }
 
@@ -299,6 +306,7 @@ namespace Tactus
             Native.Want(inputs, Inputs);
             int any;
             double forceN = Native.tactus_scene_force(Handle, inputs, out any);
+            GC.KeepAlive(this);
             fired = any != 0;
             return forceN;
         }
@@ -309,6 +317,7 @@ namespace Tactus
             if (fired != null && fired.Length < forceN.Length)
                 throw new Error(Status.BadArgument, "fired: found " + fired.Length + " values, wanted " + forceN.Length);
             Native.tactus_scene_force_batch(Handle, inputs, (UIntPtr)forceN.Length, forceN, fired);
+            GC.KeepAlive(this);
         }
 
         public void Dispose()
@@ -324,6 +333,7 @@ namespace Tactus
     /// One insertion: position in, force out. One thread at a time.
     public sealed class Tube : IDisposable
     {
+        private static readonly UIntPtr feel_size_ = (UIntPtr)(uint)Marshal.SizeOf(typeof(Feel));
         private IntPtr handle_;
 
         public Tube(Scene scene)
@@ -331,19 +341,30 @@ namespace Tactus
             string warning;
             handle_ = Native.Made((out IntPtr tube, byte[] message, UIntPtr size) =>
                 Native.tactus_tube_make(scene.Handle, out tube, message, size), out warning);
+            GC.KeepAlive(scene);
         }
 
         /// A new placement at this depth.
-        public void Place(double depthMm) { Native.tactus_tube_place(handle_, depthMm); }
+        public void Place(double depthMm)
+        {
+            Native.tactus_tube_place(handle_, depthMm);
+            GC.KeepAlive(this);
+        }
 
         /// Feels another scene, without a kick.
-        public void Scene(Scene scene, double fadeS = 0.05) { Native.tactus_tube_scene(handle_, scene.Handle, fadeS); }
+        public void Scene(Scene scene, double fadeS = 0.05)
+        {
+            Native.tactus_tube_scene(handle_, scene.Handle, fadeS);
+            GC.KeepAlive(scene);
+            GC.KeepAlive(this);
+        }
 
         /// A position or a time out of range lets the tube go (phase 0).
         public Feel Step(double positionMm, bool held, double dtS)
         {
-            var feel = new Feel { Size = (UIntPtr)(uint)Marshal.SizeOf(typeof(Feel)) };
+            var feel = new Feel { Size = feel_size_ };
             Native.tactus_tube_step(handle_, positionMm, held ? 1 : 0, dtS, ref feel);
+            GC.KeepAlive(this);
             return feel;
         }
 

@@ -1,64 +1,73 @@
-// The forces of a table that table.c wrote as bits, once more by Tactus.cs: Table MODEL BITS.csv BUNDLE.
+// The doubles that table.c wrote of a model, once more by Tactus.cs: Table MODEL ALL.
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 
 public static class Table
 {
-    static void Want(bool condition, string what)
+    const int Group = 1000;  // points of one scene
+    const int Fixed = 2;     // inputs that it fixes
+
+    static void Same(double found, double wanted, string what, int point)
     {
-        if (!condition) throw new Exception(what);
+        if (BitConverter.DoubleToInt64Bits(found) != BitConverter.DoubleToInt64Bits(wanted))
+            throw new Exception(what + " is another one than in C at point " + point);
     }
 
-    static double Number(string bits)
+    static double[] Doubles(string path)
     {
-        return BitConverter.Int64BitsToDouble((long)ulong.Parse(bits, NumberStyles.HexNumber));
+        byte[] bytes = File.ReadAllBytes(path);
+        var values = new double[bytes.Length / sizeof(double)];
+        Buffer.BlockCopy(bytes, 0, values, 0, bytes.Length);
+        return values;
+    }
+
+    static double[] Part(double[] values, int first, int count)
+    {
+        var part = new double[count];
+        Array.Copy(values, first, part, 0, count);
+        return part;
     }
 
     public static void Main(string[] arguments)
     {
+        double[] wanted = Doubles(arguments[1]);
         using (var model = Tactus.Model.Open(arguments[0]))
         {
-            int points = 0;
-            foreach (string line in File.ReadLines(arguments[1]))
+            int row = model.Inputs + 6, count = wanted.Length / row;
+            var all = new double[count * model.Inputs];
+            for (int p = 0; p < count; ++p) Array.Copy(wanted, p * row, all, p * model.Inputs, model.Inputs);
+            var batch = new double[count];
+            var batchFired = new byte[count];
+            model.ForceBatch(all, batch, batchFired);
+            for (int first = 0; first < count; first += Group) Compare(model, wanted, batch, batchFired, first, Math.Min(Group, count - first));
+            Console.WriteLine(count + " points as in C");
+        }
+    }
+
+    static void Compare(Tactus.Model model, double[] wanted, double[] batch, byte[] batchFired, int first, int count)
+    {
+        int inputs = model.Inputs, row = inputs + 6, free = inputs - Fixed;
+        var conditions = new Dictionary<string, double>();
+        for (int i = 0; i < Fixed; ++i) conditions[model.InputIds[i]] = wanted[first * row + i];
+        var rest = new double[count * free];
+        for (int p = 0; p < count; ++p) Array.Copy(wanted, (first + p) * row + Fixed, rest, p * free, free);
+        using (var scene = model.Scene(conditions))
+        {
+            var sceneBatch = new double[count];
+            scene.ForceBatch(rest, sceneBatch, null);
+            for (int p = 0; p < count; ++p)
             {
-                string[] cells = line.Split(',');
-                var inputs = new double[model.Inputs];
-                for (int k = 0; k < inputs.Length; ++k) inputs[k] = Number(cells[k]);
+                int point = first + p, at = point * row + inputs;
+                double[] values = Part(wanted, point * row, inputs);
                 bool fired;
-                double forceN = model.Force(inputs, out fired);
-                Want(BitConverter.DoubleToInt64Bits(forceN) == BitConverter.DoubleToInt64Bits(Number(cells[inputs.Length])) &&
-                         fired == (cells[inputs.Length + 1] == "1"), "another force than in C: " + line);
-                ++points;
-            }
-            Console.WriteLine(points + " forces as in C");
-            var conditions = new Dictionary<string, double> { { "lubrication", 1 }, { "neck_flexion", 45 } };
-            using (var scene = model.Scene(conditions))
-            using (var tube = new Tactus.Tube(scene))
-            {
-                var point = new double[] { 1, 45, 30, 30 };
-                Want(scene.Force(new double[] { 30, 30 }) == model.Force(point), "a scene differs from its model");
-                var batch = new double[2];
-                model.ForceBatch(new double[] { 1, 45, 30, 30, 1, 45, 30, 30 }, batch, null);
-                Want(Math.Abs(batch[1] - model.Force(point)) < 1e-15, "a batch differs from its points");
-                Want(model.Clamped(new double[] { 2, 45, 30, -1 }) == 9, "clamped");
-                Want(model.ExpertForce(0, point) == model.Force(point), "the only expert");
-                tube.Place(10);
-                Tactus.Feel feel = new Tactus.Feel();
-                for (int i = 0; i < 400; ++i) feel = tube.Step(0.05 * i, true, 0.001);
-                Want(feel.Phase == 2 && feel.ForceN > 0 && feel.Stroke == 1, "the tube does not slide");
-                tube.Scene(scene);
-            }
-            Want(Tactus.Bundle.Verify(arguments[2]) == 0, "a bundle with an error");
-            try
-            {
-                Tactus.Model.Read("{}");
-                Want(false, "no error");
-            }
-            catch (Tactus.Error error)
-            {
-                Want(error.Status == Tactus.Status.BadFile && error.Message.Length > 0, "no sentence");
+                Same(model.Force(values, out fired), wanted[at], "the force", point);
+                Same(fired ? 1 : 0, wanted[at + 1], "fired", point);
+                Same(batchFired[point], wanted[at + 1], "fired of the batch", point);
+                Same(model.ExpertForce(model.ExpertIds.Length - 1, values), wanted[at + 2], "the last expert's force", point);
+                Same(batch[point], wanted[at + 3], "the force of the batch", point);
+                Same(scene.Force(Part(rest, p * free, free)), wanted[at + 4], "the force of the scene", point);
+                Same(sceneBatch[p], wanted[at + 5], "the force of the scene's batch", point);
             }
         }
     }

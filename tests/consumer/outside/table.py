@@ -1,10 +1,14 @@
-"""The table that `tactus eval` writes, by tactus.py: table.py FOLDER_OF_TACTUS_PY MODEL POINTS.csv OUT.csv BUNDLE."""
+"""The two tables of table.c by tactus.py: table.py FOLDER_OF_TACTUS_PY MODEL POINTS.csv OUT.csv ALL."""
+import array
 import csv
 import sys
 
 sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
 import tactus
+
+GROUP = 1000  # points of one scene
+FIXED = 2  # inputs that it fixes
 
 
 def number(value):
@@ -17,33 +21,24 @@ model = tactus.Model.open(sys.argv[2])
 with open(sys.argv[3], newline="") as file:
     header, *rows = list(csv.reader(file))
 points = [[float(cell) for cell in row] for row in rows]
+found = [model.force_and_fired(point) for point in points]
 with open(sys.argv[4], "w") as out:
     print(",".join(header + ["force", "fired"]), file=out)
-    for row, point in zip(rows, points):
-        force_n, fired = model.force_and_fired(point)
+    for row, (force_n, fired) in zip(rows, found):
         print(",".join(row + [number(force_n), "1" if fired else "0"]), file=out)
 
-# A batch agrees to 4 ulp; lists and, where it is there, numpy.
-forces = model.batch(points)
-assert len(forces) == len(points)
-for point, force_n in zip(points, forces):
-    assert abs(model.force(point) - force_n) <= 4 * 2.0**-52 * max(1.0, abs(force_n)), point
-scene = model.scene({"lubrication": 1.0}, neck_flexion=45)
-assert scene.force([30.0, 30.0]) == model.force([1, 45, 30, 30])
-assert model.clamped([2, 45, 30, -1]) == ["lubrication", "speed"]
-assert model.expert_force("S4", [1, 45, 30, 30]) == model.force([1, 45, 30, 30])
-tube = tactus.Tube(scene)
-tube.place(10)
-feel = [tube.step(0.05 * i, True, 0.001) for i in range(400)][-1]
-assert feel.phase == 2 and feel.force_n > 0 and feel.stroke == 1, feel
-tube.scene(model.scene(lubrication=0.3, neck_flexion=80))
-assert tactus.verify(sys.argv[5]) == 0
-for wrong in (lambda: tactus.verify("/no/bundle"), lambda: model.force([1, 2]), lambda: model.scene(swallow=1), lambda: tactus.Model.read("{}"),
-              lambda: tactus.Tube(model.scene(lubrication=1))):
-    try:
-        wrong()
-    except tactus.Error as error:
-        assert str(error)
-    else:
-        raise AssertionError("no error")
-print("with numpy" if tactus.numpy else "SKIPPED: numpy is not here, so tactus.py is tested with lists only")
+batch, batch_fired = model.batch_and_fired(points)
+assert list(batch_fired) == [fired for _, fired in found]
+last = len(model.expert_ids) - 1
+everything = array.array("d")
+for first in range(0, len(points), GROUP):
+    group = points[first:first + GROUP]
+    scene = model.scene(dict(zip(model.input_ids[:FIXED], group[0])))
+    free = [point[FIXED:] for point in group]
+    scene_batch = scene.batch(free)
+    for i, point in enumerate(group):
+        force_n, fired = found[first + i]
+        everything.extend(point)
+        everything.extend([force_n, fired, model.expert_force(last, point), batch[first + i], scene.force(free[i]), scene_batch[i]])
+with open(sys.argv[5], "wb") as out:
+    everything.tofile(out)

@@ -1,0 +1,27 @@
+"""What tactus.py offers beside forces, on the model of S4: uses.py FOLDER_OF_TACTUS_PY MODEL BUNDLE."""
+import sys
+
+sys.path.insert(0, sys.argv[1])
+sys.dont_write_bytecode = True
+import tactus
+
+model = tactus.Model.open(sys.argv[2])
+scene = model.scene({"lubrication": 1.0}, neck_flexion=45)
+assert scene.force([30.0, 30.0]) == model.force([1, 45, 30, 30])
+assert model.clamped([2, 45, 30, -1]) == ["lubrication", "speed"]
+assert model.expert_force("S4", [1, 45, 30, 30]) == model.force([1, 45, 30, 30])
+tube = tactus.Tube(scene)
+tube.place(10)
+feel = [tube.step(0.05 * i, True, 0.001) for i in range(400)][-1]
+assert feel.phase == 2 and feel.force_n > 0 and feel.stroke == 1, feel
+tube.scene(model.scene(lubrication=0.3, neck_flexion=80))
+assert tactus.verify(sys.argv[3]) == 0
+for wrong in (lambda: tactus.verify("/no/bundle"), lambda: model.force([1, 2]), lambda: model.scene(swallow=1), lambda: tactus.Model.read("{}"),
+              lambda: tactus.Tube(model.scene(lubrication=1))):
+    try:
+        wrong()
+    except tactus.Error as error:
+        assert str(error)
+    else:
+        raise AssertionError("no error")
+print("with numpy" if tactus.numpy else "SKIPPED: numpy is not here, so tactus.py is tested with lists only")
