@@ -10,10 +10,12 @@
 #include "app/workbench/deliver/bundle_maker.h"
 #include "app/workbench/deliver/bundle_panel.h"
 #include "app/workbench/deliver/bundle_place.h"
+#include "app/workbench/deliver/link/link_row.h"
 #include "app/workbench/deliver/readiness_controller.h"
 #include "app/workbench/deliver/readiness_panel.h"
 #include "app/workbench/history_parts.h"
 #include "app/workbench/kit/notes_popup.h"
+#include "app/workbench/link_parts.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel.h"
@@ -70,7 +72,8 @@ bool isAbout(const ShownFinding& shown, ReadinessTopic topic) {
 
 DeliverParts::DeliverParts(MainWindow& window, const ModelController& models, FindingsController& findings,
                            Panel& findings_panel, HistoryParts& history, BundleMaker& maker,
-                           ReadinessController& readiness, QSettings& settings)
+                           ReadinessController& readiness, const LinkController& link, LinkParts& link_parts,
+                           QSettings& settings)
     : window_(window),
       models_(models),
       findings_(findings),
@@ -82,6 +85,9 @@ DeliverParts::DeliverParts(MainWindow& window, const ModelController& models, Fi
   auto* bundle = new BundlePanel(maker, readiness);
   readiness_panel_ = &window.addPanel(QStringLiteral("readiness"), tr("Readiness"), lines);
   bundle_panel_ = &window.addPanel(QStringLiteral("bundle"), tr("Bundle"), bundle);
+  auto* live = new LinkRow(link);
+  bundle->addBelow(live);
+  connect(live, &LinkRow::asked, &link_parts, &LinkParts::showDialog);
   connect(lines, &ReadinessPanel::asked, this, &DeliverParts::lead);
   connect(bundle, &BundlePanel::wanted, this, &DeliverParts::make);
   connect(&findings_, &FindingsController::changed, &readiness,

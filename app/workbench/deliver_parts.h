@@ -13,6 +13,8 @@ namespace tactus::workbench {
 class BundleMaker;
 class FindingsController;
 class HistoryParts;
+class LinkController;
+class LinkParts;
 class MainWindow;
 class ModelController;
 class Panel;
@@ -22,9 +24,10 @@ class DeliverParts : public QObject {
   Q_OBJECT
 
  public:
-  /// `findings_panel` shows the findings.
+  /// `findings_panel` shows the findings, `link_parts` the panel of `link`.
   DeliverParts(MainWindow& window, const ModelController& models, FindingsController& findings, Panel& findings_panel,
-               HistoryParts& history, BundleMaker& maker, ReadinessController& readiness, QSettings& settings);
+               HistoryParts& history, BundleMaker& maker, ReadinessController& readiness, const LinkController& link,
+               LinkParts& link_parts, QSettings& settings);
 
   Panel& readinessPanel() { return *readiness_panel_; }
   Panel& bundlePanel() { return *bundle_panel_; }

@@ -20,7 +20,7 @@ FeelParts::FeelParts(MainWindow& window, const ModelController& models, SceneCon
       panel_(&window.addPanel(QStringLiteral("feel"), tr("Feel"), view_)),
       off_(new ForceOffButton) {
   auto* status = new FeelStatus(feel);
-  window_.strip().setDeviceState(status);
+  window_.strip().addState(status);
   window_.strip().setCorner(off_);
   connect(off_, &ForceOffButton::pressed, &feel_, &FeelController::stop);
   connect(status, &FeelStatus::latencyChanged, &window_.strip(), &OperatingStrip::showLatency);

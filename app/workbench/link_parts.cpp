@@ -5,9 +5,11 @@
 
 #include "app/workbench/deliver/link/link_controller.h"
 #include "app/workbench/deliver/link/link_dialog.h"
+#include "app/workbench/deliver/link/link_sign.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/operating_strip.h"
 
 namespace tactus::workbench {
 
@@ -19,6 +21,10 @@ LinkParts::LinkParts(MainWindow& window, const ModelController& models, const Sc
       states_(feel, scene),
       dialog_(new LinkDialog(link, &window)),
       serve_(window.menus().addAction(MenuSlot::kFeelLink, tr("Serve to a s&imulator…"))) {
+  auto* sign = new LinkSign(link);
+  window.strip().addState(sign);
+  connect(sign, &QToolButton::clicked, this, &LinkParts::showDialog);
+  connect(&link_, &LinkController::allLeft, this, [this] { window_.say(tr("The last simulator has left.")); });
   serve_->setEnabled(models.current() != nullptr);
   connect(&models, &ModelController::opened, serve_, [this] { serve_->setEnabled(true); });
   connect(serve_, &QAction::triggered, this, &LinkParts::showDialog);

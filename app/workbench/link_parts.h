@@ -1,4 +1,5 @@
-// Adds "Serve to a simulator" to the window: the menu entry, its dialog, and what the hand feels for the simulators.
+// Adds "Serve to a simulator" to the window: the menu entry, its dialog, the sign in the strip, and what the hand feels
+// for the simulators.
 #pragma once
 
 #include <QObject>
@@ -22,9 +23,9 @@ class LinkParts : public QObject {
             LinkController& link);
 
   LinkDialog& dialog() { return *dialog_; }
+  void showDialog();
 
  private:
-  void showDialog();
   void showFelt();
 
   MainWindow& window_;

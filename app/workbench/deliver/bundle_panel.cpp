@@ -62,6 +62,8 @@ BundlePanel::BundlePanel(BundleMaker& maker, const ReadinessController& readines
   refresh->request();
 }
 
+void BundlePanel::addBelow(QWidget* row) { layout()->addWidget(row); }
+
 QWidget* BundlePanel::makeContents() {
   auto* page = new QWidget(body_);
   auto* layout = new QGridLayout(page);

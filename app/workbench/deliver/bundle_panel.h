@@ -23,6 +23,9 @@ class BundlePanel : public Card {
  public:
   BundlePanel(BundleMaker& maker, const ReadinessController& readiness, QWidget* parent = nullptr);
 
+  /// Another way to deliver, below the bundle.
+  void addBelow(QWidget* row);
+
  signals:
   /// The user wants a bundle; the receiver asks for the folder.
   void wanted();

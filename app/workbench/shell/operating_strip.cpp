@@ -59,7 +59,7 @@ OperatingStrip::OperatingStrip(const ModelController& models, SceneController& s
   connect(&models_, &ModelController::saved, this, &OperatingStrip::showSaved);
 }
 
-void OperatingStrip::setDeviceState(QWidget* state) { layout_->insertWidget(layout_->indexOf(latency_), state); }
+void OperatingStrip::addState(QWidget* state) { layout_->insertWidget(layout_->indexOf(latency_), state); }
 
 void OperatingStrip::setFrameTime(QWidget* time) { layout_->insertWidget(layout_->indexOf(saved_), time); }
 

@@ -22,8 +22,9 @@ class OperatingStrip : public QWidget {
  public:
   OperatingStrip(const ModelController& models, SceneController& scene, QWidget* parent = nullptr);
 
-  /// The widget for the state of the device; stands between the operating point and the latency.
-  void setDeviceState(QWidget* state);
+  /// A widget for the state of something that runs: the device, the live link. They stand between the operating point
+  /// and the latency, in the order of the calls.
+  void addState(QWidget* state);
   /// The widget for the time from an edit to the screen; stands beside the latency.
   void setFrameTime(QWidget* time);
   /// The widget in the corner: what must be found without looking for it.

@@ -71,6 +71,7 @@ void LinkController::stop() {
   server_.reset();
   token_.reset();
   clients_.clear();
+  all_left_at_.reset();
   emit changed();
 }
 
@@ -84,8 +85,13 @@ void LinkController::tell(link::LinkStates states) {
 
 void LinkController::showClients() {
   if (!server_) return;  // said before it ended
+  const bool had_any = !clients_.empty();
   clients_ = server_->clients();
+  const bool all_left = had_any && clients_.empty();
+  if (all_left) all_left_at_ = QDateTime::currentDateTime();
+  if (!clients_.empty()) all_left_at_.reset();
   emit changed();
+  if (all_left) emit allLeft();
 }
 
 }  // namespace tactus::workbench

@@ -2,6 +2,7 @@
 // and never remembered: each run of the program begins without it.
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <memory>
@@ -33,6 +34,8 @@ class LinkController : public QObject {
   void choosePort(std::uint16_t port) { chosen_port_ = port; }
   /// Who is connected.
   const std::vector<link::LinkClient>& clients() const { return clients_; }
+  /// When the last client left, since serving began. Nothing while one is connected, or before the first one was.
+  const std::optional<QDateTime>& allLeftAt() const { return all_left_at_; }
   /// Whether a client wants to know what the hand feels.
   bool wantsStates() const { return server_ && server_->wantsStates(); }
   /// Tells the clients what the hand feels.
@@ -46,6 +49,8 @@ class LinkController : public QObject {
  signals:
   /// Serving began or ended, or a client came or went.
   void changed();
+  /// The last client left; after `changed`.
+  void allLeft();
   /// One sentence: why nothing can be served.
   void failed(const QString& sentence);
 
@@ -59,6 +64,7 @@ class LinkController : public QObject {
   std::uint16_t port_ = 0;         ///< the previous one
   std::optional<link::TokenFile> token_;
   std::vector<link::LinkClient> clients_;
+  std::optional<QDateTime> all_left_at_;
   CallQueue calls_;
   std::unique_ptr<link::LinkServer> server_;  ///< last: its thread ends before the queue goes
 };

@@ -14,6 +14,7 @@
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/deliver/link/link_controller.h"
+#include "app/workbench/deliver/link/link_text.h"
 #include "app/workbench/kit/card.h"
 #include "app/workbench/kit/wrapped_label.h"
 
@@ -141,8 +142,7 @@ void LinkDialog::showState() {
     lines << (client.wants_state ? tr("%1 (%2), follows the hand").arg(name, text(client.address))
                                  : QStringLiteral("%1 (%2)").arg(name, text(client.address)));
   }
-  count_->setText(serving ? tr("%n simulator(s) connected", nullptr, static_cast<int>(lines.size()))
-                          : tr("No simulator can connect"));
+  count_->setText(serving ? tr("Simulators: %1").arg(connectedText(link_)) : tr("No simulator can connect"));
   clients_->setText(!lines.isEmpty() ? lines.join(QLatin1Char('\n'))
                     : serving        ? tr("Give a simulator the address and the token file.")
                                      : QString());
