@@ -9,6 +9,7 @@
 
 #include "core/analysis/sampled_centroid.h"
 #include "core/base/error.h"
+#include "elicitation/depth/measured_terms.h"
 #include "elicitation/force/force_terms.h"
 #include "elicitation/speed/speed_terms.h"
 
@@ -80,6 +81,7 @@ struct BuildOptions {
   elicitation::Averaging averaging = elicitation::Averaging::kMean;
   elicitation::ForceTermsFrom force_terms = elicitation::ForceTermsFrom::kVote;
   std::optional<double> force_end_n;
+  elicitation::DepthsFrom depths = elicitation::DepthsFrom::kTemplate;
   std::vector<std::string> accept;  ///< kinds of findings that do not stop the build (accepted_data.h)
   std::size_t replicates = 2000;    ///< of the strokes, for intervals; 0: none
   bool own_terms = false;
@@ -101,6 +103,14 @@ struct WhyOptions {
 };
 /// Why the force at a point is what it is, and what would change it.
 base::Result<Output> why(const WhyOptions& options);
+
+struct BenchOptions {
+  std::string model;
+  double seconds = 0.2;  ///< for each row
+  bool json = false;
+};
+/// Run time against error on this machine: one point, a batch and a scene beside sampled centroids.
+base::Result<Output> bench(const BenchOptions& options);
 
 struct SimulateOptions {
   std::string model;

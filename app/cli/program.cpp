@@ -112,6 +112,13 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("--expert", o.expert, "One expert; by default the mean of all")->check(notEmpty());
                addJson(command, o.json);
              });
+  addCommand(
+      app, chosen, "bench", "Run time against error on this machine", bench, [](CLI::App& command, BenchOptions& o) {
+        command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+        command.add_option("--seconds", o.seconds, "Time for each row, from 0.001 to 60")
+            ->check(numberThat("a number of seconds from 0.001 to 60", [](double x) { return x >= 0.001 && x <= 60; }));
+        addJson(command, o.json);
+      });
   addCommand(app, chosen, "simulate", "The insertion renderer on a model, with a simulated hand and device", simulate,
              [](CLI::App& command, SimulateOptions& o) {
                command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());

@@ -76,6 +76,16 @@ void addBuildOptions(CLI::App& command, BuildOptions& o, const std::string& stop
       ->check(oneOf({"mean", "weighted_mean", "median"}))
       ->default_str("mean");
   addForceTerms(command, o);
+  command
+      .add_option_function<std::string>(
+          "--depths",
+          [&o](const std::string& word) {
+            using enum elicitation::DepthsFrom;
+            o.depths = word == name(kMeasured) ? kMeasured : kTemplate;
+          },
+          "Depths of the regions: the template's, or those measured on the image that the study file holds")
+      ->check(oneOf({"template", "measured"}))
+      ->default_str("template");
   addAccept(command, o.accept, stops);
   command
       .add_option("--replicates", o.replicates, "Draws of whole strokes for the intervals of the speeds, 0 for none")

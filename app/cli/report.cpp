@@ -22,7 +22,8 @@ base::Result<Output> writeReport(const ReportOptions& options) {
                                          .settings = {{"Study", options.study},
                                                       {"Program", std::string(kGenerator)},
                                                       {"Created (UTC)", made->settings.created_utc}},
-                                         .replicates = options.replicates};
+                                         .replicates = options.replicates,
+                                         .usability = made->usability};
   const auto page = report::studyReport(inputs);
   if (!page) return inFile(page.error(), options.study);
   if (auto written = base::writeFileAtomically(options.out, *page); !written) return tl::unexpected(written.error());

@@ -6,6 +6,7 @@
 #include "app/cli/accepted_data.h"
 #include "app/session/data_checks.h"
 #include "app/session/known_forms.h"
+#include "app/session/study_aside.h"
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/clock.h"
@@ -44,7 +45,8 @@ Result<elicitation::WeightSettings> weightSettings(const std::string& word) {
 /// An error of the elicitation, told to whom it concerns: the file it names, an option, or the study.
 tl::unexpected<base::Error> explainedError(base::Error error, const BuildOptions& options,
                                            const std::string& weights_file) {
-  if (error.file.empty() && (error.place == "alpha" || error.place == "trim" || error.place == "force-end")) {
+  if (error.file.empty() &&
+      (error.place == "alpha" || error.place == "trim" || error.place == "force-end" || error.place == "depths")) {
     error.place = "--" + error.place;
     return tl::unexpected(std::move(error));
   }
@@ -81,6 +83,16 @@ Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
   settings.averaging = options.averaging;
   settings.force_terms = options.force_terms;
   settings.force_end_n = options.force_end_n;
+  auto aside = session::readAside(options.study);
+  if (aside) {
+    out.usability = std::move(aside->usability);
+    settings.measured_depths = std::move(aside->measured_depths);
+  } else if (options.depths == elicitation::DepthsFrom::kMeasured) {
+    return tl::unexpected(aside.error());
+  } else {
+    out.notices.push_back(aside.error().message());
+  }
+  settings.depths = options.depths;
   if (auto members = acceptedJson(out.data, *accepted); !members.empty()) {
     settings.extra.push_back({"accepted_data", std::move(members)});
   }

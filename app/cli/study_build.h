@@ -8,6 +8,7 @@
 #include "core/study/csv_tables.h"
 #include "core/study/data_finding.h"
 #include "elicitation/model/model_builder.h"
+#include "questionnaires/scale_summary.h"
 
 namespace tactus::cli {
 
@@ -15,7 +16,8 @@ struct StudyBuild {
   study::StudyTables tables;
   std::vector<study::DataFinding> data;
   std::vector<study::DataFinding::Kind> accepted;
-  std::vector<std::string> notices;  ///< about the file, with its name
+  std::vector<std::string> notices;                     ///< about the file, with its name
+  std::vector<questionnaires::ScaleSummary> usability;  ///< of a study file; empty without answers to the scale
   elicitation::BuildSettings settings;
   elicitation::BuiltModel built;
 

@@ -7,7 +7,7 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "elicitation/agreement/expert_influence.h"
-#include "elicitation/model/method_study.h"
+#include "elicitation/model/method_words.h"
 
 namespace tactus::cli {
 namespace {
@@ -37,8 +37,10 @@ std::string variantLine(const MethodVariant& one, const fuzzy::ForceModel& model
 std::string compareText(const MethodStudy& study, const fuzzy::ForceModel& model) {
   std::string text;
   std::vector<std::string> matter;
-  for (const MethodFactor& factor : study.factors) {
-    text += factor.factor + ", now " + base::oneLine(factor.unchanged) + (factor.matters ? ": matters" : "") + '\n';
+  for (const std::size_t index : elicitation::factorsByEffect(study)) {
+    const MethodFactor& factor = study.factors[index];
+    text += factor.factor + ", now " + base::oneLine(factor.unchanged) + '\n';
+    text += "  " + base::oneLine(elicitation::factorSentence(study, factor)) + '\n';
     for (const MethodVariant& one : study.variants) {
       if (one.factor == factor.factor) text += variantLine(one, model);
     }
@@ -58,7 +60,8 @@ std::string compareJson(const StudyCompareOptions& options, const StudyBuild& ma
     json.beginObject(base::JsonWriter::Layout::kInline).key("factor").value(factor.factor);
     json.key("unchanged").value(factor.unchanged).key("worst");
     factor.worst ? json.value(study.variants[*factor.worst].value) : json.null();
-    json.key("matters").value(factor.matters).endObject();
+    json.key("matters").value(factor.matters);
+    json.key("sentence").value(elicitation::factorSentence(study, factor)).endObject();
   }
   json.endArray().key("variants").beginArray();
   for (const MethodVariant& one : study.variants) {

@@ -27,29 +27,17 @@ base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
       "paper prints no data, simulated data stand in and are marked.");
   addOverview(page, context);
   addOrigin(page, context);
-  addSpeeds(page, context);
-  addClusters(page, context);
-  addVotes(page, context);
-  addFrequency(page, context);
-  addMembershipFunctions(page, context);
-  addVertices(page, context);
+  addTerms(page, context);
   addSurface(page, context);
   addInfluences(page, context);
   addExperts(page, context);
   addUncertainty(page, context);
-  addFeel(page, context);
-  addAgreement(page, context);
-  addInfluence(page, context);
-  addConflicts(page, context);
-  addWeights(page, context);
-  addFindings(page, context);
+  addComparisons(page, context);
   addClaims(page, context);
   addReadings(page, context);
   addReachableRange(page, context);
   addContradictions(page, context);
-  addMethod(page, context);
-  addBuildNotes(page, context);
-  addReferences(page, context);
+  addEnd(page, context);
   return page.html();
 }
 

@@ -39,6 +39,21 @@ std::optional<elicitation::StudySpeedIntervals> speedIntervals(const StudyReport
 /// The depth of the model.
 const fuzzy::Variable& depthVariable(const fuzzy::ForceModel& model);
 
+// study_report.cpp: what both reports have in the same order
+/// From the strokes and judgements to the vertices of the terms.
+void addTerms(HtmlPage& page, const ReportContext& context);
+/// What the hand feels, how far the experts agree, and what is odd in their rules.
+void addComparisons(HtmlPage& page, const ReportContext& context);
+/// Settings, notes and literature.
+void addEnd(HtmlPage& page, const ReportContext& context);
+
+// sections_choices.cpp
+/// The method study: whether another choice of the method would be felt. Names the command for a study that is too
+/// large for it.
+void addChoices(HtmlPage& page, const ReportContext& context);
+// sections_usability.cpp
+/// Table 3 of the paper from the answers of this study; nothing without answers.
+void addUsability(HtmlPage& page, const ReportContext& context);
 // sections_overview.cpp
 void addOverview(HtmlPage& page, const ReportContext& context);
 void addOrigin(HtmlPage& page, const ReportContext& context);

@@ -62,6 +62,14 @@ void addMethod(HtmlPage& page, const ReportContext& context) {
   } else {
     row("Force terms", "Source", "defaults of the program");
   }
+  if (settings.depths == elicitation::DepthsFrom::kMeasured && settings.measured_depths) {
+    const auto& measured = *settings.measured_depths;
+    row("Depth terms", "Boundaries", measured.image.empty() ? "typed" : "measured on " + measured.image);
+    row("", "Scale of the image", base::formatNumber(measured.mm_per_px) + " mm per pixel");
+    row("", "Anatomical scale", base::formatNumber(measured.scale));
+  } else {
+    row("Depth terms", "Boundaries", "template of the program");
+  }
   if (!model.experts.empty()) {
     row("Experts", "Weights", std::string(name(settings.weights.policy)) + ": " + weightsOf(model));
     row("", "Averaged force", "weighted mean of the experts whose rules fire (Eq. 2 of Choi et al.)");

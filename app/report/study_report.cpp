@@ -14,13 +14,9 @@ void addModelSections(HtmlPage& page, const ReportContext& context) {
   addUncertainty(page, context);
   addSurface(page, context);
   addInfluences(page, context);
-  addFeel(page, context);
-  addAgreement(page, context);
-  addInfluence(page, context);
-  addConflicts(page, context);
-  addWeights(page, context);
-  addFindings(page, context);
+  addComparisons(page, context);
   addReachableRange(page, context);
+  addChoices(page, context);
 }
 
 std::string titleOf(const StudyReportInputs& inputs) {
@@ -29,6 +25,30 @@ std::string titleOf(const StudyReportInputs& inputs) {
 }
 
 }  // namespace
+
+void addTerms(HtmlPage& page, const ReportContext& context) {
+  addSpeeds(page, context);
+  addClusters(page, context);
+  addVotes(page, context);
+  addFrequency(page, context);
+  addMembershipFunctions(page, context);
+  addVertices(page, context);
+}
+
+void addComparisons(HtmlPage& page, const ReportContext& context) {
+  addFeel(page, context);
+  addAgreement(page, context);
+  addInfluence(page, context);
+  addConflicts(page, context);
+  addWeights(page, context);
+  addFindings(page, context);
+}
+
+void addEnd(HtmlPage& page, const ReportContext& context) {
+  addMethod(page, context);
+  addBuildNotes(page, context);
+  addReferences(page, context);
+}
 
 Markup marks(const ReportContext& context, std::initializer_list<Badge> list) {
   if (context.demo != nullptr) return badges(list);
@@ -86,20 +106,14 @@ base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
   addStudyOverview(page, context);
   addParticipants(page, context);
   addDataFindings(page, context);
-  addSpeeds(page, context);
-  addClusters(page, context);
-  addVotes(page, context);
-  addFrequency(page, context);
-  addMembershipFunctions(page, context);
-  addVertices(page, context);
+  addTerms(page, context);
   if (with_experts) {
     addModelSections(page, context);
   } else {
     addAgreement(page, context);
   }
-  addMethod(page, context);
-  addBuildNotes(page, context);
-  addReferences(page, context);
+  addUsability(page, context);
+  addEnd(page, context);
   return page.html();
 }
 

@@ -10,6 +10,7 @@
 #include "core/study/records.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/model/speed_bootstrap.h"
+#include "questionnaires/scale_summary.h"
 
 namespace tactus::report {
 
@@ -23,6 +24,7 @@ struct StudyReportInputs {
   std::vector<study::DataFinding> data = {};                   ///< what to look at in the data
   std::vector<std::pair<std::string, std::string>> settings;   ///< further names and values: file, versions
   std::size_t replicates = elicitation::kBootstrapReplicates;  ///< draws of strokes for intervals; 0: no intervals
+  std::vector<questionnaires::ScaleSummary> usability = {};    ///< of the usability scale; empty without answers
 };
 
 /// The page as HTML: self-contained, numbered tables and figures, for screen and paper. Each picture with data of a

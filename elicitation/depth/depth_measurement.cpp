@@ -5,6 +5,7 @@
 
 #include "core/base/json/json_members.h"
 #include "core/base/json/json_writer.h"
+#include "elicitation/depth/insertion_length.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -24,6 +25,7 @@ std::string toText(const DepthMeasurement& measurement) {
   json.beginObject(base::JsonWriter::Layout::kInline);
   json.key("image").value(measurement.image).key("example").value(measurement.example);
   json.key("mm_per_px").value(measurement.mm_per_px).key("scale").value(measurement.scale);
+  if (measurement.nose_ear_xiphoid_mm) json.key("nose_ear_xiphoid_mm").value(*measurement.nose_ear_xiphoid_mm);
   json.key("path_px").beginArray(base::JsonWriter::Layout::kInline);
   for (const ImagePoint& point : measurement.path) {
     const double both[] = {point.x, point.y};
@@ -46,6 +48,8 @@ base::Result<DepthMeasurement> readMeasurement(std::string_view text) {
     members.flag("example", out.example);
     members.number(base::required("mm_per_px"), out.mm_per_px, {1e-6, 1e6});
     members.number("scale", out.scale, {0.5, 2});
+    members.number("nose_ear_xiphoid_mm", out.nose_ear_xiphoid_mm,
+                   {kNoseEarXiphoidMm.from_mm, kNoseEarXiphoidMm.to_mm});
     for (const base::JsonValue value : members.elements("path_px")) {
       std::vector<double> both;
       if (value.kind() == base::JsonKind::kArray) {

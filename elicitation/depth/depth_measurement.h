@@ -1,6 +1,7 @@
 // A measurement of depths on a sagittal image, as a study keeps it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,8 @@ struct DepthMeasurement {
   std::vector<ImagePoint> path;           ///< the points that were clicked, from the nostril; may be too few for a path
   std::vector<DepthBoundary> boundaries;  ///< between the regions in their order
   double scale = kSameAnatomy;            ///< of the person for whom the terms are; the image's person is 1
+  /// Nose tip to ear lobe to xiphoid, of that person (insertion_length.h).
+  std::optional<double> nose_ear_xiphoid_mm;
 
   bool operator==(const DepthMeasurement&) const = default;
 };

@@ -40,12 +40,11 @@ std::string_view name(LengthFormula formula) noexcept {
   return "";
 }
 
-DepthRange targetDepth(double scale) {
-  const double sphincter_mm = kSphincterMm * scale;
-  return {sphincter_mm + kBeyondSphincterMm.from_mm, sphincter_mm + kBeyondSphincterMm.to_mm};
+DepthRange targetDepth(double scale, double sphincter_mm) {
+  return {sphincter_mm * scale + kBeyondSphincterMm.from_mm, sphincter_mm * scale + kBeyondSphincterMm.to_mm};
 }
 
-base::Result<std::vector<InsertionLength>> insertionLengths(double nex_mm, double scale) {
+base::Result<std::vector<InsertionLength>> insertionLengths(double nex_mm, double scale, double sphincter_mm) {
   if (!(scale >= 0.5 && scale <= 2)) {
     return fail(ErrorCode::kValue, "anatomical scale", base::formatNumber(scale), "a factor from 0.5 to 2");
   }
@@ -54,11 +53,11 @@ base::Result<std::vector<InsertionLength>> insertionLengths(double nex_mm, doubl
                 "a length of adults, " + base::formatNumber(kNoseEarXiphoidMm.from_mm) + " to " +
                     base::formatNumber(kNoseEarXiphoidMm.to_mm) + " mm");
   }
-  const DepthRange target = targetDepth(scale);
+  const DepthRange target = targetDepth(scale, sphincter_mm);
   std::vector<InsertionLength> out;
   for (const auto formula : {LengthFormula::kNoseEarXiphoid, LengthFormula::kHanson, LengthFormula::kCorrected}) {
     const double length_mm = lengthBy(formula, nex_mm);
-    out.push_back({formula, length_mm, length_mm - kSphincterMm * scale,
+    out.push_back({formula, length_mm, length_mm - sphincter_mm * scale,
                    length_mm >= target.from_mm && length_mm <= target.to_mm});
   }
   return out;

@@ -41,12 +41,13 @@ inline constexpr DepthRange kNoseEarXiphoidMm{300, 800};
 inline constexpr double kSphincterMm = 440;
 
 /// Where the tip should lie: 30 to 100 mm beyond the lower esophageal sphincter (Boeykens 2023, Crit Care 27:317), with
-/// the sphincter at kSphincterMm times `scale` (kSameAnatomy in depth_terms.h).
-DepthRange targetDepth(double scale = kSameAnatomy);
+/// the sphincter at `sphincter_mm` times `scale` (kSameAnatomy in depth_terms.h).
+DepthRange targetDepth(double scale = kSameAnatomy, double sphincter_mm = kSphincterMm);
 
 /// The three lengths for a nose-ear-xiphoid length `nex_mm`. The plain length is too short in 96.7 % of people when
 /// gauged by the tip (Chen 2014, PMC3919749). Head tilt can change the needed length by up to 50 mm. Returns an error
 /// for a length outside kNoseEarXiphoidMm, or a scale outside 0.5 to 2.
-base::Result<std::vector<InsertionLength>> insertionLengths(double nex_mm, double scale = kSameAnatomy);
+base::Result<std::vector<InsertionLength>> insertionLengths(double nex_mm, double scale = kSameAnatomy,
+                                                            double sphincter_mm = kSphincterMm);
 
 }  // namespace tactus::elicitation

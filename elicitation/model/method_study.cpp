@@ -66,6 +66,10 @@ class Choices {
       model.implication = other;
       return model;
     });
+    if (settings_.measured_depths) {
+      const auto depths = settings_.depths == DepthsFrom::kMeasured ? DepthsFrom::kTemplate : DepthsFrom::kMeasured;
+      rebuilt("depths", std::string(name(depths)), [depths](BuildSettings& s) { s.depths = depths; });
+    }
     if (!built_.speeds.empty()) addSpeedChoices();
     if (built_.force_terms) {
       for (const auto from : {ForceTermsFrom::kVote, ForceTermsFrom::kFrequency, ForceTermsFrom::kThresholds}) {
@@ -92,6 +96,7 @@ class Choices {
   std::string unchanged(const std::string& factor) const {
     if (factor == "shapes") return "as they are";
     if (factor == "implication") return std::string(fuzzy::name(built_.model.implication));
+    if (factor == "depths") return std::string(name(settings_.depths));
     if (factor == "alpha") return base::formatNumber(settings_.speed.alpha);
     if (factor == "m") return base::formatNumber(settings_.speed.fcm.m);
     if (factor == "trim") return base::formatNumber(settings_.speed.trim);
@@ -247,6 +252,15 @@ Result<MethodStudy> methodStudy(const study::Study& study, std::span<const study
   }
   out.factors = factorsOf(out.variants, choices);
   return out;
+}
+
+Result<ForceModel> methodModel(const study::Study& study, std::span<const study::Form> forms,
+                               const BuildSettings& settings, const BuiltModel& built, const MethodVariant& variant) {
+  Choices choices(study, forms, settings, built);
+  for (const Choice& choice : choices.all()) {
+    if (choice.factor == variant.factor && choice.value == variant.value) return choice.model();
+  }
+  return base::fail(base::ErrorCode::kReference, variant.factor, variant.value, "a choice that this study has");
 }
 
 }  // namespace tactus::elicitation

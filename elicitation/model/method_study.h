@@ -17,7 +17,7 @@ namespace tactus::elicitation {
 /// The averaged model with one choice changed, against the model with none changed. Forces are compared where both give
 /// one.
 struct MethodVariant {
-  std::string factor;         ///< `shapes`, `implication`, `alpha`, `m`, `trim`, `centres`, `averaging`, `terms`, …
+  std::string factor;         ///< `shapes`, `implication`, `depths`, `alpha`, `m`, `trim`, `centres`, `averaging`, …
   std::string value;          ///< e.g. `0.9`, `scale`, `thresholds`
   std::string unavailable;    ///< why the data do not allow it; then only factor and value are set
   double rms_n = 0;           ///< root mean square over the points of the box
@@ -51,12 +51,18 @@ struct MethodStudyRun {
   std::function<void(double share_done)> progress;  ///< called in the thread of the call
 };
 
-/// Compares shapes of the terms (triangles, Gaussians), implication, alpha, m, trimming, centers, averaging, whose
-/// speed terms, force terms (vote, frequency, thresholds) and weights with the model of `settings`, one at a time.
-/// `built`: from `study` with `settings`. A choice that has no data (speeds, judgements, weights) is not tried, or says
-/// why it cannot be made. Four participants take a few seconds. Returns kCancelled after a stop request. Thread: any.
+/// Compares shapes of the terms (triangles, Gaussians), implication, the depths of the regions (template, measured),
+/// alpha, m, trimming, centers, averaging, whose speed terms, force terms (vote, frequency, thresholds) and weights
+/// with the model of `settings`, one at a time. `built`: from `study` with `settings`. A choice that has no data
+/// (speeds, judgements, weights) is not tried, or says why it cannot be made. Four participants take a few seconds.
+/// Returns kCancelled after a stop request. Thread: any.
 base::Result<MethodStudy> methodStudy(const study::Study& study, std::span<const study::Form> forms,
                                       const BuildSettings& settings, const BuiltModel& built,
                                       const MethodStudyRun& run = {});
+
+/// The model of one variant of `methodStudy` with the same arguments. Returns why the data do not allow it.
+base::Result<fuzzy::ForceModel> methodModel(const study::Study& study, std::span<const study::Form> forms,
+                                            const BuildSettings& settings, const BuiltModel& built,
+                                            const MethodVariant& variant);
 
 }  // namespace tactus::elicitation

@@ -84,6 +84,27 @@ std::vector<std::vector<Ramp>> rampsOf(std::span<const ParticipantSpeeds> speeds
   return ramps;
 }
 
+/// `set`, at the depths that the settings choose. The measurement was checked by buildDepth.
+std::vector<fuzzy::Term> chosenDepths(const BuildSettings& settings, std::vector<fuzzy::Term> set) {
+  if (settings.depths == DepthsFrom::kTemplate) return set;
+  auto inputs = ngtInputs();
+  return measuredTerms(*settings.measured_depths, variable(inputs, ngtRegionInput()), set).value();
+}
+
+Result<void> buildDepth(const BuildSettings& settings, BuiltModel& out) {
+  if (settings.depths == DepthsFrom::kTemplate) return {};
+  if (!settings.measured_depths) {
+    return fail(ErrorCode::kData, "depths", "no measurement of depths in the study",
+                "a measurement on an image (stage Agree, Depth), or the depths of the template");
+  }
+  auto& depth = variable(out.model.inputs, ngtRegionInput());
+  auto terms = measuredTerms(*settings.measured_depths, depth, depth.terms);
+  if (!terms) return tl::unexpected(terms.error());
+  depth.terms = std::move(*terms);
+  out.notes.push_back(measuredSentence(*settings.measured_depths));
+  return {};
+}
+
 Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
   auto& speed = variable(out.model.inputs, "speed");
   auto participants = clusterSpeeds(study, speed, settings.speed);
@@ -185,9 +206,6 @@ std::string sharedDepthTerms(const std::vector<ExpertRules>& experts) {
   return best;
 }
 
-/// A set that `studyRules` has looked up already.
-std::vector<fuzzy::Term> depthTerms(const std::string& id) { return findDepthTerms(id).value().terms; }
-
 std::vector<study::Participant> peopleOf(const std::vector<ExpertRules>& experts) {
   std::vector<study::Participant> people;
   people.reserve(experts.size());
@@ -211,13 +229,17 @@ Result<void> buildExperts(const study::Study& study, const BuildSettings& settin
   append(out.notes, weightNotes(people, *weights, simulated));
 
   const std::string shared = sharedDepthTerms(out.experts);
-  variable(out.model.inputs, "depth").terms = depthTerms(shared);
+  // studyRules has looked up the sets already.
+  const auto depthsOf = [&](const std::string& set) {
+    return chosenDepths(settings, findDepthTerms(set).value().terms);
+  };
+  variable(out.model.inputs, "depth").terms = depthsOf(shared);
   const std::vector<std::string> none;
   for (std::size_t i = 0; i < out.experts.size(); ++i) {
     const ExpertRules& rules = out.experts[i];
     const std::string& code = rules.participant.code;
     fuzzy::Expert expert{code, code + (simulated[i] ? " (simulated)" : ""), (*weights)[i], {}, rules.rules};
-    if (rules.depth_terms != shared) expert.overrides.push_back({"depth", depthTerms(rules.depth_terms)});
+    if (rules.depth_terms != shared) expert.overrides.push_back({"depth", depthsOf(rules.depth_terms)});
     if (settings.terms == SpeedTermsOf::kOwn) {
       const auto own = std::find_if(out.speeds.begin(), out.speeds.end(),
                                     [&code](const ParticipantSpeeds& one) { return one.participant == code; });
@@ -253,6 +275,8 @@ Result<BuiltModel> buildTerms(const study::Study& study, const BuildSettings& se
   out.model.name = settings.name.empty() ? study.name : settings.name;
   out.model.created_utc = settings.created_utc;
   out.model.generator = settings.generator;
+  if (auto ok = buildDepth(settings, out); !ok) return tl::unexpected(ok.error());
+  out.note_subjects.resize(out.notes.size(), ngtRegionInput());
   if (auto ok = buildSpeed(study, settings, out); !ok) return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), "speed");
   if (auto ok = buildForce(study, settings, out); !ok) return tl::unexpected(ok.error());

@@ -11,6 +11,7 @@
 #include "core/fuzzy/force_model.h"
 #include "core/study/records.h"
 #include "elicitation/agreement/expert_influence.h"
+#include "elicitation/depth/measured_terms.h"
 #include "elicitation/force/force_terms.h"
 #include "elicitation/force/force_voting.h"
 #include "elicitation/model/expert_weights.h"
@@ -38,8 +39,10 @@ struct BuildSettings {
   WeightSettings weights;
   std::string series = "ascending";  ///< series of the judgements that vote
   ForceTermsFrom force_terms = ForceTermsFrom::kVote;
-  std::optional<double> force_end_n;    ///< end of the force universe, > 0; empty: from the judgements
-  std::vector<fuzzy::NamedJson> extra;  ///< further members of the provenance's settings
+  std::optional<double> force_end_n;  ///< end of the force universe, > 0; empty: from the judgements
+  DepthsFrom depths = DepthsFrom::kTemplate;
+  std::optional<DepthMeasurement> measured_depths;  ///< of the study; kMeasured needs it
+  std::vector<fuzzy::NamedJson> extra;              ///< further members of the provenance's settings
 };
 
 /// A model and its intermediate results.

@@ -113,6 +113,14 @@ fuzzy::Provenance modelProvenance(const study::Study& study, std::span<const Exp
       {"force_terms", base::jsonString(study.judgements.empty() ? "default" : name(settings.force_terms))},
       {"forms", jsonByExpert(experts, formsOf)},
       {"depth_terms", jsonByExpert(experts, [](const ExpertRules& e) { return base::jsonString(e.depth_terms); })}};
+  if (settings.depths == DepthsFrom::kMeasured && settings.measured_depths) {
+    out.settings.push_back({"depths", base::jsonString(name(settings.depths))});
+    // A model leaves the study; the name of an image or the length of a person may say who it was.
+    auto measured = *settings.measured_depths;
+    measured.image.clear();
+    measured.nose_ear_xiphoid_mm.reset();
+    out.settings.push_back({"depth_measurement", toText(measured)});
+  }
   if (settings.force_end_n) out.settings.push_back({"force_end_n", base::jsonNumber(*settings.force_end_n)});
   std::vector<std::string> inferred;
   for (const auto& expert : experts) {

@@ -105,8 +105,9 @@ const std::map<std::string, Permission>& permissions() {
        {joined({"core/haptics/simulated", "core/haptics/hid", "core/haptics/openhaptics"}, {base, haptics}), {}}},
       {"app/figures", {joined({}, {base, model, elicitation}), {}}},
       {"app/report",
-       {joined({"app/figures", "app/simulation", "core/render", "core/haptics/simulated", "experiments"},
-               {base, haptics, model, elicitation}),
+       {joined(
+            {"app/figures", "app/simulation", "core/render", "core/haptics/simulated", "experiments", "questionnaires"},
+            {base, haptics, model, elicitation}),
         {}}},
       {"app/demo",
        {joined({"app", "app/report", "app/session", "app/simulation", "core/model_io", "core/store", "questionnaires"},

@@ -1,9 +1,11 @@
 // `tactus build` on a study file.
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 
 #include "app/session/study_import.h"
 #include "core/model_io/model_file.h"
+#include "core/store/depth_records.h"
 #include "core/study/csv_tables.h"
 
 #include "tests/app/cli/run_program.h"
@@ -74,6 +76,38 @@ TEST_F(BuildStudyFile, TheHelpTellsOfIt) {
   const ProgramRun run({"build", "--help"});
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.out.find("Study file, or folder with the CSV tables"), std::string::npos) << run.out;
+}
+
+TEST_F(BuildStudyFile, TakesTheMeasuredDepthsOnRequest) {
+  make("A,,,stomach,slow,small,,\nB,well,,stomach,fast,large,,\n");
+  const ProgramRun without({"build", file_, "--out", out_, "--depths", "measured"});
+  EXPECT_EQ(without.status, 1);
+  EXPECT_NE(without.err.find("found no measurement of depths in the study"), std::string::npos) << without.err;
+  {
+    auto file = store::StudyFile::open(file_, {});
+    ASSERT_TRUE(file);
+    study::DepthRecord record;
+    record.id = study::RecordIds(2).next();
+    record.utc_ms = 1;
+    record.text = R"({"image": "scan.png", "mm_per_px": 0.5, "boundaries": [{"depth_mm": 70, "half_overlap_mm": 10},
+                     {"depth_mm": 115, "half_overlap_mm": 10}, {"depth_mm": 150, "half_overlap_mm": 12},
+                     {"depth_mm": 200, "half_overlap_mm": 15}, {"depth_mm": 400, "half_overlap_mm": 30}]})";
+    ASSERT_TRUE(store::append(*file, record));
+    ASSERT_TRUE(file->close());
+  }
+  ASSERT_EQ(ProgramRun({"build", file_, "--out", out_}).status, 0);
+  const auto before = model_io::readModel(out_);
+  ASSERT_TRUE(before);
+  EXPECT_EQ(before->model.inputs[2].terms.back().points, (std::vector<double>{420, 460, 600, 600}));
+  const ProgramRun run({"build", file_, "--out", out_, "--depths", "measured"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(unwrapped(run.out).find("measured on the image 'scan.png' (0.5 mm per pixel)"), std::string::npos)
+      << run.out;
+  const auto after = model_io::readModel(out_);
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->model.inputs[2].terms.back().points, (std::vector<double>{370, 430, 600, 600}));
+  const auto& settings = after->model.provenance->settings;
+  EXPECT_TRUE(std::any_of(settings.begin(), settings.end(), [](const auto& one) { return one.key == "depths"; }));
 }
 
 }  // namespace

@@ -56,6 +56,7 @@ TEST_F(Report, StudyCompareSaysWhichChoicesMatter) {
   const ProgramRun text({"study", "compare", tables_});
   ASSERT_EQ(text.status, 0) << text.err;
   EXPECT_NE(text.out.find("alpha, now 0.95"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("atter here: "), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("not possible: "), std::string::npos) << "the tables hold no categories";
   const ProgramRun run({"study", "compare", tables_, "--json", "--alpha", "0.9"});
   ASSERT_EQ(run.status, 0) << run.err;
@@ -68,6 +69,7 @@ TEST_F(Report, StudyCompareSaysWhichChoicesMatter) {
     if (!one.at("available").get<bool>()) continue;
     EXPECT_GE(one.at("largest_n").get<double>(), one.at("rms_n").get<double>());
   }
+  for (const auto& one : json.at("factors")) EXPECT_NE(one.at("sentence"), "") << one.at("factor");
   EXPECT_EQ(alphas, (std::set<std::string>{"0.8", "0.95", "1"})) << "all but the one that is set";
   EXPECT_EQ(ProgramRun({"study", "compare", folder_.file("absent")}).status, 1);
 }

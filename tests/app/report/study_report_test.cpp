@@ -6,6 +6,7 @@
 
 #include "app/session/data_checks.h"
 #include "app/session/known_forms.h"
+#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/support/table_study.h"
 #include "tests/support/well_formed.h"
@@ -72,7 +73,8 @@ TEST(StudyReport, OfAWholeStudyHasEverySectionAndNumbersItsCaptions) {
        {"At a glance", "Participants", "Insertion speed", "Speed clusters and terms", "Insertion force",
         "Membership functions", "Rules", "The experts and their mean", "Force over depth and speed",
         "Influence of lubrication, neck flexion and speed", "What the hand feels", "How far the experts agree",
-        "Findings in the rules", "Reachable range", "Method", "Notes and settings of this build", "References"}) {
+        "Findings in the rules", "Reachable range", "Does a choice of the method matter here?", "Method",
+        "Notes and settings of this build", "References"}) {
     EXPECT_TRUE(has(page, std::string(">") + title + "</h2>")) << title;
   }
   EXPECT_TRUE(has(page, "<strong>Vertices of the membership functions.</strong>"));
@@ -109,6 +111,41 @@ TEST(StudyReport, StatesHowTheModelWasMade) {
         "<td>Draws of strokes for intervals</td><td>20</td>"}) {
     EXPECT_TRUE(has(page, cells)) << cells;
   }
+}
+
+TEST(StudyReport, HasTheMethodStudyAndMeasuredDepths) {
+  const auto study = recorded(2);
+  auto build = settings();
+  const auto inputs = elicitation::ngtInputs();
+  build.measured_depths = elicitation::emptyMeasurement(inputs[2]);
+  build.measured_depths->image = "scan.png";
+  build.depths = elicitation::DepthsFrom::kMeasured;
+  const std::string page = pageOf(study, build);
+  EXPECT_TRUE(has(page, "<strong>Choices, the largest effect first.</strong>"));
+  EXPECT_TRUE(has(page, "atter here: "));
+  // The same boundaries as the template's.
+  EXPECT_TRUE(has(page,
+                  "<th scope=\"row\">Depths of the regions</th><td>measured</td><td>Does not matter here: no other "
+                  "choice moves the force.</td>"));
+  EXPECT_TRUE(has(page, "<td>Boundaries</td><td>measured on scan.png</td>"));
+  EXPECT_FALSE(has(page, "Usability of the simulator"));
+}
+
+// Two answers, 5 and 6: mean 5.5, deviation with n - 1 the root of one half.
+TEST(StudyReport, HasTheUsabilityScaleWhereItWasAnswered) {
+  const auto study = recorded(1);
+  const auto built = elicitation::buildModel(study, session::knownForms(), settings()).value();
+  const auto page = studyReport({.study = study,
+                                 .built = built,
+                                 .settings = {},
+                                 .replicates = 0,
+                                 .usability = {{1, 2, 5.5, 0.70710678, 5, 6}, {2, 0, 0, 0, 0, 0}}});
+  ASSERT_TRUE(page);
+  EXPECT_TRUE(has(*page,
+                  "1. The procedure of the simulator is clear.</td><td class=\"number group\">2</td><td "
+                  "class=\"number\">5.50</td><td class=\"number\">0.71</td><td class=\"number\">5</td><td "
+                  "class=\"number\">6</td>"));
+  EXPECT_TRUE(has(*page, "is realistic.</td><td class=\"number group\">0</td><td class=\"number\">–</td>"));
 }
 
 TEST(StudyReport, SaysSimulatedInsideEachPictureWithSuchData) {

@@ -9,8 +9,8 @@ namespace tactus::elicitation {
 namespace {
 
 TEST(DepthMeasurement, IsTheSameAfterReadingItsText) {
-  const DepthMeasurement measurement = {"sagittal.png",          true, 0.1, {{1, 2.5}, {-3, 1.0 / 3}},
-                                        {{70, 10}, {115.25, 0}}, 0.93};
+  const DepthMeasurement measurement = {"sagittal.png",          true, 0.1,  {{1, 2.5}, {-3, 1.0 / 3}},
+                                        {{70, 10}, {115.25, 0}}, 0.93, 512.5};
   const std::string text = toText(measurement);
   EXPECT_EQ(text.find('\n'), std::string::npos);
   const auto read = readMeasurement(text);

@@ -29,6 +29,13 @@ TEST(InsertionLength, TheTargetFollowsTheAnatomy) {
   EXPECT_TRUE(insertionLengths(500, 1.05)->at(2).in_target) << "557.18 mm";
 }
 
+TEST(InsertionLength, AMeasuredSphincterMovesTheTarget) {
+  EXPECT_EQ(targetDepth(1, 420).from_mm, 450);
+  const auto lengths = insertionLengths(500, 1, 420).value();
+  EXPECT_EQ(lengths[0].beyond_sphincter_mm, 80);
+  EXPECT_FALSE(lengths[2].in_target) << "557 mm, the target ends at 520 mm";
+}
+
 TEST(InsertionLength, RefusesAnotherUnitAndAnImpossibleScale) {
   const auto in_cm = insertionLengths(50);
   ASSERT_FALSE(in_cm);

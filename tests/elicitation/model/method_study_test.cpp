@@ -1,10 +1,10 @@
-#include "elicitation/model/method_study.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "app/session/known_forms.h"
+#include "elicitation/model/method_words.h"
+#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/four_people.h"
 #include "tests/support/table_study.h"
@@ -30,6 +30,14 @@ study::Study smallAndMedium(double years_a, double years_b) {
     }
   }
   return study;
+}
+
+MethodVariant named(const std::string& factor, const std::string& value, const std::string& unavailable = {}) {
+  MethodVariant out;
+  out.factor = factor;
+  out.value = value;
+  out.unavailable = unavailable;
+  return out;
 }
 
 const MethodVariant& variantOf(const MethodStudy& study, const std::string& factor, const std::string& value) {
@@ -81,6 +89,58 @@ TEST(MethodStudy, ASmallChangeDoesNotMatter) {
   EXPECT_NEAR(variantOf(compared, "weights", "years").rms_n, 0.2 / 6, 1e-12);
   EXPECT_EQ(variantOf(compared, "weights", "years").noticeable_share, 0);
   EXPECT_FALSE(factorOf(compared, "weights").matters);
+}
+
+TEST(MethodStudy, InWordsTheLargestEffectComesFirst) {
+  const auto study = smallAndMedium(9, 1);
+  const auto built = buildModel(study, {}, {}).value();
+  const auto compared = methodStudy(study, {}, {}, built).value();
+  const auto order = factorsByEffect(compared);
+  ASSERT_EQ(order.size(), compared.factors.size());
+  EXPECT_EQ(compared.factors[order.front()].factor, "weights");
+  // .08 N of a just-noticeable difference of .0672 N, everywhere.
+  EXPECT_EQ(factorSentence(compared, factorOf(compared, "weights")),
+            "Matters here: \"years\" instead of \"equal\" is felt at 100.0 % of the input space (0.080 N rms, 1.19 "
+            "just-noticeable differences; at most 0.080 N).");
+  MethodStudy none;
+  none.variants = {named("weights", "years", "no years of A")};
+  none.factors = {{.factor = "weights", .unchanged = "equal", .worst = std::nullopt}};
+  EXPECT_EQ(factorSentence(none, none.factors[0]), "Cannot be compared here: no years of A.");
+  none.variants = {named("m", "3")};
+  none.factors = {{.factor = "m", .unchanged = "2", .worst = 0}};
+  EXPECT_EQ(factorSentence(none, none.factors[0]), "Does not matter here: no other choice moves the force.");
+  EXPECT_EQ(factorTitle("implication"), "Implication");
+}
+
+TEST(MethodStudy, GivesTheModelOfAVariant) {
+  const auto study = smallAndMedium(9, 1);
+  const auto built = buildModel(study, {}, {}).value();
+  const auto compared = methodStudy(study, {}, {}, built).value();
+  const auto years = methodModel(study, {}, {}, built, variantOf(compared, "weights", "years"));
+  ASSERT_TRUE(years) << years.error().message();
+  EXPECT_EQ(years->experts[0].weight, 9);
+  EXPECT_EQ(methodModel(study, {}, {}, built, variantOf(compared, "implication", "scale"))->implication,
+            fuzzy::Implication::kScale);
+  EXPECT_FALSE(methodModel(study, {}, {}, built, variantOf(compared, "weights", "category")));
+  EXPECT_FALSE(methodModel(study, {}, {}, built, named("weather", "fine")));
+}
+
+TEST(MethodStudy, ComparesMeasuredDepthsWhereThereAreSome) {
+  study::Study study = smallAndMedium(1, 1);
+  study.rules.push_back({.participant = "A", .form = {}, .conditions = {{"depth", "stomach"}}, .then = "very_large"});
+  BuildSettings settings;
+  const auto inputs = ngtInputs();
+  settings.measured_depths = emptyMeasurement(inputs[2]);
+  settings.measured_depths->boundaries.back() = {300, 20};
+  const auto built = buildModel(study, {}, settings).value();
+  const auto compared = methodStudy(study, {}, settings, built).value();
+  EXPECT_EQ(factorOf(compared, "depths").unchanged, "template");
+  EXPECT_GT(variantOf(compared, "depths", "measured").largest_n, 0.1);
+  EXPECT_GT(variantOf(compared, "depths", "measured").at[2], 280) << "only between 280 and 460 mm";
+  EXPECT_LT(variantOf(compared, "depths", "measured").at[2], 460);
+  settings.depths = DepthsFrom::kMeasured;
+  const auto measured = buildModel(study, {}, settings).value();
+  EXPECT_EQ(factorOf(methodStudy(study, {}, settings, measured).value(), "depths").unchanged, "measured");
 }
 
 // At (1, 60, 200, 50) the vote gives .534861 N, mean thresholds .49263 N, by another program.

@@ -417,5 +417,42 @@ TEST(ModelBuilder, AnExpertAloneHasItsOwnTermsAsTheModels) {
   EXPECT_EQ(expertModel(built->model, "Z").error().message(), "experts: found 'Z', wanted one of A, B");
 }
 
+TEST(ModelBuilder, MeasuredDepthsReachTheModelAndAreStoredInIt) {
+  BuildSettings settings;
+  const auto inputs = ngtInputs();
+  settings.measured_depths = emptyMeasurement(inputs[2]);
+  settings.measured_depths->image = "patient.png";
+  settings.measured_depths->boundaries[0] = {80, 5};
+  const auto with_template = buildModel(smallStudy(), forms(), settings);
+  ASSERT_TRUE(with_template);
+  EXPECT_EQ(with_template->model, buildModel(smallStudy(), forms(), {})->model) << "measured, and not chosen";
+
+  settings.depths = DepthsFrom::kMeasured;
+  const auto built = buildModel(smallStudy(), forms(), settings);
+  ASSERT_TRUE(built) << built.error().message();
+  const auto& depth = built->model.inputs[2];
+  ASSERT_EQ(depth.terms.size(), 5U) << "the regions of the form";
+  EXPECT_EQ(depth.terms[0].points, (std::vector<double>{0, 0, 75, 85}));
+  EXPECT_EQ(depth.terms[1].points, (std::vector<double>{75, 85, 105, 125}));
+  std::string stored;
+  for (const auto& one : built->model.provenance->settings) {
+    if (one.key == "depths") {
+      EXPECT_EQ(one.json, "\"measured\"");
+    }
+    if (one.key == "depth_measurement") stored = one.json;
+  }
+  auto kept = readMeasurement(stored);
+  ASSERT_TRUE(kept) << stored;
+  EXPECT_EQ(kept->boundaries, settings.measured_depths->boundaries);
+  EXPECT_EQ(kept->image, "") << "a file's name may be a person's";
+  EXPECT_EQ(built->notes.front().find("The depths of the regions are measured on the image 'patient.png'"), 0U);
+  EXPECT_EQ(built->note_subjects.front(), "depth");
+
+  settings.measured_depths.reset();
+  const auto refused = buildModel(smallStudy(), forms(), settings);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("no measurement of depths in the study"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tactus::elicitation
