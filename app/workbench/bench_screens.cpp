@@ -10,7 +10,7 @@ BenchScreens::BenchScreens(MainWindow& window, const BenchPanels& panels) {
   using Place = PanelPlace;
   window.addScreen(
       Stage::kUnderstand,
-      {Place::first(panels.curves), Place::below(panels.rules_here, 42, panels.curves),
+      {Place::first(panels.curves), Place::below(panels.rules_here, 38, panels.curves),
        Place::right(panels.map, 44, panels.curves), Place::behind(panels.surface, panels.map),
        Place::behind(panels.terms_here, panels.rules_here), Place::right(panels.reading, 26, panels.rules_here)});
   // What is edited, what that does to the curves, and how it feels, at one glance.
@@ -18,7 +18,7 @@ BenchScreens::BenchScreens(MainWindow& window, const BenchPanels& panels) {
                    {Place::first(panels.membership_editor), Place::behind(panels.rule_editor, panels.membership_editor),
                     Place::behind(panels.findings, panels.membership_editor),
                     Place::right(panels.curves, 51, panels.membership_editor),
-                    Place::below(panels.feel, 46, panels.curves), Place::behind(panels.map, panels.feel),
+                    Place::below(panels.feel, 43, panels.curves), Place::behind(panels.map, panels.feel),
                     Place::behind(panels.surface, panels.feel), Place::behind(panels.rules_here, panels.feel),
                     Place::behind(panels.reading, panels.feel), Place::behind(panels.history, panels.feel)});
   window.addLayout(FeelParts::layoutId(), {Place::first(panels.feel)});

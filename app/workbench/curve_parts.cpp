@@ -70,7 +70,13 @@ void CurveParts::addZoom(SceneController& scene) {
   connect(in, &QAction::triggered, this, [zoom] { zoom(1 / kStep); });
   connect(out, &QAction::triggered, this, [zoom] { zoom(kStep); });
   connect(all, &QAction::triggered, this, [&scene] { scene.ranges().showAll(scene.xVariable()); });
-  for (QAction* action : {in, out, all}) {
+  QAction* const mark = menus.addAction(MenuSlot::kView, tr("&Measure from the operating point"), Qt::CTRL | Qt::Key_M);
+  mark->setCheckable(true);
+  connect(mark, &QAction::triggered, this, [this, &scene](bool on) {
+    curves_->setMark(on ? std::optional(scene.value(scene.xInput())) : std::nullopt);
+  });
+  connect(curves_, &CurvesPanel::markChanged, mark, [this, mark] { mark->setChecked(curves_->mark().has_value()); });
+  for (QAction* action : {in, out, all, mark}) {
     action->setEnabled(false);
     connect(&models_, &ModelController::opened, action, [action] { action->setEnabled(true); });
   }

@@ -43,7 +43,7 @@ StudyParts::StudyParts(MainWindow& window, ModelFiles& files, StudyConnection& s
 
 void StudyParts::addRecordings(FeelPanel& panel) {
   auto* recordings = new RecordingsCard(store_, study_, feel_);
-  panel.addCard(recordings);
+  panel.addCard(tr("Recordings"), recordings);
   recordings->setRoomy(panel.isRoomy());
   connect(&panel, &FeelPanel::roomChanged, recordings, &RecordingsCard::setRoomy);
   const auto show_recording = [this, &panel] {

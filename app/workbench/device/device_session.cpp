@@ -118,7 +118,7 @@ void DeviceSession::begin(base::Result<std::unique_ptr<DeviceRun>> run, bool rep
   loop_watch_ = {};
   thermal_ = haptics::ThermalFollower(access_.thermal->of(run_->info().id));
   trip_.reset();
-  held_ = false;
+  held_ = press_due_ = release_due_ = false;
   target_mm_ = 0;
   arming_ = 0;
   if (state_ == State::kOpening) {
@@ -160,7 +160,7 @@ void DeviceSession::stop() {
   latest_.force_n = latest_.source_force_n = latest_.model_force_n = latest_.stretch_mm = 0;
   latest_.phase = render::Phase::kReleased;
   latest_.enabled = false;
-  held_ = false;
+  held_ = press_due_ = release_due_ = false;
   enter(slow_ ? State::kStopping : State::kStopped);
 }
 
@@ -212,7 +212,25 @@ void DeviceSession::rearm() {
 
 void DeviceSession::setHeld(bool held) {
   held_ = held && run_ != nullptr;
-  if (run_) run_->servo().pedal(held_);
+  if (!run_) return;
+  if (held_) {
+    press_due_ = true;
+    pressed_ns_.reset();
+  } else if (grip_.latch && press_due_) {
+    release_due_ = true;
+    return;
+  }
+  release_due_ = false;
+  run_->servo().pedal(held_);
+}
+
+// A switch bounces, so the servo takes a press after a time that a click of the mouse may not last.
+void DeviceSession::followTap(const haptics::Sample& sample) {
+  if (!pressed_ns_) pressed_ns_ = sample.time_ns;
+  const double down_s = static_cast<double>(sample.time_ns - *pressed_ns_) * 1e-9;
+  if (down_s < 2 * run_->orders().enable.press_debounce_s) return;
+  press_due_ = false;
+  if (std::exchange(release_due_, false)) run_->servo().pedal(false);
 }
 
 void DeviceSession::setTarget(double position_mm) {
@@ -240,6 +258,7 @@ void DeviceSession::take(std::span<const haptics::Sample> samples) {
   for (const haptics::Sample& sample : samples) thermal_.add(sample, run_->orders().limits);
   if (samples.empty()) return;
   latest_ = samples.back();
+  if (press_due_) followTap(latest_);
   emit sampled(samples);
 }
 

@@ -114,7 +114,8 @@ class DeviceSession : public QObject {
   void setGrip(const tactus::workbench::DeviceGrip& grip);
   /// Arms again after a trip: disarms, waits until the hand lets go, and arms.
   void rearm();
-  /// Sets the state of the pedal, key or mouse button that holds the tube.
+  /// Sets the state of the pedal, key or mouse button that holds the tube. With a latch a press of any length counts:
+  /// one that ends before the servo takes it is held for it.
   void setHeld(bool held);
   /// Sets the target position of a live hand along its axis, mm.
   void setTarget(double position_mm);
@@ -149,6 +150,7 @@ class DeviceSession : public QObject {
   void endInBackground(std::unique_ptr<DeviceRun> run);
   void lookAtDevice();
   void take(std::span<const haptics::Sample> samples);
+  void followTap(const haptics::Sample& sample);
   bool watchLoop();
   void watchTrip();
   void watchRelease();
@@ -171,6 +173,9 @@ class DeviceSession : public QObject {
   std::optional<DeviceTrip> trip_;
   double target_mm_ = 0;
   bool held_ = false;
+  std::optional<std::int64_t> pressed_ns_;  ///< time of the first sample with the current press
+  bool press_due_ = false;                  ///< pressed, and no sample has come since
+  bool release_due_ = false;                ///< let go before the press was taken
   bool replay_ = false;
   std::uint64_t runs_ = 0;
   std::uint64_t arming_ = 0;  ///< while re-arming: number of the orders that disarm, then of the orders that arm

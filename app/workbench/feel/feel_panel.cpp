@@ -25,6 +25,7 @@
 #include "app/workbench/feel/tube_pad.h"
 #include "app/workbench/feel/tube_picture.h"
 #include "app/workbench/kit/card.h"
+#include "app/workbench/kit/drawer_button.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
@@ -39,6 +40,7 @@ constexpr auto kStopKey = Qt::Key_F12;
 constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other
 constexpr int kRoomyWidth = 820;  // px: from this size on all steps of the procedure are listed
 constexpr int kRoomyHeight = 360;
+constexpr int kLowHeight = 380;  // px: below it the hand, the force and the picture alone are shown
 constexpr int kOpenWidth = 900;  // px: from this size on the panel is for feeling alone
 constexpr int kOpenHeight = 480;
 constexpr int kOpenPicture = 320;   // px: the least height of the picture then
@@ -132,7 +134,9 @@ void FeelPanel::build() {
   picture_ = new QBoxLayout(QBoxLayout::TopToBottom);
   picture_->setSpacing(theme::kGrid);
   picture_->addWidget(tube_, 3);
-  picture_->addWidget(procedure_, 0);
+  foot_ = new QHBoxLayout;
+  foot_->addWidget(procedure_, 1);
+  picture_->addLayout(foot_, 0);
   auto* patient = new QVBoxLayout;
   patient->setSpacing(4);
   patient->addWidget(patient_);
@@ -162,12 +166,15 @@ void FeelPanel::build() {
   arrange();
 }
 
-void FeelPanel::addCard(QWidget* card) {
+void FeelPanel::addCard(const QString& name, QWidget* card) {
   auto* holder = new CardHolder;
   auto* layout = new QVBoxLayout(holder);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(card);
-  cards_->addWidget(holder);
+  auto* drawer = new DrawerButton(name, holder, *cards_);
+  foot_->addWidget(drawer, 0, Qt::AlignBottom);
+  drawer->setFolded(low_);
+  drawers_ << drawer;
 }
 
 void FeelPanel::showLegend() {
@@ -198,9 +205,13 @@ void FeelPanel::arrange() {
   if (picture_->direction() != picture) picture_->setDirection(picture);
   picture_->setStretch(0, 3);
   picture_->setStretch(1, roomy ? 2 : 0);
-  procedure_->setCompact(!roomy);
+  const bool low = !narrow && !open && height() < kLowHeight;
+  procedure_->setRoom(roomy ? ProcedurePanel::Room::kList
+                      : low ? ProcedurePanel::Room::kHeading
+                            : ProcedurePanel::Room::kStep);
   if (open != open_) setOpen(open);
-  const bool room = roomy || open;
+  if (low != low_) setLow(low);
+  const bool room = roomy || open || low;  // a drawer has room
   if (room != std::exchange(roomy_, room)) emit roomChanged(room);
 }
 
@@ -213,6 +224,13 @@ void FeelPanel::setOpen(bool open) {
   bar_->setLarge(open);
   tube_->setMinimumHeight(open ? kOpenPicture : 0);
   device_->setFoldable(open);
+}
+
+void FeelPanel::setLow(bool low) {
+  low_ = low;
+  pad_->setLow(low);
+  placement_->setVisible(!low);
+  for (DrawerButton* drawer : drawers_) drawer->setFolded(low);
 }
 
 void FeelPanel::toggle() { device_->toggle(); }

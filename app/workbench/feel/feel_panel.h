@@ -1,6 +1,7 @@
 // The panel for feeling the open model: device, hand, patient, force and placement. It only arranges its parts.
 #pragma once
 
+#include <QList>
 #include <QWidget>
 #include <optional>
 
@@ -15,6 +16,7 @@ namespace tactus::workbench {
 
 class DeviceBar;
 class DeviceSearch;
+class DrawerButton;
 class ElidedLabel;
 class FeelController;
 class ForceBar;
@@ -33,8 +35,8 @@ class FeelPanel : public QWidget {
   FeelPanel(SceneController& scene, FeelController& feel, QWidget* parent = nullptr);
   ~FeelPanel() override;
 
-  /// Adds a card below the others.
-  void addCard(QWidget* card);
+  /// Adds a card below the others; in a low panel a button with this name opens it.
+  void addCard(const QString& name, QWidget* card);
   /// Starts on the chosen device, or stops it.
   void toggle();
   /// Shows on the pad that a recording waits for the next start (`armed`), or is in progress with this length, s.
@@ -57,6 +59,7 @@ class FeelPanel : public QWidget {
   void build();
   void arrange();
   void setOpen(bool open);
+  void setLow(bool low);
   void showLegend();
   bool escape(QObject& watched, QKeyEvent& key, bool asks);
   void connectAll();
@@ -82,15 +85,18 @@ class FeelPanel : public QWidget {
   ForceTracePlot* trace_;
   bool roomy_ = false;
   bool open_ = false;  ///< the panel is the whole window
+  bool low_ = false;   ///< the panel has no height for more than the hand and the picture
   bool armed_ = false;
   std::optional<int> recorded_s_;
   std::optional<haptics::DeviceInfo> traced_on_;  ///< the device of the trace
   TubePicture* tube_;
   ProcedurePanel* procedure_;
   PlacementCard* placement_;
-  QBoxLayout* halves_ = nullptr;          ///< hand and patient
-  QBoxLayout* picture_ = nullptr;         ///< path of the tube and procedure
-  QBoxLayout* cards_ = nullptr;           ///< top to bottom
+  QBoxLayout* halves_ = nullptr;   ///< hand and patient
+  QBoxLayout* picture_ = nullptr;  ///< path of the tube and procedure
+  QBoxLayout* cards_ = nullptr;    ///< top to bottom
+  QBoxLayout* foot_ = nullptr;     ///< below the path of the tube
+  QList<DrawerButton*> drawers_;
   std::optional<fuzzy::Variable> depth_;  ///< the variable whose regions are visible
   bool filtering_ = false;
   bool asking_ = false;        ///< the focused widget is being asked whether it uses Escape

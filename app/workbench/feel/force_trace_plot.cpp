@@ -6,6 +6,8 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_history.h"
+#include "app/workbench/model/shown_ranges.h"
+#include "app/workbench/plot/axis_zoom.h"
 #include "app/workbench/plot/plot_style.h"
 
 namespace tactus::workbench {
@@ -27,7 +29,11 @@ Variable timeAxis() { return {"time", ForceTracePlot::tr("Time").toStdString(), 
 }  // namespace
 
 ForceTracePlot::ForceTracePlot(QWidget* parent)
-    : QWidget(parent), plot_(makePlot(this)), force_name_(tr("Force").toStdString()) {
+    : QWidget(parent),
+      plot_(makePlot(this)),
+      ranges_(new ShownRanges(this)),
+      zoom_(new AxisZoom(*plot_, *ranges_)),
+      force_name_(tr("Force").toStdString()) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
@@ -46,6 +52,7 @@ ForceTracePlot::ForceTracePlot(QWidget* parent)
   limits_->setChannelFillGraph(force_);
 
   styleAxis(*plot_->xAxis, timeAxis());
+  zoom_->setInputs(timeAxis());
   styleAxis(*plot_->yAxis, forceAxis());
   plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
   plot_->axisRect()->setAutoMargins(QCP::msLeft | QCP::msBottom);

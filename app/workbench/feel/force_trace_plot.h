@@ -1,5 +1,5 @@
 // The force of the last ten seconds: the force on the hand, or its parts (fuzzy force, friction, limits). A replay also
-// shows the recorded force.
+// shows the recorded force. The wheel and Shift-drag choose the part of the time that is shown.
 #pragma once
 
 #include <QWidget>
@@ -14,7 +14,9 @@ class QCPGraph;
 
 namespace tactus::workbench {
 
+class AxisZoom;
 class FeelHistory;
+class ShownRanges;
 
 class ForceTracePlot : public QWidget, public PlotSource {
   Q_OBJECT
@@ -45,6 +47,8 @@ class ForceTracePlot : public QWidget, public PlotSource {
   fuzzy::Variable forceAxis() const;
 
   QCustomPlot* plot_;
+  ShownRanges* ranges_;  ///< of the time, which no other plot has
+  AxisZoom* zoom_;
   QCPGraph* force_;
   QCPGraph* recorded_;  ///< force of the replayed recording
   QCPGraph* friction_;

@@ -47,15 +47,17 @@ ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent
   head_->setFont(theme::headingFont());
   head_->setTextFormat(Qt::PlainText);
   setInk(*head_, theme::accent());
-  setCompact(false);
+  setRoom(Room::kList);
   setDepth(0);
 }
 
-void ProcedurePanel::setCompact(bool compact) {
-  list_->setVisible(!compact);
-  head_->setVisible(compact);
+void ProcedurePanel::setRoom(Room room) {
+  const bool listed = room == Room::kList;
+  list_->setVisible(listed);
+  head_->setVisible(!listed);
+  text_->setVisible(room != Room::kHeading);
   // The longest text has its place, so that nothing moves from step to step.
-  text_->setMinimumHeight((compact ? kCompactLines : kLines) * QFontMetrics(theme::smallFont()).height());
+  text_->setMinimumHeight((listed ? kLines : kCompactLines) * QFontMetrics(theme::smallFont()).height());
 }
 
 void ProcedurePanel::setDepth(double depth_mm) {
@@ -76,7 +78,7 @@ void ProcedurePanel::show(std::size_t step) {
   }
   head_->setText(tr("%1 of %2: %3").arg(step + 1).arg(steps_.size()).arg(steps_[step].title));
   text_->setText(steps_[step].text);
-  text_->setToolTip(steps_[step].text);
+  for (QLabel* label : {head_, text_}) label->setToolTip(steps_[step].text);
 }
 
 }  // namespace tactus::workbench

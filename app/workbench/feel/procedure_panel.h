@@ -19,8 +19,12 @@ class ProcedurePanel : public QWidget {
 
   /// Depth of the tip, mm.
   void setDepth(double depth_mm);
-  /// True: only the current step and its text.
-  void setCompact(bool compact);
+  enum class Room {
+    kList,     ///< all steps, and the text of the current one
+    kStep,     ///< the current step and its text
+    kHeading,  ///< the name of the current step
+  };
+  void setRoom(Room room);
 
  private:
   struct Row {

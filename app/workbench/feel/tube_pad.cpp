@@ -45,7 +45,13 @@ void TubePad::setReading(const Reading& reading) {
 }
 
 QSize TubePad::sizeHint() const {
-  return {320, static_cast<int>(kTubeY) + 24 + 2 * QFontMetrics(theme::smallFont()).height()};
+  return {320, static_cast<int>(kTubeY) + 24 + (low_ ? 1 : 2) * QFontMetrics(theme::smallFont()).height()};
+}
+
+void TubePad::setLow(bool low) {
+  low_ = low;
+  updateGeometry();
+  update();
 }
 
 double TubePad::xOf(double position_mm) const {
@@ -123,6 +129,12 @@ void TubePad::paintEvent(QPaintEvent* /*event*/) {
   }
   if (reading_.recorded_s || reading_.armed) paintRecording(painter);
   painter.setPen(theme::mutedInk());
+  if (low_) {
+    // How to begin is the one hint that finds room, beside the hand that rests.
+    const double left = hand_x + 2 * kHandRadius;
+    if (!lit) painter.drawText(QRectF(left, kTubeY - line / 2, width() - left, line), Qt::AlignLeft, hint());
+    return;
+  }
   painter.drawText(QRectF(kMargin, height() - line - 4, width() - 2 * kMargin, line), Qt::AlignLeft | Qt::AlignVCenter,
                    painter.fontMetrics().elidedText(hint(), Qt::ElideRight, width() - 2 * kMargin));
 }

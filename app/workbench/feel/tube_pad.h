@@ -30,6 +30,8 @@ class TubePad : public QWidget {
     bool operator==(const Reading&) const = default;
   };
   void setReading(const Reading& reading);
+  /// True: the hint is in the tool tip alone.
+  void setLow(bool low);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {200, sizeHint().height()}; }
@@ -54,6 +56,7 @@ class TubePad : public QWidget {
 
   Reading reading_;
   bool pressed_ = false;  ///< with the mouse
+  bool low_ = false;
 };
 
 }  // namespace tactus::workbench

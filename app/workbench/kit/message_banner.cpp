@@ -23,11 +23,11 @@ MessageBanner::MessageBanner(QWidget* parent)
   close_->setAccessibleName(tr("Close this message"));
 
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  layout->setContentsMargins(2 * theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
   layout->setSpacing(theme::kGrid);
   layout->addWidget(label_, 1);
   layout->addWidget(act_button_, 0, Qt::AlignVCenter);
-  layout->addWidget(close_, 0, Qt::AlignTop);
+  layout->addWidget(close_, 0, Qt::AlignVCenter);
   hide();
 
   connect(close_, &QToolButton::clicked, this, &QWidget::hide);

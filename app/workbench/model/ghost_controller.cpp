@@ -169,6 +169,17 @@ QString GhostController::differenceText() const {
   return impact->at.empty() ? curve : whole + QStringLiteral(" · ") + curve;
 }
 
+QString GhostController::briefText() const {
+  const GhostCurves* ghost = curves();
+  if (!ghost) return {};
+  const std::string& unit = scene_.model()->model.output.unit;
+  const auto impact = this->impact();
+  if ((impact && impact->opened > 0) || ghost->difference.opened > 0) return tr("leaves a hole");
+  if (impact && !impact->at.empty()) return briefChangeText(impact->largest_n, unit, Scope::kAnywhere);
+  if (ghost->difference.largest_at) return briefChangeText(ghost->difference.largest_n, unit, Scope::kThisCurve);
+  return ghost->difference.closed > 0 ? tr("fills a hole") : tr("no change of this curve");
+}
+
 std::optional<editing::EditImpact> GhostController::impact() const {
   if (reference_ || edits_.inGesture() || scene_.showsAnother()) return std::nullopt;
   return edits_.impactOf(edits_.history().current());

@@ -57,6 +57,9 @@ class GhostController : public QObject {
   /// and during a gesture, the curve alone: `max ΔF on this curve …`. Just-noticeable differences appear only if the
   /// unit of the force is newtons. If the largest of them is at another place, the text names both places.
   QString differenceText() const;
+  /// The number of `differenceText` where room is scarce: `ΔF ≥ 0.032 N anywhere`. A hole that the edit leaves comes
+  /// before any number.
+  QString briefText() const;
   /// Where the last edit acts, if it changed the force and the curve on the screen does not show it.
   struct Elsewhere {
     QString where;           ///< `Tube lubrication 0.4 to 0.6`

@@ -13,10 +13,11 @@ struct ImpactText {
   Q_DECLARE_TR_FUNCTIONS(ImpactText)
 };
 
+constexpr double kLastDigit = 0.001;  // of forceText
+
 }  // namespace
 
 QString forceChangeText(double change_n, const std::string& unit) {
-  constexpr double kLastDigit = 0.001;  // of forceText
   return change_n < kLastDigit / 2 ? ImpactText::tr("below %1").arg(forceText(kLastDigit, unit))
                                    : forceText(change_n, unit);
 }
@@ -25,6 +26,14 @@ QString largestChangeText(double change_n, const std::string& unit, Scope scope)
   const QString change = forceChangeText(change_n, unit);
   return scope == Scope::kAnywhere ? ImpactText::tr("max ΔF anywhere at least %1").arg(change)
                                    : ImpactText::tr("max ΔF on this curve at least %1").arg(change);
+}
+
+QString briefChangeText(double change_n, const std::string& unit, Scope scope) {
+  const bool none = change_n < kLastDigit / 2;
+  const QString change = none ? ImpactText::tr("ΔF < %1").arg(forceText(kLastDigit, unit))
+                              : ImpactText::tr("ΔF ≥ %1").arg(forceText(change_n, unit));
+  return scope == Scope::kAnywhere ? ImpactText::tr("%1 anywhere").arg(change)
+                                   : ImpactText::tr("%1 on this curve").arg(change);
 }
 
 QString noticeableExplained() {

@@ -21,6 +21,9 @@ enum class Scope {
 /// 0.032 N`, `max ΔF on this curve at least 0.032 N`. "At least", because both are the largest of a sample.
 QString largestChangeText(double change_n, const std::string& unit, Scope scope);
 
+/// The same where room is scarce: `ΔF ≥ 0.032 N anywhere`, `ΔF ≥ 0.032 N on this curve`.
+QString briefChangeText(double change_n, const std::string& unit, Scope scope);
+
 /// What JND means, in one sentence for the place where the number stands.
 QString noticeableExplained();
 

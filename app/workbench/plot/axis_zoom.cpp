@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <cmath>
 #include <qcustomplot.h>
+#include <utility>
 
 #include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/plot_style.h"
@@ -17,6 +18,7 @@ constexpr double kZoomPerNotch = 1.25;
 constexpr double kNotch = 120;         // of a wheel, eighths of a degree
 constexpr double kAirwayEndMm = 250;   // the larynx and the upper sphincter lie before it
 constexpr double kPanPerNotch = 0.15;  // of the range
+constexpr double kDragFrom = 3;        // px that tell a drag from a click
 
 bool hasAirway(const fuzzy::Variable& input) {
   return input.unit == "mm" && input.min <= 0 && input.max > kAirwayEndMm;
@@ -88,20 +90,23 @@ bool AxisZoom::eventFilter(QObject* watched, QEvent* event) {
       const auto& press = static_cast<const QMouseEvent&>(*event);
       if (press.button() != Qt::LeftButton || !press.modifiers().testFlag(Qt::ShiftModifier)) break;
       dragged_from_ = press.position();
+      moved_ = false;
       plot_.setCursor(Qt::ClosedHandCursor);
       return true;
     }
     case QEvent::MouseMove: {
       if (!dragged_from_) break;
       const QPointF to = static_cast<const QMouseEvent&>(*event).position();
+      if (!moved_ && (to - *dragged_from_).manhattanLength() < kDragFrom) return true;
+      moved_ = true;
       pan(*dragged_from_, to);
       dragged_from_ = to;
       return true;
     }
     case QEvent::MouseButtonRelease:
       if (!dragged_from_) break;
-      dragged_from_.reset();
       plot_.unsetCursor();
+      if (const QPointF place = *std::exchange(dragged_from_, std::nullopt); !moved_) emit shiftClicked(place);
       return true;
     case QEvent::MouseButtonDblClick:
       if (static_cast<const QMouseEvent&>(*event).button() != Qt::LeftButton) break;

@@ -31,6 +31,8 @@ class AxisZoom : public QObject {
  signals:
   /// The range of an input on an axis changed.
   void changed();
+  /// A click with Shift, without a drag.
+  void shiftClicked(QPointF place);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,6 +52,7 @@ class AxisZoom : public QObject {
   ShownRanges& ranges_;
   std::vector<Axis> axes_;
   std::optional<QPointF> dragged_from_;
+  bool moved_ = false;  ///< since the press
 };
 
 }  // namespace tactus::workbench

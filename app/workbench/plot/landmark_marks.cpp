@@ -1,6 +1,8 @@
 #include "app/workbench/plot/landmark_marks.h"
 
 #include <QFontMetricsF>
+#include <QHelpEvent>
+#include <QToolTip>
 #include <algorithm>
 #include <utility>
 
@@ -14,8 +16,9 @@ namespace {
 constexpr int kNameRows = 2;
 constexpr double kNameGap = 8;         // px between two names in a row
 constexpr double kLandmarkBar = 3;     // px
+constexpr double kReach = 5;           // px around a mark for the mouse
 constexpr double kLandmarkLeader = 3;  // px from the bars to the lowest row
-constexpr int kNamedFrom = 180;        // px: names would cover the lines of a lower plot; it has their numbers
+constexpr int kNamedFrom = 280;        // px: names would cover the lines of a lower plot; it has their numbers
 
 }  // namespace
 
@@ -26,19 +29,53 @@ LandmarkMarks::LandmarkMarks(QCustomPlot& plot, Place place)
   const auto names = QStringLiteral("names");
   if (!plot.layer(names)) plot.addLayer(names, plot.layer(QStringLiteral("overlay")), QCustomPlot::limAbove);
   setLayer(names);
+  plot.installEventFilter(this);
 }
 
 void LandmarkMarks::setVariable(const fuzzy::Variable& variable) { landmarks_ = landmarksFor(variable); }
 
 QString LandmarkMarks::explanation() const {
   QStringList lines;
+  for (const Landmark& mark : landmarks_) lines << lineOf(mark);
+  return lines.join(QLatin1Char('\n'));
+}
+
+QString LandmarkMarks::lineOf(const Landmark& mark) const {
+  const QString place = mark.from_mm == mark.to_mm
+                            ? numberText(mark.from_mm)
+                            : numberText(mark.from_mm) + QStringLiteral("–") + numberText(mark.to_mm);
+  return QStringLiteral("%1  %2, %3 mm: %4 (%5)").arg(numberOf(mark), mark.name, place, mark.what, mark.source);
+}
+
+// Of the marks under the mouse at the edge where they stand; empty elsewhere.
+QString LandmarkMarks::linesAt(QPointF place) const {
+  const QCPAxisRect* area = mParentPlot->axisRect();
+  const bool beside = place_ == Place::kBeside;
+  const QCPAxis* axis = area->axis(beside ? QCPAxis::atLeft : QCPAxis::atBottom);
+  const double away = beside                     ? place.x() - area->left()
+                      : place_ == Place::kInside ? area->bottom() - place.y()
+                      : place_ == Place::kAbove  ? area->top() - place.y()
+                                                 : place.y() - area->top();
+  if (away < -kReach || away > std::max<double>(height(), kReach)) return {};
+  const double at = beside ? place.y() : place.x();
+  QStringList lines;
   for (const Landmark& mark : landmarks_) {
-    const QString place = mark.from_mm == mark.to_mm
-                              ? numberText(mark.from_mm)
-                              : numberText(mark.from_mm) + QStringLiteral("–") + numberText(mark.to_mm);
-    lines << QStringLiteral("%1  %2, %3 mm: %4 (%5)").arg(numberOf(mark), mark.name, place, mark.what, mark.source);
+    const double from = axis->coordToPixel(mark.from_mm);
+    const double to = axis->coordToPixel(mark.to_mm);
+    if (at >= std::min(from, to) - kReach && at <= std::max(from, to) + kReach) lines << lineOf(mark);
   }
   return lines.join(QLatin1Char('\n'));
+}
+
+bool LandmarkMarks::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto& help = static_cast<const QHelpEvent&>(*event);
+    if (const QString lines = linesAt(help.pos()); !lines.isEmpty()) {
+      QToolTip::showText(help.globalPos(), lines, mParentPlot);
+      return true;
+    }
+  }
+  return QCPLayerable::eventFilter(watched, event);
 }
 
 // From 1, in the order of the way, whatever part of it is shown.
@@ -50,9 +87,8 @@ QString LandmarkMarks::numberOf(const Landmark& mark) const {
 
 int LandmarkMarks::height() const {
   if (landmarks_.empty()) return 0;
-  return static_cast<int>(named_ ? kLandmarkBar + kLandmarkLeader + kNameRows * QFontMetricsF(font_).height()
-                                 : kLandmarkBar) +
-         1;
+  const int rows = text_ == Text::kNames ? kNameRows : text_ == Text::kNumbers ? 1 : 0;
+  return static_cast<int>(kLandmarkBar + (rows > 0 ? kLandmarkLeader + rows * QFontMetricsF(font_).height() : 0)) + 1;
 }
 
 // Their parts in the range of the axis.
@@ -83,7 +119,11 @@ void LandmarkMarks::draw(QCPPainter* painter) {
   const double edge = place_ == Place::kAbove ? area->top() - 1.0 : hang ? area->top() + kLandmarkBar : area->bottom();
   std::vector<Label> labels;
   std::vector<Landmark> marks = inSight(*axis);
-  if (place_ == Place::kInside && area->height() < kNamedFrom) {
+  // Names that hang end above the membership 1.
+  const double free = area->axis(QCPAxis::atLeft)->coordToPixel(1) - 2 * kLandmarkLeader - edge - kLandmarkLeader;
+  const bool low = place_ != Place::kAbove && area->height() < kNamedFrom;
+  const bool numbers = text_ == Text::kNumbers || low || (hang && free < metrics.height());
+  if (numbers) {
     for (Landmark& mark : marks) mark.name = numberOf(mark);
   }
   painter->setPen(Qt::NoPen);
@@ -94,27 +134,28 @@ void LandmarkMarks::draw(QCPPainter* painter) {
     painter->drawRect(QRectF(left - 0.75, edge - kLandmarkBar, std::max(1.5, right - left), kLandmarkBar));
     labels.push_back({(left + right) / 2, metrics.horizontalAdvance(mark.name)});
   }
-  if (!named_) return;
+  if (text_ == Text::kNone) return;
 
   const QRect room = place_ == Place::kAbove ? mParentPlot->viewport() : area->rect();
-  // Names that hang end above the membership 1.
-  const double free = area->axis(QCPAxis::atLeft)->coordToPixel(1) - 2 * kLandmarkLeader - edge - kLandmarkLeader;
-  const int rows = hang ? std::clamp(static_cast<int>(free / metrics.height()), 0, kNameRows) : kNameRows;
+  // A number has nothing below its line, and comes closer to the handles.
+  const bool close = hang && numbers;
+  const double row_height = close ? metrics.ascent() : metrics.height();
+  const double room_down = close ? free + kLandmarkLeader : free;
+  const int rows = hang ? std::clamp(static_cast<int>(room_down / row_height), 0, kNameRows) : kNameRows;
   const auto places = placeLabels(labels, rows, room.left() + 2.0, room.right() - 2.0, kNameGap);
   painter->setFont(font_);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (!places[i]) continue;
-    const double away = kLandmarkLeader + places[i]->row * metrics.height();
-    const double base = hang ? edge + away + metrics.height() : edge - kLandmarkBar - away;
+    const double away = kLandmarkLeader + places[i]->row * row_height;
+    const double base = hang ? edge + away + row_height : edge - kLandmarkBar - away;
     painter->setPen(QPen(theme::mutedInk(), 0.8));
     painter->drawLine(QLineF(lineStart(labels[i], *places[i]), hang ? edge + away : base, labels[i].center,
                              hang ? edge : edge - kLandmarkBar));
     QColor halo = theme::card();
     halo.setAlphaF(0.75F);
-    painter->fillRect(QRectF(places[i]->left - 2, base - metrics.height(), labels[i].width + 4, metrics.height()),
-                      halo);
+    painter->fillRect(QRectF(places[i]->left - 2, base - row_height, labels[i].width + 4, row_height), halo);
     painter->setPen(theme::mutedInk());
-    painter->drawText(QPointF(places[i]->left, base - metrics.descent()), marks[i].name);
+    painter->drawText(QPointF(places[i]->left, base - (close ? 1 : metrics.descent())), marks[i].name);
   }
 }
 

@@ -1,5 +1,5 @@
-// Anatomical landmarks at an edge of a plot with a depth axis: a bar or a tick, and a name. Needs QCustomPlot: only
-// plotting code includes this.
+// Anatomical landmarks at an edge of a plot with a depth axis: a bar or a tick, and a name, or in a low plot a number;
+// the mouse over it tells the rest. Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
 #include <vector>
@@ -24,24 +24,31 @@ class LandmarkMarks : public QCPLayerable {
 
   /// Shows the landmarks for the axis of `variable`; none if it is not the depth.
   void setVariable(const fuzzy::Variable& variable);
-  /// False: bars without names, for small plots.
-  void setNamed(bool named) { named_ = named; }
+  enum class Text {
+    kNames,    ///< in a low plot numbers all the same, unless the place is kAbove
+    kNumbers,  ///< for low plots
+    kNone,     ///< for small plots
+  };
+  void setText(Text text) { text_ = text; }
   /// One line per landmark with its place and its source; empty without landmarks.
   QString explanation() const;
   /// Height of the bars and the rows of names, px; 0 without landmarks.
   int height() const;
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
   void draw(QCPPainter* painter) override;
 
  private:
   QString numberOf(const Landmark& mark) const;
+  QString lineOf(const Landmark& mark) const;
+  QString linesAt(QPointF place) const;
   void drawBeside(QCPPainter& painter) const;
   std::vector<Landmark> inSight(const QCPAxis& axis) const;
 
   Place place_;
-  bool named_ = true;
+  Text text_ = Text::kNames;
   std::vector<Landmark> landmarks_;
   QFont font_;
 };

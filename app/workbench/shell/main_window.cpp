@@ -17,6 +17,7 @@
 #include "app/workbench/kit/message_banner.h"
 #include "app/workbench/kit/reading_order.h"
 #include "app/workbench/model/model_controller.h"
+#include "app/workbench/shell/header_place.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel.h"
@@ -30,6 +31,7 @@ namespace {
 constexpr auto kGeometryKey = "window_geometry";
 constexpr auto kStageKey = "stage";
 constexpr int kRoomyWidth = 1500;  // px: below it the rail takes less room
+constexpr int kRoomyHeight = 800;  // px: below it the line of the model stands beside the menus
 
 /// A size that fits the screen with the frame around the window.
 QSize firstSize(const QWidget& window) {
@@ -47,10 +49,12 @@ MainWindow::MainWindow(const ModelController& models, SceneController& scene, QS
       column_(new QVBoxLayout),
       screens_(new QStackedWidget(this)),
       bench_(new BenchView(scene, settings, this)),
+      header_place_(new HeaderPlace(*menuBar(), *bench_, this)),
       rail_(new StageRail(this)),
       strip_(new OperatingStrip(models, scene, this)),
       models_(models) {
   screens_->addWidget(bench_);
+  header_place_->setShown(true);
   auto* content = new QWidget(this);
   column_->setSpacing(theme::kGrid);
   column_->addWidget(banner_);
@@ -75,6 +79,8 @@ MainWindow::MainWindow(const ModelController& models, SceneController& scene, QS
   connect(menus_.addAction(MenuSlot::kFileQuit, tr("&Quit"), Qt::CTRL | Qt::Key_Q), &QAction::triggered, this,
           &QWidget::close);
   connect(rail_, &StageRail::chosen, this, &MainWindow::enter);
+  connect(screens_, &QStackedWidget::currentChanged, this,
+          [this] { header_place_->setShown(screens_->currentWidget() == bench_); });
   connect(&models, &ModelController::opened, this, &MainWindow::showStages);
 
   setMinimumSize(1024, 640);
@@ -244,6 +250,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   rail_->setCompact(width() < kRoomyWidth);
+  header_place_->setLow(height() < kRoomyHeight);
 }
 
 bool MainWindow::focusNextPrevChild(bool next) { return focusNextAsRead(*this, next); }

@@ -19,6 +19,7 @@ class QVBoxLayout;
 
 namespace tactus::workbench {
 
+class HeaderPlace;
 class MessageBanner;
 class ModelController;
 class OperatingStrip;
@@ -105,6 +106,7 @@ class MainWindow : public QMainWindow, public MessagePlace {
   QVBoxLayout* column_;
   QStackedWidget* screens_;
   BenchView* bench_;
+  HeaderPlace* header_place_;
   StageRail* rail_;
   OperatingStrip* strip_;
   struct Entrance {

@@ -12,6 +12,12 @@ namespace {
 constexpr int kPicture = 24;  // px
 constexpr int kText = 2 * theme::kGrid + kPicture;
 
+QFont compactFont(bool chosen) {
+  QFont font = theme::smallFont();
+  if (chosen) font.setWeight(QFont::DemiBold);
+  return font;
+}
+
 void paintPicture(QPainter& painter, Stage stage, QPoint corner, const QColor& ink) {
   painter.save();
   painter.translate(corner);
@@ -45,7 +51,8 @@ QSize StageButton::sizeHint() const {
   const QFontMetrics hint(theme::smallFont());
   int widest = 0;
   if (compact_) {
-    for (const Stage stage : kStages) widest = std::max(widest, hint.horizontalAdvance(stageName(stage)));
+    const QFontMetrics chosen(compactFont(true));
+    for (const Stage stage : kStages) widest = std::max(widest, chosen.horizontalAdvance(stageName(stage)));
     return {widest + 2 * theme::kGrid, 2 * theme::kGrid + kPicture + hint.height()};
   }
   for (const Stage stage : kStages) widest = std::max(widest, name.horizontalAdvance(stageName(stage)));
@@ -96,9 +103,7 @@ void StageButton::paintRoomy(QPainter& painter, const QColor& ink, const QColor&
 
 void StageButton::paintCompact(QPainter& painter, const QColor& ink) {
   paintPicture(painter, stage_, QPoint((width() - kPicture) / 2, theme::kGrid - 2), ink);
-  QFont font = theme::smallFont();
-  if (isChecked()) font.setWeight(QFont::DemiBold);
-  painter.setFont(font);
+  painter.setFont(compactFont(isChecked()));
   painter.drawText(QRect(0, theme::kGrid + kPicture, width(), height() - theme::kGrid - kPicture),
                    Qt::AlignHCenter | Qt::AlignTop, text());
 }

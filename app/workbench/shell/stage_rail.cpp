@@ -1,5 +1,6 @@
 #include "app/workbench/shell/stage_rail.h"
 
+#include <QEvent>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/theme.h"
@@ -20,7 +21,7 @@ StageRail::StageRail(QWidget* parent) : QWidget(parent) {
   }
   layout->addStretch(1);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
-  setFixedWidth(buttons_.first()->sizeHint().width());
+  fitWidth();
 }
 
 void StageRail::show(Stage stage) { buttons_.value(stage)->show(); }
@@ -33,7 +34,15 @@ void StageRail::setCompact(bool compact) {
   if (compact == compact_) return;
   compact_ = compact;
   for (StageButton* button : buttons_) button->setCompact(compact);
-  setFixedWidth(buttons_.first()->sizeHint().width());
+  fitWidth();
 }
+
+// Larger text is wider.
+void StageRail::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange && !buttons_.isEmpty()) fitWidth();
+}
+
+void StageRail::fitWidth() { setFixedWidth(buttons_.first()->sizeHint().width()); }
 
 }  // namespace tactus::workbench

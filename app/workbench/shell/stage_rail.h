@@ -28,7 +28,12 @@ class StageRail : public QWidget {
   /// The user chose `stage`, which can be entered.
   void chosen(tactus::workbench::Stage stage);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void fitWidth();
+
   QMap<Stage, StageButton*> buttons_;
   bool compact_ = false;
 };

@@ -112,6 +112,20 @@ TEST_F(AxisZoomTest, ShiftAndDragMovesAndIsNoPress) {
   EXPECT_EQ(pressed.count(), 1);
 }
 
+TEST_F(AxisZoomTest, AShiftClickIsNoDragAndADragIsNoClick) {
+  ranges.show(kDepth, {100, 300});
+  QSignalSpy clicked(zoom, &AxisZoom::shiftClicked);
+  const QPoint place = at(200);
+  QTest::mouseClick(plot.get(), Qt::LeftButton, Qt::ShiftModifier, place);
+  ASSERT_EQ(clicked.count(), 1);
+  EXPECT_EQ(clicked.front().front().toPointF(), QPointF(place));
+  EXPECT_EQ(ranges.of(kDepth).low, 100);
+  QTest::mousePress(plot.get(), Qt::LeftButton, Qt::ShiftModifier, place);
+  QTest::mouseMove(plot.get(), place - QPoint(60, 0));
+  QTest::mouseRelease(plot.get(), Qt::LeftButton, Qt::ShiftModifier, place - QPoint(60, 0));
+  EXPECT_EQ(clicked.count(), 1);
+}
+
 TEST_F(AxisZoomTest, ADoubleClickShowsAllInEveryPlotOfTheInput) {
   const std::unique_ptr<QCustomPlot> other(makePlot(nullptr));
   auto* other_zoom = new AxisZoom(*other, ranges);

@@ -61,6 +61,8 @@ QIcon recordIcon(bool in_progress) {
   return picture;
 }
 
+constexpr int kOneRow = 760;  // px: from this width on everything stands in one row
+
 }  // namespace
 
 RecordingsCard::RecordingsCard(FeelStore& store, StudyConnection& study, FeelController& feel, QWidget* parent)
@@ -71,6 +73,9 @@ RecordingsCard::RecordingsCard(FeelStore& store, StudyConnection& study, FeelCon
       hint_(new QLabel(tr("Open or make a study (menu Study) to keep placements and recordings."), this)),
       where_(new QLabel(this)),
       content_(new QWidget(this)),
+      grid_(new QGridLayout(content_)),
+      who_label_(new QLabel(tr("Who feels"), content_)),
+      list_label_(new QLabel(tr("Recordings"), content_)),
       who_(new QComboBox(content_)),
       record_(new QPushButton(tr("Record"), content_)),
       list_(new QComboBox(content_)),
@@ -95,8 +100,6 @@ void RecordingsCard::build() {
   where_->setTextFormat(Qt::PlainText);
   where_->setFont(theme::smallFont());
   setMuted(*where_);
-  auto* who_label = new QLabel(tr("Who feels"), content_);
-  auto* list_label = new QLabel(tr("Recordings"), content_);
   who_->setAccessibleName(tr("Who feels"));
   who_->setToolTip(tr("Placements and recordings are stored for this person"));
   list_->setAccessibleName(tr("Recordings"));
@@ -109,22 +112,36 @@ void RecordingsCard::build() {
     // Wide enough for every word and number that comes on it.
     button->setMinimumWidth(button->fontMetrics().horizontalAdvance(tr("End · %1 s").arg(999)) + 5 * theme::kGrid);
   }
-  auto* grid = new QGridLayout(content_);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(theme::kGrid);
-  grid->setVerticalSpacing(4);
-  grid->addWidget(who_label, 0, 0);
-  grid->addWidget(who_, 0, 1);
-  grid->addWidget(record_, 0, 2);
-  grid->addWidget(list_label, 1, 0);
-  grid->addWidget(list_, 1, 1);
-  grid->addWidget(replay_, 1, 2);
-  grid->setColumnStretch(1, 1);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(theme::kGrid);
+  grid_->setVerticalSpacing(4);
+  arrange();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid);
   layout->addWidget(hint_);
   layout->addWidget(where_);
   layout->addWidget(content_);
+}
+
+void RecordingsCard::arrange() {
+  const QList<QWidget*> first{who_label_, who_, record_};
+  const QList<QWidget*> second{list_label_, list_, replay_};
+  for (QWidget* part : first + second) grid_->removeWidget(part);
+  for (int i = 0; i < 3; ++i) {
+    grid_->addWidget(first[i], 0, i);
+    grid_->addWidget(second[i], in_one_row_ ? 0 : 1, in_one_row_ ? 3 + i : i);
+  }
+  grid_->setColumnStretch(1, 1);
+  grid_->setColumnStretch(4, in_one_row_ ? 2 : 0);
+}
+
+void RecordingsCard::resizeEvent(QResizeEvent* event) {
+  Card::resizeEvent(event);
+  const bool in_one_row = width() >= kOneRow;
+  if (in_one_row == in_one_row_) return;
+  in_one_row_ = in_one_row;
+  arrange();
+  showState();
 }
 
 void RecordingsCard::listPeople() {
@@ -171,10 +188,11 @@ void RecordingsCard::showState() {
   const bool open = study_.isOpen();
   hint_->setVisible(!open);
   content_->setVisible(open);
-  where_->setVisible(open);
+  where_->setVisible(open && (!in_one_row_ || study_.isReadOnly()));
   if (open) {
     where_->setText(study_.isReadOnly() ? tr("%1 is open for reading only").arg(study_.fileName())
                                         : tr("Into the study %1").arg(study_.fileName()));
+    content_->setToolTip(where_->text());
   }
   setVisible(open || roomy_);
   const bool replaying = store_.replayed().has_value();

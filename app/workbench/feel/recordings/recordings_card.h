@@ -6,6 +6,7 @@
 #include "app/workbench/kit/card.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
@@ -24,8 +25,12 @@ class RecordingsCard : public Card {
   /// False: leaves out the hint for users without an open study, to save space.
   void setRoomy(bool roomy);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void build();
+  void arrange();
   void listPeople();
   void showWho();
   void listRecordings();
@@ -39,11 +44,15 @@ class RecordingsCard : public Card {
   QLabel* hint_;
   QLabel* where_;  ///< the study that gets the recordings
   QWidget* content_;
+  QGridLayout* grid_;
+  QLabel* who_label_;
+  QLabel* list_label_;
   QComboBox* who_;
   QPushButton* record_;
   QComboBox* list_;
   QPushButton* replay_;
   bool roomy_ = true;
+  bool in_one_row_ = false;
   std::size_t listed_ = 0;  ///< number of recordings in the list
 };
 

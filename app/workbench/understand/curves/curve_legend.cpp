@@ -1,8 +1,10 @@
 #include "app/workbench/understand/curves/curve_legend.h"
 
+#include <QAction>
 #include <QEvent>
-#include <QPainter>
+#include <QMenu>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <algorithm>
 #include <utility>
 
@@ -11,84 +13,33 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kSwatch = 20;  // px
-constexpr int kInside = 6;   // px between the edge of a chip and what is in it
-constexpr int kBetween = 2;  // px between chips
-constexpr double kOff = 0.35;
+constexpr int kBetween = 2;  // px between the parts
+
+int widthOf(const std::vector<QWidget*>& parts) {
+  int width = 0;
+  for (const QWidget* part : parts) width += part->sizeHint().width() + kBetween;
+  return width;
+}
+
+// Words need the room of a short sentence with a number.
+int leastWidthOf(const QWidget& part, bool words) {
+  const int whole = part.sizeHint().width();
+  if (words) return std::min(whole, part.fontMetrics().horizontalAdvance(QStringLiteral("ΔF ≥ 0.000 N on this curve")));
+  return qobject_cast<const LegendChip*>(&part) ? part.minimumSizeHint().width() : whole;
+}
 
 }  // namespace
 
-LegendChip::LegendChip(LegendEntry look, const QString& tip, QWidget* parent)
-    : QAbstractButton(parent), look_(std::move(look)) {
-  setText(look_.name);
-  setToolTip(tip);
-  setFont(theme::smallFont());
-  setCheckable(true);
-  setFocusPolicy(Qt::TabFocus);
-}
-
-void LegendChip::setName(const QString& name) {
-  if (name == text()) return;
-  setText(name);
-  updateGeometry();
-}
-
-void LegendChip::setLook(LegendEntry look) {
-  look_ = std::move(look);
-  update();
-}
-
-QSize LegendChip::sizeHint() const {
-  const QFontMetrics metrics(font());
-  return {kSwatch + 3 * kInside + metrics.horizontalAdvance(text()), metrics.height() + 6};
-}
-
-void LegendChip::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  if (underMouse() || hasFocus()) {
-    painter.setPen(hasFocus() ? QPen(theme::accent(), 1) : Qt::NoPen);
-    painter.setBrush(theme::grid());
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-  }
-  painter.setOpacity(isChecked() ? 1 : kOff);
-  const double middle = height() / 2.0;
-  const QRectF swatch(kInside, middle - 5, kSwatch, 10);
-  // The entry may have been made in the other look.
-  QBrush fill = look_.fill;
-  fill.setColor(theme::inLook(fill.color()));
-  if (fill.style() != Qt::NoBrush) painter.fillRect(swatch, fill);
-  QPen pen = look_.pen;
-  pen.setColor(theme::inLook(pen.color()));
-  pen.setWidthF(std::min(pen.widthF(), 4.0));
-  painter.setPen(pen);
-  painter.drawLine(QPointF(swatch.left(), middle), QPointF(swatch.right(), middle));
-  if (look_.dots) {
-    painter.setBrush(pen.color());
-    painter.drawEllipse(swatch.center(), 2.2, 2.2);
-  }
-  painter.setOpacity(1);
-  painter.setPen(isChecked() ? theme::ink() : theme::mutedInk());
-  QFont words = font();
-  words.setStrikeOut(!isChecked());
-  painter.setFont(words);
-  painter.drawText(rect().adjusted(kSwatch + 2 * kInside, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text());
-}
-
-void LegendChip::enterEvent(QEnterEvent* event) {
-  update();
-  QAbstractButton::enterEvent(event);
-}
-
-void LegendChip::leaveEvent(QEvent* event) {
-  update();
-  QAbstractButton::leaveEvent(event);
-}
-
-CurveLegend::CurveLegend(QWidget* parent) : QWidget(parent) {
-  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
-  policy.setHeightForWidth(true);
-  setSizePolicy(policy);
+CurveLegend::CurveLegend(QWidget* parent) : QWidget(parent), more_(new QToolButton(this)) {
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  more_->setAutoRaise(true);
+  more_->setFont(theme::smallFont());
+  more_->setPopupMode(QToolButton::InstantPopup);
+  more_->setToolTip(tr("Show or hide the lines that find no place here"));
+  more_->setAccessibleName(tr("Further lines"));
+  more_->setMenu(new QMenu(more_));
+  more_->hide();
+  connect(more_->menu(), &QMenu::aboutToShow, this, &CurveLegend::fillMenu);
 }
 
 void CurveLegend::setItems(std::vector<Item> items) {
@@ -99,10 +50,9 @@ void CurveLegend::setItems(std::vector<Item> items) {
     auto* chip = new LegendChip(std::move(item.look), item.tip, this);
     chip->setChecked(item.shown);
     connect(chip, &LegendChip::toggled, this, [toggled = std::move(item.toggled)](bool shown) { toggled(shown); });
-    chip->show();
     chips_.push_back(chip);
   }
-  place(width(), true);
+  arrange();
   updateGeometry();
 }
 
@@ -123,56 +73,92 @@ void CurveLegend::setTail(std::vector<QWidget*> tail) {
   updateGeometry();
 }
 
-std::vector<QWidget*> CurveLegend::parts() const {
-  std::vector<QWidget*> all(chips_.begin(), chips_.end());
+std::vector<QWidget*> CurveLegend::tail() const {
+  std::vector<QWidget*> shown;
   for (QWidget* part : tail_) {
     const bool taken_away = part->isHidden() && part->testAttribute(Qt::WA_WState_ExplicitShowHide);
-    if (!taken_away) all.push_back(part);
+    if (!taken_away) shown.push_back(part);
   }
-  return all;
+  return shown;
 }
 
 QSize CurveLegend::sizeHint() const {
-  int width = 0;
-  for (const QWidget* part : parts()) width += part->sizeHint().width() + kBetween;
-  return {width, place(this->width(), false)};
+  std::vector<QWidget*> parts(chips_.begin(), chips_.end());
+  const std::vector<QWidget*> after = tail();
+  parts.insert(parts.end(), after.begin(), after.end());
+  int height = 0;
+  for (const QWidget* part : parts) height = std::max(height, part->sizeHint().height());
+  return {widthOf(parts), height};
 }
 
-QSize CurveLegend::minimumSizeHint() const {
-  const std::vector<QWidget*> all = parts();
-  return {1, all.empty() ? 0 : all.front()->sizeHint().height()};
-}
+QSize CurveLegend::minimumSizeHint() const { return {1, sizeHint().height()}; }
 
 // A part of the tail has other words.
 bool CurveLegend::event(QEvent* event) {
-  if (event->type() == QEvent::LayoutRequest && place(width(), true) != height()) updateGeometry();
+  if (event->type() == QEvent::LayoutRequest) arrange();
   return QWidget::event(event);
 }
 
 void CurveLegend::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  place(width(), true);
+  arrange();
 }
 
-int CurveLegend::place(int width, bool move) const {
-  int x = 0;
-  int y = 0;
-  int row = 0;
-  const std::vector<QWidget*> all = parts();
-  for (QWidget* part : all) {
-    const QSize size = part->sizeHint();
-    if (x > 0 && x + size.width() > width) {
-      x = 0;
-      y += row;
-      row = 0;
-    }
-    row = std::max(row, size.height());
-    // The rows have the height of chips, in the middle of which a label stands.
-    const bool rest = part == all.back() && !tail_.empty();
-    if (move) part->setGeometry(x, y, rest ? width - x : std::min(size.width(), width), row);
-    x += size.width() + kBetween;
+// Who has to go: lines that are hidden, then those at the end.
+std::vector<LegendChip*> CurveLegend::chipsWithin(int room) const {
+  std::vector<LegendChip*> kept = chips_;
+  const auto width = [&kept] { return widthOf({kept.begin(), kept.end()}); };
+  while (!kept.empty() && width() > room) {
+    const auto hidden =
+        std::find_if(kept.rbegin(), kept.rend(), [](const LegendChip* chip) { return !chip->isChecked(); });
+    kept.erase(hidden == kept.rend() ? std::prev(kept.end()) : std::prev(hidden.base()));
   }
-  return y + row;
+  return kept;
+}
+
+void CurveLegend::arrange() {
+  const std::vector<QWidget*> after = tail();
+  int least = 0;
+  for (const QWidget* part : after) least += leastWidthOf(*part, part == after.back()) + kBetween;
+  std::vector<LegendChip*> kept = chipsWithin(width() - least);
+  if (kept.size() < chips_.size()) kept = chipsWithin(width() - least - more_->sizeHint().width() - kBetween);
+  const auto left_out = static_cast<int>(chips_.size() - kept.size());
+  more_->setText(QStringLiteral("+%1").arg(left_out));
+  more_->setVisible(left_out > 0);
+
+  int x = 0;
+  for (LegendChip* chip : chips_) {
+    const bool placed = std::find(kept.begin(), kept.end(), chip) != kept.end();
+    chip->setVisible(placed);
+    if (!placed) continue;
+    chip->setGeometry(x, 0, chip->sizeHint().width(), height());
+    x += chip->width() + kBetween;
+  }
+  if (left_out > 0) {
+    more_->setGeometry(x, 0, more_->sizeHint().width(), height());
+    x += more_->width() + kBetween;
+  }
+  // The room beyond the least goes to the parts in their order.
+  int spare = std::max(0, width() - x - least);
+  for (QWidget* part : after) {
+    const int narrow = leastWidthOf(*part, part == after.back());
+    const int more = std::min(spare, part->sizeHint().width() - narrow);
+    spare -= more;
+    part->setGeometry(x, 0, part == after.back() ? std::max(0, width() - x) : narrow + more, height());
+    x += narrow + more + kBetween;
+  }
+}
+
+void CurveLegend::fillMenu() {
+  more_->menu()->clear();
+  for (LegendChip* chip : chips_) {
+    if (!chip->isHidden()) continue;
+    QAction* action = more_->menu()->addAction(QString(chip->text()).replace(QLatin1Char('&'), QLatin1String("&&")));
+    action->setToolTip(chip->toolTip());
+    action->setCheckable(true);
+    action->setChecked(chip->isChecked());
+    connect(action, &QAction::toggled, chip, &LegendChip::setChecked);
+  }
 }
 
 }  // namespace tactus::workbench

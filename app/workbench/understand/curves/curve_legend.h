@@ -1,37 +1,15 @@
-// The legend above the curves: a name and a sample of every line. A click shows or hides the line.
+// The legend above the curves, in one row: a name and a sample of every line. A click shows or hides the line.
 #pragma once
 
-#include <QAbstractButton>
 #include <QWidget>
 #include <functional>
 #include <vector>
 
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/understand/curves/legend_chip.h"
+
+class QToolButton;
 
 namespace tactus::workbench {
-
-/// One entry of the legend, checked while its line is visible.
-class LegendChip : public QAbstractButton {
-  Q_OBJECT
-
- public:
-  LegendChip(LegendEntry look, const QString& tip, QWidget* parent);
-
-  /// Changes the name of the line.
-  void setName(const QString& name);
-  /// Changes the colors of the line.
-  void setLook(LegendEntry look);
-
-  QSize sizeHint() const override;
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-  void enterEvent(QEnterEvent* event) override;
-  void leaveEvent(QEvent* event) override;
-
- private:
-  LegendEntry look_;
-};
 
 class CurveLegend : public QWidget {
   Q_OBJECT
@@ -39,7 +17,8 @@ class CurveLegend : public QWidget {
  public:
   explicit CurveLegend(QWidget* parent = nullptr);
 
-  /// The widgets after the items. The last one gets the rest of its row.
+  /// The widgets after the items. The last one gets the rest of the row. Where the row is full it and the chips among
+  /// them become narrower.
   void setTail(std::vector<QWidget*> tail);
 
   struct Item {
@@ -48,15 +27,13 @@ class CurveLegend : public QWidget {
     bool shown = true;
     std::function<void(bool)> toggled;
   };
-  /// Arranges the items in rows from the left, as many rows as the width needs.
+  /// Arranges the items from the left. What finds no place, hidden lines first, is in the menu of a button.
   void setItems(std::vector<Item> items);
   /// Checks or unchecks an item without a signal.
   void setShown(int index, bool shown);
   /// The chip of item `index`, or null.
   LegendChip* chipAt(int index) const;
 
-  bool hasHeightForWidth() const override { return true; }
-  int heightForWidth(int width) const override { return place(width, false); }
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -65,11 +42,14 @@ class CurveLegend : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  std::vector<QWidget*> parts() const;
-  int place(int width, bool move) const;
+  std::vector<QWidget*> tail() const;
+  std::vector<LegendChip*> chipsWithin(int room) const;
+  void arrange();
+  void fillMenu();
 
   std::vector<LegendChip*> chips_;
   std::vector<QWidget*> tail_;
+  QToolButton* more_;
 };
 
 }  // namespace tactus::workbench

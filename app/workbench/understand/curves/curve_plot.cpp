@@ -24,6 +24,7 @@ namespace {
 constexpr int kLabelRows = 2;
 constexpr double kSameForce = 0.002;  // of the output; a line is wider
 constexpr double kDash = 5;           // widths of a line
+constexpr int kLow = 300;             // px: below this height the name of the x axis stands in the heading alone
 constexpr int kMeanGraph = 0;         // graph of the mean; that of expert i is i + 1
 
 Qt::PenStyle lineStyle(std::size_t number) {
@@ -103,6 +104,11 @@ CurvePlot::CurvePlot(ShownRanges& ranges, QWidget* parent)
 
   connect(plot_, &QCustomPlot::mouseMove, this, &CurvePlot::onMouse);
   connect(plot_, &QCustomPlot::mousePress, this, &CurvePlot::onMouse);
+  connect(zoom_, &AxisZoom::shiftClicked, this, [this](QPointF place) {
+    if (plot_->axisRect()->rect().contains(place.toPoint())) {
+      emit marked(placeOf(x_, plot_->xAxis->pixelToCoord(place.x())));
+    }
+  });
 }
 
 CurvePlot::~CurvePlot() = default;
@@ -116,7 +122,7 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   // Forces are read by round numbers; the end of their universe is none.
   plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
   zoom_->setInputs(x);
-  plot_->xAxis->setLabel(axisText(x));
+  nameAxis(height() >= kLow);
   plot_->yAxis->setLabel(axisText(output));
   plot_->xAxis->grid()->setVisible(false);
   landmarks_->setVariable(x);
@@ -304,7 +310,18 @@ std::vector<LegendEntry> CurvePlot::legend() const {
   return entries;
 }
 
-void CurvePlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {cursor_}); }
+void CurvePlot::paintPicture(QCPPainter& painter, const QSize& size) {
+  nameAxis(true);
+  paintPlot(*plot_, painter, size, {cursor_});
+  nameAxis(height() >= kLow);
+}
+
+void CurvePlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  nameAxis(height() >= kLow);
+}
+
+void CurvePlot::nameAxis(bool named) { plot_->xAxis->setLabel(named ? axisText(x_) : QString()); }
 
 void CurvePlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);

@@ -86,13 +86,17 @@ class CurvePlot : public QWidget, public PlotSource {
   void hoverLeft();
   /// The mouse was pressed at `x`.
   void picked(double x);
+  /// The mouse was clicked with Shift at `x`.
+  void marked(double x);
 
  protected:
   void changeEvent(QEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void onMouse(QMouseEvent* event);
+  void nameAxis(bool named);
   void updateSilence();
   bool shown(std::size_t graph) const;
   QString differenceText(const Reading& reading, double from, const fuzzy::Evaluation& left_behind) const;

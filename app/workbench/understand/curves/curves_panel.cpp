@@ -11,6 +11,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/figures/force_curves.h"
@@ -109,6 +110,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   connect(plot_, &CurvePlot::hovered, &scene_, &SceneController::setHover);
   connect(plot_, &CurvePlot::hoverLeft, &scene_, &SceneController::clearHover);
   connect(plot_, &CurvePlot::picked, &scene_, [this](double x) { scene_.setValue(scene_.xInput(), x); });
+  connect(plot_, &CurvePlot::marked, this, &CurvesPanel::onMarked);
   connect(&readings, &ReadingModel::rowShownChanged, this, &CurvesPanel::onRowShown);
   connect(&scene_, &SceneController::modelChanged, this, &CurvesPanel::adoptModel);
   connect(&scene_, &SceneController::xInputChanged, this, &CurvesPanel::showAxes);
@@ -129,13 +131,31 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
 }
 
 void CurvesPanel::showReading() {
-  const double from = scene_.value(scene_.xInput());
+  const double from = mark_.value_or(scene_.value(scene_.xInput()));
   std::optional<fuzzy::Evaluation> left_behind;
   if (scene_.readingX() != from) {
-    left_behind = scene_.model()->compiled.evaluate(scene_.values());
+    std::vector<double> there = scene_.values();
+    there[scene_.xInput()] = from;
+    left_behind = scene_.model()->compiled.evaluate(there);
     scene_.countEvaluations(1);
   }
   plot_->setReading(scene_.reading(), from, left_behind);
+}
+
+void CurvesPanel::setMark(std::optional<double> x) {
+  if (x == mark_) return;
+  mark_ = x;
+  mark_input_ = scene_.xVariable().id;
+  draw_reading_->request();
+  emit markChanged();
+}
+
+// A click near the cursor takes it away.
+void CurvesPanel::onMarked(double x) {
+  constexpr double kNear = 0.01;  // of the range that is shown
+  const figures::Interval shown = scene_.ranges().of(scene_.xVariable());
+  const bool again = mark_ && std::abs(*mark_ - x) < kNear * (shown.high - shown.low);
+  setMark(again ? std::nullopt : std::optional(x));
 }
 
 void CurvesPanel::setFast(bool fast) { plot_->setFast(fast); }
@@ -202,7 +222,7 @@ void CurvesPanel::drawGhost() {
   ghost_chip_->setName(ghost_.label());
   ghost_chip_->setToolTip(ghost_.whatChanged().isEmpty() ? tr("Show the curves before an edit as dashed lines")
                                                          : tr("Since then: %1").arg(ghost_.whatChanged()));
-  difference_->setFullText(any ? ghost_.differenceText() : QString());
+  difference_->setFullText(any ? ghost_.differenceText() : QString(), ghost_.briefText());
   go_there_->setVisible(ghost_.elsewhere().has_value());
 }
 
@@ -217,7 +237,7 @@ void CurvesPanel::adoptModel() {
 
   const QSignalBlocker no_signal(x_input_);
   x_input_->clear();
-  for (const fuzzy::Variable& input : model.inputs) x_input_->addItem(labelOf(input));
+  for (const fuzzy::Variable& input : model.inputs) x_input_->addItem(axisText(input));
 
   showAxes();
   draw_curves_->request();
@@ -228,6 +248,7 @@ void CurvesPanel::showAxes() {
   const QSignalBlocker no_signal(x_input_);
   x_input_->setCurrentIndex(static_cast<int>(scene_.xInput()));
   const fuzzy::ForceModel& model = scene_.model()->model;
+  if (mark_input_ != scene_.xVariable().id) setMark(std::nullopt);
   plot_->setAxes(scene_.xVariable(), model.output, model.experts);
   showFamily();
   showTerms();

@@ -2,6 +2,9 @@
 // the change since an edit, and reference curves.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/kit/card.h"
 #include "app/workbench/understand/curves/curve_looks.h"
@@ -35,8 +38,13 @@ class CurvesPanel : public Card {
   /// True during a drag: thin lines without smoothing.
   void setFast(bool fast);
   void setSpreadShown(SpreadShown shown);
+  /// A second cursor on the x axis, from which the reading counts its difference; nothing: that is the operating point.
+  void setMark(std::optional<double> x);
+  std::optional<double> mark() const { return mark_; }
 
  signals:
+  /// The second cursor was set, moved or taken away.
+  void markChanged();
   /// The user chose another spread.
   void spreadChosen(tactus::workbench::SpreadShown shown);
 
@@ -51,6 +59,7 @@ class CurvesPanel : public Card {
   void showTerms();
   void onXInputChosen(int index);
   void onRowShown(int row);
+  void onMarked(double x);
   void showFamily();
   void showLines();
   void showLine(int row);
@@ -64,6 +73,8 @@ class CurvesPanel : public Card {
   QStringList notes() const;
 
   SceneController& scene_;
+  std::optional<double> mark_;
+  std::string mark_input_;  ///< the input of mark_
   ReadingModel& readings_;
   GhostController& ghost_;
   ReferenceController& references_;

@@ -19,7 +19,8 @@ ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings,
       scene_(scene),
       place_(new QLabel(this)),
       table_(new QTableView(this)),
-      hint_(new QLabel(tr("Move over the curves to read them, click to keep the place."), this)) {
+      hint_(new QLabel(
+          tr("Move over the curves to read them. Click to keep the place, Shift+click to measure from it."), this)) {
   place_->setFont(theme::headingFont());
   place_->setTextFormat(Qt::PlainText);
   place_->setWordWrap(true);

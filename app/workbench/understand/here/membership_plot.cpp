@@ -64,7 +64,7 @@ MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
 
   auto* landmarks = new LandmarkMarks(*plot_, LandmarkMarks::Place::kInside);
   landmarks->setVariable(variable);
-  landmarks->setNamed(false);
+  landmarks->setText(LandmarkMarks::Text::kNone);
   marker_ = new ValueMarker(*plot_);
 
   connect(plot_, &QCustomPlot::mousePress, this, &MembershipPlot::onMouse);

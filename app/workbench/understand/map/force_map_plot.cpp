@@ -18,7 +18,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kRoomy = 300;      // px: below this height the map needs the room of the landmarks' names
+constexpr int kRoomy = 360;      // px: below this height the map needs the room of the landmarks' names
 constexpr int kBeside = 2;       // px from the map or its landmarks to the bars of the terms
 constexpr int kBeforeScale = 4;  // px from the names of the terms to the color scale
 
@@ -97,7 +97,7 @@ void ForceMapPlot::setTerms(const std::vector<fuzzy::Term>& x, const std::vector
 
 // From the plot outward: landmarks, bars of the terms, their names.
 void ForceMapPlot::makeRoom(int height) {
-  landmarks_->setNamed(height >= kRoomy);
+  landmarks_->setText(height >= kRoomy ? LandmarkMarks::Text::kNames : LandmarkMarks::Text::kNumbers);
   x_terms_->setDistance(landmarks_->height() + kBeside);
   y_terms_->setDistance(kBeside);
   plot_->axisRect()->setMinimumMargins(

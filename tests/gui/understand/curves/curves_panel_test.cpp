@@ -93,6 +93,37 @@ TEST_F(CurvesPanelTest, TheMouseReadsTheDifferenceToTheOperatingPoint) {
   EXPECT_EQ(plot.accessibleDescription(), QStringLiteral("8 mm   mean 0.500 N   Δ +6 mm, +0.250 N"));
 }
 
+TEST_F(CurvesPanelTest, ASecondCursorMeasuresWithoutTheMouse) {
+  bench.scene.setValue(0, 20);
+  bench.scene.setValue(1, 8);
+  QSignalSpy changed(&panel, &CurvesPanel::markChanged);
+  panel.setMark(2);
+  settle();
+  // The forces are those of the test above.
+  EXPECT_EQ(plot.accessibleDescription(), QStringLiteral("8 mm   mean 0.500 N   Δ +6 mm, +0.250 N"));
+  bench.scene.setHover(2);
+  settle();
+  EXPECT_EQ(plot.accessibleDescription(), QStringLiteral("2 mm   mean 0.250 N"));
+  bench.scene.clearHover();
+  // Another axis has other places.
+  bench.scene.setXInput(0);
+  settle();
+  EXPECT_FALSE(panel.mark());
+  EXPECT_EQ(changed.count(), 2);
+}
+
+TEST_F(CurvesPanelTest, AClickWithShiftSetsTheSecondCursorAndTakesItAway) {
+  auto* canvas = plot.findChild<QCustomPlot*>();
+  const QPoint place(static_cast<int>(canvas->xAxis->coordToPixel(4)), canvas->axisRect()->center().y());
+  const double before = bench.scene.value(1);
+  QTest::mouseClick(canvas, Qt::LeftButton, Qt::ShiftModifier, place);
+  ASSERT_TRUE(panel.mark());
+  EXPECT_NEAR(*panel.mark(), 4, 0.1);
+  EXPECT_EQ(bench.scene.value(1), before);
+  QTest::mouseClick(canvas, Qt::LeftButton, Qt::ShiftModifier, place);
+  EXPECT_FALSE(panel.mark());
+}
+
 TEST_F(CurvesPanelTest, TheRangeCanBeTakenAway) {
   const QImage before = picture();
   QTest::mouseClick(chip(QStringLiteral("Range")), Qt::LeftButton);

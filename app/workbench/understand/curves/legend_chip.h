@@ -1,0 +1,34 @@
+// One entry of the legend of the curves: a sample of the line and its name, checked while the line is visible.
+#pragma once
+
+#include <QAbstractButton>
+
+#include "app/workbench/plot/plot_source.h"
+
+namespace tactus::workbench {
+
+class LegendChip : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  LegendChip(LegendEntry look, const QString& tip, QWidget* parent);
+
+  /// Changes the name of the line.
+  void setName(const QString& name);
+  /// Changes the colors of the line.
+  void setLook(LegendEntry look);
+
+  QSize sizeHint() const override;
+  /// With the beginning of a long name.
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  LegendEntry look_;
+};
+
+}  // namespace tactus::workbench
