@@ -1,12 +1,9 @@
 #include "app/workbench/collect_parts.h"
 
-#include <utility>
-
 #include "app/workbench/collect/collect_view.h"
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/kit/message_banner.h"
 #include "app/workbench/model/author_name.h"
-#include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/study/study_models.h"
 #include "app/workbench/study_parts.h"
@@ -14,13 +11,11 @@
 namespace tactus::workbench {
 
 CollectParts::CollectParts(MainWindow& window, StudyParts& study_parts, StudyConnection& study,
-                           StudyModels& study_models, const ModelController& models, DeviceSession& device,
-                           const AuthorName& author)
+                           StudyModels& study_models, DeviceSession& device, const AuthorName& author)
     : window_(window),
       study_parts_(study_parts),
       study_(study),
       study_models_(study_models),
-      models_(models),
       collect_(study),
       protocol_(study),
       view_(new CollectView(collect_, protocol_, [&author] { return author.name(); })),
@@ -57,15 +52,12 @@ void CollectParts::connectAll() {
   });
 }
 
-void CollectParts::makeStudy() {
-  leads_here_ = true;
-  study_parts_.chooseNew();
-}
+void CollectParts::makeStudy() { study_parts_.chooseNew(); }
 
 // A study without a model has nothing else to show.
 void CollectParts::onOpened() {
   window_.setStudyOpen(true);
-  if (std::exchange(leads_here_, false) || !models_.current()) window_.enter(Stage::kCollect);
+  if (!study_models_.hasModel()) window_.enter(Stage::kCollect);
 }
 
 }  // namespace tactus::workbench

@@ -14,7 +14,6 @@ class AuthorName;
 class CollectView;
 class DeviceSession;
 class MainWindow;
-class ModelController;
 class StudyModels;
 class StudyParts;
 
@@ -23,13 +22,13 @@ class CollectParts : public QObject {
 
  public:
   CollectParts(MainWindow& window, StudyParts& study_parts, StudyConnection& study, StudyModels& study_models,
-               const ModelController& models, DeviceSession& device, const AuthorName& author);
+               DeviceSession& device, const AuthorName& author);
 
   CollectController& collect() { return collect_; }
   ProtocolController& protocol() { return protocol_; }
   CollectView& view() { return *view_; }
   SessionRun& run() { return run_; }
-  /// Asks for the place of a new study and makes it; this stage is entered then.
+  /// Asks for the place of a new study and makes it. A study without a model enters this stage.
   void makeStudy();
   /// The study is read.
   bool isReady() const { return protocol_.isReady(); }
@@ -42,12 +41,10 @@ class CollectParts : public QObject {
   StudyParts& study_parts_;
   StudyConnection& study_;
   StudyModels& study_models_;
-  const ModelController& models_;
   CollectController collect_;
   ProtocolController protocol_;
   CollectView* view_;
   SessionRun run_;
-  bool leads_here_ = false;  ///< the study was asked for on the start screen
 };
 
 }  // namespace tactus::workbench

@@ -13,16 +13,21 @@
 #include "app/workbench/shell/model_files.h"
 #include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/start_view.h"
+#include "app/workbench/study/connection/study_connection.h"
+#include "app/workbench/study/study_models.h"
 
 namespace tactus::workbench {
 
 StartParts::StartParts(MainWindow& window, ModelFiles& files, CollectParts& collect, ModelController& models,
-                       const RecentFiles& recent, Panel& rule_editor)
+                       const RecentFiles& recent, Panel& rule_editor, const StudyConnection& study,
+                       StudyModels& study_models)
     : window_(window),
       files_(files),
       collect_(collect),
       models_(models),
       rule_editor_(rule_editor),
+      study_(study),
+      study_models_(study_models),
       demo_(documentsFolder()),
       view_(new StartView(recent, demo_)) {
   window_.setStartScreen(view_);
@@ -41,6 +46,7 @@ void StartParts::connectAll() {
   connect(view_, &StartView::openRequested, &files_, &ModelFiles::choose);
   connect(view_, &StartView::recentRequested, &files_, &ModelFiles::open);
   connect(&demo_, &DemoMaker::ready, this, &StartParts::onDemoReady);
+  connect(&study_, &StudyConnection::opened, this, &StartParts::onStudyOpened);
   connect(&models_, &ModelController::opened, this, &StartParts::onModelOpened);
   const auto fail = [this](const QString& sentence) { window_.banner().showError(sentence); };
   connect(&demo_, &DemoMaker::failed, this, fail);
@@ -62,6 +68,12 @@ void StartParts::exploreDemo() { demo_.explore(); }
 void StartParts::onDemoReady(const QString& study) {
   demo_study_ = study;
   files_.open(study);
+}
+
+// What is explored is the model: a fresh copy of the demo has only the answers yet.
+void StartParts::onStudyOpened() {
+  const bool asked = !demo_study_.isEmpty() && QFileInfo(study_.path()) == QFileInfo(demo_study_);
+  if (asked && !study_models_.hasModel()) study_models_.buildModel();
 }
 
 // The study opens with its people first; what is to be explored is the model.

@@ -15,6 +15,8 @@ class ModelFiles;
 class Panel;
 class RecentFiles;
 class StartView;
+class StudyConnection;
+class StudyModels;
 
 class StartParts : public QObject {
   Q_OBJECT
@@ -22,7 +24,7 @@ class StartParts : public QObject {
  public:
   /// `rule_editor`: where a model without rules is begun.
   StartParts(MainWindow& window, ModelFiles& files, CollectParts& collect, ModelController& models,
-             const RecentFiles& recent, Panel& rule_editor);
+             const RecentFiles& recent, Panel& rule_editor, const StudyConnection& study, StudyModels& study_models);
 
   StartView& view() { return *view_; }
   DemoMaker& demo() { return demo_; }
@@ -43,6 +45,7 @@ class StartParts : public QObject {
   void makeModel();
   void chooseTables();
   void onDemoReady(const QString& study);
+  void onStudyOpened();
   void onModelOpened();
 
   MainWindow& window_;
@@ -50,6 +53,8 @@ class StartParts : public QObject {
   CollectParts& collect_;
   ModelController& models_;
   Panel& rule_editor_;
+  const StudyConnection& study_;
+  StudyModels& study_models_;
   DemoMaker demo_;
   TableImport tables_;
   StartView* view_;

@@ -72,9 +72,7 @@ void StudyParts::connectAll() {
     if (files_.mayLoseChanges()) study_models_.openModel();
   });
   connect(put_, &QAction::triggered, &study_models_, &StudyModels::putModel);
-  connect(build_, &QAction::triggered, this, [this] {
-    if (files_.mayLoseChanges()) study_models_.buildModel();
-  });
+  connect(build_, &QAction::triggered, this, &StudyParts::buildModel);
   connect(copy_, &QAction::triggered, this, &StudyParts::chooseCopy);
   connect(&study_, &StudyConnection::copied, this, [this](const QString& copy) {
     // Whoever could only read goes on with the copy.
@@ -92,6 +90,9 @@ void StudyParts::connectAll() {
   connect(&study_, &StudyConnection::said, this, note);
   connect(&study_models_, &StudyModels::failed, this, &StudyParts::onFailed);
   connect(&study_models_, &StudyModels::said, this, note);
+  connect(&study_models_, &StudyModels::buildOffered, this, [this](const QString& sentence) {
+    window_.banner().showOffer(sentence, {tr("Build the averaged model"), [this] { buildModel(); }});
+  });
   connect(&store_, &FeelStore::said, this, [this](const QString& sentence) { window_.say(sentence); });
   connect(&store_, &FeelStore::failed, this, [this](const QString& sentence) { window_.banner().showError(sentence); });
 }
@@ -145,6 +146,10 @@ void StudyParts::chooseCopy() {
   if (path.isEmpty()) return;
   if (!isStudyPath(path)) path += QStringLiteral(".tactus");
   study_.saveCopy(path);
+}
+
+void StudyParts::buildModel() {
+  if (files_.mayLoseChanges()) study_models_.buildModel();
 }
 
 void StudyParts::onFailed(const QString& path, const QString& sentence) {

@@ -36,6 +36,7 @@ class StudyParts : public QObject {
   void showState();
   void onOpened();
   void chooseCopy();
+  void buildModel();
   void onFailed(const QString& path, const QString& sentence);
   /// Keeps the window open until everything is written, or until the user gives it up.
   bool mayEnd();

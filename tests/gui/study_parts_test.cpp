@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDropEvent>
+#include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -25,6 +26,7 @@
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/workbench.h"
+#include "core/store/entries.h"
 #include "core/store/model_versions.h"
 
 #include "tests/gui/sample_models.h"
@@ -98,6 +100,33 @@ TEST_F(StudyPartsTest, AStudyIsOpenedAndTakesTheModelIn) {
   EXPECT_TRUE(stripSays(QStringLiteral("Stored in sample.tactus")));
   EXPECT_FALSE(action("Put the open model")->isEnabled());
   EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("sample.tactus")));
+}
+
+TEST_F(StudyPartsTest, AModelOfTheAnswersIsOfferedAndNotStoredUnasked) {
+  QFile::remove(path);
+  tests::makeStudyFile(path, [](store::StudyFile& file, study::RecordIds& ids) {
+    study::RuleRecord rule;
+    rule.entry.id = ids.next();
+    rule.entry.session = tests::addVisit(file, ids, "velvet-otter", true);
+    rule.rule.conditions = {{"speed", "fast"}, {"lubrication", "poor"}};
+    rule.rule.then = "large";
+    ASSERT_TRUE(store::append(file, rule));
+  });
+  ASSERT_TRUE(open());
+  EXPECT_EQ(window.stage(), Stage::kCollect);
+  EXPECT_EQ(bench.models.current(), nullptr);
+  QPushButton* build = nullptr;
+  for (auto* button : window.banner().findChildren<QPushButton*>()) {
+    if (button->isVisible() && button->text() == QStringLiteral("Build the averaged model")) build = button;
+  }
+  ASSERT_NE(build, nullptr) << window.banner().message().toStdString();
+  build->click();
+  ASSERT_TRUE(comesTrue([this] { return bench.models.current() != nullptr && !bench.study.isBusy(); }));
+  EXPECT_TRUE(window.banner().message().startsWith(QStringLiteral("Built from the answers in sample.tactus")));
+  EXPECT_TRUE(window.canEnter(Stage::kTune));
+  bench.study.close();
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
+  EXPECT_EQ(store::modelVersions(tests::lookInto(path))->size(), 1U);
 }
 
 TEST_F(StudyPartsTest, AStudyIsDroppedOnTheWindow) {
@@ -212,6 +241,7 @@ TEST_F(StudyPartsTest, WhichStudyIsOpenIsSaidWhereItMatters) {
 TEST_F(StudyPartsTest, RecordWhileStoppedSaysThatItIsArmed) {
   bench.models.open(folder.write(tests::twoExperts()));
   ASSERT_TRUE(open());
+  window.enter(Stage::kTune);
   auto* card = window.findChild<RecordingsCard*>();
   auto* pad = window.findChild<TubePad*>();
   ASSERT_NE(pad, nullptr);

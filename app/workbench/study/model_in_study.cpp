@@ -57,31 +57,10 @@ Result<void> addVersions(const store::StudyFile& file, ModelInStudy& out) {
   return {};
 }
 
-// A study with answers but without a model gets the averaged one; one without answers says what to do.
-void addBuilt(const store::StudyFile& file, const store::StudyInfo& info, const editing::Stamp& stamp,
-              ModelInStudy& out) {
-  const QString name = shownFileName(text(file.path()));
-  const bool has_data = std::any_of(info.counts.begin(), info.counts.end(), [](const store::TableCount& count) {
+bool hasAnswers(const store::StudyInfo& info) {
+  return std::any_of(info.counts.begin(), info.counts.end(), [](const store::TableCount& count) {
     return (count.table == "answer" || count.table == "rule") && count.rows > 0;
   });
-  if (!has_data) {
-    out.note =
-        ModelInStudyText::tr(
-            "%1 holds neither a model nor answers of experts. Sessions begin in Collect; or open a model and put it "
-            "into the study with Study, or read tables into it with tactus study import.")
-            .arg(name);
-    return;
-  }
-  auto built = buildFromStudy(file, stamp);
-  if (!built) {
-    out.note = ModelInStudyText::tr("%1 holds no model, and none can be built from its answers: %2")
-                   .arg(name, text(built.error().message()));
-    return;
-  }
-  out.note = std::move(built->sentence);
-  out.notes = std::move(built->notes);
-  out.history = std::move(built->history);
-  out.built = true;
 }
 
 }  // namespace
@@ -115,12 +94,12 @@ Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editin
   return out;
 }
 
-Result<ModelInStudy> readModel(const store::StudyFile& file, const editing::Stamp& stamp) {
+Result<ModelInStudy> readModel(const store::StudyFile& file) {
   ModelInStudy out;
   const auto info = store::studyInfo(file);
   if (!info) return tl::unexpected(info.error());
   if (auto ok = addVersions(file, out); !ok) return tl::unexpected(ok.error());
-  if (!out.history) addBuilt(file, *info, stamp, out);
+  out.has_answers = hasAnswers(*info);
   return out;
 }
 

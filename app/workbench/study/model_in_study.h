@@ -1,5 +1,5 @@
-// The model that a study holds, with its history. If the study has answers but no model, the averaged model is built as
-// by `tactus build`.
+// The model that a study holds, with its history; and the averaged model, built from the answers as by `tactus build`.
+// Opening a study builds nothing: a model is a record of the study, and the researcher asks for it.
 #pragma once
 
 #include <QString>
@@ -17,13 +17,11 @@ namespace tactus::workbench {
 struct ModelInStudy {
   std::vector<study::ModelVersion> versions;    ///< without their texts
   std::optional<editing::EditHistory> history;  ///< of the model; nothing: there is none
-  bool built = false;                           ///< the model was built just now and is no version yet
-  QString note;                                 ///< one or two sentences for the person; may be empty
-  BuildNotes notes;                             ///< where a model was built
+  bool has_answers = false;                     ///< a model can be built of them, or the data say why not
 };
 
-/// Reads the model of the study. `stamp`: author and time of a model that is built. Thread: the one of `file`.
-base::Result<ModelInStudy> readModel(const store::StudyFile& file, const editing::Stamp& stamp);
+/// Reads the model of the study. Thread: the one of `file`.
+base::Result<ModelInStudy> readModel(const store::StudyFile& file);
 
 /// A model built from the answers of a study.
 struct BuiltFromStudy {

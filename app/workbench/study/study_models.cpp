@@ -89,8 +89,8 @@ std::optional<study::RecordId> StudyModels::modelVersion() const {
 void StudyModels::openModel() {
   study_.readAlone(*this, [this]() -> StudyConnection::Read {
     const std::size_t known = edits_.isOpen() ? edits_.history().events().size() : 0;
-    return [this, known, stamp = edits_.stamp()](const store::StudyFile& file) -> StudyConnection::Deliver {
-      auto read = readModel(file, stamp);
+    return [this, known](const store::StudyFile& file) -> StudyConnection::Deliver {
+      auto read = readModel(file);
       const QString sentence = read ? QString() : text(read.error().message());
       const auto model = read ? std::make_shared<ModelInStudy>(std::move(*read)) : nullptr;
       return [this, known, model, sentence] {
@@ -139,8 +139,8 @@ void StudyModels::putModel() {
 }
 
 StudyKeeper::ReadShare StudyModels::reader() {
-  return [this, stamp = edits_.stamp()](const store::StudyFile& file) -> Result<Take> {
-    auto read = readModel(file, stamp);
+  return [this](const store::StudyFile& file) -> Result<Take> {
+    auto read = readModel(file);
     if (!read) return tl::unexpected(read.error());
     return [this, model = std::make_shared<ModelInStudy>(std::move(*read))] {
       if (keepsModel() && !model->history) moveOut();
@@ -178,12 +178,15 @@ void StudyModels::adopt(ModelInStudy& model) {
   has_model_ = model.history.has_value();
   texts_.begin(model.versions);
   if (model.history) show(std::move(*model.history));
-  if (model.built) {
-    review_.set(std::move(model.notes));
+  review_.begin(model.versions.empty() ? std::nullopt : std::optional(model.versions.back().id));
+  if (has_model_) return;
+  if (model.has_answers) {
+    emit buildOffered(tr("%1 holds answers, but no model yet.").arg(study_.fileName()));
   } else {
-    review_.begin(model.versions.empty() ? std::nullopt : std::optional(model.versions.back().id));
+    emit said(tr("%1 holds neither a model nor answers of experts. Sessions begin in Collect; or open a model and put "
+                 "it into the study with Study, or read tables into it with tactus study import.")
+                  .arg(study_.fileName()));
   }
-  if (!model.note.isEmpty()) emit said(model.note);
 }
 
 void StudyModels::show(editing::EditHistory history) {

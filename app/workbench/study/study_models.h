@@ -1,5 +1,5 @@
 // The model of the open study: every edit of it becomes a version in the study, the averaged model is built from the
-// answers, and another model is put into the study.
+// answers when it is asked for, and another model is put into the study.
 #pragma once
 
 #include <QObject>
@@ -59,6 +59,8 @@ class StudyModels : public QObject, private StudyKeeper {
   void failed(const QString& path, const QString& sentence);
   /// One or two sentences about a completed action.
   void said(const QString& sentence);
+  /// The study has no model, but answers: one sentence, beside which `buildModel` is offered.
+  void buildOffered(const QString& sentence);
   /// `savedText`, `keepsModel` or the state of the connection changed.
   void savedChanged();
   void notesChanged();

@@ -33,6 +33,7 @@ class StudyModelsTest : public testing::Test {
     const auto on_failed = [this](const QString&, const QString& sentence) { failed = sentence; };
     QObject::connect(study.get(), &StudyConnection::said, on_said);
     QObject::connect(kept.get(), &StudyModels::said, on_said);
+    QObject::connect(kept.get(), &StudyModels::buildOffered, [this](const QString& sentence) { offered = sentence; });
     QObject::connect(study.get(), &StudyConnection::failed, on_failed);
     QObject::connect(kept.get(), &StudyModels::failed, on_failed);
   }
@@ -97,6 +98,7 @@ class StudyModelsTest : public testing::Test {
   std::unique_ptr<StudyConnection> study = std::make_unique<StudyConnection>();
   std::unique_ptr<StudyModels> kept = std::make_unique<StudyModels>(*study, models, edits);
   QString said;
+  QString offered;
   QString failed;
   bool left = false;
 };
@@ -365,7 +367,7 @@ TEST_F(StudyModelsTest, LookingAtTheHistoryComplainsOfNothing) {
   EXPECT_EQ(refused.count(), 0);
 }
 
-TEST_F(StudyModelsTest, AnswersWithoutAModelGiveTheAveragedOne) {
+TEST_F(StudyModelsTest, AnswersWithoutAModelGiveTheAveragedOneWhenItIsAskedFor) {
   tests::makeStudyFile(path, [](store::StudyFile& file, study::RecordIds& ids) {
     // Whoever only felt models is no expert of the averaged model.
     tests::addVisit(file, ids, "calm-fox", false, study::SessionKind::kUsability);
@@ -376,9 +378,20 @@ TEST_F(StudyModelsTest, AnswersWithoutAModelGiveTheAveragedOne) {
     rule.rule.then = "large";
     ASSERT_TRUE(store::append(file, rule));
   });
+  // Whoever looks at the study changes nothing of it.
   ASSERT_TRUE(open(path)) << failed.toStdString();
+  EXPECT_EQ(offered, QStringLiteral("sample.tactus holds answers, but no model yet."));
+  EXPECT_EQ(models.current(), nullptr);
+  EXPECT_FALSE(kept->hasModel());
+  EXPECT_FALSE(study->isBusy());
+  study->close();
+  ASSERT_TRUE(comesTrue([this] { return !study->isOpen(); }));
+  EXPECT_TRUE(versions().empty());
+
+  ASSERT_TRUE(open(path)) << failed.toStdString();
+  kept->buildModel();
+  ASSERT_TRUE(comesTrue([this] { return models.current() != nullptr; })) << failed.toStdString();
   EXPECT_TRUE(said.contains(QStringLiteral("1 expert, SIMULATED"))) << said.toStdString();
-  ASSERT_NE(models.current(), nullptr) << said.toStdString();
   ASSERT_EQ(models.current()->model.experts.size(), 1U);
   EXPECT_EQ(models.current()->model.experts[0].id, "velvet-otter");
   EXPECT_EQ(study->people().size(), 2U);
