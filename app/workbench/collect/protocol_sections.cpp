@@ -10,6 +10,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/collect/part_list.h"
 #include "app/workbench/collect/protocol_controller.h"
 #include "app/workbench/collect/protocol_field.h"
 #include "app/workbench/collect/protocol_view.h"
@@ -23,11 +24,8 @@ namespace {
 
 using Kind = ProtocolFieldSpec::Kind;
 
-constexpr auto kBlocks = "blocks";
 constexpr auto kLanguages = "languages";
 constexpr int kKeyLetters = 6;  // core/store/research_key.h
-
-const QStringList kBlockOrder = {QStringLiteral("speed"), QStringLiteral("force"), QStringLiteral("form")};
 
 QStringList listOf(const QString& value) { return value.split(QLatin1Char(','), Qt::SkipEmptyParts); }
 
@@ -46,16 +44,9 @@ ProtocolFieldSpec flag(const char* name, const QString& label, const QString& he
 
 void ProtocolView::addParts() {
   QVBoxLayout* const section =
-      addSection(tr("Parts"), tr("What a session consists of. The practice before each part is not counted."));
-  const QHash<QString, QString> names = {{kBlockOrder[0], tr("Speed: insertions at a named speed")},
-                                         {kBlockOrder[1], tr("Forces: a word for each force that is felt")},
-                                         {kBlockOrder[2], tr("Questions: the force in 45 situations")}};
-  for (const QString& block : kBlockOrder) {
-    auto* box = new QCheckBox(names.value(block), sections_.last());
-    connect(box, &QCheckBox::clicked, this, [this, block](bool on) { setList(kBlocks, block, on, kBlockOrder); });
-    blocks_.insert(block, box);
-    section->addWidget(box);
-  }
+      addSection(tr("Parts"), tr("What a session consists of, in this order. The practice before each part is not "
+                                 "counted."));
+  section->addWidget(new PartList(protocol_, sections_.last()));
 }
 
 void ProtocolView::addSpeed() {
@@ -128,8 +119,7 @@ void ProtocolView::addLanguages() {
       {"consent_version", tr("Version of the consent text"), Kind::kText, {}, tr("Stored with each consent."), {}});
   for (const QString& language : knownLanguages()) {
     auto* box = new QCheckBox(tr("Offer %1").arg(languageName(language)), sections_.last());
-    connect(box, &QCheckBox::clicked, this,
-            [this, language](bool on) { setList(kLanguages, language, on, knownLanguages()); });
+    connect(box, &QCheckBox::clicked, this, [this, language](bool on) { offer(language, on); });
     languages_.insert(language, box);
     section->addWidget(box);
     const std::string name = "consent." + language.toStdString();
@@ -188,21 +178,20 @@ void ProtocolView::addKey() {
   });
 }
 
-// In the order in which they are offered.
-void ProtocolView::setList(const char* name, const QString& item, bool in, const QStringList& order) {
-  QStringList now = listOf(protocol_.value(name));
-  if (in && !now.contains(item)) {
-    now << item;
-    std::sort(now.begin(), now.end(),
-              [&order](const QString& one, const QString& other) { return order.indexOf(one) < order.indexOf(other); });
+// In the order of the participants' screens.
+void ProtocolView::offer(const QString& language, bool in) {
+  QStringList now = listOf(protocol_.value(kLanguages));
+  if (in && !now.contains(language)) {
+    now << language;
+    std::sort(now.begin(), now.end(), [order = knownLanguages()](const QString& one, const QString& other) {
+      return order.indexOf(one) < order.indexOf(other);
+    });
   }
-  if (!in) now.removeAll(item);
-  protocol_.set(name, now.join(QLatin1Char(',')));
+  if (!in) now.removeAll(language);
+  protocol_.set(kLanguages, now.join(QLatin1Char(',')));
 }
 
 void ProtocolView::followLists() {
-  const QStringList blocks = listOf(protocol_.value(kBlocks));
-  for (auto box = blocks_.begin(); box != blocks_.end(); ++box) box.value()->setChecked(blocks.contains(box.key()));
   const QStringList languages = listOf(protocol_.value(kLanguages));
   for (auto box = languages_.begin(); box != languages_.end(); ++box) {
     box.value()->setChecked(languages.contains(box.key()));

@@ -50,7 +50,7 @@ class ProtocolView : public QWidget {
   void addLanguages();
   void addDevice();
   void addKey();
-  void setList(const char* name, const QString& item, bool in, const QStringList& order);
+  void offer(const QString& language, bool in);
   void follow();
   void followLists();
   void followForces();
@@ -65,7 +65,6 @@ class ProtocolView : public QWidget {
   QScrollArea* scroll_;
   QVBoxLayout* column_;
   QList<Card*> sections_;
-  QHash<QString, QCheckBox*> blocks_;
   QHash<QString, QCheckBox*> languages_;
   QHash<QString, ProtocolField*> consents_;
   QLabel* ladder_ = nullptr;

@@ -66,7 +66,7 @@ class RowReader {
   Result<ParticipantRow> read() {
     if (auto ok = readElicitation(); !ok) return tl::unexpected(ok.error());
     if (auto ok = readOthers(); !ok) return tl::unexpected(ok.error());
-    row_.next = nextOf(row_.steps);
+    row_.next = nextOf(row_.steps, block_);
     return std::move(row_);
   }
 
@@ -88,7 +88,10 @@ class RowReader {
       if (!ended || !latest) latest = *progress;
       row_.stopped = ended;
     }
-    if (latest) row_.steps = stepsOf(*latest);
+    if (latest) {
+      row_.steps = stepsOf(*latest);
+      block_ = latest->block;
+    }
     at(row_.steps, CollectStep::kUsability).word = StepWord::kNotPart;
     return {};
   }
@@ -120,6 +123,7 @@ class RowReader {
   const store::StudyFile& file_;
   const Visits& visits_;
   ParticipantRow row_;
+  std::optional<Block> block_;  ///< of the session that is told
 };
 
 }  // namespace
@@ -155,11 +159,24 @@ Steps stepsOf(const SessionProgress& progress) {
   return steps;
 }
 
-std::optional<CollectStep> nextOf(const Steps& steps) {
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (steps[i].word == StepWord::kOpen || steps[i].word == StepWord::kPartly) return static_cast<CollectStep>(i);
+std::optional<CollectStep> nextOf(const Steps& steps, std::optional<Block> block) {
+  const auto first = [&steps](std::initializer_list<CollectStep> of) {
+    const auto open = std::find_if(of.begin(), of.end(), [&steps](CollectStep step) {
+      const StepWord word = steps[static_cast<std::size_t>(step)].word;
+      return word == StepWord::kOpen || word == StepWord::kPartly;
+    });
+    return open == of.end() ? std::nullopt : std::optional(*open);
+  };
+  using enum CollectStep;
+  std::optional<CollectStep> here;
+  if (block == Block::kForm) here = first({kQuestions, kReview});
+  if (block == Block::kSpeed || block == Block::kForce) {
+    const CollectStep part = block == Block::kSpeed ? kSpeed : kForces;
+    const bool begun = steps[static_cast<std::size_t>(part)].word == StepWord::kPartly;
+    here = begun ? part : first({kDeviceCheck, kPractice, part});
   }
-  return std::nullopt;
+  if (here) return here;
+  return first({kConsent, kDeviceCheck, kPractice, kSpeed, kForces, kQuestions, kReview, kOwnModel, kUsability});
 }
 
 Result<StudyOverview> readOverview(const store::StudyFile& file) {

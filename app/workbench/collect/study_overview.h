@@ -76,7 +76,9 @@ base::Result<StudyOverview> readOverview(const store::StudyFile& file);
 
 /// The states that follow from `progress` of an elicitation session.
 std::array<StepState, kCollectSteps> stepsOf(const session::SessionProgress& progress);
-/// The first step that is open or partly done.
-std::optional<CollectStep> nextOf(const std::array<StepState, kCollectSteps>& steps);
+/// The first step that is open or partly done. `block`: being done or rated; its steps come before those of the blocks
+/// that the protocol puts later.
+std::optional<CollectStep> nextOf(const std::array<StepState, kCollectSteps>& steps,
+                                  std::optional<session::Block> block = {});
 
 }  // namespace tactus::workbench

@@ -41,6 +41,10 @@ void ParticipantController::fill() {
   state_.failed = !proxy_.failure().isEmpty();
   state_.simulated = plan_.simulated || (device_.device() && device_.device()->simulated);
   state_.device = deviceStep();
+  if (at() != nullptr) {
+    state_.part = static_cast<int>(at()->blocks_done) + 1;
+    state_.parts = static_cast<int>(at()->settings->blocks.size());
+  }
   state_.can_go_on = true;
   state_.can_go_back = false;
   switch (state_.screen) {

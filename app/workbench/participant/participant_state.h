@@ -151,6 +151,8 @@ struct ParticipantState {
   QString code;                             ///< of the participant; empty: not known yet
   bool left_handed = false;
   bool simulated = false;  ///< no device is connected, or a program is the participant
+  int part = 1;            ///< of `parts`, in the order of the study's protocol
+  int parts = 3;
 
   bool can_go_on = false;  ///< the primary button acts
   bool can_go_back = false;

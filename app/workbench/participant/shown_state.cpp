@@ -111,6 +111,8 @@ nurse::DeviceCheckState shownDeviceCheck(const ParticipantState& state) {
 nurse::StrokeState shownStrokes(const ParticipantState& state) {
   nurse::StrokeState shown;
   shown.practice = state.screen == ParticipantScreen::kPractice;
+  shown.part = state.part;
+  shown.parts = state.parts;
   shown.speed = shownSpeed(state.speed.level);
   shown.recorded = state.speed.recorded;
   shown.wanted = state.speed.wanted;
@@ -125,6 +127,8 @@ nurse::ForceState shownForce(const ParticipantState& state) {
   using Stage = ForceState::Stage;
   nurse::ForceState shown;
   shown.practice = state.screen == ParticipantScreen::kPractice;
+  shown.part = state.part;
+  shown.parts = state.parts;
   shown.step = nurse::JudgingPhase::kPause;
   if (state.force.stage == Stage::kFeel) shown.step = nurse::JudgingPhase::kFeel;
   if (state.force.stage == Stage::kAnswer) shown.step = nurse::JudgingPhase::kAnswer;
@@ -141,8 +145,8 @@ nurse::ForceState shownForce(const ParticipantState& state) {
 
 nurse::QuestionState shownQuestion(const ParticipantState& state) {
   const QuestionState& asked = state.question;
-  return {asked.position, asked.count,  asked.condition,   asked.term,
-          asked.region,   asked.chosen, state.left_handed, state.simulated};
+  return {state.part, state.parts,  asked.position, asked.count,       asked.condition,
+          asked.term, asked.region, asked.chosen,   state.left_handed, state.simulated};
 }
 
 nurse::ScaleState shownScale(const ParticipantState& state) {

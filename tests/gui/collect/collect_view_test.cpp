@@ -1,6 +1,8 @@
 // Stage Collect in the window: its ways in and out, the keyboard, and what must never happen by accident.
 #include "app/workbench/collect/collect_view.h"
 
+#include <QApplication>
+#include <QCheckBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -8,6 +10,7 @@
 #include <QSettings>
 #include <QTableView>
 #include <QTest>
+#include <QToolButton>
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -166,6 +169,32 @@ TEST_F(CollectViewTest, TheProtocolIsStoredFromItsPage) {
   QTest::mouseClick(button(page, "‹ Participants"), Qt::LeftButton);
   EXPECT_TRUE(home().isVisible());
   EXPECT_TRUE(comesTrue([this] { return collect().overview().protocol.version == 1; }));
+}
+
+TEST_F(CollectViewTest, ThePartsOfTheProtocolAreLeftOutAndMovedWithTheKeyboard) {
+  openStudy();
+  ProtocolController& protocol = bench.collect_parts.protocol();
+  bench.collect_parts.view().showProtocol();
+  const auto arrow = [this](const char* name) {
+    for (auto* each : bench.collect_parts.view().protocolPage().findChildren<QToolButton*>()) {
+      if (each->accessibleName() == QString::fromLatin1(name)) return each;
+    }
+    return static_cast<QToolButton*>(nullptr);
+  };
+  ASSERT_NE(arrow("Earlier: Questions: the force in 45 situations"), nullptr);
+  EXPECT_FALSE(arrow("Earlier: Speed: insertions at a named speed")->isEnabled());
+  EXPECT_FALSE(arrow("Later: Questions: the force in 45 situations")->isEnabled());
+  arrow("Earlier: Questions: the force in 45 situations")->setFocus();
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,form,force"));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  EXPECT_EQ(protocol.value("blocks"), QStringLiteral("form,speed,force"));
+  // It cannot come earlier; Space leaves it out, and again puts it where the published experiment has it.
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,force"));
+  QTest::mouseClick(button<QCheckBox>(bench.collect_parts.view(), "Questions: the force in 45 situations"),
+                    Qt::LeftButton);
+  EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,force,form"));
 }
 
 TEST_F(CollectViewTest, ASessionTakesTheParticipantsScreensAndComesBack) {

@@ -48,6 +48,21 @@ TEST(StepsOf, ASessionInTheMiddle) {
   EXPECT_EQ(nextOf(steps), CollectStep::kForces);
 }
 
+// The questions first, then the forces: what is next follows the protocol, not the columns.
+TEST(StepsOf, PartsInAnotherOrder) {
+  SessionProgress progress;
+  progress.practice = {0, 3};
+  progress.force = Share{0, 17};
+  progress.form = Share{12, 45};
+  EXPECT_EQ(nextOf(stepsOf(progress), Block::kForm), CollectStep::kQuestions);
+  progress.form = Share{45, 45};
+  EXPECT_EQ(nextOf(stepsOf(progress), Block::kForm), CollectStep::kReview);
+  progress.sealed = true;
+  EXPECT_EQ(nextOf(stepsOf(progress), Block::kForce), CollectStep::kDeviceCheck);
+  progress.practice = {3, 3};
+  EXPECT_EQ(nextOf(stepsOf(progress), Block::kForce), CollectStep::kForces);
+}
+
 // Questions alone, or a session whose movements were left out: nothing asks for a device but the own model.
 TEST(StepsOf, PartsThatAreNotThereOrLeftOut) {
   SessionProgress questions;

@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <gtest/gtest.h>
+#include <iconv.h>
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -58,6 +59,43 @@ TEST(Wordbook, SimplifiedChineseHasNoTraditionalCharacter) {
   }
 }
 
+// Big5 holds the characters of Taiwan and Hong Kong, and no simplified one that traditional Chinese does not write too.
+TEST(Wordbook, TraditionalChineseHasNoSimplifiedCharacter) {
+  const iconv_t to_big5 = iconv_open("BIG5", "UTF-8");
+  ASSERT_NE(to_big5, reinterpret_cast<iconv_t>(-1));
+  const auto has = [&](const QString& text) {
+    QByteArray from = text.toUtf8();
+    QByteArray to(4 * from.size() + 4, 0);
+    char* in = from.data();
+    char* out = to.data();
+    auto in_left = static_cast<std::size_t>(from.size());
+    auto out_left = static_cast<std::size_t>(to.size());
+    iconv(to_big5, nullptr, nullptr, nullptr, nullptr);
+    return iconv(to_big5, &in, &in_left, &out, &out_left) == 0;
+  };
+  EXPECT_FALSE(has(QStringLiteral("阻力有多大？这")));
+  const Wordbook words;
+  for (const QString& id : words.ids()) {
+    const QString text = textOf(words, id, Language::kTraditionalChinese);
+    EXPECT_TRUE(has(text)) << id.toStdString() << ' ' << text.toStdString();
+  }
+  iconv_close(to_big5);
+}
+
+// Half-width marks stand in no Chinese sentence, and both texts pause at the same places.
+TEST(Wordbook, ChineseHasItsOwnPunctuation) {
+  const Wordbook words;
+  static const QRegularExpression kHalf(QStringLiteral("[,.?!:;()]"));
+  static const QRegularExpression kOther(QStringLiteral("[^，。？！：；、]"));
+  for (const QString& id : words.ids()) {
+    QString traditional = textOf(words, id, Language::kTraditionalChinese);
+    QString simplified = textOf(words, id, Language::kSimplifiedChinese);
+    EXPECT_FALSE(traditional.contains(kHalf)) << traditional.toStdString();
+    EXPECT_FALSE(simplified.contains(kHalf)) << simplified.toStdString();
+    EXPECT_EQ(traditional.remove(kOther), simplified.remove(kOther)) << id.toStdString();
+  }
+}
+
 TEST(Wordbook, QuotationMarksAreThoseOfTheRegion) {
   const Wordbook words;
   for (const QString& id : words.ids()) {
@@ -84,9 +122,10 @@ TEST(Wordbook, CountsHaveAFormForOneInEnglish) {
 
 TEST(Wordbook, ValuesTakeTheirPlaces) {
   const Wordbook words;
-  EXPECT_EQ(
-      words.say(phrase(QStringLiteral("q.title"), {QStringLiteral("12"), QStringLiteral("45")}), Language::kEnglish),
-      "Part 3 of 3: question 12 of 45");
+  EXPECT_EQ(words.say(phrase(QStringLiteral("q.title"),
+                             {QStringLiteral("3"), QStringLiteral("3"), QStringLiteral("12"), QStringLiteral("45")}),
+                      Language::kEnglish),
+            "Part 3 of 3: question 12 of 45");
   EXPECT_EQ(words.say(plain(QStringLiteral("from the study")), Language::kSimplifiedChinese), "from the study");
 }
 

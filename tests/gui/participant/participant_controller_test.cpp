@@ -205,6 +205,32 @@ TEST_F(ParticipantControllerTest, ItGoesOnAtTheRightPlaceAfterEachScreen) {
   EXPECT_EQ(answersInFile().size(), 1U);
 }
 
+TEST_F(ParticipantControllerTest, ThePartsComeInTheOrderOfTheProtocol) {
+  plan.settings.blocks = {session::Block::kForce, session::Block::kSpeed};
+  getUp();
+  sitDown(time);
+  consent();
+  tellAboutHerself();
+  checkDevice();
+  ASSERT_EQ(screen(), Screen::kPractice);
+  EXPECT_TRUE(at().feels_force);
+  feel();
+  next();
+  ASSERT_EQ(screen(), Screen::kForce);
+  EXPECT_EQ(at().part, 1);
+  EXPECT_EQ(at().parts, 2);
+  judge("small");
+  judge("large");
+  ASSERT_NO_FATAL_FAILURE(rate());
+  ASSERT_EQ(screen(), Screen::kRest);
+  next();
+  ASSERT_EQ(screen(), Screen::kPractice);
+  EXPECT_FALSE(at().feels_force);
+  insert();
+  ASSERT_EQ(screen(), Screen::kSpeed);
+  EXPECT_EQ(at().part, 2);
+}
+
 TEST_F(ParticipantControllerTest, WithdrawingDeletesEverything) {
   beginQuestions();
   answer("small");

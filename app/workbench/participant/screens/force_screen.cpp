@@ -42,7 +42,9 @@ void ForceScreen::setState(const ForceState& state) {
   const bool answering = state.step == JudgingPhase::kAnswer;
   // In the practice she felt it and asks for the next one.
   const bool between = answering && !state.asks;
-  setTitle(phrase(state.practice ? QStringLiteral("pra.title") : QStringLiteral("for.title")));
+  setTitle(state.practice
+               ? phrase(QStringLiteral("pra.title"))
+               : phrase(QStringLiteral("for.title"), {QString::number(state.part), QString::number(state.parts)}));
   practice_->setVisible(state.practice && !between);
   QString sentence = QStringLiteral("for.ask");
   if (state.step == JudgingPhase::kPause)

@@ -17,6 +17,8 @@ enum class JudgingPhase {
 
 struct ForceState {
   bool practice = false;
+  int part = 2;  ///< of `parts`
+  int parts = 3;
   JudgingPhase step = JudgingPhase::kFeel;
   bool asks = true;    ///< for a word; not in the practice
   bool again = false;  ///< the force was not delivered in full: once more

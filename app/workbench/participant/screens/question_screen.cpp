@@ -53,7 +53,8 @@ QuestionScreen::QuestionScreen(const Look& look, QWidget* parent)
 
 void QuestionScreen::setState(const QuestionState& state) {
   state_ = state;
-  setTitle(phrase(QStringLiteral("q.title"), {QString::number(state.number), QString::number(state.count)}));
+  setTitle(phrase(QStringLiteral("q.title"), {QString::number(state.part), QString::number(state.parts),
+                                              QString::number(state.number), QString::number(state.count)}));
   Picture picture = pictureOf(state.condition, state.term);
   condition_picture_->setVisible(static_cast<bool>(picture));
   condition_picture_->setPicture(std::move(picture));

@@ -13,6 +13,8 @@
 namespace tactus::workbench::nurse {
 
 struct QuestionState {
+  int part = 3;  ///< of `parts`
+  int parts = 3;
   int number = 1;
   int count = 45;
   QString condition;  ///< `lubrication`, `neck_flexion` or `speed`

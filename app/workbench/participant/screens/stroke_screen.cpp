@@ -73,7 +73,9 @@ StrokeScreen::StrokeScreen(const Look& look, QWidget* parent)
 }
 
 void StrokeScreen::setState(const StrokeState& state) {
-  setTitle(phrase(state.practice ? QStringLiteral("pra.title") : QStringLiteral("spd.title")));
+  setTitle(state.practice
+               ? phrase(QStringLiteral("pra.title"))
+               : phrase(QStringLiteral("spd.title"), {QString::number(state.part), QString::number(state.parts)}));
   practice_->setVisible(state.practice);
   lead_->setPhrase(phrase(sentenceOf(state.speed)));
   dots_->setVisible(!state.practice);

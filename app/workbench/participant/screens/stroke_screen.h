@@ -19,6 +19,8 @@ enum class StrokeNote { kStart, kReturn, kRecorded, kTooShort, kNotRecorded, kBa
 
 struct StrokeState {
   bool practice = false;
+  int part = 1;  ///< of `parts`
+  int parts = 3;
   SpeedWord speed = SpeedWord::kSlow;
   int recorded = 0;
   int wanted = 4;
