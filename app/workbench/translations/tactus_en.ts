@@ -603,6 +603,22 @@
         <source>JND: just-noticeable difference. A change below 1 JND is too small to feel.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>ΔF &lt; %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ΔF ≥ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 anywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 on this curve</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>InfluenceText</name>
@@ -678,6 +694,32 @@
     </message>
 </context>
 <context>
+    <name>LinkText</name>
+    <message>
+        <source>Serving %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serving · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n connected</source>
+        <translation>
+            <numerusform>%n connected</numerusform>
+            <numerusform>%n connected</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the last left at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MapTable</name>
     <message>
         <source>%1 over %2 and %3</source>
@@ -737,10 +779,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 holds no model, and none can be built from its answers: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Built from the study: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -754,10 +792,6 @@
             <numerusform>There is a note about it beside the heading.</numerusform>
             <numerusform>There are %n notes about it beside the heading.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 holds neither a model nor answers of experts. Sessions begin in Collect; or open a model and put it into the study with Study, or read tables into it with tactus study import.</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2406,6 +2440,17 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::CurveLegend</name>
+    <message>
+        <source>Show or hide the lines that find no place here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Further lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::CurveParts</name>
     <message>
         <source>Lay a reference curve over the plot</source>
@@ -2441,6 +2486,10 @@
     </message>
     <message>
         <source>&amp;Zoom out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure from the operating point</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4289,13 +4338,6 @@
         <source>%1 (%2), follows the hand</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n simulator(s) connected</source>
-        <translation>
-            <numerusform>%n simulator connected</numerusform>
-            <numerusform>%n simulators connected</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No simulator can connect</source>
         <translation type="unfinished"></translation>
@@ -4316,6 +4358,10 @@
         <source>Choose one if your simulator expects a fixed port; 0 takes any free one.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Simulators: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::LinkParts</name>
@@ -4329,6 +4375,36 @@
     </message>
     <message>
         <source>Simulators are no longer served.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last simulator has left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::LinkRow</name>
+    <message>
+        <source>Live link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off. A running simulator can follow each edit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who is connected…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serve to a simulator…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::LinkSign</name>
+    <message>
+        <source>Click to see who is connected, or to stop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5140,6 +5216,29 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::PartList</name>
+    <message>
+        <source>Speed: insertions at a named speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces: a word for each force that is felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Questions: the force in 45 situations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earlier: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ParticipantTable</name>
     <message>
         <source>%1: %2</source>
@@ -5370,22 +5469,6 @@
     <name>tactus::workbench::ProtocolView</name>
     <message>
         <source>Parts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What a session consists of. The practice before each part is not counted.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed: insertions at a named speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Forces: a word for each force that is felt</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Questions: the force in 45 situations</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5745,6 +5828,10 @@
             <numerusform>%n changes of the protocol are not stored.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>What a session consists of, in this order. The practice before each part is not counted.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::PullPlot</name>
@@ -5809,15 +5896,15 @@
 <context>
     <name>tactus::workbench::ReadingPanel</name>
     <message>
-        <source>Move over the curves to read them, click to keep the place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Forces at the place that is read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move over the curves to read them. Click to keep the place, Shift+click to measure from it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7353,6 +7440,14 @@ p</source>
         <source>Left in %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 holds answers, but no model yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds neither a model nor answers of experts. Sessions begin in Collect; or open a model and put it into the study with Study, or read tables into it with tactus study import.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::StudyNoticeStrip</name>
@@ -7452,6 +7547,14 @@ p</source>
     </message>
     <message>
         <source>Sa&amp;ve a copy of the study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build the averaged model</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
