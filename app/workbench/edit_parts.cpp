@@ -42,7 +42,11 @@ EditParts::EditParts(MainWindow& window, EditController& edits, TermController& 
   connect(&edits_, &EditController::refused, this, &EditParts::say);
   connect(&edits_, &EditController::sending, clock_, &FrameClock::begin);
   connect(&edits_, &EditController::changed, clock_, &FrameClock::sent);
-  window_.strip().setFrameTime(new FrameStatus(*clock_));
+  auto* const shown_time = new FrameStatus(*clock_);
+  window_.strip().setFrameTime(shown_time);
+  connect(&window_, &MainWindow::entered, shown_time, [shown_time](Stage stage) {
+    if (stage == Stage::kAgree) shown_time->hide();  // the labs have a clock of their own
+  });
   new UndoKeys(this);
   showUndo();
 }

@@ -17,9 +17,11 @@ namespace tactus::workbench {
 
 class AuthorName;
 class DepthLabView;
+class ForceLabView;
 class MainWindow;
 class ModelController;
 class ModelFiles;
+class RulesLabView;
 class SessionRun;
 class SpeedLabView;
 class StudyModels;
@@ -40,6 +42,9 @@ class LabParts : public QObject {
   DepthLab& depth() { return depth_; }
   DepthLabView& depthView() { return *depth_view_; }
   SpeedLab& speed() { return speed_; }
+  ForceLabView& forceView() { return *force_view_; }
+  RulesLab& rules() { return rules_; }
+  RulesLabView& rulesView() { return *rules_view_; }
   SpeedLabView& speedView() { return *speed_view_; }
 
  private:
@@ -55,6 +60,8 @@ class LabParts : public QObject {
   LabScreen* screen_;
   DepthLabView* depth_view_;
   SpeedLabView* speed_view_;
+  ForceLabView* force_view_;
+  RulesLabView* rules_view_;
 };
 
 }  // namespace tactus::workbench

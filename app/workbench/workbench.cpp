@@ -42,6 +42,8 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
       collect_parts(window, study_parts, study, study_models, device, author),
       start_parts(window, files, collect_parts, models, recent, rule_parts.panel(), study, study_models),
       lab_parts(window, files, study, study_models, models, collect_parts.run(), author),
+      origin_parts(window, lab_parts, {models, scene, terms, rules, study, study_models}, edit_parts.editor(),
+                   curve_parts.view()),
       report_parts(window, study, lab_parts.data()),
       note_parts(window, study, study_models, edit_parts.editor()),
       history_parts(window, edits, compare, scene, feel, author, ghost),

@@ -27,6 +27,7 @@
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/selection.h"
 #include "app/workbench/note_parts.h"
+#include "app/workbench/origin_parts.h"
 #include "app/workbench/picture_parts.h"
 #include "app/workbench/recovery_parts.h"
 #include "app/workbench/report_parts.h"
@@ -98,6 +99,7 @@ struct Workbench {
   CollectParts collect_parts;
   StartParts start_parts;
   LabParts lab_parts;
+  OriginParts origin_parts;
   ReportParts report_parts;
   NoteParts note_parts;
   HistoryParts history_parts;

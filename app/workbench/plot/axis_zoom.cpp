@@ -136,6 +136,7 @@ void AxisZoom::openMenu(const QPoint& global, QPointF place) {
   }
   menu->addSeparator();
   menu->addAction(tr("Show all"), this, &AxisZoom::showAll);
+  emit menuOpens(menu, place);
   menu->popup(global);
 }
 

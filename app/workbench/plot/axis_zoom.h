@@ -10,6 +10,7 @@
 #include "core/fuzzy/force_model.h"
 
 class QCustomPlot;
+class QMenu;
 class QPoint;
 
 namespace tactus::workbench {
@@ -29,6 +30,8 @@ class AxisZoom : public QObject {
   void apply();
 
  signals:
+  /// The menu opens for `place` on the plot, px: the plot may add to it.
+  void menuOpens(QMenu* menu, QPointF place);
   /// The range of an input on an axis changed.
   void changed();
   /// A click with Shift, without a drag.

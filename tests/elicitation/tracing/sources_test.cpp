@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/session/known_forms.h"
+#include "elicitation/tracing/rule_places.h"
 
 #include "tests/elicitation/four_people.h"
 #include "tests/support/table_study.h"
@@ -94,6 +95,7 @@ TEST(Sources, ARuleIsItsAnswer) {
       ASSERT_TRUE(sources);
       ASSERT_EQ(sources->answers.size(), 1U);
       const auto& answer = t.study.answers[sources->answers[0]];
+      EXPECT_EQ(ruleOfAnswer(t.study, t.built, sources->answers[0]), (RulePlace{e, r}));
       EXPECT_EQ(answer.participant, t.built.model.experts[e].id);
       EXPECT_EQ(answer.term, rules[r].then);
       const auto form =
@@ -115,6 +117,7 @@ TEST(Sources, AGivenRuleIsItsRow) {
   const auto sources = sourcesOfRule(study, built, 2, 7);
   ASSERT_TRUE(sources);
   EXPECT_EQ(sources->rules, (std::vector<std::size_t>{2 * 45 + 7}));
+  EXPECT_EQ(ruleOfGiven(study, built, 2 * 45 + 7), (RulePlace{2, 7}));
 }
 
 // At (1, 60, 70, 50): well, flexion medium and large, nasal cavity and nasopharynx half each, slow. An expert has at

@@ -62,6 +62,22 @@ TEST_F(RulesLabTest, TheGridOfS4IsTableA2) {
   for (const GridExpert& expert : lab.grids().experts) EXPECT_EQ(expert.other_rules, 0U) << expert.id;
 }
 
+// A finding about a rule leads to the cell of that rule, and each of them has a finding's words.
+TEST_F(RulesLabTest, AFindingLeadsToItsCell) {
+  ASSERT_TRUE(comesTrue([this] { return lab.findings() != nullptr; }));
+  ASSERT_FALSE(lab.findings()->empty());
+  std::size_t led = 0;
+  for (std::size_t i = 0; i < lab.findings()->size(); ++i) {
+    const elicitation::RuleFinding& finding = (*lab.findings())[i];
+    if (finding.experts.empty() || finding.sources.empty() || !finding.sources.front().rule) continue;
+    if (!lab.chooseFinding(i)) continue;
+    ++led;
+    ASSERT_TRUE(lab.chosen());
+    EXPECT_EQ(cell(finding.experts.front(), *lab.chosen()).rule, *finding.sources.front().rule) << finding.text;
+  }
+  EXPECT_GT(led, 0U);
+}
+
 TEST_F(RulesLabTest, EachCellHasItsConflictInNewtons) {
   double largest = 0;
   std::size_t with_words = 0;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/labs/data/corrections.h"
+#include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/labs/speed/stroke_page.h"
@@ -44,9 +45,10 @@ class SpeedLabViewTest : public testing::Test {
   StudyConnection study;
   LabData data{study};
   Corrections corrections{data};
+  LabModel model{data};
   SpeedLab lab{data};
   LabScreen screen{data};
-  SpeedLabView* view = new SpeedLabView(lab, corrections);
+  SpeedLabView* view = new SpeedLabView(lab, model, corrections);
 };
 
 TEST_F(SpeedLabViewTest, ADraggedMarkIsACorrectionAndCtrlZBringsTheOldOneBack) {
@@ -61,6 +63,49 @@ TEST_F(SpeedLabViewTest, ADraggedMarkIsACorrectionAndCtrlZBringsTheOldOneBack) {
   QTest::keyClick(&screen, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(comesTrue([&] { return samplesOf(0) == before; }));
   EXPECT_FALSE(corrections.canUndo());
+}
+
+TEST_F(SpeedLabViewTest, OneClickOnAStrokeTellsWhatItMoves) {
+  view->pages().setCurrentWidget(&view->strokes());
+  TraceRow& row = *view->strokes().rows().front();  // S1, fast
+  ASSERT_TRUE(comesTrue([&] { return row.accessibleName().contains(QStringLiteral("S1")) && row.hasStrokes(); }));
+  const QPointF inside = (row.markPlace(2, true) + row.markPlace(2, false)) / 2;
+  QTest::mouseClick(&row, Qt::LeftButton, {}, inside.toPoint());
+  const StrokeInfluence& influence = view->strokes().influence();
+  ASSERT_TRUE(influence.asked());
+  EXPECT_EQ(*influence.asked(), (elicitation::StrokeKey{"S1", "fast", 3}));
+  ASSERT_TRUE(comesTrue([&] { return influence.sentence().contains(QStringLiteral(" rms")); }));
+  EXPECT_TRUE(influence.sentence().contains(QStringLiteral("S1")));
+  EXPECT_FALSE(corrections.canUndo()) << "a click corrects nothing";
+}
+
+// 20,000 samples at 10 mm/s on some hundred pixels, and one of them at 90 mm/s.
+TEST_F(SpeedLabViewTest, ASpikeOfOneSampleIsSeen) {
+  auto set = std::make_shared<StrokeSet>();
+  StrokeTrace& stroke = set->strokes.emplace_back();
+  for (int i = 0; i < 20'000; ++i) {
+    stroke.time_s.push_back(i * 1e-3);
+    stroke.speed_time_s.push_back(i * 1e-3);
+    stroke.speed_mm_s.push_back(i == 12'345 ? 90.0F : 10.0F);
+  }
+  stroke.record.number = 1;
+  stroke.record.last = stroke.time_s.size();
+  TraceRow row;
+  row.resize(640, 130);
+  row.show(QStringLiteral("S1"), Qt::red, set, 100);
+  const QImage picture = row.grab().toImage();
+  // Red where a rejected stroke would be gray: the record has no verdict, so its line is muted ink over the window.
+  int highest = picture.height();
+  for (int y = 0; y < picture.height(); ++y) {
+    const int x = static_cast<int>(row.markPlace(0, true).x() +
+                                   (row.markPlace(0, false).x() - row.markPlace(0, true).x()) * 12'345 / 20'000);
+    for (int near = x - 2; near <= x + 2; ++near) {
+      const QColor there = picture.pixelColor(near, y);
+      const QColor beside = picture.pixelColor(near + 40, y);
+      if (there != beside) highest = std::min(highest, y);
+    }
+  }
+  EXPECT_LT(highest, picture.height() / 3);
 }
 
 TEST_F(SpeedLabViewTest, ASliderMovesTheTermsAndAHiddenLabComputesNothing) {

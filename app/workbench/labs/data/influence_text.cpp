@@ -1,6 +1,7 @@
 #include "app/workbench/labs/data/influence_text.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include "app/workbench/base/display_text.h"
 
@@ -11,15 +12,32 @@ struct InfluenceText {
   Q_DECLARE_TR_FUNCTIONS(InfluenceText)
 };
 
+// Not `0 N` for what is more than nothing.
+QString movedText(double force_n) {
+  constexpr double kLeastN = 0.0005;  // what is shown as 0.001 N
+  return force_n > 0 && force_n < kLeastN ? InfluenceText::tr("less than 0.001 N") : quantityText(force_n, "N", 3);
+}
+
 }  // namespace
 
-QString influenceText(const QString& which, const base::Result<elicitation::RecordInfluence>& moved) {
+QString pointText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
+  QStringList parts;
+  for (std::size_t i = 0; i < std::min(point.size(), model.inputs.size()); ++i) {
+    parts << shortLabelOf(model.inputs[i]).toLower() + QLatin1Char(' ') + placeText(model.inputs[i], point[i]);
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+QString influenceText(const QString& which, const base::Result<elicitation::RecordInfluence>& moved,
+                      const fuzzy::ForceModel& model) {
   if (!moved)
     return InfluenceText::tr("%1: without it there is no model: %2").arg(which, text(moved.error().message()));
-  if (moved->difference.largest_n == 0)
-    return InfluenceText::tr("%1: without it the averaged force is the same.").arg(which);
-  return InfluenceText::tr("%1: without it the averaged force moves by at most %2 (%3 just-noticeable differences).")
-      .arg(which, quantityText(moved->difference.largest_n, "N", 3), numberText(moved->noticeable, 1));
+  const analysis::ForceDifference& found = moved->difference;
+  if (found.largest_n == 0) return InfluenceText::tr("%1: without it the averaged force is the same.").arg(which);
+  return InfluenceText::tr(
+             "%1: without it the averaged force moves by at most %2 (%3 just-noticeable differences), at %4; %5 rms.")
+      .arg(which, movedText(found.largest_n), numberText(moved->noticeable, 1), pointText(model, found.at),
+           movedText(found.rms_n));
 }
 
 }  // namespace tactus::workbench

@@ -4,12 +4,17 @@
 #include <QString>
 
 #include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
 #include "elicitation/model/record_influence.h"
 
 namespace tactus::workbench {
 
-/// `S1 at 0.4 N: without it the averaged force moves by at most 0.025 N (0.3 just-noticeable differences).` `which`:
-/// the record.
-QString influenceText(const QString& which, const base::Result<elicitation::RecordInfluence>& moved);
+/// `S1 at 0.4 N: without it the averaged force moves by at most 0.025 N (0.3 just-noticeable differences), at
+/// lubrication 0.5, depth 120 mm; 0.004 N rms.` `which`: the record. `model`: whose inputs have the place.
+QString influenceText(const QString& which, const base::Result<elicitation::RecordInfluence>& moved,
+                      const fuzzy::ForceModel& model);
+
+/// A point of the inputs of `model`: `Tube lubrication 0.5, Insertion depth 120 mm`. Empty for no point.
+QString pointText(const fuzzy::ForceModel& model, const std::vector<double>& point);
 
 }  // namespace tactus::workbench

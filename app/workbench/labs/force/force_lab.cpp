@@ -60,7 +60,7 @@ void ForceLab::askInfluence(const session::JudgedForce& judged) {
           .arg(harmless(text(judged.participant)), quantityText(judged.record.commanded_n, found_.votes.words.unit));
   influence_work_.run([this, built, study, with = model_.builtWith(), index, who](const std::stop_token&) {
     const auto moved = elicitation::withoutJudgement(*built, study->study, with, index);
-    return [this, sentence = influenceText(who, moved)] { setInfluence(sentence); };
+    return [this, sentence = influenceText(who, moved, built->model)] { setInfluence(sentence); };
   });
 }
 

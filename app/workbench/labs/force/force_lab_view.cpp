@@ -94,6 +94,11 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   connect(&lab_, &ForceLab::changed, refresh, &Refresh::request);
 }
 
+void ForceLabView::showJudgement(const std::string& participant, const std::string& series, double force_n) {
+  details_->setCurrentWidget(judgements_);
+  judgements_->showJudgement(participant, series, force_n);
+}
+
 void ForceLabView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   lab_.setWanted(true);

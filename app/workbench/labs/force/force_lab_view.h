@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
 
 class QComboBox;
 class QTabWidget;
@@ -27,6 +28,8 @@ class ForceLabView : public QWidget {
   ForceTermsView& terms() { return *terms_; }
   JudgementView& judgements() { return *judgements_; }
   QTabWidget& details() { return *details_; }
+  /// Chooses a judgement.
+  void showJudgement(const std::string& participant, const std::string& series, double force_n);
 
  protected:
   void showEvent(QShowEvent* event) override;

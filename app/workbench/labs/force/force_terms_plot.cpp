@@ -8,6 +8,7 @@
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/term_outline.h"
+#include "app/workbench/plot/vertex_pick.h"
 
 namespace tactus::workbench {
 namespace {
@@ -18,7 +19,11 @@ constexpr double kAsideShare = 0.014;  // of the axis: equal shares of one force
 
 }  // namespace
 
-ForceTermsPlot::ForceTermsPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+ForceTermsPlot::ForceTermsPlot(QWidget* parent)
+    : QWidget(parent),
+      plot_(makePlot(this)),
+      corners_(new VertexPick(*plot_, tr("Click: where does this corner come from?"))) {
+  connect(corners_, &VertexPick::picked, this, &ForceTermsPlot::vertexAsked);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
@@ -42,12 +47,16 @@ void ForceTermsPlot::setTerms(const fuzzy::Variable& words, const std::vector<fu
   ticks->setTickStep(0.5);
   plot_->yAxis->setTicker(ticks);
   plot_->yAxis->setRange(0, 1.06);  // the dots of full shares stay whole
+  std::vector<VertexPick::Vertex> corners;
   const double middle = 0.5 * static_cast<double>(words.terms.size() - 1);
   for (std::size_t k = 0; k < words.terms.size(); ++k) {
     const QColor line = termLine(words, words.terms, k);
     if (const fuzzy::Term* const term = fuzzy::findTerm(terms, words.terms[k].id)) {
       const TermOutline outline = outlineOf(*term, words.min, end_n);
       addShape(*plot_, line, 2, kFill).setData(outline.x, outline.membership, true);
+      for (std::size_t p = 0; p < term->points.size(); ++p) {
+        corners.push_back({term->id, p, term->points[p], p == 0 || p + 1 == term->points.size() ? 0.0 : 1.0});
+      }
     }
     QVector<double> at;
     QVector<double> share;
@@ -62,6 +71,9 @@ void ForceTermsPlot::setTerms(const fuzzy::Variable& words, const std::vector<fu
     dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(theme::card(), 1), line, kDot));
     dots->setData(at, share, true);
   }
+  // Ends of the universe come from no answer.
+  std::erase_if(corners, [&](const auto& one) { return one.x <= words.min || one.x >= end_n; });
+  corners_->setVertices(std::move(corners));
   redraw(*plot_);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
 #include <vector>
 
 #include "app/workbench/labs/force/force_data.h"
@@ -10,6 +11,8 @@
 class QCustomPlot;
 
 namespace tactus::workbench {
+
+class VertexPick;
 
 class ForceTermsPlot : public QWidget, public PlotSource {
   Q_OBJECT
@@ -21,11 +24,17 @@ class ForceTermsPlot : public QWidget, public PlotSource {
   void setTerms(const fuzzy::Variable& words, const std::vector<fuzzy::Term>& terms,
                 const std::vector<elicitation::VoteStep>& votes, double end_n);
 
+  VertexPick& corners() { return *corners_; }
   std::vector<LegendEntry> legend() const override;
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
+ signals:
+  /// The user clicked a corner of a word.
+  void vertexAsked(const std::string& term, std::size_t point);
+
  private:
   QCustomPlot* plot_;
+  VertexPick* corners_;
   fuzzy::Variable words_;
 };
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/initials.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/wrapped_label.h"
@@ -17,11 +18,11 @@
 namespace tactus::workbench {
 namespace {
 
-// `Small .2 .3 .4 .5 N`: the corners of a word on one line.
+// `S 0.2 · 0.3 · 0.4 · 0.5`: the corners of a word on one line, however narrow the column is.
 QString cornersOf(const fuzzy::Term& term) {
   QStringList points;
   for (const double point : term.points) points << numberText(point, 3);
-  return QStringLiteral("%1: %2").arg(labelOf(term), points.join(QStringLiteral(" · ")));
+  return QStringLiteral("%1  %2").arg(initialsOf(labelOf(term)), points.join(QStringLiteral(" · ")));
 }
 
 // The axes of all methods end at the same force, so that the pictures can be compared.
@@ -60,6 +61,12 @@ QWidget* ForceTermsView::makeColumn(std::size_t index) {
   rule->setMinimumHeight(2 * QFontMetrics(rule->font()).lineSpacing());
   setMuted(*rule);
   made.plot = new ForceTermsPlot(column);
+  connect(made.plot, &ForceTermsPlot::vertexAsked, this, [this, index](const std::string& term, std::size_t point) {
+    if (columns_[index].choice->isChecked()) return emit vertexAsked(term, point);
+    // The corners of a method that the model does not use become those of the model first.
+    columns_[index].choice->click();
+    emit vertexAsked(term, point);
+  });
   made.corners = new WrappedLabel(column);
   made.corners->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   made.corners->setTextInteractionFlags(Qt::TextSelectableByMouse);

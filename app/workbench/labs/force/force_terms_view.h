@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <array>
+#include <string>
 
 #include "app/workbench/labs/force/force_data.h"
 
@@ -29,6 +30,8 @@ class ForceTermsView : public QWidget {
 
  signals:
   void chosen(tactus::elicitation::ForceTermsFrom from);
+  /// The user clicked a corner of a word of the model's method.
+  void vertexAsked(const std::string& term, std::size_t point);
 
  private:
   struct Column {

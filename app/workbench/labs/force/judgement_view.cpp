@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
@@ -96,6 +97,27 @@ void JudgementView::setJudgements(const fuzzy::Variable& words, std::vector<sess
   series_->setCurrentIndex(std::max(0, series_->findData(shown)));
   series_->setVisible(series_->count() > 1);
   showSeries();
+  showWanted();
+}
+
+void JudgementView::showJudgement(const std::string& participant, const std::string& series, double force_n) {
+  wanted_ = {participant, series, force_n};
+  showWanted();
+}
+
+void JudgementView::showWanted() {
+  if (!wanted_ || series_->count() == 0) return;
+  const Wanted wanted = *std::exchange(wanted_, std::nullopt);
+  const int series = series_->findData(text(wanted.series));
+  if (series < 0) return;
+  series_->setCurrentIndex(series);
+  showSeries();
+  const int column = grid_->columnOf(wanted.force_n);
+  for (int row = 0; column >= 0 && row < grid_->rowCount(); ++row) {
+    if (grid_->participant(row) != wanted.participant) continue;
+    view_->setCurrentIndex(grid_->index(row, column));
+    view_->setFocus();
+  }
 }
 
 void JudgementView::showSeries() {

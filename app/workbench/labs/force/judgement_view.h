@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ class JudgementView : public QWidget {
  public slots:
   /// Says something about the chosen judgement; empty: how to correct one.
   void tell(const QString& sentence);
+  /// Chooses a judgement; at once, or as soon as there are judgements.
+  void showJudgement(const std::string& participant, const std::string& series, double force_n);
   /// Chooses the column of a force.
   void showForce(double force_n);
 
@@ -42,6 +45,14 @@ class JudgementView : public QWidget {
   void showSeries();
   void openMenu(const QModelIndex& index);
 
+  void showWanted();
+
+  struct Wanted {
+    std::string participant;
+    std::string series;
+    double force_n;
+  };
+  std::optional<Wanted> wanted_;  ///< to be chosen as soon as it is there
   std::vector<session::JudgedForce> all_;
   fuzzy::Variable words_;
   JudgementGrid* grid_;

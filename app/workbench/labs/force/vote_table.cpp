@@ -20,6 +20,11 @@ void VoteTable::setVotes(const ForceVotes& votes) {
   endResetModel();
 }
 
+std::string VoteTable::wordAt(int column) const {
+  if (column < kFirstWord || column >= winnerColumn()) return {};
+  return words_.terms[static_cast<std::size_t>(column - kFirstWord)].id;
+}
+
 int VoteTable::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(steps_.size());
 }

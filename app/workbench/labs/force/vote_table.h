@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <string>
 
 #include "app/workbench/labs/force/force_data.h"
 
@@ -21,6 +22,8 @@ class VoteTable : public QAbstractTableModel {
   void setVotes(const ForceVotes& votes);
   int words() const { return static_cast<int>(words_.terms.size()); }
   int winnerColumn() const { return kFirstWord + words(); }
+  /// The id of the word of a column; empty for the other columns.
+  std::string wordAt(int column) const;
   int reasonColumn() const { return winnerColumn() + 1; }
   const elicitation::VoteStep& step(int row) const { return steps_[static_cast<std::size_t>(row)]; }
 

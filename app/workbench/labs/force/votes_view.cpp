@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -16,9 +17,9 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kVoteRow = 24;        // px
-constexpr int kVoteColumn = 44;     // px
-constexpr int kWinnerColumn = 92;   // px
-constexpr int kReasonColumn = 170;  // px
+constexpr int kVoteColumn = 36;     // px
+constexpr int kWinnerColumn = 86;   // px
+constexpr int kReasonColumn = 130;  // px
 
 QString summaryOf(const ForceVotes& votes) {
   int ties = 0;
@@ -71,6 +72,23 @@ VotesView::VotesView(QWidget* parent)
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
     if (index.isValid()) emit forceChosen(table_->step(index.row()).force_n);
   });
+  view_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(view_, &QTableView::customContextMenuRequested, this, &VotesView::openMenu);
+  connect(view_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
+    emit originAsked(table_->step(index.row()).force_n, table_->wordAt(index.column()));
+  });
+}
+
+void VotesView::openMenu(const QPoint& place) {
+  const QModelIndex index = view_->indexAt(place);
+  if (!index.isValid()) return;
+  auto* menu = new QMenu(view_);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(tr("Where does this come from?"), this,
+                  [this, force_n = table_->step(index.row()).force_n, word = table_->wordAt(index.column())] {
+                    emit originAsked(force_n, word);
+                  });
+  menu->popup(view_->viewport()->mapToGlobal(place));
 }
 
 void VotesView::setVotes(const ForceVotes& votes) {

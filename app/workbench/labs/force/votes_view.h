@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
 
 #include "app/workbench/labs/force/force_data.h"
 
@@ -25,8 +26,12 @@ class VotesView : public QWidget {
  signals:
   /// A row was chosen.
   void forceChosen(double force_n);
+  /// The user asks who cast the votes for `word` at a force; for all words if it is empty.
+  void originAsked(double force_n, const std::string& word);
 
  private:
+  void openMenu(const QPoint& place);
+
   VoteTable* table_;
   QTableView* view_;
   ElidedLabel* summary_;

@@ -118,7 +118,8 @@ QList<QWidget*> LabScreen::labs() const {
 
 bool LabScreen::isBusy() const {
   const auto runs = [](const Watched& one) { return one.work->isBusy(); };
-  return data_.isReading() || std::any_of(watched_.begin(), watched_.end(), runs);
+  return data_.isReading() || std::any_of(watched_.begin(), watched_.end(), runs) ||
+         std::any_of(short_work_.begin(), short_work_.end(), [](const auto& busy) { return busy(); });
 }
 
 UndoSource* LabScreen::undo() const { return undo_of_.value(pages_->currentWidget(), nullptr); }

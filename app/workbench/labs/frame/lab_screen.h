@@ -29,6 +29,8 @@ class LabScreen : public QWidget {
   void addLab(const QString& title, QWidget* lab, UndoSource* undo);
   /// Says what `work` is doing while it runs, e.g. `Clustering the speeds`, with a button that cancels it.
   void watch(LabWork& work, const QString& doing);
+  /// Something short beside the watched work: it counts for `isBusy`, and nothing is said of it.
+  void watch(std::function<bool()> busy) { short_work_.push_back(std::move(busy)); }
   /// Puts the lab with this widget in front.
   void reveal(QWidget* lab);
   QList<QWidget*> labs() const;
@@ -60,6 +62,7 @@ class LabScreen : public QWidget {
   QStackedWidget* pages_;
   QHash<QWidget*, UndoSource*> undo_of_;
   std::vector<Watched> watched_;
+  std::vector<std::function<bool()>> short_work_;
   bool said_ = false;  ///< what is running is on the screen
   QTimer patience_;    ///< what ends soon is not worth a word
 };

@@ -5,6 +5,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/labs/data/influence_text.h"
 #include "app/workbench/plot/term_colors.h"
 
 namespace tactus::workbench {
@@ -67,6 +68,10 @@ QVariant CellTable::data(const QModelIndex& index, int role) const {
     const bool number = index.column() >= kFelt && index.column() <= kWithout;
     return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   }
+  if (role == Qt::ToolTipRole && index.column() == kWithout) {
+    const auto moved = lab_.influenceOf(static_cast<std::size_t>(index.row()));
+    return moved ? QVariant(influenceText(row.expert, *moved, lab_.model())) : QVariant();
+  }
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case kExpert:
@@ -77,6 +82,7 @@ QVariant CellTable::data(const QModelIndex& index, int role) const {
       return row.felt_n ? quantityText(*row.felt_n, unit, 3) : kNothing;
     case kWithout: {
       const auto moved = lab_.influenceOf(static_cast<std::size_t>(index.row()));
+      if (!moved && row.term && lab_.isComparing()) return QStringLiteral("…");
       return moved ? tr("%1 (%2 JND)")
                          .arg(quantityText(moved->difference.largest_n, unit, 3), numberText(moved->noticeable, 1))
                    : kNothing;

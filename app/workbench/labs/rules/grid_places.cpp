@@ -5,7 +5,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kNarrowest = 31;  // px: two letters and a frame
+constexpr int kNarrowest = 26;  // px: two small letters and a frame
 constexpr int kWidest = 78;
 constexpr int kRowGap = 8;
 

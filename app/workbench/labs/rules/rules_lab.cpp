@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "app/workbench/base/display_text.h"
+#include "core/fuzzy/compiled_model.h"
 
 namespace tactus::workbench {
 
@@ -34,10 +36,18 @@ LabWork::Deliver RulesLab::compute(const LabWork::Run& run) {
   auto conflicts = elicitation::conflictMap(input->built->model, {{}, run.stop, run.progress});
   if (!conflicts) return {};
   whole->conflicts = std::move(*conflicts);
-  return [this, whole] { take(whole); };
+  auto checked = std::make_shared<Found>(*whole);
+  run.hand([this, whole] { take(whole); });
+  const auto compiled = fuzzy::compile(input->built->model);
+  if (!compiled) return {};
+  checked->findings =
+      elicitation::ruleLint(input->built->model, *compiled, input->built->experts, {}, run.stop).findings;
+  if (run.stop.stop_requested()) return {};
+  return [this, checked] { take(checked); };
 }
 
 void RulesLab::take(std::shared_ptr<Found> found) {
+  if (!found->findings) found->findings = std::move(found_.findings);
   // While the newest conflicts are on their way, those of before stay.
   if (!found->conflicts && found_.conflicts && found->grids.rows == found_.grids.rows &&
       found->grids.columns == found_.grids.columns && found->grids.experts.size() == found_.grids.experts.size()) {
@@ -54,7 +64,9 @@ void RulesLab::take(std::shared_ptr<Found> found) {
     }
   }
   if (chosen_ && (chosen_->row >= grids.rows.size() || chosen_->column >= grids.columns.size())) chosen_.reset();
-  if (!chosen_ && found_.conflicts) {
+  if (chooseWanted()) {
+    askInfluences();
+  } else if (!chosen_ && found_.conflicts) {
     chooseWorst();
   } else {
     askInfluences();
@@ -65,10 +77,12 @@ void RulesLab::take(std::shared_ptr<Found> found) {
 void RulesLab::askInfluences() {
   influences_.clear();
   influence_work_.drop();
-  emit influencesChanged();
   const auto input = input_.load();
   const std::size_t count = found_.grids.experts.size();
-  if (!chosen_ || input == nullptr || input->study != found_.study || count > kInfluenceExperts) return;
+  if (!chosen_ || input == nullptr || input->study != found_.study || count > kInfluenceExperts) {
+    emit influencesChanged();
+    return;
+  }
   std::vector<std::optional<std::size_t>> rules(count);
   for (std::size_t e = 0; e < count; ++e) {
     const AskedCell& cell = found_.grids.at(e, chosen_->row, chosen_->column);
@@ -85,6 +99,7 @@ void RulesLab::askInfluences() {
       emit influencesChanged();
     };
   });
+  emit influencesChanged();
 }
 
 std::optional<elicitation::RecordInfluence> RulesLab::influenceOf(std::size_t expert) const {
@@ -100,6 +115,44 @@ void RulesLab::chooseWorst() {
   const auto index = static_cast<std::size_t>(worst - found_.by_cell.begin());
   const std::size_t columns = found_.grids.columns.size();
   choose({index / columns, index % columns});
+}
+
+void RulesLab::chooseRule(std::size_t expert, std::size_t rule) {
+  wanted_ = {expert, rule};
+  chooseWanted();
+}
+
+bool RulesLab::chooseFinding(std::size_t finding) {
+  const elicitation::RuleFinding& found = (*found_.findings)[finding];
+  const ExpertGrids& grids = found_.grids;
+  const auto expert = std::find_if(grids.experts.begin(), grids.experts.end(), [&](const GridExpert& one) {
+    return !found.experts.empty() && one.id == found.experts.front();
+  });
+  for (const auto& source : found.sources) {
+    if (expert == grids.experts.end() || !source.rule) continue;
+    wanted_ = {static_cast<std::size_t>(expert - grids.experts.begin()), *source.rule};
+    if (chooseWanted()) return true;
+  }
+  const auto* const conditions = std::get_if<analysis::ConditionPlace>(&found.where);
+  const auto place = conditions == nullptr ? std::nullopt : grids.placeOf(conditions->conditions);
+  if (!place) return false;
+  choose({place->first, place->second});
+  return true;
+}
+
+bool RulesLab::chooseWanted() {
+  if (!wanted_ || found_.grids.experts.empty()) return false;
+  const auto [expert, rule] = *std::exchange(wanted_, std::nullopt);
+  const ExpertGrids& grids = found_.grids;
+  for (std::size_t row = 0; expert < grids.experts.size() && row < grids.rows.size(); ++row) {
+    for (std::size_t column = 0; column < grids.columns.size(); ++column) {
+      const AskedCell& cell = grids.at(expert, row, column);
+      if (!cell.word || cell.rule != rule) continue;
+      choose({row, column});
+      return true;
+    }
+  }
+  return false;
 }
 
 void RulesLab::takeModel() {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/workbench/labs/data/corrections.h"
@@ -16,6 +17,7 @@
 #include "app/workbench/labs/rules/expert_grids.h"
 #include "elicitation/agreement/conflict_map.h"
 #include "elicitation/model/record_influence.h"
+#include "elicitation/rules/rule_lint.h"
 
 namespace tactus::workbench {
 
@@ -36,11 +38,17 @@ class RulesLab : public QObject {
   RulesLab(LabData& data, LabModel& model, Corrections& corrections, QObject* parent = nullptr);
   ~RulesLab() override;
 
+  /// The model behind the grids; needs grids.
+  const fuzzy::ForceModel& model() const { return model_.built()->model; }
   const ExpertGrids& grids() const { return found_.grids; }
   /// Null until it is computed.
   const elicitation::ConflictMap* conflicts() const { return found_.conflicts ? &*found_.conflicts : nullptr; }
   /// What the experts' words cost in a cell; null if no expert has a rule there, or it is not computed.
   const elicitation::CellConflict* conflictAt(const GridPlace& place) const;
+  /// About the rules of each expert and of all; null until they are computed.
+  const std::vector<elicitation::RuleFinding>* findings() const {
+    return found_.findings ? &*found_.findings : nullptr;
+  }
   const std::vector<AgreementRow>& agreement() const { return found_.agreement; }
   const std::vector<UsabilityRow>& usability() const { return found_.usability; }
   /// Why there are no grids; empty if there are.
@@ -53,11 +61,17 @@ class RulesLab : public QObject {
   /// How far the averaged force moves without the expert's rule in the chosen cell; nothing while it is not known, or
   /// with more than kInfluenceExperts experts.
   std::optional<elicitation::RecordInfluence> influenceOf(std::size_t expert) const;
+  /// Some are still being computed.
+  bool isComparing() const { return influence_work_.isBusy(); }
   static constexpr std::size_t kInfluenceExperts = 24;  ///< each takes the time of a comparison of two models
 
   /// The chosen cell.
   const std::optional<GridPlace>& chosen() const { return chosen_; }
   void choose(const GridPlace& place);
+  /// Chooses the cell of a rule of the model; at once, or as soon as there are grids.
+  void chooseRule(std::size_t expert, std::size_t rule);
+  /// Chooses the cell that a finding is about. Returns whether it is about one.
+  bool chooseFinding(std::size_t finding);
   /// `Poor lubrication, Esophagus`.
   QString textOf(const GridPlace& place) const;
 
@@ -82,6 +96,7 @@ class RulesLab : public QObject {
     std::shared_ptr<const LabStudy> study;
     ExpertGrids grids;
     std::optional<elicitation::ConflictMap> conflicts;
+    std::optional<std::vector<elicitation::RuleFinding>> findings;
     std::vector<const elicitation::CellConflict*> by_cell;  ///< into `conflicts`, row after row
     std::vector<AgreementRow> agreement;
     std::vector<UsabilityRow> usability;
@@ -89,6 +104,7 @@ class RulesLab : public QObject {
   LabWork::Deliver compute(const LabWork::Run& run);
   void take(std::shared_ptr<Found> found);
   void chooseWorst();
+  bool chooseWanted();
   void askInfluences();
   void takeModel();
   void correct(std::size_t expert, const GridPlace& place, study::Answer::Status status, const std::string& term,
@@ -99,6 +115,7 @@ class RulesLab : public QObject {
   Corrections& corrections_;
   Found found_;
   std::optional<GridPlace> chosen_;
+  std::optional<std::pair<std::size_t, std::size_t>> wanted_;  ///< expert and rule to choose as soon as they are there
   std::vector<std::optional<elicitation::RecordInfluence>> influences_;  ///< by expert, of the chosen cell
   Background influence_work_;
   std::atomic<std::shared_ptr<const Input>> input_;  ///< written here, read by the work

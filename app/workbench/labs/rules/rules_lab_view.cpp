@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QSplitter>
 #include <QTabWidget>
+#include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -15,6 +16,7 @@
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/frame/lab_table.h"
 #include "app/workbench/labs/rules/cell_table.h"
+#include "app/workbench/labs/rules/finding_table.h"
 #include "app/workbench/labs/rules/grids_view.h"
 #include "app/workbench/labs/rules/measure_tables.h"
 #include "app/workbench/labs/rules/rules_lab.h"
@@ -45,6 +47,8 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
       cell_(new CellTable(lab, this)),
       cell_title_(new QLabel),
       cell_summary_(new WrappedLabel),
+      findings_(new FindingTable(this)),
+      findings_note_(new QLabel),
       agreement_(new AgreementTable(this)),
       usability_(new UsabilityTable(this)),
       usability_note_(new WrappedLabel),
@@ -56,6 +60,7 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
   grids->addTool(spread_);
   details_->setDocumentMode(true);
   details_->addTab(makeCell(), tr("Chosen cell"));
+  details_->addTab(makeFindings(), tr("Findings"));
   auto* agreement = makeLabTable(*agreement_, AgreementTable::kRatings, tr("Measures of agreement"), nullptr);
   agreement->setObjectName(QStringLiteral("agreement"));
   details_->addTab(agreement, tr("Agreement"));
@@ -100,6 +105,25 @@ QWidget* RulesLabView::makeCell() {
   return page;
 }
 
+QWidget* RulesLabView::makeFindings() {
+  auto* page = new QWidget;
+  page->setObjectName(QStringLiteral("findings"));
+  setMuted(*findings_note_);
+  auto* const table = makeLabTable(*findings_, FindingTable::kSentence, tr("Findings about the rules"), page);
+  connect(table, &QTableView::clicked, this, [this](const QModelIndex& index) {
+    const bool led = lab_.chooseFinding(findings_->findingAt(index.row()));
+    findings_note_->setText(
+        led ? lab_.textOf(*lab_.chosen())
+            : tr("This finding is about more than one cell; it is in no single place of the grids."));
+  });
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, theme::kGrid, 0, 0);
+  column->setSpacing(theme::kGrid / 2);
+  column->addWidget(table, 1);
+  column->addWidget(findings_note_);
+  return page;
+}
+
 QWidget* RulesLabView::makeUsability() {
   auto* page = new QWidget;
   page->setObjectName(QStringLiteral("usability"));
@@ -125,6 +149,12 @@ void RulesLabView::hideEvent(QHideEvent* event) {
 void RulesLabView::follow() {
   grids_->follow();
   spread_->setText(spreadText(lab_));
+  const auto* const findings = lab_.findings();
+  findings_->setFindings(findings == nullptr ? std::vector<elicitation::RuleFinding>() : *findings,
+                         lab_.grids().output.unit);
+  findings_note_->setText(findings == nullptr ? tr("Looking at the rules…")
+                          : findings->empty() ? tr("Nothing is odd in the rules.")
+                                              : QString());
   agreement_->setRows(lab_.agreement());
   usability_->setRows(lab_.usability());
   const auto& rows = lab_.usability();

@@ -10,6 +10,7 @@ namespace tactus::workbench {
 
 class AgreementTable;
 class CellTable;
+class FindingTable;
 class GridsView;
 class RulesLab;
 class UsabilityTable;
@@ -23,6 +24,7 @@ class RulesLabView : public QWidget {
 
   GridsView& grids() { return *grids_; }
   QTabWidget& details() { return *details_; }
+  const FindingTable& findings() const { return *findings_; }
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -31,6 +33,7 @@ class RulesLabView : public QWidget {
  private:
   QWidget* makeCell();
   QWidget* makeUsability();
+  QWidget* makeFindings();
   void follow();
   void followCell();
 
@@ -40,6 +43,8 @@ class RulesLabView : public QWidget {
   CellTable* cell_;
   QLabel* cell_title_;
   QLabel* cell_summary_;
+  FindingTable* findings_;
+  QLabel* findings_note_;
   AgreementTable* agreement_;
   UsabilityTable* usability_;
   QLabel* usability_note_;

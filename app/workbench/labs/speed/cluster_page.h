@@ -23,6 +23,7 @@ class ClusterPage : public QWidget, public PlotSource {
   explicit ClusterPage(SpeedLab& lab, QWidget* parent = nullptr);
 
   QSize pictureSize() const override { return {940, 620}; }
+  SpeedTermPlot& terms() { return *terms_; }
   /// The clusters on the page.
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 

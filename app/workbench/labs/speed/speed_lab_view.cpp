@@ -23,10 +23,11 @@ constexpr int kSettingsWidth = 29 * theme::kGrid;  // px
 
 }  // namespace
 
-SpeedLabView::SpeedLabView(SpeedLab& lab, Corrections& corrections, QWidget* parent)
+SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& corrections, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
-      strokes_(new StrokePage(lab, corrections, this)),
+      terms_(nullptr),
+      strokes_(new StrokePage(lab, model, corrections, this)),
       pages_(new QTabWidget(this)),
       back_(new QToolButton(this)),
       on_(new QToolButton(this)),
@@ -41,7 +42,9 @@ SpeedLabView::SpeedLabView(SpeedLab& lab, Corrections& corrections, QWidget* par
   auto* const numbers = new NumberPage(lab, this);
   strokes_->setObjectName(QStringLiteral("strokes"));
   numbers->setObjectName(QStringLiteral("table"));
-  pages_->addTab(new ClusterPage(lab, this), tr("Clusters and terms"));
+  auto* const clusters = new ClusterPage(lab, this);
+  terms_ = &clusters->terms();
+  pages_->addTab(clusters, tr("Clusters and terms"));
   pages_->addTab(strokes_, tr("Strokes"));
   pages_->addTab(numbers, tr("Table 1 and warnings"));
   pages_->setCornerWidget(makePager(), Qt::TopRightCorner);
@@ -76,6 +79,11 @@ QWidget* SpeedLabView::makePager() {
   connect(back_, &QToolButton::clicked, this, [this] { lab_.setPage(lab_.page() - 1); });
   connect(on_, &QToolButton::clicked, this, [this] { lab_.setPage(lab_.page() + 1); });
   return pager;
+}
+
+void SpeedLabView::showStroke(const elicitation::StrokeKey& stroke) {
+  pages_->setCurrentWidget(strokes_);
+  strokes_->showStroke(stroke);
 }
 
 void SpeedLabView::follow() {

@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include "elicitation/tracing/sources.h"
+
 class QLabel;
 class QTabWidget;
 class QToolButton;
@@ -10,15 +12,21 @@ class QToolButton;
 namespace tactus::workbench {
 
 class Corrections;
+class LabModel;
 class SpeedLab;
+class SpeedTermPlot;
 class StrokePage;
 
 class SpeedLabView : public QWidget {
   Q_OBJECT
 
  public:
-  /// Both outlive this.
-  SpeedLabView(SpeedLab& lab, Corrections& corrections, QWidget* parent = nullptr);
+  /// All outlive this.
+  SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& corrections, QWidget* parent = nullptr);
+
+  /// Turns to the strokes, with this one chosen.
+  void showStroke(const elicitation::StrokeKey& stroke);
+  SpeedTermPlot& terms() { return *terms_; }
 
   /// The pages, for pictures of them.
   QTabWidget& pages() { return *pages_; }
@@ -33,6 +41,7 @@ class SpeedLabView : public QWidget {
   void follow();
 
   SpeedLab& lab_;
+  SpeedTermPlot* terms_;
   StrokePage* strokes_;
   QTabWidget* pages_;
   QToolButton* back_;

@@ -7,12 +7,26 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_labels.h"
+#include "app/workbench/plot/vertex_pick.h"
 
 namespace tactus::workbench {
 namespace {
 
 constexpr int kLabelRows = 1;
 constexpr std::size_t kMostLegend = 8;  // participants with a line of their own in the legend
+
+// Those that come from strokes: the others are ends of the universe.
+std::vector<VertexPick::Vertex> innerCorners(const fuzzy::Variable& speed) {
+  std::vector<VertexPick::Vertex> out;
+  for (std::size_t t = 0; t < speed.terms.size(); ++t) {
+    const std::vector<double>& points = speed.terms[t].points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if ((t == 0 && p < 2) || (t + 1 == speed.terms.size() && p >= 2)) continue;
+      out.push_back({speed.terms[t].id, p, points[p], p == 0 || p == 3 ? 0.0 : 1.0});
+    }
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -23,6 +37,8 @@ SpeedTermPlot::SpeedTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(
   setMinimumHeight(120);
   setAccessibleName(tr("Speed terms of each participant and their average"));
   labels_ = new TermLabels(*plot_, kLabelRows);
+  corners_ = new VertexPick(*plot_, tr("Click: where does this corner come from?"));
+  connect(corners_, &VertexPick::picked, this, &SpeedTermPlot::vertexAsked);
   plot_->axisRect()->setAutoMargins(QCP::msBottom | QCP::msLeft);
   plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
 }
@@ -54,6 +70,7 @@ void SpeedTermPlot::show(const SpeedResult& result) {
   } else {
     labels_->setTerms(result.speed, {});
   }
+  corners_->setVertices(result.averaged.empty() ? std::vector<VertexPick::Vertex>() : innerCorners(result.speed));
   redraw(*plot_);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
 
 #include "app/workbench/labs/speed/speed_result.h"
 #include "app/workbench/plot/plot_source.h"
@@ -13,6 +14,7 @@ class QLabel;
 namespace tactus::workbench {
 
 class TermLabels;
+class VertexPick;
 
 class SpeedTermPlot : public QWidget, public PlotSource {
   Q_OBJECT
@@ -21,10 +23,15 @@ class SpeedTermPlot : public QWidget, public PlotSource {
   explicit SpeedTermPlot(QWidget* parent = nullptr);
 
   void show(const SpeedResult& result);
+  VertexPick& corners() { return *corners_; }
 
   QSize pictureSize() const override { return {940, 340}; }
   std::vector<LegendEntry> legend() const override { return legend_; }
   void paintPicture(QCPPainter& painter, const QSize& size) override;
+
+ signals:
+  /// The user clicked a corner of the averaged terms.
+  void vertexAsked(const std::string& term, std::size_t point);
 
  private:
   void addLine(const std::vector<elicitation::Ramp>& ramps, double max_mm_s, const QPen& pen, const QString& name);
@@ -32,6 +39,7 @@ class SpeedTermPlot : public QWidget, public PlotSource {
 
   QCustomPlot* plot_;
   TermLabels* labels_;
+  VertexPick* corners_;
   std::vector<LegendEntry> legend_;
 };
 

@@ -11,6 +11,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/wrapped_label.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/labs/speed/trace_row.h"
@@ -22,14 +23,17 @@ constexpr std::size_t kMostRows = SpeedLab::kPerPage;
 
 }  // namespace
 
-StrokePage::StrokePage(SpeedLab& lab, Corrections& corrections, QWidget* parent)
+StrokePage::StrokePage(SpeedLab& lab, LabModel& model, Corrections& corrections, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
       corrections_(corrections),
       traces_(lab.data()),
+      influence_(model),
       choice_(new QComboBox(this)),
+      moved_(new WrappedLabel(this)),
       column_(new QVBoxLayout) {
-  auto* hint = new QLabel(tr("Drag a mark to correct where a stroke begins or ends; right-click a stroke to leave it "
+  auto* hint = new QLabel(tr("Click a stroke to see what it moves. Drag a mark to correct where a stroke begins or "
+                             "ends; right-click a stroke to leave it "
                              "out. A correction is a new record: the old one stays in the study."),
                           this);
   setMuted(*hint);
@@ -47,6 +51,7 @@ StrokePage::StrokePage(SpeedLab& lab, Corrections& corrections, QWidget* parent)
             [this](const auto& before, const auto& wanted) { correct(before, wanted, true); });
     connect(row, &TraceRow::judged, this,
             [this](const auto& before, const auto& wanted) { correct(before, wanted, false); });
+    connect(row, &TraceRow::strokeChosen, this, &StrokePage::choose);
     column_->addWidget(row, 1);
     rows_.push_back(row);
   }
@@ -55,9 +60,17 @@ StrokePage::StrokePage(SpeedLab& lab, Corrections& corrections, QWidget* parent)
   layout->setSpacing(theme::kGrid);
   layout->addLayout(head);
   layout->addLayout(column_, 1);
+  layout->addWidget(moved_);
+  setMuted(*moved_);
+  moved_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  moved_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  moved_->setFixedHeight(2 * QFontMetrics(moved_->font()).lineSpacing() + theme::kGrid / 2);
+  moved_->hide();
+  connect(&influence_, &StrokeInfluence::told, this, &StrokePage::followChosen);
   connect(choice_, &QComboBox::currentIndexChanged, this, &StrokePage::follow);
   connect(&lab_, &SpeedLab::resultChanged, this, [this] {
     fillChoice();
+    followWanted();
     follow();
   });
   connect(&lab_, &SpeedLab::pageChanged, this, &StrokePage::follow);
@@ -116,11 +129,51 @@ void StrokePage::follow() {
     sets.push_back(traces_.strokes(cell.participant, cell.level));
     highest = std::max(highest, TraceRow::highestOf(sets.back().get()));
   }
-  const double top_mm_s = std::max(50.0, std::ceil(highest / 50) * 50);
+  const double top_mm_s = TraceRow::topOf(highest);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i]->setVisible(i < shown.size());
     if (i < shown.size()) rows_[i]->show(shown[i].title, theme::expert(shown[i].number), sets[i], top_mm_s);
   }
+  followChosen();
+}
+
+void StrokePage::choose(const study::StrokeRecord& record) {
+  const std::string participant =
+      lab_.data().study() ? lab_.data().study()->codeOf(record.entry.session) : std::string();
+  const QString which =
+      tr("Stroke %1 of %2, %3").arg(record.number).arg(harmless(text(participant)), text(record.level));
+  influence_.ask({participant, record.level, record.number}, which);
+}
+
+void StrokePage::showStroke(const elicitation::StrokeKey& stroke) {
+  wanted_ = stroke;
+  followWanted();
+}
+
+void StrokePage::followWanted() {
+  const auto& result = lab_.result();
+  if (!wanted_ || !result || !isVisible()) return;
+  for (std::size_t i = 0; i < result->subjects.size(); ++i) {
+    if (result->subjects[i]->speeds.participant != wanted_->participant) continue;
+    choice_->setCurrentIndex(static_cast<int>(result->speed.terms.size() + i));
+    influence_.ask(
+        *wanted_,
+        tr("Stroke %1 of %2, %3").arg(wanted_->stroke).arg(harmless(text(wanted_->participant)), text(wanted_->level)));
+  }
+  wanted_.reset();
+}
+
+// The chosen stroke on its row, and what it moves below all rows.
+void StrokePage::followChosen() {
+  const auto& asked = influence_.asked();
+  const std::vector<Cell> shown = cells();
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const bool here =
+        asked && i < shown.size() && shown[i].participant == asked->participant && shown[i].level == asked->level;
+    rows_[i]->setChosen(here ? std::optional(asked->stroke) : std::nullopt);
+  }
+  moved_->setText(influence_.sentence());
+  moved_->setVisible(!influence_.sentence().isEmpty());
 }
 
 // A mark that was not stored goes back.
@@ -148,7 +201,13 @@ void StrokePage::correct(const study::StrokeRecord& before, const study::StrokeR
 void StrokePage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   fillChoice();
+  followWanted();
   follow();
+}
+
+void StrokePage::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  influence_.stop();
 }
 
 }  // namespace tactus::workbench

@@ -5,7 +5,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
+#include <QPolygonF>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,9 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr double kReach = 7;         // px: how far from a mark the mouse takes hold of it
-constexpr double kBetween = 18;      // px between two recordings
-constexpr std::size_t kLeast = 20;   // samples that a stroke keeps: less says nothing about a speed
-constexpr double kMostPoints = 900;  // of a drawn line: more than a row has pixels
+constexpr double kReach = 7;        // px: how far from a mark the mouse takes hold of it
+constexpr double kBetween = 18;     // px between two recordings
+constexpr std::size_t kLeast = 20;  // samples that a stroke keeps: less says nothing about a speed
 
 bool isCounted(const study::StrokeRecord& stroke) {
   return stroke.verdict == name(experiments::StrokeVerdict::kAccepted);
@@ -42,6 +41,14 @@ double TraceRow::highestOf(const StrokeSet* set) {
     }
   }
   return highest;
+}
+
+double TraceRow::topOf(double highest_mm_s) { return std::max(50.0, std::ceil(highest_mm_s / 50) * 50); }
+
+void TraceRow::setChosen(std::optional<int> number) {
+  if (number == chosen_) return;
+  chosen_ = number;
+  update();
 }
 
 void TraceRow::show(const QString& title, const QColor& color, std::shared_ptr<const StrokeSet> set, double top_mm_s) {
@@ -178,16 +185,13 @@ void TraceRow::paintStroke(QPainter& painter, std::size_t index) const {
     painter.setBrush(theme::onCard(inside));
     painter.drawRect(QRectF(begin, place.top(), end - begin, place.height()));
   }
-  QPainterPath path;
-  const auto step = static_cast<std::size_t>(
-      std::max(1.0, static_cast<double>(stroke.speed_mm_s.size()) / std::max(2.0, std::min(kMostPoints, 2 * width))));
-  for (std::size_t i = 0; i < stroke.speed_mm_s.size(); i += step) {
-    const QPointF at(from + stroke.speed_time_s[i] * scale(), y(stroke.speed_mm_s[i]));
-    i == 0 ? path.moveTo(at) : path.lineTo(at);
-  }
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(counted ? color_ : theme::mutedInk(), 1.6));
-  painter.drawPath(path);
+  paintTrace(painter, index);
+  if (chosen_ == record.number) {
+    painter.setPen(QPen(theme::accent(), 2));
+    painter.drawRoundedRect(QRectF(from - 2, place.top() - 2, width + 4, place.height() + 4), 3, 3);
+  }
   for (const bool first : {true, false}) {
     const double at = first ? begin : end;
     const bool held = held_ && *held_ == Mark{index, first};
@@ -206,14 +210,40 @@ void TraceRow::paintStroke(QPainter& painter, std::size_t index) const {
                    painter.fontMetrics().elidedText(number, Qt::ElideRight, static_cast<int>(width + kBetween)));
 }
 
+// Each column of pixels shows the lowest and the highest of its samples, so that no peak is lost.
+void TraceRow::paintTrace(QPainter& painter, std::size_t index) const {
+  const StrokeTrace& stroke = set_->strokes[index];
+  const double from = left(index);
+  const double px_per_s = scale();
+  QPolygonF line;
+  for (std::size_t i = 0; i < stroke.speed_mm_s.size();) {
+    const double column = std::floor(from + stroke.speed_time_s[i] * px_per_s);
+    std::size_t low = i;
+    std::size_t high = i;
+    std::size_t end = i;
+    for (; end < stroke.speed_mm_s.size() && from + stroke.speed_time_s[end] * px_per_s < column + 1; ++end) {
+      if (stroke.speed_mm_s[end] < stroke.speed_mm_s[low]) low = end;
+      if (stroke.speed_mm_s[end] > stroke.speed_mm_s[high]) high = end;
+    }
+    end = std::max(end, i + 1);
+    for (const std::size_t at : {std::min(low, high), std::max(low, high)}) {
+      line << QPointF(from + stroke.speed_time_s[at] * px_per_s, y(stroke.speed_mm_s[at]));
+      if (low == high) break;
+    }
+    i = end;
+  }
+  painter.drawPolyline(line);
+}
+
 void TraceRow::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton) return;
+  if (event->button() != Qt::LeftButton || read_only_) return;
   held_ = markAt(event->position());
   moved_.reset();
   update();
 }
 
 void TraceRow::mouseMoveEvent(QMouseEvent* event) {
+  if (read_only_) return;
   if (held_ && event->buttons().testFlag(Qt::LeftButton)) {
     moved_ = movedTo(*held_, event->position().x());
     update();
@@ -223,7 +253,11 @@ void TraceRow::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void TraceRow::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || !held_) return;
+  if (event->button() != Qt::LeftButton || read_only_) return;
+  if (!moved_) {
+    if (const auto stroke = strokeAt(event->position())) emit strokeChosen(set_->strokes[*stroke].record);
+  }
+  if (!held_) return;
   // The moved marks stay on the screen until the corrected record has come.
   if (moved_) emit marked(set_->strokes[held_->stroke].record, *moved_);
   if (!moved_) held_.reset();
@@ -243,7 +277,7 @@ void TraceRow::keyPressEvent(QKeyEvent* event) {
 
 void TraceRow::contextMenuEvent(QContextMenuEvent* event) {
   const auto stroke = strokeAt(event->pos());
-  if (!stroke) return;
+  if (!stroke || read_only_) return;
   const study::StrokeRecord before = set_->strokes[*stroke].record;
   study::StrokeRecord wanted = before;
   const bool counted = isCounted(before);
@@ -259,7 +293,7 @@ bool TraceRow::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* const help = static_cast<QHelpEvent*>(event);
     const auto stroke = strokeAt(help->pos());
-    if (!stroke) {
+    if (!stroke || read_only_) {
       QToolTip::hideText();
       return true;
     }

@@ -23,6 +23,12 @@ class TraceRow : public QWidget {
   bool hasStrokes() const { return set_ && !set_->strokes.empty(); }
   /// The largest speed of `set`; 0 for none.
   static double highestOf(const StrokeSet* set);
+  /// The upper end of an axis for speeds up to `highest_mm_s`: whole fifties.
+  static double topOf(double highest_mm_s);
+  /// Frames the stroke with this number; empty: none.
+  void setChosen(std::optional<int> number);
+  /// From now on nothing is corrected or chosen here.
+  void setReadOnly() { read_only_ = true; }
   /// The place of a mark of stroke `index` on the screen, px: of its begin, or its end.
   QPointF markPlace(std::size_t index, bool begin) const;
 
@@ -30,6 +36,8 @@ class TraceRow : public QWidget {
   QSize minimumSizeHint() const override { return {320, 96}; }
 
  signals:
+  /// The person clicked a stroke.
+  void strokeChosen(const tactus::study::StrokeRecord& record);
   /// The person moved a mark: the stroke with the other samples between its marks.
   void marked(const tactus::study::StrokeRecord& before, const tactus::study::StrokeRecord& wanted);
   /// The person left a stroke out, or took it in again.
@@ -62,11 +70,14 @@ class TraceRow : public QWidget {
   const study::StrokeRecord& shownRecord(std::size_t stroke) const;
   void paintAxis(QPainter& painter) const;
   void paintStroke(QPainter& painter, std::size_t index) const;
+  void paintTrace(QPainter& painter, std::size_t index) const;
 
   QString title_;
   QColor color_;
   std::shared_ptr<const StrokeSet> set_;
   double top_mm_s_ = 100;
+  std::optional<int> chosen_;  ///< the number of a stroke
+  bool read_only_ = false;
   std::optional<Mark> held_;
   std::optional<study::StrokeRecord> moved_;  ///< the stroke of `held_` as it is shown meanwhile
 };

@@ -107,6 +107,8 @@ class RuleController : public QObject {
   void goWhereItActs();
 
  signals:
+  /// The user asks where the selected rule comes from.
+  void originAsked();
   /// Another model or expert.
   void expertChanged();
   /// The rules, the terms that they name, or the input of the columns changed.

@@ -148,6 +148,9 @@ QMenu* RuleGrids::makeMenu() {
   QAction* go = menu->addAction(tr("&Go where it acts"));
   go->setEnabled(none->isEnabled());
   connect(go, &QAction::triggered, &rules_, &RuleController::goWhereItActs);
+  QAction* origin = menu->addAction(tr("Where does this come from?"));
+  origin->setEnabled(none->isEnabled());
+  connect(origin, &QAction::triggered, &rules_, &RuleController::originAsked);
   return menu;
 }
 

@@ -70,6 +70,7 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
       keeps_sum_(new QCheckBox(tr("Terms sum to one"), this)),
       add_(new QToolButton(this)),
       notes_button_(new NotesButton(this)),
+      origin_(new QToolButton(this)),
       plot_(new MembershipEditorPlot(scene.ranges(), this)),
       hint_(new ElidedLabel(this)),
       hint_time_(new QTimer(this)),
@@ -94,6 +95,10 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
   for_one_->setToolTip(tr("Gives the expert their own terms for this variable. The terms of the others do not change"));
   for_all_->setToolTip(tr("Edits change the terms of all experts who share them"));
   add_->setText(tr("Add term…"));
+  origin_->setText(tr("Where from?"));
+  origin_->setFont(theme::smallFont());
+  origin_->setToolTip(tr("Where does the selected vertex come from? Shows the trials of the study behind it"));
+  origin_->hide();
   hint_->setFont(theme::smallFont());
   hint_time_->setSingleShot(true);
   hint_time_->setInterval(kRefusalMs);
@@ -127,6 +132,7 @@ void MembershipEditor::buildPlace() {
   auto* hints = new QHBoxLayout;
   hints->setSpacing(theme::kGrid);
   hints->addWidget(hint_, 1);
+  hints->addWidget(origin_);
   hints->addWidget(notes_button_);
   layout->addLayout(hints);
   layout->addWidget(sliders_);
@@ -153,6 +159,13 @@ void MembershipEditor::connectAll() {
   });
   connect(keeps_sum_, &QCheckBox::clicked, &terms_, &TermController::setKeepsSum);
   connect(add_, &QToolButton::clicked, this, &MembershipEditor::askAdd);
+  connect(plot_, &MembershipEditorPlot::originAsked, this, &MembershipEditor::askOrigin);
+  connect(origin_, &QToolButton::clicked, this, [this] {
+    const auto grip = terms_.selected();
+    if (!grip) return;
+    const auto points = pointsOf(terms_.terms(), *grip);
+    if (!points.empty()) askOrigin(grip->term, points.front());
+  });
 
   connect(plot_, &MembershipEditorPlot::selected, &terms_, &TermController::select);
   connect(plot_, &MembershipEditorPlot::moveBegun, &terms_, &TermController::beginMove);
@@ -320,7 +333,16 @@ void MembershipEditor::showLocks() {
   plot_->setLocked(std::move(locked));
 }
 
-void MembershipEditor::showSelection() { plot_->setSelected(terms_.selected()); }
+void MembershipEditor::showSelection() {
+  plot_->setSelected(terms_.selected());
+  origin_->setEnabled(terms_.selected() && terms_.selected()->part != Grip::Part::kTerm);
+}
+
+void MembershipEditor::setOriginsKnown(bool known) { origin_->setVisible(known); }
+
+void MembershipEditor::askOrigin(std::size_t term, std::size_t point) {
+  emit originAsked(terms_.list().variable, terms_.terms()[term].id, point);
+}
 
 void MembershipEditor::showValue() {
   if (!scene_.model() || !terms_.isOpen() || !isVisible()) return;

@@ -1,6 +1,8 @@
 // The membership function editor: the terms of one variable, moved by mouse and keys or typed as numbers.
 #pragma once
 
+#include <string>
+
 #include "app/workbench/base/build_note.h"
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/kit/card.h"
@@ -34,6 +36,12 @@ class MembershipEditor : public Card {
 
   /// What is odd in the data, and what the build from the answers says: shown beside the terms that it is about.
   void setNotes(BuildNotes notes);
+  /// Whether there are records behind the vertices: a study is open.
+  void setOriginsKnown(bool known);
+
+ signals:
+  /// The user asks where the selected vertex comes from: `point` of a term of the shown list.
+  void originAsked(const std::string& variable, const std::string& term, std::size_t point);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -58,6 +66,7 @@ class MembershipEditor : public Card {
   void showRefusal(const QString& sentence);
   void showHint();
   void askAdd();
+  void askOrigin(std::size_t term, std::size_t point);
   PlotTable table();
 
   EditController& edits_;
@@ -73,6 +82,7 @@ class MembershipEditor : public Card {
   QCheckBox* keeps_sum_;
   QToolButton* add_;
   NotesButton* notes_button_;
+  QToolButton* origin_;
   BuildNotes notes_;
   MembershipEditorPlot* plot_;
   ElidedLabel* hint_;

@@ -1,6 +1,7 @@
 #include "app/workbench/tune/terms/membership_editor_plot.h"
 
 #include <QKeyEvent>
+#include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,7 @@ MembershipEditorPlot::MembershipEditorPlot(ShownRanges& ranges, QWidget* parent)
     fitAxis();
     drawTerms();
   });
+  connect(zoom_, &AxisZoom::menuOpens, this, [this](QMenu* menu, QPointF place) { addToMenu(*menu, place); });
   connect(plot_, &QCustomPlot::mousePress, this, &MembershipEditorPlot::onPress);
   connect(plot_, &QCustomPlot::mouseMove, this, &MembershipEditorPlot::onMove);
   connect(plot_, &QCustomPlot::mouseRelease, this, &MembershipEditorPlot::onRelease);
@@ -237,6 +239,16 @@ void MembershipEditorPlot::drawMarks() {
 PlotFrame MembershipEditorPlot::frame() const {
   const QCPRange range = plot_->xAxis->range();
   return {QRectF(plot_->axisRect()->rect()), range.lower, range.upper, kTop};
+}
+
+void MembershipEditorPlot::addToMenu(QMenu& menu, QPointF place) {
+  const auto grip = gripAt(frame(), terms_, place, selected_ ? std::optional(selected_->term) : std::nullopt);
+  if (!grip || grip->part != Part::kVertex) return;
+  emit selected(grip);
+  setSelected(grip);
+  menu.addSeparator();
+  menu.addAction(tr("Where does this vertex come from?"), this,
+                 [this, grip] { emit originAsked(grip->term, grip->point); });
 }
 
 void MembershipEditorPlot::onPress(QMouseEvent* event) {

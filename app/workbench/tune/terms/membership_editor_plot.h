@@ -12,6 +12,7 @@
 #include "core/fuzzy/force_model.h"
 
 class QCustomPlot;
+class QMenu;
 class QMouseEvent;
 
 namespace tactus::workbench {
@@ -64,6 +65,8 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
   /// An arrow key was pressed: `count` is 1 to the right, -1 to the left.
   void stepped(int count, bool coarse);
   void stepsEnded();
+  /// The user asks where the value of a vertex comes from.
+  void originAsked(std::size_t term, std::size_t point);
   /// The user asks for the next handle (1) or the previous one (-1).
   void nextWanted(int direction);
 
@@ -76,6 +79,7 @@ class MembershipEditorPlot : public QWidget, public PlotSource {
   bool event(QEvent* event) override;
 
  private:
+  void addToMenu(QMenu& menu, QPointF place);
   void onPress(QMouseEvent* event);
   void onMove(QMouseEvent* event);
   void onRelease(QMouseEvent* event);

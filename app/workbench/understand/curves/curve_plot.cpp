@@ -1,5 +1,6 @@
 #include "app/workbench/understand/curves/curve_plot.h"
 
+#include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,11 @@ void addLine(QCustomPlot& plot, const QString& name) {
 
 CurvePlot::CurvePlot(ShownRanges& ranges, QWidget* parent)
     : QWidget(parent), plot_(makePlot(this)), zoom_(new AxisZoom(*plot_, ranges)) {
+  connect(zoom_, &AxisZoom::menuOpens, this, [this](QMenu* menu, QPointF place) {
+    menu->addSeparator();
+    menu->addAction(tr("Where does the force here come from?"), this,
+                    [this, x = plot_->xAxis->pixelToCoord(place.x())] { emit originAsked(x); });
+  });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);

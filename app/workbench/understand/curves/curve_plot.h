@@ -88,6 +88,8 @@ class CurvePlot : public QWidget, public PlotSource {
   void picked(double x);
   /// The mouse was clicked with Shift at `x`.
   void marked(double x);
+  /// The user asks where the force at `x` comes from.
+  void originAsked(double x);
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -108,6 +108,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
 
   connect(x_input_, &QComboBox::activated, this, &CurvesPanel::onXInputChosen);
   connect(plot_, &CurvePlot::hovered, &scene_, &SceneController::setHover);
+  connect(plot_, &CurvePlot::originAsked, this, &CurvesPanel::originAsked);
   connect(plot_, &CurvePlot::hoverLeft, &scene_, &SceneController::clearHover);
   connect(plot_, &CurvePlot::picked, &scene_, [this](double x) { scene_.setValue(scene_.xInput(), x); });
   connect(plot_, &CurvePlot::marked, this, &CurvesPanel::onMarked);

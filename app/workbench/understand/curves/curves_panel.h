@@ -47,6 +47,8 @@ class CurvesPanel : public Card {
   void markChanged();
   /// The user chose another spread.
   void spreadChosen(tactus::workbench::SpreadShown shown);
+  /// The user asks where the averaged force at `x` of the x axis comes from.
+  void originAsked(double x);
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -1,0 +1,152 @@
+#include "app/workbench/labs/origins/origin_window.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QHideEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/labs/frame/lab_table.h"
+#include "app/workbench/labs/origins/origin_table.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr QSize kWindow(560, 560);  // px
+constexpr int kRow = 26;
+constexpr int kPreviewHeight = 150;
+
+QLabel* makeWords(QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+}  // namespace
+
+OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
+    : QDialog(parent, Qt::Tool),
+      finder_(finder),
+      title_(makeWords(this)),
+      notes_(makeWords(this)),
+      table_(new OriginTable(finder, this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      view_(nullptr),
+      moved_(makeWords(this)),
+      lead_(new QPushButton(tr("Show in the lab"), this)) {
+  setWindowTitle(tr("Where it comes from"));
+  resize(kWindow);
+  title_->setFont(theme::headingFont());
+  setMuted(*notes_);
+  setMuted(*moved_);
+  sorted_->setSourceModel(table_);
+  sorted_->setSortRole(OriginTable::kOrderRole);
+  view_ = makeLabTable(*sorted_, OriginTable::kRecord, tr("Records behind the number"), this);
+  view_->verticalHeader()->setDefaultSectionSize(kRow);
+  view_->horizontalHeader()->setSectionsClickable(true);
+  view_->horizontalHeader()->setSortIndicatorClearable(true);
+  view_->horizontalHeader()->setSortIndicator(-1, Qt::DescendingOrder);
+  view_->setSortingEnabled(true);
+  moved_->setFixedHeight(3 * QFontMetrics(moved_->font()).lineSpacing() + theme::kGrid / 2);
+  moved_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  buttons->addButton(lead_, QDialogButtonBox::ActionRole);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(title_);
+  layout->addWidget(notes_);
+  layout->addWidget(view_, 1);
+  layout->addWidget(moved_);
+  layout->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  connect(lead_, &QPushButton::clicked, this, &OriginWindow::lead);
+  connect(view_, &QTableView::clicked, this, &OriginWindow::lead);
+  connect(view_, &QTableView::activated, this, &OriginWindow::lead);
+  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &OriginWindow::followChosen);
+  connect(&finder_, &OriginFinder::changed, this, &OriginWindow::follow);
+  connect(&finder_, &OriginFinder::influenceChanged, this, [this](std::size_t row) {
+    if (static_cast<int>(row) == chosenRow()) followChosen();
+  });
+  follow();
+}
+
+void OriginWindow::setPreview(QWidget* preview, std::function<bool(const OriginRecord&)> shows) {
+  preview_ = preview;
+  shows_ = std::move(shows);
+  preview_->setParent(this);
+  preview_->setFixedHeight(kPreviewHeight);
+  auto* const column = static_cast<QVBoxLayout*>(layout());
+  column->insertWidget(column->indexOf(moved_), preview_);
+  followChosen();
+}
+
+int OriginWindow::chosenRow() const {
+  const QModelIndex at = sorted_->mapToSource(view_->currentIndex());
+  return at.isValid() ? at.row() : -1;
+}
+
+const OriginRecord* OriginWindow::chosen() const {
+  const int row = chosenRow();
+  if (finder_.origin() == nullptr || row < 0) return nullptr;
+  return &finder_.origin()->records[static_cast<std::size_t>(row)];
+}
+
+void OriginWindow::lead() {
+  if (const OriginRecord* const record = chosen()) emit recordChosen(*record);
+}
+
+void OriginWindow::follow() {
+  const Origin* const origin = finder_.origin();
+  const QString failure = finder_.failure();
+  if (origin != nullptr) {
+    title_->setText(origin->title);
+    notes_->setText(origin->notes.join(QLatin1Char('\n')));
+  } else {
+    title_->setText(failure.isEmpty() ? tr("Building the model of the study…") : tr("There is nothing to show"));
+    notes_->setText(failure);
+  }
+  notes_->setVisible(!notes_->text().isEmpty());
+  view_->setVisible(origin == nullptr || !origin->records.empty());
+  if (view_->model()->rowCount() > 0 && chosenRow() < 0) view_->selectRow(0);
+  followChosen();
+}
+
+void OriginWindow::followChosen() {
+  const OriginRecord* const record = chosen();
+  lead_->setEnabled(record != nullptr);
+  if (preview_ != nullptr) preview_->setVisible(record != nullptr && shows_(*record));
+  if (record == nullptr) {
+    moved_->clear();
+    return;
+  }
+  const auto row = static_cast<std::size_t>(chosenRow());
+  finder_.askInfluence(row);
+  const QString sentence = finder_.influenceSentence(row);
+  moved_->setText(sentence.isEmpty() ? tr("Comparing the force with and without it…") : sentence);
+}
+
+// At the right of the window below, where it hides least of the labs.
+void OriginWindow::showEvent(QShowEvent* event) {
+  if (const QWidget* const below = parentWidget(); below != nullptr && !placed_) {
+    const QRect place = below->window()->frameGeometry();
+    move(place.right() - width() - 2 * theme::kGrid, place.bottom() - height() - 6 * theme::kGrid);
+    placed_ = true;
+  }
+  QDialog::showEvent(event);
+  follow();
+}
+
+void OriginWindow::hideEvent(QHideEvent* event) {
+  QDialog::hideEvent(event);
+  if (!event->spontaneous()) finder_.close();
+}
+
+}  // namespace tactus::workbench

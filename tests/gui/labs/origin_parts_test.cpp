@@ -1,0 +1,104 @@
+// From a number in the window to the records behind it, and to the lab that shows them.
+#include "app/workbench/origin_parts.h"
+
+#include <QSettings>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/labs/force/judgement_grid.h"
+#include "app/workbench/labs/force/judgement_view.h"
+#include "app/workbench/labs/force/votes_view.h"
+#include "app/workbench/labs/origins/origin_window.h"
+#include "app/workbench/labs/speed/speed_lab_view.h"
+#include "app/workbench/labs/speed/stroke_page.h"
+#include "app/workbench/labs/speed/stroke_preview.h"
+#include "app/workbench/labs/speed/trace_row.h"
+#include "app/workbench/workbench.h"
+
+#include "tests/gui/labs/lab_study_file.h"
+#include "tests/gui/sample_study.h"
+
+namespace tactus::workbench {
+namespace {
+
+using tests::comesTrue;
+
+constexpr int kBuildMs = 60'000;  // a second or two on a quiet machine
+
+class OriginPartsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    bench.window.resize(1280, 720);
+    bench.window.show();
+    bench.files.open(path);
+    ASSERT_TRUE(
+        comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening() && bench.models.current(); }));
+  }
+  bool answered() {
+    return QTest::qWaitFor([this] { return bench.origin_parts.finder().origin() != nullptr; }, kBuildMs);
+  }
+  const Origin& origin() { return *bench.origin_parts.finder().origin(); }
+
+  QTemporaryDir folder;
+  QString path = tests::demoStudyIn(folder);
+  QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+  Workbench bench{settings, folder.filePath(QStringLiteral("autosave"))};
+};
+
+// The vertex is one click, "Where from?" the second: the raw trace of the first stroke is on the screen then.
+TEST_F(OriginPartsTest, AVertexOfTheBenchLeadsToTheRawStrokes) {
+  bench.window.enter(Stage::kTune);
+  bench.terms.setVariable("speed");
+  emit bench.edit_parts.editor().originAsked("speed", "medium", 0);
+  ASSERT_TRUE(answered());
+  EXPECT_EQ(origin().records.size(), 48U);  // four nurses, three levels of four strokes
+  OriginWindow& view = *bench.origin_parts.view();
+  EXPECT_TRUE(view.isVisible());
+  ASSERT_NE(view.chosen(), nullptr);
+  auto* const preview = view.findChild<StrokePreview*>();
+  ASSERT_NE(preview, nullptr);
+  EXPECT_TRUE(preview->isVisible());
+  EXPECT_TRUE(comesTrue([&] { return preview->row().hasStrokes(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bench.origin_parts.finder().influence(0).has_value(); }, kBuildMs));
+
+  const elicitation::StrokeKey key = origin().records[5].stroke;
+  const QModelIndex sixth = view.table().model()->index(5, 1);
+  view.table().setCurrentIndex(sixth);
+  emit view.table().clicked(sixth);
+  EXPECT_EQ(bench.window.stage(), Stage::kAgree);
+  const StrokeInfluence& moves = bench.lab_parts.speedView().strokes().influence();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return moves.asked() == key; }, kBuildMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return moves.sentence().contains(QStringLiteral(" rms")); }, kBuildMs));
+}
+
+TEST_F(OriginPartsTest, AVoteLeadsToItsJudgements) {
+  bench.window.enter(Stage::kAgree);
+  ForceLabView& lab = bench.lab_parts.forceView();
+  bench.lab_parts.screen().reveal(&lab);
+  emit lab.votes().originAsked(0.9, "large");
+  ASSERT_TRUE(answered());
+  ASSERT_EQ(origin().records.size(), 2U);  // S3 and S4 (elicitation.md 3)
+  OriginWindow& view = *bench.origin_parts.view();
+  view.table().setCurrentIndex(view.table().model()->index(1, 0));
+  emit view.table().clicked(view.table().currentIndex());
+  const JudgementGrid& grid = lab.judgements().grid();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return lab.judgements().table().currentIndex().column() == grid.columnOf(0.9); },
+                              kBuildMs));
+  EXPECT_EQ(grid.participant(lab.judgements().table().currentIndex().row()), "S4");
+}
+
+TEST_F(OriginPartsTest, AModelThatWasNotBuiltFromTheStudySaysSo) {
+  // A model without provenance is put into the study's place on the bench.
+  ASSERT_TRUE(bench.files.makeFromTemplate());
+  bench.terms.setVariable("speed");
+  emit bench.edit_parts.editor().originAsked("speed", "medium", 0);
+  EXPECT_EQ(bench.origin_parts.finder().origin(), nullptr);
+  EXPECT_TRUE(bench.origin_parts.finder().failure().contains(QStringLiteral("was not built from records")));
+  EXPECT_TRUE(bench.origin_parts.view() != nullptr && bench.origin_parts.view()->isVisible());
+}
+
+}  // namespace
+}  // namespace tactus::workbench
