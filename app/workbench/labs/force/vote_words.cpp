@@ -84,11 +84,11 @@ QString methodName(ForceTermsFrom from) {
 QString methodRule(ForceTermsFrom from) {
   switch (from) {
     case ForceTermsFrom::kVote:
-      return VoteWords::tr("The winner of each force; ramps join neighboring words (the paper).");
+      return VoteWords::tr("The winner of each force, joined by ramps (the paper).");
     case ForceTermsFrom::kFrequency:
-      return VoteWords::tr("The trapezoids closest to the shares of all answers (least squares).");
+      return VoteWords::tr("The trapezoids closest to the shares of all answers.");
     case ForceTermsFrom::kThresholds:
-      return VoteWords::tr("The mean of the participants' own limits between words.");
+      return VoteWords::tr("The mean of the participants' own limits.");
   }
   return {};
 }

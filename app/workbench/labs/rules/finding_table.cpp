@@ -33,7 +33,7 @@ QString kindText(Kind kind) {
     case Kind::kAgainstDeclaration:
       return FindingTable::tr("Against the declared direction");
     case Kind::kLevelJump:
-      return FindingTable::tr("Neighbors words apart");
+      return FindingTable::tr("Neighboring answers far apart");
     case Kind::kDirectionChange:
       return FindingTable::tr("Against the expert's own direction");
     case Kind::kDisagreement:

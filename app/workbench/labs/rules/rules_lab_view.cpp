@@ -1,6 +1,7 @@
 #include "app/workbench/labs/rules/rules_lab_view.h"
 
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QSplitter>
 #include <QTabWidget>
@@ -23,6 +24,8 @@
 
 namespace tactus::workbench {
 namespace {
+
+constexpr int kExpertRow = 22;  // px: four experts are seen at once in a window of 720 px
 
 // How far the experts are apart as a whole, for the heading.
 QString spreadText(const RulesLab& lab) {
@@ -98,10 +101,12 @@ QWidget* RulesLabView::makeCell() {
   words->addWidget(cell_title_);
   words->addWidget(cell_summary_, 1);
   auto* row = new QHBoxLayout(page);
-  row->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  row->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, 0);
   row->setSpacing(2 * theme::kGrid);
   row->addLayout(words, 2);
-  row->addWidget(makeLabTable(*cell_, CellTable::kSource, tr("Experts in the chosen cell"), page), 3);
+  auto* const experts = makeLabTable(*cell_, CellTable::kSource, tr("Experts in the chosen cell"), page);
+  experts->verticalHeader()->setDefaultSectionSize(kExpertRow);
+  row->addWidget(experts, 3);
   return page;
 }
 
@@ -110,6 +115,7 @@ QWidget* RulesLabView::makeFindings() {
   page->setObjectName(QStringLiteral("findings"));
   setMuted(*findings_note_);
   auto* const table = makeLabTable(*findings_, FindingTable::kSentence, tr("Findings about the rules"), page);
+  table->verticalHeader()->setDefaultSectionSize(kExpertRow);
   connect(table, &QTableView::clicked, this, [this](const QModelIndex& index) {
     const bool led = lab_.chooseFinding(findings_->findingAt(index.row()));
     findings_note_->setText(
