@@ -1,9 +1,9 @@
 #include "app/workbench/labs/data/influence_text.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 #include "app/workbench/base/display_text.h"
+#include "elicitation/agreement/expert_influence.h"
 
 namespace tactus::workbench {
 namespace {
@@ -20,14 +20,6 @@ QString movedText(double force_n) {
 
 }  // namespace
 
-QString pointText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
-  QStringList parts;
-  for (std::size_t i = 0; i < std::min(point.size(), model.inputs.size()); ++i) {
-    parts << shortLabelOf(model.inputs[i]).toLower() + QLatin1Char(' ') + placeText(model.inputs[i], point[i]);
-  }
-  return parts.join(QStringLiteral(", "));
-}
-
 QString influenceText(const QString& which, const base::Result<elicitation::RecordInfluence>& moved,
                       const fuzzy::ForceModel& model) {
   if (!moved)
@@ -36,8 +28,8 @@ QString influenceText(const QString& which, const base::Result<elicitation::Reco
   if (found.largest_n == 0) return InfluenceText::tr("%1: without it the averaged force is the same.").arg(which);
   return InfluenceText::tr(
              "%1: without it the averaged force moves by at most %2 (%3 just-noticeable differences), at %4; %5 rms.")
-      .arg(which, movedText(found.largest_n), numberText(moved->noticeable, 1), pointText(model, found.at),
-           movedText(found.rms_n));
+      .arg(which, movedText(found.largest_n), numberText(moved->noticeable, 1),
+           text(elicitation::pointText(model, found.at)), movedText(found.rms_n));
 }
 
 }  // namespace tactus::workbench

@@ -14,7 +14,4 @@ namespace tactus::workbench {
 QString influenceText(const QString& which, const base::Result<elicitation::RecordInfluence>& moved,
                       const fuzzy::ForceModel& model);
 
-/// A point of the inputs of `model`: `Tube lubrication 0.5, Insertion depth 120 mm`. Empty for no point.
-QString pointText(const fuzzy::ForceModel& model, const std::vector<double>& point);
-
 }  // namespace tactus::workbench

@@ -8,8 +8,8 @@
 
 #include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/labs/data/influence_text.h"
 #include "core/fuzzy/compiled_model.h"
+#include "elicitation/agreement/expert_influence.h"
 
 namespace tactus::workbench {
 namespace {
@@ -245,7 +245,7 @@ void answer(const ForceQuestion& asked, const BuiltModel& built, const LabStudy&
     if (found.fired) force_n = found.force_n;
   }
   const std::optional<double> title_n = asked.shown_n ? asked.shown_n : force_n;
-  out.title = OriginText::tr("Force at %1").arg(pointText(built.model, asked.inputs));
+  out.title = OriginText::tr("Force at %1").arg(text(elicitation::pointText(built.model, asked.inputs)));
   if (title_n) out.title += QStringLiteral(": ") + forceText(*title_n, built.model.output.unit);
   if (asked.shown_n && (!force_n || std::abs(*asked.shown_n - *force_n) > kSameShare)) {
     out.notes << (force_n
