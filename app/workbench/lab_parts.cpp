@@ -6,6 +6,7 @@
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/experts/experts_lab_view.h"
 #include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/labs/method/method_lab_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/model/author_name.h"
@@ -51,6 +52,8 @@ LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study
   connect(&study_models, &StudyModels::failed, this, [this] { leads_to_bench_ = false; });
   screen_->watch(experts_.work(), tr("Comparing the weights"));
   screen_->watch(experts_.bands().work(), tr("Drawing participants again"));
+  screen_->addLab(tr("Method"), new MethodLabView(method_), nullptr);
+  screen_->watch(method_.work(), tr("Comparing the choices of the method"));
   window.addScreen(Stage::kAgree, screen_, MainWindow::Needs::kStudy);
   // From a setting of the speed lab until every plot in sight is painted with it.
   auto* const clock = new FrameClock(*screen_, this);

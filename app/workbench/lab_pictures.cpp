@@ -36,6 +36,12 @@ base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
   for (QWidget* const lab : screen.labs()) {
     screen.reveal(lab);
     waitForLab(screen);
+    MethodLab& method = bench.lab_parts.method();
+    if (lab->objectName() == QLatin1String("method")) {
+      method.compare();
+      waitForLab(screen);
+      waitFor([&method] { return method.curves() != nullptr; });
+    }
     const QString title = stageName(Stage::kAgree) + QStringLiteral(": ") + lab->windowTitle();
     // Pages inside a lab have pictures of their own.
     auto* const pages = lab->findChild<QTabWidget*>();

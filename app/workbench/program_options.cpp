@@ -61,6 +61,7 @@ base::Result<PictureSettings> picturesOf(const QCommandLineParser& parser) {
     }
   }
   if (parser.isSet(QLatin1String(kLanguage))) pictures.language = parser.value(QLatin1String(kLanguage));
+  pictures.study = parser.value(QLatin1String(kStudy));
   return pictures;
 }
 
@@ -92,7 +93,9 @@ void describeOptions(QCommandLineParser& parser) {
                     OptionText::tr("A simulated nurse does a whole session on the screens; ends when it is stored.")});
   option(kSpeed, OptionText::tr("How many times faster than the clock the rehearsal is; 1 without this option."),
          OptionText::tr("factor"));
-  option(kStudy, OptionText::tr("The study of the rehearsal; without this option a new one, whose place is printed."),
+  option(kStudy,
+         OptionText::tr(
+             "The study of the rehearsal or of the pictures; without this option a new one, or the demo study."),
          OptionText::tr("study"));
   option(kScreens,
          OptionText::tr("Save a picture of every screen in <folder>, from the demo study, without a display."),

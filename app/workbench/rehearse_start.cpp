@@ -5,18 +5,21 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QScreen>
+#include <iterator>
 #include <utility>
 
 #include "app/session/simulated_traits.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/participant/participant_plan.h"
 #include "app/workbench/rehearsal/rehearsal_check.h"
+#include "core/store/persons.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr auto kNurse = "S3";                // uses all five words
-constexpr std::uint64_t kRehearsalSeed = 2;  // arbitrary; another one is another session
+// One after another in a study, so that their model has more than one expert; the first uses all five words.
+constexpr const char* kNurses[] = {"S3", "S1", "S2"};
+constexpr std::uint64_t kRehearsalSeed = 2;  // of the first; arbitrary: another one is another session
 
 /// A name that no file has yet.
 QString newStudy() {
@@ -63,9 +66,12 @@ void RehearseStart::prepare() {
   study_.read(*this, [this](const store::StudyFile& file) -> StudyConnection::Deliver {
     auto plan = participantPlan(file);
     if (!plan) return [this, sentence = text(plan.error().message())] { end(sentence); };
+    const auto before = store::persons(file);
+    if (!before) return [this, sentence = text(before.error().message())] { end(sentence); };
     plan->simulated = true;
-    plan->seed = kRehearsalSeed;
-    const auto nurse = session::simulatedNurseCalled(kNurse, kRehearsalSeed);
+    const std::uint64_t seed = kRehearsalSeed + before->size();
+    plan->seed = seed;
+    const auto nurse = session::simulatedNurseCalled(kNurses[before->size() % std::size(kNurses)], seed);
     return [this, plan = *plan, nurse] { raise(plan, nurse); };
   });
 }
@@ -75,7 +81,7 @@ void RehearseStart::raise(const ParticipantPlan& plan, const session::NurseTrait
   emit raised(&take_part_->course());
   take_part_->begin(*QGuiApplication::primaryScreen());
   const Rehearsal::Stage stage{take_part_->course(), take_part_->window(), take_part_->look(), device_, time_};
-  rehearsal_ = std::make_unique<Rehearsal>(stage, nurse, kRehearsalSeed, speed_);
+  rehearsal_ = std::make_unique<Rehearsal>(stage, nurse, plan.seed.value_or(kRehearsalSeed), speed_);
   connect(&take_part_->course(), &ParticipantController::refused, this, &RehearseStart::end);
   connect(rehearsal_.get(), &Rehearsal::stuck, this, &RehearseStart::end);
   connect(rehearsal_.get(), &Rehearsal::done, this, [this] {

@@ -10,6 +10,7 @@
 #include "app/report/study_report.h"
 #include "app/session/data_checks.h"
 #include "app/session/known_forms.h"
+#include "app/session/study_aside.h"
 #include "app/session/study_view.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
@@ -24,8 +25,9 @@ namespace tactus::workbench {
 namespace {
 
 // Takes a second for four participants and a quarter of a minute for 200.
-base::Result<void> writeStudyReport(const session::StudyView& view, elicitation::BuildSettings settings,
-                                    const QString& study_name, const std::string& path) {
+base::Result<void> writeStudyReport(const session::StudyView& view, const session::StudyAside& aside,
+                                    elicitation::BuildSettings settings, const QString& study_name,
+                                    const std::string& path) {
   settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
   settings.generator = kGenerator;
   const auto data = session::dataFindings(view.study);
@@ -42,7 +44,8 @@ base::Result<void> writeStudyReport(const session::StudyView& view, elicitation:
                                          .data = data,
                                          .settings = {{"Study", study_name.toStdString()},
                                                       {"Program", std::string(kGenerator)},
-                                                      {"Created (UTC)", settings.created_utc}}});
+                                                      {"Created (UTC)", settings.created_utc}},
+                                         .usability = aside.usability});
   if (!page) return tl::unexpected(page.error());
   return base::writeFileAtomically(path, *page);
 }
@@ -86,10 +89,12 @@ void ReportParts::write(const QString& path) {
   window_.say(tr("Writing the report…"));
   study_.read(*this, [this, path, settings = labs_.settings(), name = study_.fileName()](const store::StudyFile& file) {
     auto read = std::make_shared<base::Result<session::StudyView>>(session::studyForElicitation(file));
-    return [this, path, settings, name, read] {
+    auto aside = std::make_shared<base::Result<session::StudyAside>>(session::asideOf(file));
+    return [this, path, settings, name, read, aside] {
       if (!*read) return end(path, text(read->error().message()));
-      background_.run([this, path, settings, name, read](const std::stop_token&) -> Background::Deliver {
-        const auto done = writeStudyReport(**read, settings, name, path.toStdString());
+      if (!*aside) return end(path, text(aside->error().message()));
+      background_.run([this, path, settings, name, read, aside](const std::stop_token&) -> Background::Deliver {
+        const auto done = writeStudyReport(**read, **aside, settings, name, path.toStdString());
         return [this, path, failure = done ? QString() : text(done.error().message())] { end(path, failure); };
       });
     };

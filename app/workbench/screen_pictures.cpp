@@ -1,6 +1,8 @@
 #include "app/workbench/screen_pictures.h"
 
 #include <QEventLoop>
+#include <QFile>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -23,7 +25,12 @@
 namespace tactus::workbench {
 namespace {
 
-base::Result<void> makeDemoStudy(const QString& path) {
+base::Result<void> makeStudyOfPictures(const QString& wanted, const QString& path) {
+  if (!wanted.isEmpty()) {
+    QFile file(wanted);
+    if (file.copy(path) && QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner)) return {};
+    return base::fail(base::ErrorCode::kIo, wanted.toStdString(), file.errorString().toStdString(), "a study file");
+  }
   auto made = session::makeSimulatedNgtStudy(path.toStdString());
   if (!made) return tl::unexpected(made.error());
   return made->close();
@@ -106,8 +113,9 @@ base::Result<void> addHelp(PictureAlbum& album, Workbench& bench) {
 
 base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
   const QTemporaryDir folder;
-  const QString study = folder.filePath(QStringLiteral("ngt-demo.tactus"));
-  if (auto made = makeDemoStudy(study); !made) return made;
+  const QString study =
+      folder.filePath(wanted.study.isEmpty() ? QStringLiteral("ngt-demo.tactus") : QFileInfo(wanted.study).fileName());
+  if (auto made = makeStudyOfPictures(wanted.study, study); !made) return made;
   QSettings settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat);
   Workbench bench(settings, folder.filePath(QStringLiteral("autosave")));
   bench.window.resize(wanted.size);

@@ -57,6 +57,8 @@ TEST(ScreenPictures, AreAllListedWithTheirSize) {
   for (const char* name : {"start/start",
                            "understand/overview",
                            "understand/surface",
+                           "agree/method",
+                           "agree/depth_length",
                            "tune/overview",
                            "tune/rule_editor",
                            "tune/findings",
@@ -89,6 +91,10 @@ TEST(ProgramOptions, SayWhatPicturesAreWanted) {
   EXPECT_EQ(options->pictures->size, QSize(1920, 1080));
   EXPECT_EQ(options->pictures->scale, 2);
   EXPECT_EQ(options->pictures->language, QStringLiteral("zh-Hant"));
+  EXPECT_TRUE(options->pictures->study.isEmpty());
+  const auto own = optionsOf(
+      {QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--study"), QStringLiteral("ward.tactus")});
+  EXPECT_EQ(own->pictures->study, QStringLiteral("ward.tactus"));
   EXPECT_FALSE(optionsOf({QStringLiteral("study.tactus")})->pictures);
 }
 

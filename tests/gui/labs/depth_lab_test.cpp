@@ -1,14 +1,20 @@
 #include "app/workbench/labs/depth/depth_lab.h"
 
+#include <QComboBox>
+#include <QDir>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "app/workbench/kit/number_box.h"
 #include "app/workbench/labs/depth/depth_canvas.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
+#include "app/workbench/labs/depth/depth_term_page.h"
+#include "app/workbench/labs/depth/dicom_image.h"
 #include "app/workbench/labs/depth/image_reader.h"
+#include "app/workbench/labs/depth/length_page.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "core/store/depth_records.h"
 
@@ -123,13 +129,104 @@ TEST_F(DepthLabTest, TheExampleHasItsDepthsWithinAMillimeter) {
   }
 }
 
-TEST_F(DepthLabTest, WhatIsNoImageIsSaidAndDicomHasAWayOut) {
+TEST_F(DepthLabTest, WhatIsNoImageIsSaid) {
   EXPECT_FALSE(readImage("no image", QStringLiteral("a.txt")));
+  EXPECT_FALSE(isDicom("no image"));
+}
+
+// Where DCMTK or GDCM are installed, the sentence is theirs; where they are not, it names them.
+TEST_F(DepthLabTest, ADicomFileWithoutAPictureIsRefused) {
   QByteArray dicom(128, '\0');
   dicom += "DICM";
-  const auto refused = readImage(dicom, QStringLiteral("scan.dcm"));
+  ASSERT_TRUE(isDicom(dicom));
+  const auto refused = dicomImage(dicom, QStringLiteral("scan.dcm"));
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message().find("dcm2img"), std::string::npos);
+  EXPECT_EQ(refused.error().message().find("scan.dcm: found a DICOM image"), 0U) << refused.error().message();
+  // On the screen it comes from another thread, and the study stays without an image.
+  const QString file = folder.filePath(QStringLiteral("scan.dcm"));
+  QFile bytes(file);
+  ASSERT_TRUE(bytes.open(QIODevice::WriteOnly));
+  bytes.write(dicom);
+  bytes.close();
+  view->load(file);
+  ASSERT_TRUE(comesTrue([this] { return !view->isConverting(); }));
+  EXPECT_TRUE(lab.image().isEmpty());
+}
+
+// The programs themselves are stand-ins here: what they are asked for, and what is made of their answers.
+TEST_F(DepthLabTest, AConvertedDicomImageBringsItsScale) {
+  const QString programs = folder.filePath(QStringLiteral("bin"));
+  ASSERT_TRUE(QDir().mkdir(programs));
+  const auto script = [&](const char* name, const QByteArray& body) {
+    QFile file(programs + QLatin1Char('/') + QLatin1String(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("#!/bin/sh\n" + body);
+    file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+  };
+  // Without a window of gray values in the file the first way fails.
+  script("dcm2pnm", "[ \"$2\" = --use-window ] && exit 1\n/bin/cp '" + imageFile().toUtf8() + "' \"$4\"\n");
+  script("dcmdump", "printf '%s\\n' '(0028,0030) DS [0.5\\0.5]   #   8, 2 PixelSpacing'\n");
+  const QByteArray path_before = qgetenv("PATH");
+  qputenv("PATH", programs.toUtf8());
+  QByteArray dicom(128, '\0');
+  dicom += "DICM";
+  const auto image = dicomImage(dicom, QStringLiteral("scan.dcm"));
+  qputenv("PATH", path_before);
+  ASSERT_TRUE(image) << image.error().message();
+  EXPECT_EQ(QImage::fromData(image->png).size(), QSize(300, 400));
+  EXPECT_EQ(image->mm_per_px, 0.5);
+  lab.setImage(image->png, QStringLiteral("scan.dcm"), image->mm_per_px);
+  EXPECT_EQ(lab.measurement().mm_per_px, 0.5);
+}
+
+TEST_F(DepthLabTest, TheModelTakesTheMeasuredDepthsOnlyOnRequest) {
+  data.setWanted(lab, true);
+  ASSERT_TRUE(comesTrue([this] { return data.study() != nullptr; }));
+  EXPECT_FALSE(lab.isMeasured());
+  view->showExample();
+  EXPECT_TRUE(lab.isMeasured());
+  EXPECT_EQ(data.settings().depths, elicitation::DepthsFrom::kTemplate);
+  auto* const page = view->findChild<DepthTermPage*>();
+  ASSERT_NE(page, nullptr);
+  page->choice().setCurrentIndex(1);
+  emit page->choice().activated(1);
+  EXPECT_EQ(data.settings().depths, elicitation::DepthsFrom::kMeasured);
+  EXPECT_EQ(data.settings().measured_depths, lab.measurement());
+  // What is measured next is what the model has next.
+  QSignalSpy changed(&data, &LabData::settingsChanged);
+  auto wanted = lab.measurement();
+  wanted.scale = 0.93;
+  lab.show(wanted);
+  lab.commit(QStringLiteral("scale"));
+  EXPECT_EQ(data.settings().measured_depths->scale, 0.93);
+  EXPECT_EQ(changed.size(), 1);
+  lab.undo();
+  EXPECT_EQ(data.settings().measured_depths->scale, 1);
+  settle();
+}
+
+// 0.38696 * 52.5 = 20.3154, plus 30.37 or 36.37 cm; the target is 47 to 54 cm with the template's sphincter at 44 cm.
+TEST_F(DepthLabTest, ATypedLengthGivesThreeFormulasAndIsStored) {
+  auto* const page = view->findChild<LengthPage*>();
+  ASSERT_NE(page, nullptr);
+  NumberBox& box = page->lengthBox();
+  box.selectAll();
+  QTest::keyClicks(&box, QStringLiteral("52,5"));
+  QTest::keyClick(&box, Qt::Key_Return);
+  EXPECT_EQ(lab.measurement().nose_ear_xiphoid_mm, 525);
+  EXPECT_EQ(page->lengthText(0), QStringLiteral("52.5 cm"));
+  EXPECT_EQ(page->lengthText(1), QStringLiteral("50.7 cm"));
+  EXPECT_EQ(page->lengthText(2), QStringLiteral("56.7 cm"));
+  EXPECT_TRUE(page->targetText().contains(QStringLiteral("47 to 54 cm"))) << page->targetText().toStdString();
+  auto wanted = lab.measurement();
+  wanted.boundaries.back().depth_mm = 420;
+  lab.show(wanted);
+  EXPECT_TRUE(page->targetText().contains(QStringLiteral("45 to 52 cm"))) << page->targetText().toStdString();
+  settle();
+  study.close();
+  ASSERT_TRUE(comesTrue([this] { return !study.isOpen(); }));
+  study.open(path);
+  ASSERT_TRUE(comesTrue([this] { return lab.measurement().nose_ear_xiphoid_mm == 525; }));
 }
 
 }  // namespace

@@ -16,6 +16,9 @@
 #include "app/workbench/labs/force/judgement_view.h"
 #include "app/workbench/labs/force/vote_table.h"
 #include "app/workbench/labs/force/votes_view.h"
+#include "app/workbench/labs/method/method_lab.h"
+#include "app/workbench/labs/method/method_lab_view.h"
+#include "app/workbench/labs/method/method_plot.h"
 #include "app/workbench/labs/rules/grids_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 
@@ -132,6 +135,23 @@ TEST_F(LabViews, AWeightIsTypedIntoTheTable) {
   EXPECT_FALSE(table.setData(table.index(1, WeightTable::kWeight), QStringLiteral("many"), Qt::EditRole));
   EXPECT_TRUE(
       comesTrue([&] { return table.index(1, WeightTable::kWeight).data().toString() == QStringLiteral("2.5"); }));
+}
+
+TEST_F(LabViews, OneButtonComparesTheChoicesAndAClickShowsTwoCurves) {
+  MethodLab lab(data);
+  MethodLabView view(lab);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return view.button().isEnabled(); }));
+  QTest::mouseClick(&view.button(), Qt::LeftButton);
+  ASSERT_TRUE(comesTrue([&] { return view.button().text() == QStringLiteral("Cancel"); }));
+  const QAbstractItemModel& factors = *view.factorView().model();
+  ASSERT_TRUE(comesTrue([&] { return factors.rowCount() >= 8; }));
+  ASSERT_TRUE(comesTrue([&] { return lab.curves() != nullptr; })) << "the first row is chosen";
+  const std::size_t first = *lab.chosen();
+  QTest::mouseClick(view.factorView().viewport(), Qt::LeftButton, {},
+                    view.factorView().visualRect(factors.index(1, 0)).center());
+  ASSERT_TRUE(comesTrue([&] { return lab.curves() != nullptr && *lab.chosen() != first; }));
+  ASSERT_TRUE(comesTrue([&] { return view.plot().legend().size() == 4; }));
 }
 
 }  // namespace

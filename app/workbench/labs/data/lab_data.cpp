@@ -21,6 +21,12 @@ void LabData::setSettings(elicitation::BuildSettings settings) {
   emit settingsChanged();
 }
 
+void LabData::setMeasuredDepths(const elicitation::DepthMeasurement& measured) {
+  if (settings_.measured_depths == measured) return;
+  settings_.measured_depths = measured;
+  if (settings_.depths == elicitation::DepthsFrom::kMeasured) emit settingsChanged();
+}
+
 void LabData::setWanted(QObject& asker, bool wanted) {
   if (!wanted) {
     askers_.remove(&asker);
@@ -54,6 +60,10 @@ void LabData::read() {
       reading_ = false;
       if (path == connection_.path()) {
         study_ = study;
+        // Later ones come from the lab that measures.
+        if (study_ != nullptr && study_->measured_depths && !settings_.measured_depths) {
+          setMeasuredDepths(*study_->measured_depths);
+        }
         failure_ = sentence;
       }
       read();

@@ -33,6 +33,8 @@ class LabData : public QObject {
   /// The settings of every lab's model. They begin with the defaults when a study is opened.
   const elicitation::BuildSettings& settings() const { return settings_; }
   void setSettings(elicitation::BuildSettings settings);
+  /// Another measurement of depths for the settings. Without effect on a model with the template's depths.
+  void setMeasuredDepths(const elicitation::DepthMeasurement& measured);
 
   /// Reads the study while at least one asker wants it. An asker that ends wants nothing.
   void setWanted(QObject& asker, bool wanted);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/session/known_forms.h"
+#include "app/session/study_aside.h"
 #include "app/session/study_view.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
@@ -40,6 +41,8 @@ base::Result<LabStudy> readLabStudy(const store::StudyFile& file) {
   out.study = std::move(view->study);
   out.notes = std::move(view->notes);
   out.forms = session::knownForms();
+  // What is wrong with a measurement is told by the lab that measures; the others do without.
+  if (auto aside = session::asideOf(file)) out.measured_depths = std::move(aside->measured_depths);
   if (auto ok = take(store::persons(file), out.persons); !ok) return tl::unexpected(ok.error());
   if (auto ok = take(store::sessions(file), out.sessions); !ok) return tl::unexpected(ok.error());
   if (auto ok = take(store::strokes(file, {}, store::Recordings::kLeaveOut), out.strokes); !ok) {

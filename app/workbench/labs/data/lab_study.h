@@ -1,6 +1,7 @@
 // What the labs know of the open study: read once in the thread of the study, then shared unchanged.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/store/study_file.h"
 #include "core/study/records.h"
 #include "core/study/session_records.h"
+#include "elicitation/depth/depth_measurement.h"
 
 namespace tactus::workbench {
 
@@ -19,6 +21,7 @@ struct LabStudy {
   std::vector<session::JudgedForce> judged;  ///< every judgement of the counted sessions
   std::vector<std::string> notes;            ///< what is left out of it, and why
   std::vector<study::Form> forms;            ///< the known forms
+  std::optional<elicitation::DepthMeasurement> measured_depths;  ///< the latest; nothing: none was made
   std::vector<study::Person> persons;
   std::vector<study::SessionRecord> sessions;
   // All records that are not corrected, also of sessions that do not count: what a number came from.

@@ -27,6 +27,16 @@ DepthLab::DepthLab(LabData& data, std::function<QString()> author, QObject* pare
   connect(&data_.connection(), &StudyConnection::opened, this, &DepthLab::read);
   connect(&data_.connection(), &StudyConnection::closed, this,
           [this] { begin({elicitation::emptyMeasurement(depth_)}); });
+  connect(&data_, &LabData::settingsChanged, this, &DepthLab::depthsFromChanged);
+  connect(&data_, &LabData::studyChanged, this, &DepthLab::depthsFromChanged);
+}
+
+void DepthLab::setDepthsFrom(elicitation::DepthsFrom from) {
+  if (from == depthsFrom()) return;
+  auto settings = data_.settings();
+  settings.depths = from;
+  if (from == elicitation::DepthsFrom::kMeasured) settings.measured_depths = states_[done_].measurement;
+  data_.setSettings(std::move(settings));
 }
 
 void DepthLab::setSeen(bool seen) {
@@ -60,7 +70,9 @@ void DepthLab::read() {
           if (path != data_.connection().path()) return;
           if (!sentence.isEmpty()) emit refused(sentence);
           // What was begun meanwhile stays.
-          if (found && states_.size() == 1) begin(state);
+          if (!found || states_.size() != 1) return;
+          data_.setMeasuredDepths(state.measurement);
+          begin(state);
         };
       });
 }
@@ -119,15 +131,18 @@ void DepthLab::add(State next) {
   store();
 }
 
-void DepthLab::setImage(const QByteArray& bytes, const QString& name) {
+void DepthLab::setImage(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px) {
   State next{elicitation::emptyMeasurement(depth_), std::make_shared<const QByteArray>(bytes),
              tr("image %1").arg(name)};
+  next.measurement.nose_ear_xiphoid_mm = now_.measurement.nose_ear_xiphoid_mm;
   next.measurement.image = name.toStdString();
+  if (mm_per_px) next.measurement.mm_per_px = *mm_per_px;
   add(std::move(next));
 }
 
 void DepthLab::setExample(double mm_per_px, std::vector<elicitation::ImagePoint> path) {
   State next{elicitation::emptyMeasurement(depth_), std::make_shared<const QByteArray>(), tr("the example")};
+  next.measurement.nose_ear_xiphoid_mm = now_.measurement.nose_ear_xiphoid_mm;
   next.measurement.example = true;
   next.measurement.image = tr("Anatomy drawing").toStdString();
   next.measurement.mm_per_px = mm_per_px;
@@ -148,6 +163,8 @@ void DepthLab::redo() {
 }
 
 void DepthLab::store() {
+  data_.setMeasuredDepths(now_.measurement);
+  emit depthsFromChanged();
   if (!data_.connection().takesOrders()) return;
   last_ms_ = std::max(utcNow(), last_ms_ + 1);
   const auto id = std::make_shared<std::optional<study::RecordId>>();

@@ -37,13 +37,18 @@ class DepthLab : public UndoSource {
   const fuzzy::Variable& terms() const { return terms_; }
   const QString& problem() const { return problem_; }
   bool isOpen() const { return data_.connection().isOpen(); }
+  /// Which depths the study's model has. `setDepthsFrom` is a setting of the labs, not of the measurement.
+  elicitation::DepthsFrom depthsFrom() const { return data_.settings().depths; }
+  void setDepthsFrom(elicitation::DepthsFrom from);
+  /// There is a measurement that a model can have.
+  bool isMeasured() const { return data_.settings().measured_depths.has_value() && problem_.isEmpty(); }
 
   /// Shows `measurement` without storing it: a gesture in progress.
   void show(const elicitation::DepthMeasurement& measurement);
   /// Stores what is shown as the next state; `what`: the change for the undo's text. Does nothing without a change.
   void commit(const QString& what);
-  /// Takes another image; the way and the boundaries begin anew.
-  void setImage(const QByteArray& bytes, const QString& name);
+  /// Takes another image; the way and the boundaries begin anew. `mm_per_px`: its scale where it is known.
+  void setImage(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px = std::nullopt);
   /// The program's own anatomy drawing, with the tube's way in it.
   void setExample(double mm_per_px, std::vector<elicitation::ImagePoint> path);
 
@@ -58,6 +63,8 @@ class DepthLab : public UndoSource {
 
  signals:
   void measurementChanged();
+  /// `depthsFrom` or `isMeasured` changed.
+  void depthsFromChanged();
   /// Another image, or none.
   void imageChanged();
   /// One sentence: what could not be read or stored, and why.

@@ -7,6 +7,7 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
@@ -17,9 +18,10 @@
 #include "app/workbench/labs/depth/depth_canvas.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_settings.h"
-#include "app/workbench/labs/depth/depth_term_plot.h"
+#include "app/workbench/labs/depth/depth_term_page.h"
+#include "app/workbench/labs/depth/dicom_image.h"
 #include "app/workbench/labs/depth/image_reader.h"
-#include "app/workbench/plot/plot_menu.h"
+#include "app/workbench/labs/depth/length_page.h"
 #include "core/store/depth_records.h"
 
 namespace tactus::workbench {
@@ -30,7 +32,7 @@ constexpr int kSettingsWidth = 40 * theme::kGrid;  // px
 }  // namespace
 
 DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
-    : QWidget(parent), lab_(lab), canvas_(new DepthCanvas(lab, this)), terms_(nullptr), numbers_(new QLabel(this)) {
+    : QWidget(parent), lab_(lab), canvas_(new DepthCanvas(lab, this)) {
   setObjectName(QStringLiteral("depth"));
   setWindowTitle(tr("Depth"));
   auto* settings = new DepthSettingsPanel(lab, this);
@@ -51,7 +53,7 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   layout->setSpacing(theme::kGrid);
   layout->addWidget(settings);
   layout->addWidget(image, 5);
-  layout->addWidget(makeTerms(), 4);
+  layout->addWidget(makePages(), 4);
   connect(fit, &QPushButton::clicked, canvas_, &DepthCanvas::zoomToAll);
   connect(settings, &DepthSettingsPanel::loadAsked, this, &DepthLabView::chooseImage);
   connect(settings, &DepthSettingsPanel::exampleAsked, this, &DepthLabView::showExample);
@@ -61,44 +63,19 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   });
   connect(canvas_, &DepthCanvas::lineMeasured, this, &DepthLabView::askLength);
   connect(&lab_, &DepthLab::imageChanged, this, &DepthLabView::followImage);
-  connect(&lab_, &DepthLab::measurementChanged, this, &DepthLabView::followTerms);
   connect(&lab_, &DepthLab::refused, this, [this](const QString& sentence) { sayError(*this, sentence); });
   followImage();
-  followTerms();
 }
 
-QWidget* DepthLabView::makeTerms() {
+QWidget* DepthLabView::makePages() {
   auto* card = new Card(this);
-  terms_ = new DepthTermPlot(card);
-  setMuted(*numbers_);
-  numbers_->setWordWrap(true);
-  numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* title = new QLabel(tr("Terms of the depth"), card);
-  title->setFont(theme::headingFont());
-  auto* head = new QHBoxLayout;
-  head->addWidget(title, 1);
-  head->addWidget(new PlotMenu(
-      *terms_,
-      [this] {
-        PlotTable table;
-        table.file = QStringLiteral("depth-terms");
-        table.caption << tr("Terms of the insertion depth, measured on %1").arg(text(lab_.measurement().image))
-                      << tr("one pixel is %1 mm · anatomical scale %2")
-                             .arg(numberText(lab_.measurement().mm_per_px, 4), numberText(lab_.measurement().scale));
-        table.columns = {"term", "a_mm", "b_mm", "c_mm", "d_mm"};
-        for (const fuzzy::Term& term : lab_.terms().terms) {
-          table.rows.push_back({term.id, term.points[0], term.points[1], term.points[2], term.points[3]});
-        }
-        return table;
-      },
-      card));
+  auto* pages = new QTabWidget(card);
+  pages->setDocumentMode(true);
+  pages->addTab(new DepthTermPage(lab_), tr("Terms of the depth"));
+  pages->addTab(new LengthPage(lab_), tr("Insertion length"));
   auto* inside = new QVBoxLayout(card);
   inside->setContentsMargins(theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid);
-  inside->setSpacing(theme::kGrid);
-  inside->addLayout(head);
-  inside->addWidget(terms_, 3);
-  inside->addWidget(numbers_);
-  inside->addStretch(1);
+  inside->addWidget(pages);
   return card;
 }
 
@@ -122,12 +99,23 @@ void DepthLabView::load(const QString& path) {
     return;
   }
   const QByteArray bytes = file.readAll();
+  conversion_.drop();
+  if (!isDicom(bytes)) return take(bytes, name, std::nullopt);
+  sayDone(*this, tr("Converting %1…").arg(name));
+  conversion_.run([this, bytes, name](const std::stop_token&) -> Background::Deliver {
+    auto image = dicomImage(bytes, name);
+    if (!image) return [this, why = text(image.error().message())] { sayError(*this, why); };
+    return [this, image = std::move(*image), name] { take(image.png, name, image.mm_per_px); };
+  });
+}
+
+void DepthLabView::take(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px) {
   const auto image = readImage(bytes, name);
   if (!image) {
     sayError(*this, text(image.error().message()));
     return;
   }
-  lab_.setImage(bytes, name);
+  lab_.setImage(bytes, name, mm_per_px);
 }
 
 void DepthLabView::showExample() {
@@ -163,17 +151,6 @@ void DepthLabView::followImage() {
   auto image = readImage(lab_.image(), text(lab_.measurement().image));
   canvas_->setImage(image ? *image : QImage());
   if (!image) sayError(*this, text(image.error().message()));
-}
-
-void DepthLabView::followTerms() {
-  terms_->show(lab_.terms());
-  QStringList lines;
-  for (const fuzzy::Term& term : lab_.terms().terms) {
-    QStringList points;
-    for (const double point : term.points) points << numberText(point, 1);
-    lines << tr("%1: %2 mm").arg(labelOf(term), points.join(QStringLiteral(" · ")));
-  }
-  numbers_->setText(lines.join(QLatin1Char('\n')));
 }
 
 void DepthLabView::showEvent(QShowEvent* event) {

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
+#include "app/workbench/base/background.h"
 #include "elicitation/depth/tube_path.h"
-
-class QLabel;
 
 namespace tactus::workbench {
 
 class DepthCanvas;
 class DepthLab;
-class DepthTermPlot;
 
 class DepthLabView : public QWidget {
   Q_OBJECT
@@ -21,8 +20,10 @@ class DepthLabView : public QWidget {
   explicit DepthLabView(DepthLab& lab, QWidget* parent = nullptr);
 
   DepthCanvas& canvas() { return *canvas_; }
-  /// Loads the image file `path`; a failure is said.
+  /// Loads the image file `path`, a DICOM file in the background; a failure is said.
   void load(const QString& path);
+  /// A DICOM file is being converted.
+  bool isConverting() const { return conversion_.isBusy(); }
   /// Shows the program's own drawing.
   void showExample();
 
@@ -31,16 +32,16 @@ class DepthLabView : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  QWidget* makeTerms();
+  QWidget* makePages();
   void chooseImage();
   void askLength(const elicitation::ImagePoint& one, const elicitation::ImagePoint& other);
   void followImage();
-  void followTerms();
+  /// `mm_per_px`: as the file says; nothing: the scale stays to be set.
+  void take(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px);
 
   DepthLab& lab_;
   DepthCanvas* canvas_;
-  DepthTermPlot* terms_;
-  QLabel* numbers_;
+  Background conversion_;  ///< last: its end waits for it
 };
 
 }  // namespace tactus::workbench

@@ -15,20 +15,12 @@ namespace {
 constexpr int kMostPixels = 40'000;  // of a side: beyond that no screen helps
 constexpr int kMostMegabytes = 512;  // decoded: the paper's image needs 25
 constexpr double kDrawingHeightMm = 620;
-constexpr double kClickMm = 15;       // between two points of the example's way
-constexpr qsizetype kPreamble = 128;  // bytes before the letters DICM in a DICOM file
-
-bool isDicom(const QByteArray& bytes) { return bytes.mid(kPreamble, 4) == "DICM"; }
+constexpr double kClickMm = 15;  // between two points of the example's way
 
 }  // namespace
 
 base::Result<QImage> readImage(const QByteArray& bytes, const QString& name) {
   const std::string file = name.toStdString();
-  if (isDicom(bytes)) {
-    return base::fail(base::ErrorCode::kSyntax, file, "a DICOM image",
-                      "PNG, JPEG or TIFF; dcm2img (DCMTK) or gdcm2pnm (GDCM) converts it, and the pixel spacing that "
-                      "they print is the scale");
-  }
   QImageReader::setAllocationLimit(kMostMegabytes);
   QByteArray held = bytes;
   QBuffer buffer(&held);
@@ -53,6 +45,7 @@ QString imagePatterns() {
   for (const QByteArray& format : QImageReader::supportedImageFormats()) {
     patterns << QStringLiteral("*.") + QString::fromLatin1(format);
   }
+  patterns << QStringLiteral("*.dcm");
   return patterns.join(QLatin1Char(' '));
 }
 

@@ -11,8 +11,8 @@
 
 namespace tactus::workbench {
 
-/// The image in `bytes`: PNG, JPEG, TIFF and what else Qt reads. Returns an error with a sentence for anything else; a
-/// DICOM file is told how to be converted. `name`: of the file, for the error.
+/// The image in `bytes`: PNG, JPEG, TIFF and what else Qt reads. Returns an error with a sentence for anything else.
+/// `name`: of the file, for the error. DICOM: dicom_image.h.
 base::Result<QImage> readImage(const QByteArray& bytes, const QString& name);
 
 /// The name patterns of the images that can be read, for a file dialog.

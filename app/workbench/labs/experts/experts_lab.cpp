@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/labs/data/usual_value.h"
 #include "elicitation/agreement/expert_influence.h"
 #include "elicitation/variables/ngt_variables.h"
 
@@ -13,14 +14,6 @@ namespace tactus::workbench {
 namespace {
 
 using elicitation::WeightPolicy;
-
-// The setting of the paper's Fig. 11.
-double startOf(const fuzzy::Variable& input) {
-  if (input.id == "lubrication") return 1;
-  if (input.id == "neck_flexion") return 60;
-  if (input.id == "speed") return 50;
-  return (input.min + input.max) / 2;
-}
 
 }  // namespace
 
@@ -71,7 +64,7 @@ void ExpertsLab::takeModel() {
   const auto& inputs = built_->model.inputs;
   if (values_.size() != inputs.size()) {
     values_.clear();
-    for (const fuzzy::Variable& input : inputs) values_.push_back(startOf(input));
+    for (const fuzzy::Variable& input : inputs) values_.push_back(usualValue(input));
     const auto depth = std::find_if(inputs.begin(), inputs.end(),
                                     [](const auto& input) { return input.id == elicitation::ngtRegionInput(); });
     x_input_ = depth == inputs.end() ? 0 : static_cast<std::size_t>(depth - inputs.begin());

@@ -1,0 +1,169 @@
+#include "app/workbench/labs/depth/length_page.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/number_box.h"
+#include "app/workbench/labs/depth/depth_lab.h"
+#include "app/workbench/labs/depth/length_plot.h"
+#include "app/workbench/plot/plot_menu.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr double kCm = 10;          // mm
+constexpr double kExampleMm = 500;  // before a length is typed
+
+fuzzy::Variable lengthRange(const QString& name) {
+  fuzzy::Variable out;
+  out.id = "nose_ear_xiphoid";
+  out.label = name.toStdString();
+  out.unit = "cm";
+  out.min = elicitation::kNoseEarXiphoidMm.from_mm / kCm;
+  out.max = elicitation::kNoseEarXiphoidMm.to_mm / kCm;
+  return out;
+}
+
+QLabel* wrapped(const QString& words, QWidget* parent) {
+  auto* label = new QLabel(words, parent);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  setMuted(*label);
+  return label;
+}
+
+// The end of the esophagus: of the person on the image, or of the template.
+double sphincterMm(const DepthLab& lab) {
+  const auto& boundaries = lab.measurement().boundaries;
+  return boundaries.empty() ? elicitation::kSphincterMm : boundaries.back().depth_mm;
+}
+
+PlotTable lengthTable(const DepthLab& lab, double nex_mm) {
+  PlotTable table;
+  table.file = QStringLiteral("insertion-length");
+  table.caption << LengthPage::tr("Insertion length by bedside formulas")
+                << LengthPage::tr("nose – ear – xiphoid %1 · anatomical scale %2")
+                       .arg(centimeters(nex_mm), numberText(lab.measurement().scale));
+  table.columns = {"formula", "length_mm", "beyond_sphincter_mm", "in_target"};
+  const auto lengths = elicitation::insertionLengths(nex_mm, lab.measurement().scale, sphincterMm(lab));
+  if (!lengths) return table;
+  for (const auto& one : *lengths) {
+    table.rows.push_back({std::string(name(one.formula)), one.length_mm, one.beyond_sphincter_mm,
+                          std::string(one.in_target ? "yes" : "no")});
+  }
+  return table;
+}
+
+}  // namespace
+
+LengthPage::LengthPage(DepthLab& lab, QWidget* parent)
+    : QWidget(parent),
+      lab_(lab),
+      length_(new NumberBox(lengthRange(tr("Nose – ear – xiphoid")), 0.5, this)),
+      example_(wrapped({}, this)),
+      plot_(new LengthPlot(this)),
+      target_(wrapped({}, this)) {
+  setObjectName(QStringLiteral("length"));
+  length_->setToolTip(
+      tr("From the tip of the nose over the lobe of the ear to the end of the breastbone, along the tube."));
+  auto* name = new QLabel(tr("&Nose – ear – xiphoid of a person"), this);
+  name->setBuddy(length_);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(theme::kGrid);
+  head->addWidget(name);
+  head->addWidget(length_);
+  head->addStretch(1);
+  head->addWidget(new PlotMenu(
+      *plot_, [this] { return lengthTable(lab_, lab_.measurement().nose_ear_xiphoid_mm.value_or(kExampleMm)); }, this));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, theme::kGrid, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->addLayout(head);
+  layout->addWidget(example_);
+  layout->addWidget(plot_, 1);
+  layout->addWidget(makeTable());
+  layout->addWidget(target_);
+  layout->addWidget(
+      wrapped(tr("Hanson: 0.38696 × length + 30.37 cm; corrected: 0.38696 × length + 36.37 cm (Hanson 1979, "
+                 "biblio.ugent.be/publication/8599660). The plain length is too short in 96.7 % of people, "
+                 "gauged by the tip (Chen 2014, PMC3919749). Target: Boeykens 2023, Crit Care 27:317. The "
+                 "tilt of the head can change the needed length by up to 5 cm."),
+              this));
+  connect(length_, &QDoubleSpinBox::valueChanged, this, [this] {
+    auto wanted = lab_.measurement();
+    wanted.nose_ear_xiphoid_mm = length_->exact() * kCm;
+    lab_.show(wanted);
+    lab_.commit(tr("nose – ear – xiphoid length"));
+  });
+  connect(&lab_, &DepthLab::measurementChanged, this, &LengthPage::follow);
+  follow();
+}
+
+QWidget* LengthPage::makeTable() {
+  auto* table = new QWidget(this);
+  auto* grid = new QGridLayout(table);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(2 * theme::kGrid);
+  grid->setVerticalSpacing(theme::kGrid / 2);
+  grid->setColumnStretch(0, 1);
+  const QString heads[] = {tr("Formula"), tr("Length"), tr("Tip beyond the sphincter"), tr("In the target")};
+  for (int column = 0; column < 4; ++column) {
+    auto* head = new QLabel(heads[column], table);
+    setMuted(*head);
+    grid->addWidget(head, 0, column, column == 0 ? Qt::AlignLeft : Qt::AlignRight);
+  }
+  const elicitation::LengthFormula formulas[] = {elicitation::LengthFormula::kNoseEarXiphoid,
+                                                 elicitation::LengthFormula::kHanson,
+                                                 elicitation::LengthFormula::kCorrected};
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const int line = static_cast<int>(i) + 1;
+    rows_[i] = {new QLabel(table), new QLabel(table), new QLabel(table)};
+    grid->addWidget(new QLabel(formulaName(formulas[i]), table), line, 0);
+    grid->addWidget(rows_[i].length, line, 1, Qt::AlignRight);
+    grid->addWidget(rows_[i].beyond, line, 2, Qt::AlignRight);
+    grid->addWidget(rows_[i].target, line, 3, Qt::AlignRight);
+  }
+  return table;
+}
+
+QString LengthPage::lengthText(std::size_t formula) const { return rows_[formula].length->text(); }
+
+QString LengthPage::targetText() const { return target_->text(); }
+
+void LengthPage::follow() {
+  const auto& measurement = lab_.measurement();
+  const double nex_mm = measurement.nose_ear_xiphoid_mm.value_or(kExampleMm);
+  const QSignalBlocker quiet(length_);
+  length_->setExact(nex_mm / kCm);
+  example_->setText(measurement.nose_ear_xiphoid_mm
+                        ? tr("Stored with the study. It moves neither the terms nor the target; the anatomical scale "
+                             "at the left moves both.")
+                        : tr("An example: type the length of a person. It moves neither the terms nor the target; the "
+                             "anatomical scale at the left moves both."));
+  const double sphincter_mm = sphincterMm(lab_);
+  const auto target = elicitation::targetDepth(measurement.scale, sphincter_mm);
+  target_->setText(tr("The tip should lie %1 to %2 from the nostril: 3 to 10 cm beyond the lower esophageal sphincter, "
+                      "which is the boundary of esophagus and stomach, here at %3 (scale %4).")
+                       .arg(numberText(target.from_mm / kCm, 1), centimeters(target.to_mm),
+                            centimeters(sphincter_mm * measurement.scale), numberText(measurement.scale)));
+  const auto lengths = elicitation::insertionLengths(nex_mm, measurement.scale, sphincter_mm);
+  for (std::size_t i = 0; lengths && i < rows_.size(); ++i) {
+    const auto& one = (*lengths)[i];
+    rows_[i].length->setText(centimeters(one.length_mm));
+    rows_[i].beyond->setText(centimeters(one.beyond_sphincter_mm));
+    rows_[i].target->setText(one.in_target ? tr("yes")
+                             : one.length_mm < target.from_mm
+                                 ? tr("%1 too short").arg(centimeters(target.from_mm - one.length_mm))
+                                 : tr("%1 too long").arg(centimeters(one.length_mm - target.to_mm)));
+  }
+  plot_->show(lab_.terms(), lengths ? *lengths : std::vector<elicitation::InsertionLength>(), target);
+}
+
+}  // namespace tactus::workbench

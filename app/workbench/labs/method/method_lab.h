@@ -1,0 +1,99 @@
+// The method study without widgets: on request, the averaged model under other choices of the method, and the curves of
+// one choice where it moves the force most.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/figures/force_curves.h"
+#include "app/workbench/base/background.h"
+#include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/lab_work.h"
+#include "elicitation/model/method_study.h"
+
+namespace tactus::workbench {
+
+/// The averaged force as it is and with another choice, along the depth through the place of the largest difference.
+struct MethodCurves {
+  std::size_t variant = 0;  ///< in the study
+  std::size_t x_input = 0;
+  std::vector<double> at;  ///< one value per input
+  figures::ForceCurves now;
+  figures::ForceCurves other;
+};
+
+/// Thread: gui.
+class MethodLab : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `data` outlives this.
+  explicit MethodLab(LabData& data, QObject* parent = nullptr);
+  ~MethodLab() override;
+
+  /// Compares the choices for the study and the settings of this moment. It goes on while the lab is hidden.
+  void compare();
+  void cancel();
+  LabWork& work() { return work_; }
+  bool isBusy() const { return work_.isBusy(); }
+  /// A study is open and read, so that `compare` does something.
+  bool isPossible() const { return data_.study() != nullptr; }
+
+  /// What was found; null while there is nothing.
+  const elicitation::MethodStudy* found() const { return found_ == nullptr ? nullptr : &found_->study; }
+  /// Rises with each change of `found`.
+  int foundNumber() const { return number_; }
+  /// The model that the others were compared with. Only with `found`.
+  const fuzzy::ForceModel& model() const { return found_->built.model; }
+  /// The study or a setting has changed since.
+  bool isOld() const { return old_; }
+  /// Why nothing could be compared; empty if it could.
+  const QString& failure() const { return failure_; }
+  const LabData& data() const { return data_; }
+
+  /// Draws the curves of a variant; nothing: none.
+  void choose(std::optional<std::size_t> variant);
+  const std::optional<std::size_t>& chosen() const { return chosen_; }
+  /// Of the chosen variant; null while they are computed, or if there is no such model.
+  const MethodCurves* curves() const { return curves_ == nullptr ? nullptr : curves_.get(); }
+
+  /// Whether the lab is on the screen: then the study is read.
+  void setWanted(bool wanted);
+
+ signals:
+  /// `found`, `isOld`, `failure`, `isPossible` or `isBusy` changed.
+  void changed();
+  void curvesChanged();
+
+ private:
+  /// All that the models of the variants are made of.
+  struct Found {
+    std::shared_ptr<const LabStudy> of;
+    elicitation::BuildSettings settings;
+    elicitation::BuiltModel built;
+    elicitation::MethodStudy study;
+  };
+  LabWork::Deliver perform(const LabWork::Run& run);
+  void take(std::shared_ptr<const Found> found, const QString& failure);
+  void markOld();
+
+  LabData& data_;
+  std::shared_ptr<const Found> found_;
+  int number_ = 0;
+  QString failure_;
+  bool old_ = false;
+  std::optional<std::size_t> chosen_;
+  std::shared_ptr<const MethodCurves> curves_;
+  std::atomic<bool> asked_ = false;  ///< a comparison is wanted; written here, read by the work
+  Background draws_;
+  LabWork work_;  ///< last: its end waits for the work, which answers to all above
+};
+
+/// The inputs of `at` but the one of the curves, for a caption: `Tube lubrication 1 · Neck flexion angle 60 deg`.
+QString placeOfCurves(const fuzzy::ForceModel& model, const MethodCurves& curves);
+
+}  // namespace tactus::workbench

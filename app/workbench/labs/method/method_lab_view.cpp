@@ -1,0 +1,187 @@
+#include "app/workbench/labs/method/method_lab_view.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QItemSelectionModel>
+#include <QLabel>
+#include <QProgressBar>
+#include <QSplitter>
+#include <QTableView>
+#include <cmath>
+#include <utility>
+
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/muted_text.h"
+#include "app/workbench/base/refresh.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/wrapped_label.h"
+#include "app/workbench/labs/frame/lab_card.h"
+#include "app/workbench/labs/frame/lab_table.h"
+#include "app/workbench/labs/method/factor_table.h"
+#include "app/workbench/labs/method/method_curves_table.h"
+#include "app/workbench/labs/method/method_lab.h"
+#include "app/workbench/labs/method/method_plot.h"
+#include "app/workbench/labs/method/variant_table.h"
+#include "app/workbench/plot/plot_menu.h"
+#include "elicitation/model/method_words.h"
+
+namespace tactus::workbench {
+
+MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
+    : QWidget(parent),
+      lab_(lab),
+      factors_(new FactorTable(this)),
+      variants_(new VariantTable(this)),
+      plot_(new MethodPlot),
+      button_(new PrimaryButton(tr("&Compare the choices"))),
+      progress_(new QProgressBar),
+      state_(new WrappedLabel),
+      place_(new WrappedLabel) {
+  setObjectName(QStringLiteral("method"));
+  setWindowTitle(tr("Method"));
+  auto* both = new QSplitter(Qt::Horizontal);
+  both->setChildrenCollapsible(false);
+  both->setHandleWidth(theme::kGrid);
+  both->addWidget(makeLeft());
+  both->addWidget(makeRight());
+  both->setStretchFactor(0, 11);
+  both->setStretchFactor(1, 9);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(makeHead());
+  layout->addWidget(both, 1);
+
+  connect(button_, &QPushButton::clicked, this, [this] { lab_.isBusy() ? lab_.cancel() : lab_.compare(); });
+  auto* refresh = new Refresh(this, [this] { follow(); });
+  connect(&lab_, &MethodLab::changed, refresh, &Refresh::request);
+  auto* redraws = new Refresh(plot_, [this] { followCurves(); });
+  connect(&lab_, &MethodLab::curvesChanged, redraws, &Refresh::request);
+  connect(factor_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &MethodLabView::followFactor);
+  connect(variant_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& index) {
+            if (index.isValid()) lab_.choose(variants_->variantAt(index.row()));
+          });
+  follow();
+}
+
+QWidget* MethodLabView::makeHead() {
+  auto* head = new Card;
+  setMuted(*state_);
+  state_->setMinimumHeight(2 * QFontMetrics(state_->font()).lineSpacing());
+  progress_->setRange(0, 100);
+  progress_->setFixedWidth(20 * theme::kGrid);
+  progress_->setAccessibleName(tr("How much of the comparison is done"));
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(2 * theme::kGrid, theme::kGrid, 2 * theme::kGrid, theme::kGrid);
+  row->setSpacing(2 * theme::kGrid);
+  row->addWidget(button_);
+  row->addWidget(progress_);
+  row->addWidget(state_, 1);
+  return head;
+}
+
+QWidget* MethodLabView::makeLeft() {
+  factor_view_ = makeLabTable(*factors_, FactorTable::kSentence, tr("Choices of the method"), nullptr);
+  factor_view_->setWordWrap(true);
+  factor_view_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  variant_view_ = makeLabTable(*variants_, VariantTable::kWhere, tr("Values of the choice"), nullptr);
+  auto* column = new QSplitter(Qt::Vertical);
+  column->setChildrenCollapsible(false);
+  column->setHandleWidth(theme::kGrid);
+  column->addWidget(new LabCard(tr("Does the choice matter here?"), factor_view_));
+  column->addWidget(new LabCard(tr("Every value of this choice"), variant_view_));
+  column->setStretchFactor(0, 5);
+  column->setStretchFactor(1, 2);
+  return column;
+}
+
+QWidget* MethodLabView::makeRight() {
+  auto* page = new QWidget;
+  setMuted(*place_);
+  place_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  place_->setMinimumHeight(3 * QFontMetrics(place_->font()).lineSpacing());
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(theme::kGrid);
+  column->addWidget(plot_, 1);
+  column->addWidget(place_);
+  auto* card = new LabCard(tr("Where it moves the force most"), page);
+  card->addTool(new PlotMenu(
+      *plot_, [this] { return methodCurvesTable(lab_); }, card));
+  return card;
+}
+
+void MethodLabView::follow() {
+  const bool busy = lab_.isBusy();
+  button_->setText(busy ? tr("Cancel") : tr("&Compare the choices"));
+  button_->setEnabled(busy || lab_.isPossible());
+  progress_->setVisible(busy);
+  progress_->setValue(static_cast<int>(std::lround(100 * lab_.work().progress())));
+  const auto* const found = lab_.found();
+  if (busy) {
+    state_->setText(tr("Building the averaged model with one choice changed at a time…"));
+  } else if (!lab_.failure().isEmpty()) {
+    state_->setText(lab_.failure());
+  } else if (found == nullptr) {
+    state_->setText(
+        tr("Builds the averaged model again with one choice of the method changed at a time, and compares "
+           "the forces. With four participants this takes some seconds."));
+  } else if (lab_.isOld()) {
+    state_->setText(tr("The study or a setting has changed since: compare again."));
+  } else {
+    state_->setText(tr("Compared at %1 points spread evenly over the inputs. A choice matters if another value is felt "
+                       "at more than %2 % of them. Choose a row to see where.")
+                        .arg(found->points)
+                        .arg(numberText(100 * elicitation::kMattersShare, 0)));
+  }
+  if (std::exchange(shown_, lab_.foundNumber()) == lab_.foundNumber()) return;
+  factors_->setStudy(found);
+  variants_->clear();
+  if (found != nullptr && factors_->rowCount() > 0) factor_view_->selectRow(0);
+}
+
+void MethodLabView::followFactor() {
+  const QModelIndex index = factor_view_->currentIndex();
+  const auto* const found = lab_.found();
+  if (!index.isValid() || found == nullptr || shown_ != lab_.foundNumber()) return;
+  const auto& factor = found->factors[factors_->factorAt(index.row())];
+  variants_->setFactor(*found, factor.factor, lab_.model());
+  if (!factor.worst) return lab_.choose(std::nullopt);
+  variant_view_->selectRow(variants_->rowOf(*factor.worst));
+}
+
+void MethodLabView::followCurves() {
+  const MethodCurves* const curves = lab_.curves();
+  if (curves == nullptr) {
+    plot_->clear();
+    place_->clear();
+    return;
+  }
+  const auto& variant = lab_.found()->variants[curves->variant];
+  const QString other =
+      QStringLiteral("%1: %2").arg(text(elicitation::factorTitle(variant.factor)), text(variant.value));
+  const bool marked = !variant.at.empty();
+  plot_->setCurves(lab_.model(), *curves, other, marked);
+  const auto& output = lab_.model().output;
+  const QString place = placeOfCurves(lab_.model(), *curves);
+  place_->setText(marked
+                      ? tr("Thick: as it is, with one just-noticeable difference around it. Thin: %1. Drawn at %2; "
+                           "the largest difference is %3 at %4.")
+                            .arg(other, place, quantityText(variant.largest_n, output.unit, 3),
+                                 quantityText(curves->at[curves->x_input], lab_.model().inputs[curves->x_input].unit))
+                      : tr("%1 moves the force nowhere. Drawn at %2.").arg(other, place));
+}
+
+void MethodLabView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  lab_.setWanted(true);
+}
+
+void MethodLabView::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  lab_.setWanted(false);
+}
+
+}  // namespace tactus::workbench
