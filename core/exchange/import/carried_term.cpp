@@ -54,6 +54,10 @@ class TermCarrier {
         return ramp();
       case ForeignShape::kStep:
         return step();
+      case ForeignShape::kRising:
+        return inOrder({x(0), x(1), high(x(1)), high(x(1))}, {0, 1, 1, 1});
+      case ForeignShape::kFalling:
+        return falling();
       default:
         return inOrder({x(0), x(1), x(2), x(3)}, {0, 1, 2, 3});
     }
@@ -101,6 +105,12 @@ class TermCarrier {
     }
     if (x(0) == x(1)) return wrong(at(1), formatNumber(x(1)) + " twice", "a ramp from one place to another");
     return x(0) < x(1) ? trapezoid(x(0), x(1), high(x(1)), high(x(1))) : trapezoid(low(x(1)), low(x(1)), x(1), x(0));
+  }
+
+  /// From 1 to 0. Where both are one place, the term is 0 there.
+  Carrying falling() const {
+    const double end = x(0) == x(1) ? std::nextafter(x(0), -kInfinite) : x(0);
+    return inOrder({low(end), low(end), end, x(0) == x(1) ? end : x(1)}, {0, 0, 0, 1});
   }
 
   Carrying step() const {

@@ -165,6 +165,10 @@ class ModelConverter {
   /// The rules of one alternative: one for each choice among the terms of its literals.
   bool addConjunction(const ResolvedRule& rule, const std::vector<ResolvedLiteral>& literals,
                       const std::vector<std::string>& then) {
+    if (literals.empty()) {
+      return fail(source_.error(ErrorCode::kValue, rule.rule->at, "a rule that always fires",
+                                "a condition that depends on an input: the rules of Tactus have one"));
+    }
     std::map<std::size_t, ResolvedLiteral> by_input;
     for (const ResolvedLiteral& literal : literals) {
       // Such a condition never holds, so neither do those joined with it by AND.

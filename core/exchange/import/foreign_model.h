@@ -36,6 +36,8 @@ enum class ForeignShape {
   kGaussian,   ///< mean, sigma
   kRectangle,  ///< from, to
   kRamp,       ///< the place of 0, the place of 1
+  kRising,     ///< foot, shoulder; equal: a step
+  kFalling,    ///< shoulder, foot; equal: a step
   kStep,       ///< place, direction of 1: inf or -inf
   kPoints,     ///< x y x y …, straight between, flat outside
   kOther,

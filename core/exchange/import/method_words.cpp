@@ -46,6 +46,8 @@ constexpr Known<ForeignShape> kShapes[] = {
     {"rectmf", ForeignShape::kRectangle},
     {"ramp", ForeignShape::kRamp},
     {"rampmf", ForeignShape::kRamp},
+    {"linsmf", ForeignShape::kRising},
+    {"linzmf", ForeignShape::kFalling},
     {"binary", ForeignShape::kStep},
     {"binarymf", ForeignShape::kStep},
     {"discrete", ForeignShape::kPoints},
@@ -95,6 +97,8 @@ void takeHeight(ForeignTerm& term) {
   term.height = term.numbers.back();
   term.numbers.pop_back();
 }
+
+bool isAny(std::string_view word) { return base::lowered(word) == "any"; }
 
 bool isHedge(std::string_view word) {
   const std::string lower = base::lowered(word);

@@ -22,5 +22,7 @@ void takeHeight(ForeignTerm& term);
 
 /// Whether the word is a hedge of one of the formats: any, extremely, seldom, somewhat, very and others.
 bool isHedge(std::string_view word);
+/// The hedge that stands in the place of a term and always holds: `x is any`.
+bool isAny(std::string_view word);
 
 }  // namespace tactus::exchange

@@ -33,16 +33,22 @@ class NameResolver {
     ResolvedRule out{&rule, {}, {}, {}};
     for (const Conjunction& conjunction : rule.alternatives) {
       out.alternatives.emplace_back();
+      bool never = false;
       for (const Literal& literal : conjunction) {
         const bool is_input = inputs_.variables.find(literal.variable.text).has_value();
         if (!is_input && outputs_.variables.find(literal.variable.text)) {
           out.reads_output = literal.variable;
           continue;
         }
+        if (isAlways(literal)) {
+          never = never || literal.negated;
+          continue;
+        }
         const auto found = find(inputs_, literal, "an input");
         if (!found) return tl::unexpected(found.error());
         out.alternatives.back().push_back(*found);
       }
+      if (never) out.alternatives.pop_back();
     }
     for (const Literal& conclusion : rule.conclusions) {
       const auto found = find(outputs_, conclusion, "an output");
@@ -55,6 +61,12 @@ class NameResolver {
   }
 
  private:
+  /// `x is any`, of an input that has no term of this name.
+  bool isAlways(const Literal& literal) const {
+    const auto input = inputs_.variables.find(literal.variable.text);
+    return input && isAny(literal.term.text) && !inputs_.terms[*input].find(literal.term.text);
+  }
+
   /// `literal` among `names`.
   base::Result<ResolvedLiteral> find(const Names& names, const Literal& literal, const std::string& kind) const {
     const auto variable = names.variables.find(literal.variable.text);

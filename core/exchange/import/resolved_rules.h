@@ -23,6 +23,7 @@ struct ResolvedLiteral {
 
 struct ResolvedRule {
   const ForeignRule* rule = nullptr;
+  /// Without the literals that always hold, and without the alternatives that never do.
   std::vector<std::vector<ResolvedLiteral>> alternatives;
   std::vector<ResolvedLiteral> conclusions;
   std::optional<Word> reads_output;  ///< an output in the condition, which Tactus lacks; such literals are left out

@@ -24,6 +24,11 @@ TEST(ImportedShapes, BecomeTrapezoids) {
   EXPECT_EQ(points("Ramp 2 6"), (Points{2, 6, 10, 10}));
   EXPECT_EQ(points("Ramp 6 2"), (Points{0, 0, 2, 6}));
   EXPECT_EQ(points("Ramp 8 12"), (Points{8, 12, 12, 12}));
+  EXPECT_EQ(points("linsmf 2 6"), (Points{2, 6, 10, 10}));
+  EXPECT_EQ(points("linzmf 2 6"), (Points{0, 0, 2, 6}));
+  EXPECT_EQ(points("linsmf 4 4"), (Points{4, 4, 10, 10}));
+  // MATLAB: 1 below the step, 0 at it.
+  EXPECT_EQ(points("linzmf 4 4"), (Points{0, 0, std::nextafter(4.0, 0.0), std::nextafter(4.0, 0.0)}));
   EXPECT_EQ(points("Binary 4 inf"), (Points{4, 4, 10, 10}));
   EXPECT_EQ(points("Binary 4 -inf"), (Points{0, 0, 4, 4}));
   EXPECT_EQ(points("Discrete 1 0 2 1 5 1 6 0"), (Points{1, 2, 5, 6}));

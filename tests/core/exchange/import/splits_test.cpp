@@ -42,6 +42,24 @@ TEST(ImportedRules, AreSplitExactly) {
                  [](double x, double z) { return 1 - std::max(low(x), 1 - low(z)); });
 }
 
+TEST(ImportedRules, AnyAlwaysHolds) {
+  expectStrength("x is any and z is low", [](double, double z) { return low(z); });
+  expectStrength("x is low and z is any", [](double x, double) { return low(x); });
+  expectStrength("x is not any or z is low", [](double, double z) { return low(z); });
+  expectStrength("not (x is any and z is low)", [](double, double z) { return 1 - low(z); });
+  const std::string high = "  rule: if x is high then y is large\n";
+  EXPECT_EQ(
+      imported(fll("  rule: if x is any then y is small\n" + high), "a.fll").refusal,
+      "a.fll: line 28, column 9: found a rule that always fires, wanted a condition that depends on an input: the "
+      "rules of Tactus have one");
+  const auto never = imported(fll("  rule: if x is not any then y is small\n" + high), "a.fll");
+  EXPECT_FALSE(fires(never, {0, 0}));
+  // A term may have this name.
+  const auto term = imported(fll("  rule: if x is any then y is small\n", "  term: any Triangle 4 5 6\n"), "a.fll");
+  EXPECT_FALSE(fires(term, {0, 0}));
+  EXPECT_TRUE(fires(term, {5, 0}));
+}
+
 TEST(ImportedRules, NotOfATriangleIsTwoTerms) {
   const auto from = imported(fll("  rule: if x is not mid then y is small\n", "  term: mid Triangle 2 5 8\n"), "a.fll");
   ASSERT_TRUE(from.model) << from.refusal;
