@@ -61,8 +61,8 @@ class ReportDescriptor {
   static constexpr std::size_t kDeepest = 32;      ///< nested collections, and nested pushed states
 
   /// Parses a descriptor. Returns an error for: truncated items, unmatched collections, a pop without a push, reserved
-  /// items, reports longer than 8192 bytes, a logical range with min > max. The place in the error is the byte of the
-  /// item.
+  /// items, reports longer than 8192 bytes, a logical range with min > max of values that are not padding. The place in
+  /// the error is the byte of the item.
   static base::Result<ReportDescriptor> parse(std::span<const std::uint8_t> bytes);
 
   const std::vector<HidField>& fields() const { return fields_; }
