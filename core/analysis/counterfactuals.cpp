@@ -10,7 +10,6 @@ namespace tactus::analysis {
 namespace {
 
 using fuzzy::MembershipFunction;
-using Kind = Counterfactual::Kind;
 
 constexpr int kLooks = 8;              // between two places at which a slope can change
 constexpr int kHalvings = 60;          // to the last digit of a double
@@ -19,7 +18,7 @@ constexpr double kGaussianSigmas = 4;  // a Gaussian changes nothing beyond
 constexpr double kFullMembership = 1 - 1e-12;
 
 /// The words with the largest share at a point: one, or several that tie.
-using Largest = std::vector<std::string>;
+using LargestWords = std::vector<std::string>;
 
 class Explorer {
  public:
@@ -35,11 +34,11 @@ class Explorer {
     return found.fired ? std::optional(found.force_n) : std::nullopt;
   }
 
-  Largest largest(std::size_t input, double value) {
+  LargestWords largest(std::size_t input, double value) {
     const double kept = std::exchange(point_[input], value);
     const auto explanation = explain(model_, compiled_, point_);
     point_[input] = kept;
-    Largest out;
+    LargestWords out;
     if (!explanation) return out;
     const ForceBalance balance = forceBalance(model_, *explanation, expert_);
     double most = 0;
@@ -206,7 +205,7 @@ base::Result<std::vector<Counterfactual>> counterfactuals(const fuzzy::ForceMode
   std::vector<Counterfactual> out;
   const auto now_n = explorer.force(0, point[0]);
   if (!now_n) return out;
-  const Largest largest = explorer.largest(0, point[0]);
+  const LargestWords largest = explorer.largest(0, point[0]);
   const double felt_n = noticeable(std::abs(*now_n));
 
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
@@ -215,7 +214,7 @@ base::Result<std::vector<Counterfactual>> counterfactuals(const fuzzy::ForceMode
       if (MembershipFunction::of(term)(now) >= kFullMembership) continue;
       const double value = middleOfCore(term, model.inputs[i]);
       if (const auto there_n = explorer.force(i, value)) {
-        out.push_back({Kind::kTerm, i, value, value - now, *there_n, term.id, {}});
+        out.push_back({Counterfactual::Kind::kTerm, i, value, value - now, *there_n, term.id, {}});
       }
     }
     const std::vector<double> places = bends(model, explorer, i);
@@ -224,13 +223,14 @@ base::Result<std::vector<Counterfactual>> counterfactuals(const fuzzy::ForceMode
       if (!there_n) return std::nullopt;
       return std::abs(*there_n - *now_n) >= felt_n;
     });
-    if (felt) out.push_back({Kind::kNoticeable, i, *felt, *felt - now, *explorer.force(i, *felt), {}, {}});
+    if (felt)
+      out.push_back({Counterfactual::Kind::kNoticeable, i, *felt, *felt - now, *explorer.force(i, *felt), {}, {}});
     if (largest.size() > 1) {
-      if (i == 0) out.push_back({Kind::kLargestWord, i, now, 0, *now_n, largest[0], largest[1]});
+      if (i == 0) out.push_back({Counterfactual::Kind::kLargestWord, i, now, 0, *now_n, largest[0], largest[1]});
       continue;
     }
     const auto another = [&](double x) -> std::optional<std::string> {  // largest at x; empty: the same as now
-      const Largest there = explorer.largest(i, x);
+      const LargestWords there = explorer.largest(i, x);
       if (there.empty()) return std::nullopt;
       const auto word = std::find_if(there.begin(), there.end(), [&](const auto& w) { return w != largest[0]; });
       return word == there.end() ? std::string() : *word;
@@ -240,8 +240,8 @@ base::Result<std::vector<Counterfactual>> counterfactuals(const fuzzy::ForceMode
       return there ? std::optional(!there->empty()) : std::nullopt;
     });
     if (word) {
-      out.push_back(
-          {Kind::kLargestWord, i, *word, *word - now, *explorer.force(i, *word), largest[0], *another(*word)});
+      out.push_back({Counterfactual::Kind::kLargestWord, i, *word, *word - now, *explorer.force(i, *word), largest[0],
+                     *another(*word)});
     }
   }
   return out;

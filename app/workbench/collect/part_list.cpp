@@ -14,7 +14,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr auto kPartsValue = "blocks";
-constexpr int kNumberWidth = 3 * theme::kGrid;  // px
+constexpr int kRankWidth = 3 * theme::kGrid;  // px
 
 // Of the published experiment.
 const QStringList& publishedOrder() {
@@ -36,7 +36,7 @@ PartList::PartList(ProtocolController& protocol, QWidget* parent) : QWidget(pare
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(theme::kGrid);
   grid->setVerticalSpacing(theme::kGrid / 2);
-  grid->setColumnMinimumWidth(0, kNumberWidth);
+  grid->setColumnMinimumWidth(0, kRankWidth);
   grid->setColumnStretch(4, 1);
   for (int i = 0; i < kParts; ++i) {
     Row& row = rows_[static_cast<std::size_t>(i)];

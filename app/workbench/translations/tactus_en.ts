@@ -171,6 +171,13 @@
     </message>
 </context>
 <context>
+    <name>DicomText</name>
+    <message>
+        <source>took longer than a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>DisplayText</name>
     <message>
         <source>%1 to %2</source>
@@ -631,7 +638,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: without it the averaged force moves by at most %2 (%3 just-noticeable differences).</source>
+        <source>less than 0.001 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: without it the averaged force moves by at most %2 (%3 just-noticeable differences), at %4; %5 rms.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -758,6 +769,13 @@
     </message>
     <message>
         <source>Fee&amp;l</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MethodCurvesTable</name>
+    <message>
+        <source>the averaged force with another choice of the method</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1019,7 +1037,98 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The study of the rehearsal; without this option a new one, whose place is printed.</source>
+        <source>The study of the rehearsal or of the pictures; without this option a new one, or the demo study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>OriginText</name>
+    <message>
+        <source>not felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beyond practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, stroke %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>item %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rule given directly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATED: data of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, step %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model of the study has no such vertex: it was made by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The study gives %1 with the settings of the labs. The vertex was moved by hand, or the model was built with other settings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Averaged from %1 mm/s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Votes at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Votes for %1 at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No participant said so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The study says %1: the rule was changed by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer of the study gives a rule with these conditions: it was added by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The study gives %1 with the settings of the labs; the model on the screen was edited, or built with other settings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No rule of the study&apos;s own model fires here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1723,18 +1832,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The winner of each force; ramps join neighboring words (the paper).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The trapezoids closest to the shares of all answers (least squares).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The mean of the participants&apos; own limits between words.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>rising forces</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1748,6 +1845,18 @@
     </message>
     <message>
         <source>No participant chose a word.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The winner of each force, joined by ramps (the paper).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trapezoids closest to the shares of all answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of the participants&apos; own limits.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2511,6 +2620,10 @@
         <source>no rule fires</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Where does the force here come from?</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::CurvesPanel</name>
@@ -2781,14 +2894,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Terms of the insertion depth, measured on %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>one pixel is %1 mm · anatomical scale %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Load a sagittal image</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2817,7 +2922,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 mm</source>
+        <source>Insertion length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Converting %1…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2904,6 +3013,45 @@
     </message>
     <message>
         <source>Click along the way on the image, from the nostril on. Drag a point to move it, Del removes it; drag a red circle to the boundary of two regions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::DepthTermPage</name>
+    <message>
+        <source>Terms of the insertion depth, measured on %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one pixel is %1 mm · anatomical scale %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which depths the study&apos;s model has, here, in the report and in the bench.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>De&amp;pths of the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet: load an image, or set a boundary.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3233,6 +3381,45 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::FactorTable</name>
+    <message>
+        <source>Root mean square of the difference over the input space, for the value that moves the force most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same in just-noticeable differences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The share of the input space where a hand would feel the difference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does it matter here?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Felt at</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::FeelController</name>
     <message>
         <source>No model is open; open one to feel it.</source>
@@ -3433,6 +3620,89 @@
     </message>
     <message>
         <source>to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::FindingTable</name>
+    <message>
+        <source>No rule fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An expert falls silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Region without a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Item without an answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two answers to one item</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts far apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against the declared direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neighboring answers far apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against the expert&apos;s own direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts disagree on a direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redundant rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule that never fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Term out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Term without a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At stake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is found; a click leads to the cell</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3685,6 +3955,10 @@
     <name>tactus::workbench::ForceTermsPlot</name>
     <message>
         <source>Words of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click: where does this corner come from?</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4198,6 +4472,14 @@
         <source>Drawing participants again</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing the choices of the method</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::LabScreen</name>
@@ -4270,6 +4552,100 @@
     </message>
     <message>
         <source>The layout is kept as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::LengthPage</name>
+    <message>
+        <source>Insertion length by bedside formulas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nose – ear – xiphoid %1 · anatomical scale %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nose – ear – xiphoid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the tip of the nose over the lobe of the ear to the end of the breastbone, along the tube.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Nose – ear – xiphoid of a person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hanson: 0.38696 × length + 30.37 cm; corrected: 0.38696 × length + 36.37 cm (Hanson 1979, biblio.ugent.be/publication/8599660). The plain length is too short in 96.7 % of people, gauged by the tip (Chen 2014, PMC3919749). Target: Boeykens 2023, Crit Care 27:317. The tilt of the head can change the needed length by up to 5 cm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nose – ear – xiphoid length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip beyond the sphincter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stored with the study. It moves neither the terms nor the target; the anatomical scale at the left moves both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An example: type the length of a person. It moves neither the terms nor the target; the anatomical scale at the left moves both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tip should lie %1 to %2 from the nostril: 3 to 10 cm beyond the lower esophageal sphincter, which is the boundary of esophagus and stomach, here at %3 (scale %4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 too short</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::LengthPlot</name>
+    <message>
+        <source>Nose – ear – xiphoid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hanson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the tube by each formula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the nostril (cm)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4613,6 +4989,14 @@
         <source>Drag a vertex, an edge or a term. Arrow keys move it, Shift+arrow in larger steps; Esc cancels.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Where from?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does the selected vertex come from? Shows the trials of the study behind it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::MembershipEditorPlot</name>
@@ -4622,6 +5006,10 @@
     </message>
     <message>
         <source>%1 · stopped by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does this vertex come from?</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4636,6 +5024,88 @@
     <name>tactus::workbench::MessageBanner</name>
     <message>
         <source>Close this message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MethodLabView</name>
+    <message>
+        <source>&amp;Compare the choices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the comparison is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choices of the method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values of the choice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does the choice matter here?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every value of this choice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it moves the force most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building the averaged model with one choice changed at a time…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Builds the averaged model again with one choice of the method changed at a time, and compares the forces. With four participants this takes some seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The study or a setting has changed since: compare again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compared at %1 points spread evenly over the inputs. A choice matters if another value is felt at more than %2 % of them. Choose a row to see where.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thick: as it is, with one just-noticeable difference around it. Thin: %1. Drawn at %2; the largest difference is %3 at %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 moves the force nowhere. Drawn at %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MethodPlot</name>
+    <message>
+        <source>Averaged force as it is and with another choice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where they differ most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not noticeable: within one just-noticeable difference</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5125,6 +5595,79 @@
     </message>
     <message>
         <source>Saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::OriginParts</name>
+    <message>
+        <source>No study is open: the records behind a model are in its study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not built from records: no study is behind its numbers, and none of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was built from the study %2, which is not open. Open it to see the records behind the model; those of %3 are not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::OriginTable</name>
+    <message>
+        <source>no model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 JND)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the averaged force moves without this record, at most, and in just-noticeable differences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::OriginWindow</name>
+    <message>
+        <source>Show in the lab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records behind the number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building the model of the study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing the force with and without it…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6345,6 +6888,10 @@ felt on the model %2</source>
         <source>&amp;Go where it acts</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Where does this come from?</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::RuleListDelegate</name>
@@ -6625,6 +7172,26 @@ felt on the model %2</source>
     </message>
     <message>
         <source>This study has no usability forms yet. </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings about the rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This finding is about more than one cell; it is in no single place of the grids.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the rules…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is odd in the rules.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7099,6 +7666,10 @@ p</source>
         <source>95 % interval of a corner</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Click: where does this corner come from?</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::StartParts</name>
@@ -7227,11 +7798,18 @@ p</source>
     </message>
 </context>
 <context>
-    <name>tactus::workbench::StrokePage</name>
+    <name>tactus::workbench::StrokeInfluence</name>
     <message>
-        <source>Drag a mark to correct where a stroke begins or ends; right-click a stroke to leave it out. A correction is a new record: the old one stays in the study.</source>
+        <source>%1: building the model…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: comparing the force with and without it…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StrokePage</name>
     <message>
         <source>Strokes that are shown</source>
         <translation type="unfinished"></translation>
@@ -7266,6 +7844,14 @@ p</source>
     </message>
     <message>
         <source>%1 counted again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a stroke to see what it moves. Drag a mark to correct where a stroke begins or ends; right-click a stroke to leave it out. A correction is a new record: the old one stays in the study.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2, %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7847,6 +8433,33 @@ p</source>
     </message>
 </context>
 <context>
+    <name>tactus::workbench::VariantTable</name>
+    <message>
+        <source>Instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Felt at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ViewMenu</name>
     <message>
         <source>&amp;Reset layout</source>
@@ -7937,6 +8550,10 @@ p</source>
     </message>
     <message>
         <source>Votes for each force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does this come from?</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
