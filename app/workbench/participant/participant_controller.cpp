@@ -1,5 +1,6 @@
 #include "app/workbench/participant/participant_controller.h"
 
+#include <algorithm>
 #include <random>
 #include <utility>
 
@@ -37,6 +38,10 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
     onDevice();
     emit refused(sentence);
   });
+  if (!plan_.languages.empty()) {
+    state_.languages = plan_.languages;
+    state_.language = plan_.languages.front();
+  }
   look();
 }
 
@@ -61,7 +66,8 @@ bool ParticipantController::takesOverlay() const {
 }
 
 void ParticipantController::setLanguage(const QString& language) {
-  if (language == state_.language) return;
+  const auto& offered = state_.languages;
+  if (language == state_.language || std::find(offered.begin(), offered.end(), language) == offered.end()) return;
   state_.language = language;
   if (at() != nullptr) proxy_.note(session::languageChosen(language.toStdString()));
   look();

@@ -146,7 +146,9 @@ struct ParticipantState {
   ParticipantScreen screen = ParticipantScreen::kWelcome;
   ForceOffOverlay overlay = ForceOffOverlay::kNone;
 
-  QString language = QStringLiteral("en");  ///< `en`, `zh-Hant`, `zh-Hans`
+  /// Offered, in this order: those of the study's protocol, else all that the screens have.
+  std::vector<QString> languages = {QStringLiteral("en"), QStringLiteral("zh-Hant"), QStringLiteral("zh-Hans")};
+  QString language = QStringLiteral("en");  ///< one of them
   int text_percent = 100;                   ///< 100, 125, 150
   QString code;                             ///< of the participant; empty: not known yet
   bool left_handed = false;

@@ -330,6 +330,7 @@ void ParticipantController::startAgain() {
   capture_note_ = SpeedState::Note::kStart;
   const ParticipantState before = std::exchange(state_, {});
   state_.serial = before.serial;
+  state_.languages = before.languages;
   state_.language = before.language;
   state_.text_percent = before.text_percent;
   arrival_.forget();

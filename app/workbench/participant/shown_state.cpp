@@ -88,6 +88,10 @@ nurse::WelcomeState shownWelcome(const ParticipantState& state, bool entering_co
   shown.step = entering_code ? nurse::WelcomeStep::kEnterCode : nurse::WelcomeStep::kStart;
   if (state.welcome.step == Step::kNewCode) shown.step = nurse::WelcomeStep::kNewCode;
   if (state.welcome.step == Step::kWelcomeBack) shown.step = nurse::WelcomeStep::kWelcomeBack;
+  shown.languages.clear();
+  for (const QString& id : state.languages) {
+    if (const auto language = nurse::languageWithId(id)) shown.languages.push_back(*language);
+  }
   shown.code = state.code;
   shown.kept_answers = state.welcome.kept_answers;
   shown.code_unknown = state.welcome.code_unknown;

@@ -157,6 +157,35 @@ TEST_F(ParticipantViewsTest, TheLanguageChangesOnTheSpotAndKeepsTheChoice) {
   EXPECT_TRUE(answersInFile().empty());
 }
 
+// A language without a consent text of the study is none of the study.
+TEST_F(ParticipantViewsTest, TheStudysLanguagesAloneAreOffered) {
+  const auto sit = [this](std::vector<QString> languages) {
+    views.reset();
+    window->leave();
+    window.reset();
+    course.reset();
+    plan.languages = std::move(languages);
+    course = std::make_unique<ParticipantController>(*study, *device, plan, [this] { return now(); });
+    window = std::make_unique<ParticipantWindow>(look, [this] { course->forceOff(); });
+    views = std::make_unique<ParticipantViews>(*course, look, *window);
+    window->resize(1280, 720);
+    window->show();
+    settle();
+  };
+  sit({QStringLiteral("zh-Hant"), QStringLiteral("en")});
+  EXPECT_EQ(at().language, QStringLiteral("zh-Hant"));
+  EXPECT_EQ(look.language(), nurse::Language::kTraditionalChinese);
+  EXPECT_EQ(button(QStringLiteral("简体中文")), nullptr);
+  ASSERT_NE(button(QStringLiteral("English")), nullptr);
+  course->setLanguage(QStringLiteral("zh-Hans"));
+  EXPECT_EQ(at().language, QStringLiteral("zh-Hant"));
+  click("English");
+  EXPECT_EQ(at().language, QStringLiteral("en"));
+  sit({QStringLiteral("en")});
+  EXPECT_EQ(button(QStringLiteral("English")), nullptr) << "with one alone there is nothing to choose";
+  EXPECT_NE(button(QStringLiteral("I am new here")), nullptr);
+}
+
 TEST_F(ParticipantViewsTest, ForceOffCoversTheScreenAndStopKeepsTheAnswers) {
   comeToTheQuestions();
   click("Small");

@@ -55,7 +55,7 @@ AboutYouScreen::AboutYouScreen(const Look& look, QWidget* parent)
   setTitle(phrase(QStringLiteral("you.title")));
   setMain(texts_);
   setAnswers(choices_);
-  primaryButton().reserve(phrase(QStringLiteral("err.choose")));
+  primaryButton().reserve(phrase(QStringLiteral("err.answer")));
   connect(choices_, &Choices::picked, this, &AboutYouScreen::picked);
   connect(this, &ScreenFrame::primary, this, [this] { emit confirmed(state_.question); });
   setState({});
@@ -66,7 +66,7 @@ void AboutYouScreen::setState(const AboutYouState& state) {
   lead_->setPhrase(phrase(questionId(state.question)));
   choices_->setAnswers(answersTo(state.question));
   choices_->choose(state.chosen);
-  primaryButton().waitFor(state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose"))) : std::nullopt);
+  primaryButton().waitFor(state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.answer"))) : std::nullopt);
   setSimulated(state.simulated);
 }
 

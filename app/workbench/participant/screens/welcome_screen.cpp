@@ -5,9 +5,9 @@ namespace {
 
 constexpr int kTextPercents[] = {100, 125, 150};
 
-std::vector<Answer> languageAnswers() {
+std::vector<Answer> languageAnswers(const std::vector<Language>& offered) {
   std::vector<Answer> answers;
-  for (const Language language : kLanguages)
+  for (const Language language : offered)
     answers.push_back({idOf(language), phrase(QStringLiteral("language.name")), {}, false, language});
   return answers;
 }
@@ -47,7 +47,6 @@ WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
   texts_->center();
   setMain(texts_);
   for (Button* button : {have_code_, teach_, meant_}) addExtra(button);
-  languages_->setAnswers(languageAnswers());
   sizes_->setAnswers(sizeAnswers());
 
   connect(languages_, &Choices::picked, this, [this](const QString& id) { emit languagePicked(*languageWithId(id)); });
@@ -58,7 +57,6 @@ WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
   connect(this, &ScreenFrame::primary, this, &WelcomeScreen::press);
   connect(field_, &CodeField::entered, this, &WelcomeScreen::press);
   connect(&look, &Look::changed, this, &WelcomeScreen::showChoices);
-  showChoices();
   setState({});
 }
 
@@ -71,9 +69,12 @@ void WelcomeScreen::setState(const WelcomeState& state) {
   const bool entering = state.step == WelcomeStep::kEnterCode && state_.step != WelcomeStep::kEnterCode;
   state_ = state;
   const bool start = state.step == WelcomeStep::kStart;
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{line_, language_title_, languages_, size_title_, sizes_, have_code_, teach_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{line_, size_title_, sizes_, have_code_, teach_})
     widget->setVisible(start);
+  languages_->setAnswers(languageAnswers(state.languages));
+  for (QWidget* widget : std::initializer_list<QWidget*>{language_title_, languages_})
+    widget->setVisible(start && state.languages.size() > 1);
+  showChoices();
   lead_->setVisible(!start);
   if (state.step == WelcomeStep::kNewCode) lead_->setPhrase(phrase(QStringLiteral("code.yours"), {state.code}));
   if (state.step == WelcomeStep::kEnterCode) lead_->setPhrase(phrase(QStringLiteral("code.enter")));

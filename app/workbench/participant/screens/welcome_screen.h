@@ -17,6 +17,7 @@ enum class WelcomeStep {
 
 struct WelcomeState {
   WelcomeStep step = WelcomeStep::kStart;
+  std::vector<Language> languages = {kLanguages.begin(), kLanguages.end()};  ///< with one alone nothing is to be chosen
   QString code;
   int kept_answers = 0;
   bool code_unknown = false;
