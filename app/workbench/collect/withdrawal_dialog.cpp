@@ -108,31 +108,32 @@ void WithdrawalDialog::build() {
 }
 
 void WithdrawalDialog::showPreview(const store::WithdrawalPreview& preview) {
+  const auto number = [](long long count) { return static_cast<int>(count); };
   const std::pair<QString, long long> counts[] = {
-      {tr("sessions"), preview.sessions},
-      {tr("insertions"), preview.strokes},
-      {tr("judgements of forces"), preview.judgements},
-      {tr("answers to questions"), preview.answers},
-      {tr("statements about the person"), preview.profiles},
-      {tr("ratings"), preview.ratings},
-      {tr("rules given directly"), preview.rules},
-      {tr("recordings of feeling"), preview.feel_recordings},
+      {tr("session(s)", nullptr, number(preview.sessions)), preview.sessions},
+      {tr("insertion(s)", nullptr, number(preview.strokes)), preview.strokes},
+      {tr("judgement(s) of forces", nullptr, number(preview.judgements)), preview.judgements},
+      {tr("answer(s) to questions", nullptr, number(preview.answers)), preview.answers},
+      {tr("statement(s) about the person", nullptr, number(preview.profiles)), preview.profiles},
+      {tr("rating(s)", nullptr, number(preview.ratings)), preview.ratings},
+      {tr("rule(s) given directly", nullptr, number(preview.rules)), preview.rules},
+      {tr("recording(s) of feeling", nullptr, number(preview.feel_recordings)), preview.feel_recordings},
   };
   int place = 0;
   for (const auto& [what, count] : counts) {
     if (count == 0) continue;
-    auto* number = plain(this);
-    number->setText(QString::number(count));
-    number->setFont(theme::headingFont());
+    auto* amount = plain(this);
+    amount->setText(QString::number(count));
+    amount->setFont(theme::headingFont());
     auto* name = plain(this);
     name->setText(what);
-    number->setWordWrap(false);
+    amount->setWordWrap(false);
     name->setWordWrap(false);
-    number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    counts_->addWidget(number, place / kPairs, 2 * (place % kPairs));
+    amount->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    counts_->addWidget(amount, place / kPairs, 2 * (place % kPairs));
     counts_->addWidget(name, place / kPairs, 2 * (place % kPairs) + 1);
     // Shown at once, so that they count for the height.
-    number->show();
+    amount->show();
     name->show();
     ++place;
   }
