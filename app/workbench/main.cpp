@@ -67,8 +67,12 @@ int takePart(const QString& study, QSettings& settings) {
 int rehearse(const RehearseSettings& settings) {
   QApplication::setQuitOnLastWindowClosed(false);
   RehearseStart start(settings);
-  std::printf("%s\n", qPrintable(start.study()));
-  std::fflush(stdout);
+  const auto print = [](const QByteArray& line) {
+    std::printf("%s\n", line.constData());
+    std::fflush(stdout);
+  };
+  print(start.study().toLocal8Bit());
+  QObject::connect(&start, &RehearseStart::came, &start, print);
   QObject::connect(
       &start, &RehearseStart::succeeded, &start, [] { QApplication::exit(0); }, Qt::QueuedConnection);
   QObject::connect(

@@ -84,6 +84,7 @@ void RehearseStart::raise(const ParticipantPlan& plan, const session::NurseTrait
   rehearsal_ = std::make_unique<Rehearsal>(stage, nurse, plan.seed.value_or(kRehearsalSeed), speed_);
   connect(&take_part_->course(), &ParticipantController::refused, this, &RehearseStart::end);
   connect(rehearsal_.get(), &Rehearsal::stuck, this, &RehearseStart::end);
+  connect(rehearsal_.get(), &Rehearsal::came, this, &RehearseStart::came);
   connect(rehearsal_.get(), &Rehearsal::done, this, [this] {
     take_part_->window().leave();
     device_.stop();

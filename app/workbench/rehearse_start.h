@@ -36,6 +36,8 @@ class RehearseStart : public QObject {
   void succeeded();
   /// The screens are about to be shown.
   void raised(tactus::workbench::ParticipantController* course);
+  /// Rehearsal::came.
+  void came(const QByteArray& line);
   /// One sentence.
   void failed(const QString& sentence);
 

@@ -6,6 +6,7 @@
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/participant_window.h"
+#include "app/workbench/rehearsal/rehearsal_progress.h"
 
 namespace tactus::workbench {
 namespace {
@@ -38,6 +39,8 @@ void Rehearsal::wake() {
   clock_.start();
   while (owed_ms_ >= VirtualTime::kBeat) {
     owed_ms_ -= VirtualTime::kBeat;
+    nurse_.notice(stage_.course.state(), nowS());
+    tell();
     nurse_.live(stage_.course.state(), stage_.device.latest(), nowS());
     stage_.time.advance(stage_.device, VirtualTime::kBeat);
     if (!nurse_.isDone() && !nurse_.isSentAway() && !standsStill()) continue;
@@ -51,6 +54,14 @@ void Rehearsal::wake() {
     }
     return;
   }
+}
+
+void Rehearsal::tell() {
+  const ParticipantState& state = stage_.course.state();
+  const std::pair now(state.serial, state.failed);
+  if (told_ == now) return;
+  told_ = now;
+  emit came(progressLine(state, stage_.course.session().snapshot().get(), nurse_.memory()));
 }
 
 bool Rehearsal::standsStill() {

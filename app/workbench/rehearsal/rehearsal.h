@@ -1,10 +1,13 @@
 // A simulated nurse goes through a whole session on the screens, in time that passes faster than that of the clock.
 #pragma once
 
+#include <QByteArray>
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <optional>
+#include <utility>
 
 #include "app/workbench/device/virtual_time.h"
 #include "app/workbench/rehearsal/screen_hands.h"
@@ -35,6 +38,8 @@ class Rehearsal : public QObject {
   const NurseMemory& memory() const { return nurse_.memory(); }
 
  signals:
+  /// Something else is asked, or the disk began or ceased to refuse: `progressLine`.
+  void came(const QByteArray& line);
   /// She is done with the last screen.
   void done();
   /// One sentence: why she cannot continue.
@@ -42,6 +47,7 @@ class Rehearsal : public QObject {
 
  private:
   void wake();
+  void tell();
   bool standsStill();
   double nowS() const { return static_cast<double>(stage_.time.nowNs()) * 1e-9; }
 
@@ -50,8 +56,9 @@ class Rehearsal : public QObject {
   ScreenNurse nurse_;
   double speed_;
   QTimer timer_;
-  QElapsedTimer clock_;  ///< since the last wake
-  double owed_ms_ = 0;   ///< of virtual time
+  QElapsedTimer clock_;                                 ///< since the last wake
+  double owed_ms_ = 0;                                  ///< of virtual time
+  std::optional<std::pair<std::uint64_t, bool>> told_;  ///< serial and failure of the last line
   // The last time at which something else was asked.
   std::uint64_t serial_ = 0;
   double serial_since_s_ = 0;

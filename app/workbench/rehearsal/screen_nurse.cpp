@@ -46,15 +46,15 @@ ScreenNurse::ScreenNurse(ScreenHands& hands, session::NurseTraits traits, std::u
       random_(seed) {}
 
 void ScreenNurse::live(const ParticipantState& state, const haptics::Sample& felt, double now_s) {
-  now_s_ = now_s;
-  notice(state);
+  notice(state, now_s);
   if (moveHand(felt) || now_s_ < busy_until_s_) return;
   const ParticipantState seen = state;  // a press may change it
   act(seen);
 }
 
 // What the screens show of what she did: an answer counts for her once they went on.
-void ScreenNurse::notice(const ParticipantState& state) {
+void ScreenNurse::notice(const ParticipantState& state, double now_s) {
+  now_s_ = now_s;
   if (!state.code.isEmpty()) memory_.code = state.code;
   // A level has all of its dots before the next one is shown.
   if (state.screen == Screen::kSpeed) memory_.strokes[state.speed.level] = state.speed.wanted;

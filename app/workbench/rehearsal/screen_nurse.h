@@ -38,6 +38,8 @@ class ScreenNurse {
   /// `hands` outlives this. The same `seed` gives the same session.
   ScreenNurse(ScreenHands& hands, session::NurseTraits traits, std::uint64_t seed);
 
+  /// What is new on the screens; before `live` of the same moment.
+  void notice(const ParticipantState& state, double now_s);
   /// One moment. `now_s`: her time, which never goes back; call it at least 50 times a second of it.
   void live(const ParticipantState& state, const haptics::Sample& felt, double now_s);
 
@@ -48,7 +50,6 @@ class ScreenNurse {
   const NurseMemory& memory() const { return memory_; }
 
  private:
-  void notice(const ParticipantState& state);
   void act(const ParticipantState& state);
   bool moveHand(const haptics::Sample& felt);
   void take(session::Recording path);

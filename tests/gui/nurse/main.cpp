@@ -1,5 +1,5 @@
-// Runs the tests of the nurse's screens without a display, in one screen of the size of a small laptop. Any warning
-// that Qt logs ends the run.
+// Runs the tests of the nurse's screens without a display, in one screen of the size of a small laptop; with the
+// display of the platform TACTUS_TEST_PLATFORM where that is set. Any warning that Qt logs ends the run.
 #include <QApplication>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   const QTemporaryDir runtime_folder;
   qputenv("XDG_RUNTIME_DIR", runtime_folder.path().toUtf8());
-  qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QByteArray platform = qgetenv("TACTUS_TEST_PLATFORM");
+  qputenv("QT_QPA_PLATFORM", platform.isEmpty() ? "offscreen" : platform);
   tactus::workbench::tests::stopOnWarnings();
   QApplication application(argc, argv);
   QApplication::setCursorFlashTime(0);
