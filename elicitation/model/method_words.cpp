@@ -63,8 +63,10 @@ std::string factorSentence(const MethodStudy& study, const MethodFactor& factor)
     return "Matters here: " + instead + " is felt at " + percentText(worst.noticeable_share) + " of the input space (" +
            effectOf(worst) + ")." + gaps;
   }
-  return "Does not matter here: even " + instead + " is felt at only " + percentText(worst.noticeable_share) +
-         " of the input space (" + effectOf(worst) + ")." + gaps;
+  const std::string where = worst.noticeable_share > 0
+                                ? "at only " + percentText(worst.noticeable_share) + " of the input space"
+                                : std::string("at none of the points");
+  return "Does not matter here: even " + instead + " is felt " + where + " (" + effectOf(worst) + ")." + gaps;
 }
 
 std::vector<std::size_t> factorsByEffect(const MethodStudy& study) {

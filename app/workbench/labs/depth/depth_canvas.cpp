@@ -274,6 +274,10 @@ void DepthCanvas::paintBoundaries(QPainter& painter) const {
     QRectF box(place + QPointF(14, -metrics.height() / 2.0 - 2),
                QSizeF(metrics.horizontalAdvance(name) + 10, metrics.height() + 4));
     if (box.right() > width()) box.moveRight(place.x() - 14);
+    if (box.left() < 0) {  // no room on either side: above the circle
+      box.moveLeft(std::clamp(place.x() - box.width() / 2, 0.0, std::max(0.0, width() - box.width())));
+      box.moveBottom(place.y() - 10);
+    }
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme::card());
     painter.drawRoundedRect(box, 3, 3);

@@ -110,10 +110,10 @@ QWidget* LengthPage::makeTable() {
   auto* table = new QWidget(this);
   auto* grid = new QGridLayout(table);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(2 * theme::kGrid);
+  grid->setHorizontalSpacing(theme::kGrid);
   grid->setVerticalSpacing(theme::kGrid / 2);
   grid->setColumnStretch(0, 1);
-  const QString heads[] = {tr("Formula"), tr("Length"), tr("Tip beyond the sphincter"), tr("In the target")};
+  const QString heads[] = {tr("Formula"), tr("Length"), tr("Beyond sphincter"), tr("In target")};
   for (int column = 0; column < 4; ++column) {
     auto* head = new QLabel(heads[column], table);
     setMuted(*head);
@@ -125,7 +125,9 @@ QWidget* LengthPage::makeTable() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const int line = static_cast<int>(i) + 1;
     rows_[i] = {new QLabel(table), new QLabel(table), new QLabel(table)};
-    grid->addWidget(new QLabel(formulaName(formulas[i]), table), line, 0);
+    auto* formula = new QLabel(formulaName(formulas[i]), table);
+    grid->addWidget(formula, line, 0);
+    for (QLabel* cell : {formula, rows_[i].length, rows_[i].beyond, rows_[i].target}) cell->setFont(theme::smallFont());
     grid->addWidget(rows_[i].length, line, 1, Qt::AlignRight);
     grid->addWidget(rows_[i].beyond, line, 2, Qt::AlignRight);
     grid->addWidget(rows_[i].target, line, 3, Qt::AlignRight);

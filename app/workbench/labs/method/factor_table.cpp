@@ -29,7 +29,7 @@ int FactorTable::rowCount(const QModelIndex& parent) const {
 QVariant FactorTable::data(const QModelIndex& index, int role) const {
   const auto& factor = study_.factors[factorAt(index.row())];
   if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((index.column() >= kRms ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    return static_cast<int>((index.column() == kNoticeable ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   }
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
   const auto* const worst = factor.worst ? &study_.variants[*factor.worst] : nullptr;
@@ -40,12 +40,8 @@ QVariant FactorTable::data(const QModelIndex& index, int role) const {
       return text(factor.unchanged);
     case kSentence:
       return text(elicitation::factorSentence(study_, factor));
-    case kRms:
-      return worst == nullptr ? kNotCompared : quantityText(worst->rms_n, "N", 3);
     case kNoticeable:
       return worst == nullptr ? kNotCompared : numberText(worst->rms_noticeable, 2);
-    case kFelt:
-      return worst == nullptr ? kNotCompared : feltText(worst->noticeable_share);
     default:
       return {};
   }
@@ -54,19 +50,12 @@ QVariant FactorTable::data(const QModelIndex& index, int role) const {
 QVariant FactorTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((section >= kRms ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    return static_cast<int>((section == kNoticeable ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   }
-  if (role == Qt::ToolTipRole) {
-    switch (section) {
-      case kRms:
-        return tr("Root mean square of the difference over the input space, for the value that moves the force most.");
-      case kNoticeable:
-        return tr("The same in just-noticeable differences.");
-      case kFelt:
-        return tr("The share of the input space where a hand would feel the difference.");
-      default:
-        return {};
-    }
+  if (role == Qt::ToolTipRole && section == kNoticeable) {
+    return tr(
+        "Root mean square of the difference over the input space, in just-noticeable differences, for the value that "
+        "moves the force most.");
   }
   if (role != Qt::DisplayRole) return {};
   switch (section) {
@@ -76,12 +65,8 @@ QVariant FactorTable::headerData(int section, Qt::Orientation orientation, int r
       return tr("Now");
     case kSentence:
       return tr("Does it matter here?");
-    case kRms:
-      return tr("rms");
     case kNoticeable:
       return tr("JND");
-    case kFelt:
-      return tr("Felt at");
     default:
       return {};
   }

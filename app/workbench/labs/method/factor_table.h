@@ -12,7 +12,7 @@ class FactorTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kFactor, kNow, kSentence, kRms, kNoticeable, kFelt, kColumns };
+  enum Column { kFactor, kNow, kSentence, kNoticeable, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
   /// Null: no study.

@@ -27,6 +27,16 @@
 #include "elicitation/model/method_words.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr int kFactorWidth = 17 * theme::kGrid;  // px; longer names wrap
+constexpr int kNowWidth = 9 * theme::kGrid;
+constexpr int kLeftShare = 600;
+constexpr int kRightShare = 480;
+constexpr int kUpperShare = 500;
+constexpr int kLowerShare = 170;
+
+}  // namespace
 
 MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
     : QWidget(parent),
@@ -45,8 +55,9 @@ MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
   both->setHandleWidth(theme::kGrid);
   both->addWidget(makeLeft());
   both->addWidget(makeRight());
-  both->setStretchFactor(0, 11);
-  both->setStretchFactor(1, 9);
+  both->setStretchFactor(0, 1);
+  both->setStretchFactor(1, 1);
+  both->setSizes({kLeftShare, kRightShare});
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(theme::kGrid);
@@ -69,6 +80,7 @@ MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
 QWidget* MethodLabView::makeHead() {
   auto* head = new Card;
   setMuted(*state_);
+  state_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   state_->setMinimumHeight(2 * QFontMetrics(state_->font()).lineSpacing());
   progress_->setRange(0, 100);
   progress_->setFixedWidth(20 * theme::kGrid);
@@ -85,6 +97,10 @@ QWidget* MethodLabView::makeHead() {
 QWidget* MethodLabView::makeLeft() {
   factor_view_ = makeLabTable(*factors_, FactorTable::kSentence, tr("Choices of the method"), nullptr);
   factor_view_->setWordWrap(true);
+  for (const auto& [column, width] : {std::pair(FactorTable::kFactor, kFactorWidth), {FactorTable::kNow, kNowWidth}}) {
+    factor_view_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Interactive);
+    factor_view_->setColumnWidth(column, width);
+  }
   factor_view_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   variant_view_ = makeLabTable(*variants_, VariantTable::kWhere, tr("Values of the choice"), nullptr);
   auto* column = new QSplitter(Qt::Vertical);
@@ -94,6 +110,7 @@ QWidget* MethodLabView::makeLeft() {
   column->addWidget(new LabCard(tr("Every value of this choice"), variant_view_));
   column->setStretchFactor(0, 5);
   column->setStretchFactor(1, 2);
+  column->setSizes({kUpperShare, kLowerShare});
   return column;
 }
 

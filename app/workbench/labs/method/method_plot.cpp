@@ -22,13 +22,22 @@ MethodPlot::MethodPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this))
   plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid, 2 * theme::kGrid, 0));
   setMinimumSize(320, 220);
   setAccessibleName(tr("Averaged force as it is and with another choice"));
+  showAxes(false);
 }
 
 void MethodPlot::clear() {
   plot_->clearGraphs();
   plot_->clearItems();
   legend_.clear();
+  showAxes(false);
   redraw(*plot_);
+}
+
+void MethodPlot::showAxes(bool shown) {
+  for (QCPAxis* const axis : {plot_->xAxis, plot_->yAxis}) {
+    axis->setVisible(shown);
+    axis->grid()->setVisible(shown && axis == plot_->yAxis);
+  }
 }
 
 void MethodPlot::addLine(const std::vector<double>& x, const std::vector<fuzzy::Evaluation>& forces,
@@ -50,9 +59,9 @@ void MethodPlot::setCurves(const fuzzy::ForceModel& model, const MethodCurves& c
   const fuzzy::Variable& depth = model.inputs[curves.x_input];
   styleAxis(*plot_->xAxis, depth);
   plot_->xAxis->setLabel(axisText(depth));
-  plot_->xAxis->grid()->setVisible(false);
   styleAxis(*plot_->yAxis, model.output);
   plot_->yAxis->setLabel(axisText(model.output));
+  showAxes(true);
   QVector<double> below;
   QVector<double> above;
   for (const fuzzy::Evaluation& one : curves.now.mean) {

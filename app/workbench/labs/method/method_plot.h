@@ -26,6 +26,8 @@ class MethodPlot : public QWidget, public PlotSource {
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  private:
+  /// Without curves there are no axes.
+  void showAxes(bool shown);
   void addLine(const std::vector<double>& x, const std::vector<fuzzy::Evaluation>& forces, const QString& name,
                const QPen& pen);
 
