@@ -22,7 +22,8 @@ QString headingOf(const QUrl& url) {
 QList<GuidePage> guidePages() {
   carryGuide();
   QList<GuidePage> pages;
-  for (const char* name : {"bench", "researcher-session", "labs-speed", "researcher-agree", "nurse", "simulator"}) {
+  for (const char* name :
+       {"bench", "researcher-path", "researcher-session", "labs-speed", "researcher-agree", "nurse", "simulator"}) {
     const QUrl url(QStringLiteral("qrc:/tactus/docs/guide/%1.md").arg(QLatin1String(name)));
     pages << GuidePage{url, headingOf(url)};
   }
