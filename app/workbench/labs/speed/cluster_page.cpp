@@ -18,7 +18,12 @@
 namespace tactus::workbench {
 
 ClusterPage::ClusterPage(SpeedLab& lab, QWidget* parent)
-    : QWidget(parent), lab_(lab), terms_(nullptr), key_(new QLabel(this)), said_(new QLabel(this)) {
+    : QWidget(parent),
+      lab_(lab),
+      terms_(nullptr),
+      key_(new QLabel(this)),
+      said_(new QLabel(this)),
+      waiting_(new QLabel(this)) {
   auto* clusters = new Card(this);
   setMuted(*key_);
   key_->setText(
@@ -39,6 +44,10 @@ ClusterPage::ClusterPage(SpeedLab& lab, QWidget* parent)
     grid->addWidget(plots_.back(), static_cast<int>(i / 2), static_cast<int>(i % 2));
     plots_.back()->hide();
   }
+  setMuted(*waiting_);
+  waiting_->setText(tr("The strokes of the study are being read and clustered…"));
+  waiting_->setAlignment(Qt::AlignCenter);
+  grid->addWidget(waiting_, 0, 0, 2, 2);
   auto* inside = new QVBoxLayout(clusters);
   inside->setContentsMargins(theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
   inside->setSpacing(theme::kGrid / 2);
@@ -79,6 +88,7 @@ void ClusterPage::follow() {
   const auto& result = lab_.result();
   const auto [first, last] = lab_.shown();
   for (std::size_t i = 0; i < plots_.size(); ++i) plots_[i]->setVisible(first + i < last);
+  waiting_->setVisible(!result);
   if (!result) return;
   const std::vector<std::size_t> numbers = subjectNumbers(*result);
   for (std::size_t i = first; i < last; ++i) {

@@ -39,6 +39,7 @@ class ClusterPage : public QWidget, public PlotSource {
   SpeedTermPlot* terms_;
   QLabel* key_;
   QLabel* said_;
+  QLabel* waiting_;
 };
 
 }  // namespace tactus::workbench

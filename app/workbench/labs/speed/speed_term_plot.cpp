@@ -40,10 +40,12 @@ SpeedTermPlot::SpeedTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(
   corners_ = new VertexPick(*plot_, tr("Click: where does this corner come from?"));
   connect(corners_, &VertexPick::picked, this, &SpeedTermPlot::vertexAsked);
   plot_->axisRect()->setAutoMargins(QCP::msBottom | QCP::msLeft);
+  plot_->axisRect()->setVisible(false);  // until there is something to show
   plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
 }
 
 void SpeedTermPlot::show(const SpeedResult& result) {
+  plot_->axisRect()->setVisible(true);
   plot_->clearPlottables();
   legend_.clear();
   styleAxis(*plot_->xAxis, result.speed);
