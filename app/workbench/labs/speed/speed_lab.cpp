@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
 
 namespace tactus::workbench {
 namespace {
@@ -10,6 +13,16 @@ namespace {
 constexpr double kClustered = 0.3;
 constexpr double kChecked = 0.5;
 constexpr auto kTell = std::chrono::milliseconds(100);  // between two reports of progress
+constexpr auto kCalm = std::chrono::milliseconds(150);  // more than between two steps of a slider that moves
+
+/// Waits for a moment. Returns whether nothing newer has come meanwhile.
+bool staysCalm(const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any woken;
+  std::unique_lock lock(mutex);
+  woken.wait_for(lock, stop, kCalm, [] { return false; });
+  return !stop.stop_requested();
+}
 
 }  // namespace
 
@@ -98,7 +111,8 @@ void SpeedLab::take(std::shared_ptr<const SpeedResult> result) {
   emit resultChanged();
 }
 
-// Runs in the thread of the work. First what the plots show, then what takes longer.
+// Runs in the thread of the work. First what the plots show. What takes longer, and would make the next step of a
+// slider wait, begins when the settings stand still.
 LabWork::Deliver SpeedLab::compute(const LabWork::Run& run) {
   double from = 0;
   double to = kClustered;
@@ -118,6 +132,7 @@ LabWork::Deliver SpeedLab::compute(const LabWork::Run& run) {
   const auto clustered = calculation_.cluster(run.study, run.settings, wanted_clusters_, go_on);
   if (!clustered) return {};
   hand(clustered);
+  if (!staysCalm(run.stop)) return {};
   from = kClustered;
   to = kChecked;
   auto checked = calculation_.check(go_on);
