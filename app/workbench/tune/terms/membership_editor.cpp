@@ -32,25 +32,12 @@
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/term_sliders.h"
 #include "app/workbench/tune/terms/term_table.h"
+#include "app/workbench/tune/terms/terms_before.h"
 
 namespace tactus::workbench {
 namespace {
 
 constexpr int kRefusalMs = 8000;  // long enough to read two sentences
-
-// The terms of `variable` in `model`, those of the expert where the list is its own; none where there is no such list.
-std::vector<fuzzy::Term> termsBefore(const fuzzy::ForceModel& model, const editing::TermListId& list,
-                                     const fuzzy::Variable& variable) {
-  const fuzzy::Variable* found = &model.output;
-  for (const fuzzy::Variable& input : model.inputs) {
-    if (input.id == variable.id) found = &input;
-  }
-  if (found->id != variable.id) return {};
-  for (const fuzzy::Expert& expert : model.experts) {
-    if (!list.expert.empty() && expert.id == list.expert) return fuzzy::termsFor(expert, *found);
-  }
-  return found->terms;
-}
 
 }  // namespace
 
