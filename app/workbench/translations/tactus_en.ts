@@ -2331,6 +2331,10 @@
         <source>Speed terms of each participant and their average (paper, Fig. 8)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The strokes of the study are being read and clustered…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::ClusterPlot</name>
@@ -3383,18 +3387,6 @@
 <context>
     <name>tactus::workbench::FactorTable</name>
     <message>
-        <source>Root mean square of the difference over the input space, for the value that moves the force most.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The same in just-noticeable differences.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The share of the input space where a hand would feel the difference.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choice</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3407,15 +3399,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>rms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>JND</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Felt at</source>
+        <source>Root mean square of the difference over the input space, in just-noticeable differences, for the value that moves the force most.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4594,14 +4582,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tip beyond the sphincter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In the target</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stored with the study. It moves neither the terms nor the target; the anatomical scale at the left moves both.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4623,6 +4603,14 @@
     </message>
     <message>
         <source>%1 too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beyond sphincter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In target</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8627,38 +8615,6 @@ p</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>sessions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>insertions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>judgements of forces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>answers to questions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>statements about the person</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ratings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>rules given directly</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>recordings of feeling</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Nothing but the code is stored of this participant. It is deleted for good.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8683,6 +8639,62 @@ p</source>
     <message>
         <source>Deleting…</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>session(s)</source>
+        <translation>
+            <numerusform>session</numerusform>
+            <numerusform>sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>insertion(s)</source>
+        <translation>
+            <numerusform>insertion</numerusform>
+            <numerusform>insertions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>judgement(s) of forces</source>
+        <translation>
+            <numerusform>judgement of forces</numerusform>
+            <numerusform>judgements of forces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>answer(s) to questions</source>
+        <translation>
+            <numerusform>answer to questions</numerusform>
+            <numerusform>answers to questions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>statement(s) about the person</source>
+        <translation>
+            <numerusform>statement about the person</numerusform>
+            <numerusform>statements about the person</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>rating(s)</source>
+        <translation>
+            <numerusform>rating</numerusform>
+            <numerusform>ratings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>rule(s) given directly</source>
+        <translation>
+            <numerusform>rule given directly</numerusform>
+            <numerusform>rules given directly</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>recording(s) of feeling</source>
+        <translation>
+            <numerusform>recording of feeling</numerusform>
+            <numerusform>recordings of feeling</numerusform>
+        </translation>
     </message>
 </context>
 <context>
