@@ -91,7 +91,7 @@ TEST_F(RuleEditorTest, AMenuAnswersTheCellBelowTheMouse) {
   QTest::keyClick(grids, Qt::Key_Return);
   auto* menu = grids->findChild<QMenu*>();
   ASSERT_NE(menu, nullptr);
-  ASSERT_EQ(menu->actions().size(), 8);  // five words, a line, no answer, go where it acts
+  ASSERT_EQ(menu->actions().size(), 9);  // five words, a line, no answer, go where it acts, where it comes from
   menu->actions()[3]->trigger();
   EXPECT_EQ(answer({2, 0, 4}), "large");
   EXPECT_EQ(rules.selected(), (RuleCell{2, 0, 4}));
