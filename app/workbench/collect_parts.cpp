@@ -34,9 +34,13 @@ void CollectParts::connectAll() {
   connect(&view_->home(), &StudyHome::startAsked, &run_, &SessionRun::start);
   connect(&view_->home(), &StudyHome::usabilityAsked, &run_, &SessionRun::startUsability);
   connect(&run_, &SessionRun::changed, this, [this] { collect_.setSessionRunning(run_.isRunning()); });
-  connect(&run_, &SessionRun::failed, this, [this](const QString& sentence) { window_.banner().showError(sentence); });
-  connect(&protocol_, &ProtocolController::refused, this,
-          [this](const QString& sentence) { window_.banner().showError(sentence); });
+  connect(&run_, &SessionRun::failed, this, [this](const QString& sentence) {
+    window_.banner().showRemedy(tr("The session did not begin. %1").arg(sentence),
+                                {tr("Try again"), [this] { run_.startAgain(); }});
+  });
+  connect(&protocol_, &ProtocolController::refused, this, [this](const QString& sentence) {
+    window_.banner().showError(tr("The protocol stays as it was. %1").arg(sentence));
+  });
   connect(&protocol_, &ProtocolController::stored, this, [this](int version) {
     window_.say(tr("Version %1 of the protocol is stored in %2.").arg(version).arg(study_.fileName()));
   });

@@ -10,6 +10,7 @@
 #include "app/version.h"
 #include "app/workbench/base/appearance.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/desktop/system_look.h"
 #include "app/workbench/program_options.h"
 #include "app/workbench/rehearse_start.h"
 #include "app/workbench/take_part_start.h"
@@ -117,6 +118,10 @@ int main(int argc, char** argv) {
 
   QSettings settings;
   appearance::apply(application, settings);
+  SystemLook system_look;
+  QObject::connect(&system_look, &SystemLook::changed, &application,
+                   [&](theme::Look look) { appearance::followSystem(application, settings, look); });
+  system_look.follow();
   if (read->rehearse) return rehearse(*read->rehearse);
   if (!read->take_part.isEmpty()) return takePart(read->take_part, settings);
   Workbench workbench(settings);

@@ -66,8 +66,10 @@ ReportParts::ReportParts(MainWindow& window, StudyConnection& study, const LabDa
   });
   connect(this, &ReportParts::written, &window_,
           [this](const QString& path) { window_.say(tr("The report is written: %1").arg(shownFileName(path))); });
-  connect(this, &ReportParts::failed, &window_,
-          [this](const QString& sentence) { window_.banner().showError(sentence); });
+  connect(this, &ReportParts::failed, &window_, [this](const QString& sentence) {
+    window_.banner().showRemedy(tr("The report was not written. %1").arg(sentence),
+                                {tr("Choose another file…"), [this] { choose(); }});
+  });
   showState();
 }
 

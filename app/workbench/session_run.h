@@ -44,6 +44,8 @@ class SessionRun : public QObject {
   void start(const QString& code);
   /// The usability form for a clinical teacher with a new code. Ends as `start`.
   void startUsability();
+  /// The last one that failed to begin, once more.
+  void startAgain() { prepare(code_, usability_); }
 
  signals:
   void changed();

@@ -137,6 +137,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/understand/curves", room(shared, true)},
       {"app/workbench/understand/map", room(shared, true)},
       {"app/workbench/understand/here", room(shared, true)},
+      {"app/workbench/desktop", room({"base"})},
       {"app/workbench/device", room({"base"})},
       {"app/workbench/feel", room({"base", "anatomy", "kit", "model", "plot", "device"}, true)},
       {"app/workbench/feel/recordings",
@@ -164,6 +165,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/participant/screens", room({"base", "anatomy", "participant/kit"})},
       // The root composes them.
       {"app/workbench", room({"base",
+                              "desktop",
                               "kit",
                               "model",
                               "plot",

@@ -59,10 +59,9 @@ bool TimedApplication::notify(QObject* receiver, QEvent* event) {
   const std::string panel = panelOf(receiver);
   const qint64 painted_before = painted_ns_;
   ++depth_;
-  QElapsedTimer clock;
-  clock.start();
+  const qint64 began_ns = threadCpuNs();
   const bool handled = QApplication::notify(receiver, event);
-  const qint64 whole_ns = clock.nsecsElapsed();
+  const qint64 whole_ns = threadCpuNs() - began_ns;
   --depth_;
   spent_ns_[panel] += whole_ns - (painted_ns_ - painted_before);
   if (paint) {
@@ -78,6 +77,7 @@ bool TimedApplication::notify(QObject* receiver, QEvent* event) {
 void TimedApplication::begin() {
   begun_ = true;
   shown_ns_ = 0;
+  spent_ns_.clear();
   begin_cpu_ns_ = threadCpuNs();
   since_begin_.start();
 }
@@ -114,12 +114,14 @@ DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& mod
     out.call_ms.push_back(call_ms);
     out.shown_ms.push_back(application.shownMs());
     out.cpu_ms.push_back(application.shownCpuMs());
+    for (const auto& [panel, ns] : application.spentNs()) {
+      std::vector<double>& all = out.panel_ms[panel];
+      all.resize(out.call_ms.size());
+      all.back() = static_cast<double>(ns) / 1e6;
+    }
 #ifdef TACTUS_FRAME_CLOCK
     out.strip_ms.push_back(strip->finest()->last_ms);
 #endif
-  }
-  for (const auto& [panel, ns] : application.spentNs()) {
-    out.panel_ms[panel] = static_cast<double>(ns) / 1e6 / (edits + kWarmUp);
   }
 #ifdef TACTUS_FRAME_CLOCK
   QObject::connect(strip, &workbench::FrameClock::measured, strip,

@@ -28,7 +28,7 @@ class TimedApplication : public QApplication {
   double shownCpuMs() const { return static_cast<double>(shown_cpu_ns_) / 1e6; }
   /// Since the last paint event of a panel, or since `begin`, ms.
   double calmMs() const { return static_cast<double>(since_begin_.nsecsElapsed() - shown_ns_) / 1e6; }
-  /// Work and painting by panel since the first `begin`, ns.
+  /// Work and painting by panel since `begin`, ns on a processor.
   const std::map<std::string, qint64>& spentNs() const { return spent_ns_; }
 
  private:
@@ -50,7 +50,7 @@ struct DragTimes {
   std::vector<double> strip_ms;    ///< the same as the strip of the window says
   std::vector<double> drag_ms;     ///< the strip again, while edits come with every frame
   std::vector<double> felt_ticks;  ///< of a drag while the tube is felt: from the edit to the first tick that uses it
-  std::map<std::string, double> panel_ms;  ///< work and painting, per edit
+  std::map<std::string, std::vector<double>> panel_ms;  ///< work and painting of each edit, on a processor
 };
 
 /// Drags a vertex of the depth terms in `stage`, in a window of 1920 x 1080 px: `edits` times alone, as often in a drag

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QDir>
 #include <QDropEvent>
 #include <QFile>
 #include <QLabel>
@@ -31,6 +32,7 @@
 
 #include "tests/gui/sample_models.h"
 #include "tests/gui/sample_study.h"
+#include "tests/support/as_nobody.h"
 
 namespace tactus::workbench {
 namespace {
@@ -145,6 +147,60 @@ TEST_F(StudyPartsTest, AFailureIsOneSentenceInTheBanner) {
   ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpening(); }));
   EXPECT_TRUE(window.banner().message().contains(QStringLiteral("nowhere.tactus")));
   EXPECT_FALSE(bench.study.isOpen());
+}
+
+TEST_F(StudyPartsTest, AStudyThatMayNotBeWrittenIsShownLockedAndACopyTakesChanges) {
+  ASSERT_TRUE(open());
+  bench.files.open(folder.write(tests::twoExperts()));
+  bench.study_models.putModel();
+  bench.study.close();
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
+  const auto look = QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther;
+  const auto enter = QFile::ExeOwner | QFile::ExeGroup | QFile::ExeOther;
+  const auto write = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
+  const QString open_to_all = folder.path(QStringLiteral("documents"));
+  ASSERT_TRUE(QDir().mkpath(open_to_all));
+  ASSERT_TRUE(QFile::setPermissions(open_to_all, look | enter | write));
+  ASSERT_TRUE(QFile::setPermissions(path, look));
+  ASSERT_TRUE(QFile::setPermissions(folder.path({}), look | enter));
+  {
+    const support::AsNobody nobody;
+    ASSERT_TRUE(open());
+    const auto button = [](const QWidget& place, const QString& words) {
+      const QList<QPushButton*> all = place.findChildren<QPushButton*>();
+      const auto found = std::find_if(all.begin(), all.end(), [&](const auto* one) { return one->text() == words; });
+      return found == all.end() ? nullptr : *found;
+    };
+    const QLabel* lock = nullptr;
+    for (const QLabel* label : window.header().findChildren<QLabel*>()) {
+      if (label->accessibleName() == QLatin1String("Read-only")) lock = label;
+    }
+    ASSERT_NE(lock, nullptr);
+    EXPECT_TRUE(lock->isVisible());
+    EXPECT_TRUE(lock->toolTip().contains(bench.study.readOnlyReason()));
+    EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("(read-only)")));
+    EXPECT_TRUE(window.banner().message().contains(bench.study.readOnlyReason()));
+    ASSERT_NE(button(window.banner(), QStringLiteral("Save a copy…")), nullptr);
+    EXPECT_TRUE(button(window.banner(), QStringLiteral("Save a copy…"))->isVisible());
+    // What would be stored is not offered, and the reason stands beside it.
+    EXPECT_FALSE(action("Put the open model")->isEnabled());
+    EXPECT_TRUE(action("Put the open model")->statusTip().contains(QStringLiteral("reading only")));
+    EXPECT_TRUE(action("Save a copy of the study")->isEnabled());
+    const auto* recordings = window.findChild<RecordingsCard*>();
+    EXPECT_FALSE(button(*recordings, QStringLiteral("Record"))->isEnabled());
+    const QList<QLabel*> said = recordings->findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(said.begin(), said.end(),
+                            [](const QLabel* label) { return label->text().contains(QLatin1String("reading only")); }));
+
+    const QString copy = open_to_all + QStringLiteral("/copy.tactus");
+    bench.study.saveCopy(copy);
+    ASSERT_TRUE(comesTrue([&] { return bench.study.isOpen() && bench.study.path() == copy; }));
+    EXPECT_FALSE(bench.study.isReadOnly());
+    EXPECT_FALSE(lock->isVisible());
+    bench.study.close();
+    ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
+  }
+  ASSERT_TRUE(QFile::setPermissions(folder.path({}), look | enter | QFile::WriteOwner));
 }
 
 TEST_F(StudyPartsTest, TheWindowStaysUntilEverythingIsWritten) {

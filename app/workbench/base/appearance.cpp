@@ -54,6 +54,12 @@ theme::Look systemLook(const QApplication& application) {
   return application.property(kSystemIsDark).toBool() ? theme::Look::kDark : theme::Look::kLight;
 }
 
+void followSystem(QApplication& application, const QSettings& settings, theme::Look look) {
+  application.setProperty(kSystemIsDark, look == theme::Look::kDark);
+  const bool shown = theme::isDark() == (look == theme::Look::kDark);
+  if (!chosenLook(settings) && !shown) theme::changeLook(application, look);
+}
+
 void changeTextSize(QApplication& application, int percent) {
   const QVariant before = application.property(kTextPercent);
   const double factor = percent / (before.isValid() ? before.toDouble() : 100.0);

@@ -20,8 +20,10 @@ void chooseTextSize(QSettings& settings, int percent);
 
 /// theme::apply with what was chosen. Call at the start of the program, once.
 void apply(QApplication& application, const QSettings& settings);
-/// The look that the system had at the start of the program.
+/// The look of the system: that at the start of the program, or what `followSystem` was told since.
 theme::Look systemLook(const QApplication& application);
+/// The system has another look now: takes it, unless the user chose one.
+void followSystem(QApplication& application, const QSettings& settings, theme::Look look);
 /// All texts at once, also those of widgets with a font of their own.
 void changeTextSize(QApplication& application, int percent);
 

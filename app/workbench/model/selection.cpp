@@ -19,6 +19,13 @@ bool hasTerm(const fuzzy::ForceModel& model, const editing::TermPlace& place) {
   return expert && fuzzy::findTerm(fuzzy::termsFor(**expert, **variable), place.term) != nullptr;
 }
 
+// As the expert has the term, with a list of their own or the shared one.
+bool hasTermOf(const fuzzy::ForceModel& model, const std::string& expert, const fuzzy::Condition& condition) {
+  const auto of = editing::findExpert(model, expert);
+  const auto variable = editing::findVariable(model, condition.input);
+  return of && variable && fuzzy::findTerm(fuzzy::termsFor(**of, **variable), condition.term) != nullptr;
+}
+
 // Where a rule went. Of rules with the same conditions the one with the same consequent comes first.
 std::optional<std::size_t> newPlaceOf(const Rule& rule, std::size_t was, const std::vector<Rule>& rules) {
   if (was < rules.size() && editing::sameConditions(rules[was], rule)) return was;
@@ -57,8 +64,9 @@ const std::vector<Rule>* Selection::rulesOfExpert() const {
 void Selection::setExpert(std::string id) {
   if (id == expert_ || !edits_.isOpen() || !editing::findExpert(edits_.model(), id)) return;
   expert_ = std::move(id);
-  const bool had = !rules_.empty();
+  const bool had = !rules_.empty() || !gap_.empty();
   rules_.clear();
+  gap_.clear();
   kept_.clear();
   emit expertChanged();
   if (had) emit rulesChanged();
@@ -69,10 +77,45 @@ void Selection::selectRules(std::vector<std::size_t> rules) {
   if (all == nullptr) return;
   std::erase_if(rules, [&](std::size_t rule) { return rule >= all->size(); });
   sortOnce(rules);
-  if (rules == rules_) return;
+  if (rules == rules_ && gap_.empty()) return;
   rules_ = std::move(rules);
+  gap_.clear();
   keep();
   emit rulesChanged();
+}
+
+void Selection::selectGap(std::vector<fuzzy::Condition> conditions) {
+  if (rulesOfExpert() == nullptr || conditions == gap_) return;
+  const auto& model = edits_.model();
+  const bool known = std::all_of(conditions.begin(), conditions.end(),
+                                 [&](const auto& condition) { return hasTermOf(model, expert_, condition); });
+  if (!known) return;
+  rules_.clear();
+  kept_.clear();
+  gap_ = std::move(conditions);
+  followGap(*rulesOfExpert());
+  emit rulesChanged();
+}
+
+// A place that got a rule is that rule. Returns whether anything changed.
+bool Selection::followGap(const std::vector<Rule>& rules) {
+  if (gap_.empty()) return false;
+  const auto gone = [this](const fuzzy::Condition& condition) {
+    return !hasTermOf(edits_.model(), expert_, condition);
+  };
+  if (std::any_of(gap_.begin(), gap_.end(), gone)) {
+    gap_.clear();
+    return true;
+  }
+  Rule there;
+  there.conditions = gap_;
+  const auto found =
+      std::find_if(rules.begin(), rules.end(), [&](const Rule& rule) { return editing::sameConditions(rule, there); });
+  if (found == rules.end()) return false;
+  gap_.clear();
+  rules_ = {static_cast<std::size_t>(found - rules.begin())};
+  keep();
+  return true;
 }
 
 void Selection::pointAtRules(std::string expert, std::vector<std::size_t> rules) {
@@ -95,8 +138,9 @@ void Selection::editRules() {
 void Selection::adoptModel() {
   const auto& experts = edits_.model().experts;
   const bool known = editing::findExpert(edits_.model(), expert_).has_value();
-  const bool had = !rules_.empty();
+  const bool had = !rules_.empty() || !gap_.empty();
   rules_.clear();
+  gap_.clear();
   kept_.clear();
   term_.reset();
   if (!known) expert_ = experts.front().id;
@@ -119,7 +163,7 @@ void Selection::follow() {
   const bool moved = now != rules_;
   rules_ = std::move(now);
   keep();
-  if (moved) emit rulesChanged();
+  if (followGap(*all) || moved) emit rulesChanged();
 }
 
 void Selection::keep() {

@@ -1,6 +1,6 @@
-// The one selection of the program: an expert, rules of this expert, and a term. The rule editor, "Rules here", the
-// findings and the history all set it and show it. The operating point beside it is that of the SceneController.
-// To point at something is to select it and to ask the editors to show it:
+// The one selection of the program: an expert, rules of this expert or a gap (a place where the expert has no rule),
+// and a term. The rule editor, "Rules here", the findings and the history all set it and show it. The operating point
+// beside it is that of the SceneController. To point at something is to select it and to ask the editors to show it:
 //   a click on rule 12 in "Rules here" points at it: the grid and the list select rule 12 and flash it
 #pragma once
 
@@ -29,6 +29,8 @@ class Selection : public QObject {
   /// The selected rules of this expert: indices in its rules, ascending. A rule stays selected where an edit moves it
   /// or changes anything but its conditions.
   const std::vector<std::size_t>& rules() const { return rules_; }
+  /// The conditions of the selected gap; empty: rules are selected, or nothing. A gap that gets a rule is that rule.
+  const std::vector<fuzzy::Condition>& gap() const { return gap_; }
   /// The selected rule, if it is exactly one.
   std::optional<std::size_t> rule() const;
   /// The term to which was pointed last; nothing once it is removed.
@@ -40,6 +42,7 @@ class Selection : public QObject {
   /// Another expert has no selected rules yet.
   void setExpert(std::string id);
   void selectRules(std::vector<std::size_t> rules);
+  void selectGap(std::vector<fuzzy::Condition> conditions);
   void pointAtRules(std::string expert, std::vector<std::size_t> rules);
   void pointAtTerm(tactus::editing::TermPlace term);
   /// Asks for the editor of the selected rules, wherever it is.
@@ -48,6 +51,7 @@ class Selection : public QObject {
  signals:
   /// Another expert of the same model; a model that was opened is announced by the EditController alone.
   void expertChanged();
+  /// Other rules, or another gap.
   void rulesChanged();
   void rulesPointed();
   void termPointed();
@@ -56,12 +60,14 @@ class Selection : public QObject {
  private:
   void adoptModel();
   void follow();
+  bool followGap(const std::vector<fuzzy::Rule>& rules);
   void keep();
   const std::vector<fuzzy::Rule>* rulesOfExpert() const;
 
   const EditController& edits_;
   std::string expert_;
   std::vector<std::size_t> rules_;
+  std::vector<fuzzy::Condition> gap_;
   std::vector<fuzzy::Rule> kept_;  ///< the selected rules as they are in the model
   std::optional<editing::TermPlace> term_;
 };

@@ -93,6 +93,8 @@ QCustomPlot* makePlot(QWidget* parent) {
   // A smooth line drawn piece by piece takes a tenth of the time of one outline around all of it.
   plot->setPlottingHint(QCP::phFastPolylines);
   plot->legend->setVisible(false);
+  // A hidden legend measures the names of hundreds of lines with every picture all the same.
+  plot->setAutoAddPlottableToLegend(false);
   plot->setFocusPolicy(Qt::NoFocus);
   new Refresh(plot, [plot] { plot->update(); });
   new LookWatch(*plot);

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "app/workbench/kit/row_stop.h"
 #include "app/workbench/shell/stage_button.h"
 
 #include "tests/gui/shown_bench.h"
@@ -185,6 +186,32 @@ TEST_P(KeyboardTest, WhatTakesTheKeyboardHasAName) {
 
 INSTANTIATE_TEST_SUITE_P(Stages, KeyboardTest, testing::Values(Stage::kUnderstand, Stage::kTune),
                          [](const auto& stage) { return stageId(stage.param).toStdString(); });
+
+TEST_F(ReadingOrder, ARowIsOneStopAndTheArrowsGoAlongIt) {
+  QList<QWidget*> row{button("a", {0, 0, 50, 20}, &window), new QLineEdit(QStringLiteral("12"), &window),
+                      button("c", {140, 0, 50, 20}, &window)};
+  row[1]->setObjectName(QStringLiteral("b"));
+  row[1]->setGeometry(60, 0, 60, 20);
+  button("z", {0, 40, 50, 20}, &window);
+  new RowStop(row, &window);
+  show();
+  EXPECT_EQ(lettersOf(readingOrder(window)), "az");
+  row[0]->setFocus();
+  QTest::keyClick(row[0], Qt::Key_Right);
+  EXPECT_TRUE(row[1]->hasFocus());
+  EXPECT_EQ(lettersOf(readingOrder(window)), "bz");
+  // The text is selected as by Tab, so the next arrow leaves it; inside the text it moves the cursor.
+  static_cast<QLineEdit*>(row[1])->setCursorPosition(1);
+  QTest::keyClick(row[1], Qt::Key_Right);
+  EXPECT_TRUE(row[1]->hasFocus());
+  QTest::keyClick(row[1], Qt::Key_Right);
+  EXPECT_TRUE(row[2]->hasFocus());
+  QTest::keyClick(row[2], Qt::Key_Right);
+  EXPECT_TRUE(row[2]->hasFocus());
+  QTest::keyClick(row[2], Qt::Key_Left);
+  QTest::keyClick(row[1], Qt::Key_Left);
+  EXPECT_TRUE(row[0]->hasFocus());
+}
 
 }  // namespace
 }  // namespace tactus::workbench

@@ -33,6 +33,31 @@ TEST_F(SelectionTest, AClickOnACellSelectsItsRuleAndAnEmptyCellNone) {
   EXPECT_EQ(rule(*selection.rule()).then, "small");
 }
 
+TEST_F(SelectionTest, AnEmptyCellIsSelectedLikeARule) {
+  // S4 has no rule for the oropharynx.
+  const std::vector<fuzzy::Condition> gap{{"lubrication", "poor"}, {"depth", "oropharynx"}};
+  rules.select(RuleCell{0, 0, 2});
+  EXPECT_EQ(selection.gap(), gap);
+  rules.select(RuleCell{0, 2, 4});
+  EXPECT_TRUE(selection.gap().empty());
+  // Elsewhere in the program it brings its cell along.
+  selection.selectGap(gap);
+  EXPECT_EQ(rules.selected(), (RuleCell{0, 0, 2}));
+  EXPECT_TRUE(selection.rules().empty());
+  // The operating point goes there as to a rule: to the near end of the core, 0 to 0.2.
+  scene.setValue(0, 1);
+  rules.goWhereItActs();
+  EXPECT_EQ(scene.value(0), 0.2);
+  // An edit that gives it a rule makes it that rule.
+  rules.answer(1);
+  EXPECT_TRUE(selection.gap().empty());
+  ASSERT_TRUE(selection.rule().has_value());
+  EXPECT_EQ(rule(*selection.rule()).conditions, gap);
+  selection.selectGap({{"lubrication", "dry"}, {"depth", "oropharynx"}});
+  EXPECT_TRUE(selection.gap().empty());
+  EXPECT_TRUE(selection.rule().has_value());
+}
+
 TEST_F(SelectionTest, RulesStaySelectedWhereAnEditMovesOrChangesThem) {
   selection.selectRules({3, 7});
   edits.apply(editing::setConsequent(edits.model(), "S4", 3, "very_large"));

@@ -143,6 +143,7 @@ void CompareCard::showResult() {
     if (unit == "N") sentence += tr(" (%1 JND from A)").arg(numberText(result->noticeable, 1));
     sentence += tr(" · RMS %1").arg(forceText(result->rms_n, unit));
   }
+  result_->setToolTip(result->at.empty() ? QString() : noticeableExplained() + QLatin1Char('\n') + rmsExplained());
   if (result->only_one > 0) sentence += QLatin1Char(' ') + tr("In places only one of the two has a force.");
   result_->setText(sentence);
   if (result->at.empty()) return;

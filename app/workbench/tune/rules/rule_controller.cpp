@@ -170,13 +170,13 @@ void RuleController::adoptExpert() {
   emit selectionChanged();
 }
 
-// A rule that was selected elsewhere brings its cell along.
+// A rule or a gap that was selected elsewhere brings its cell along.
 void RuleController::adoptSelection() {
-  if (!isOpen() || selection_.rules().empty()) return;
+  if (!isOpen() || (selection_.rules().empty() && selection_.gap().empty())) return;
   adoptRegion();
   // The model may have changed a moment ago.
   grids_.reset();
-  const auto cell = cellOf(selection_.rules().front());
+  const auto cell = selection_.rules().empty() ? cellOf(selection_.gap()) : cellOf(selection_.rules().front());
   if (!cell || cell == selected()) return;
   endWeighing();
   const Grid& grid = grids()[cell->grid];
@@ -198,8 +198,11 @@ void RuleController::setRegion(std::string id) {
 
 std::optional<RuleCell> RuleController::cellOf(std::size_t rule) const {
   const std::vector<fuzzy::Rule>& rules = expert().rules;
-  if (rule >= rules.size() || rules[rule].conditions.size() != 2) return std::nullopt;
-  const auto& conditions = rules[rule].conditions;
+  return rule < rules.size() ? cellOf(rules[rule].conditions) : std::nullopt;
+}
+
+std::optional<RuleCell> RuleController::cellOf(const std::vector<fuzzy::Condition>& conditions) const {
+  if (conditions.size() != 2) return std::nullopt;
   const std::size_t along = conditions[0].input == region_ ? 0 : 1;
   if (conditions[along].input != region_) return std::nullopt;
   for (std::size_t g = 0; g < grids().size(); ++g) {
@@ -236,7 +239,12 @@ void RuleController::select(std::optional<RuleCell> cell) {
 void RuleController::selectRuleOfCell() {
   const auto now = selected();
   const auto rule = now ? cell(*now).rule : std::nullopt;
-  selection_.selectRules(rule ? std::vector<std::size_t>{*rule} : std::vector<std::size_t>());
+  if (now && !rule) {
+    const Grid& grid = grids()[now->grid];
+    selection_.selectGap({{grid.id.condition, grid.cells.rows[now->row]}, {region_, grid.cells.columns[now->column]}});
+  } else {
+    selection_.selectRules(rule ? std::vector<std::size_t>{*rule} : std::vector<std::size_t>());
+  }
 }
 
 void RuleController::beginAnywhere() {
@@ -303,9 +311,16 @@ void RuleController::paste(const QString& lines) {
 void RuleController::goWhereItActs() {
   if (!isOpen() || scene_.model() == nullptr) return;
   if (selection_.rules().empty()) selectRuleOfCell();
-  if (selection_.rules().empty()) return;
+  fuzzy::Rule there;
+  if (!selection_.rules().empty()) {
+    there = expert().rules[selection_.rules().front()];
+  } else if (!selection_.gap().empty()) {
+    there.conditions = selection_.gap();
+  } else {
+    return;
+  }
   // A model that is compared has the same inputs in the same order.
-  scene_.goTo(pointOfRule(model(), expert(), expert().rules[selection_.rules().front()], scene_.values()));
+  scene_.goTo(pointOfRule(model(), expert(), there, scene_.values()));
 }
 
 void RuleController::weigh(std::size_t rule, double weight) {

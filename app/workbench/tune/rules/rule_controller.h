@@ -1,6 +1,5 @@
 // The edited rules of one expert: the grids, the selected cell, and the strength of each rule at the reading place.
-// Turns the user's actions into edits. The expert and the selected rules are those of the Selection; a selected cell
-// without a rule is known here only.
+// Turns the user's actions into edits. Expert, selected rules and the selected gap are those of the Selection.
 #pragma once
 
 #include <QObject>
@@ -55,6 +54,8 @@ class RuleController : public QObject {
   std::optional<RuleCell> selected() const;
   /// The cell of a rule with exactly the two conditions of a cell; nothing for another rule.
   std::optional<RuleCell> cellOf(std::size_t rule) const;
+  /// The same of a place with these conditions.
+  std::optional<RuleCell> cellOf(const std::vector<fuzzy::Condition>& conditions) const;
   /// What is selected in the whole program.
   Selection& selection() { return selection_; }
 

@@ -11,6 +11,7 @@
 #include "app/workbench/base/typed_number.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/kit/popup_form.h"
+#include "app/workbench/tune/terms/cut_picture.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "core/fuzzy/membership.h"
 
@@ -63,11 +64,20 @@ void askSplit(TermController& terms, const std::string& term, const QWidget& anc
   parts->setAccessibleName(TermForms::tr("Number of parts"));
   auto* cuts = new QLineEdit(cutsText(equalCuts(variable, whole, 2), variable), form);
   cuts->setAccessibleName(TermForms::tr("Cuts"));
+  auto* picture = new CutPicture(variable, whole, form);
+  picture->setCuts(equalCuts(variable, whole, 2));
   form->addField(TermForms::tr("Parts:"), parts);
   const QString unit = unitText(variable.unit);
   form->addField(unit.isEmpty() ? TermForms::tr("Cuts:") : TermForms::tr("Cuts (%1):").arg(unit), cuts);
-  QObject::connect(parts, &NumberBox::valueChanged, form, [variable, whole, cuts](double count) {
-    cuts->setText(cutsText(equalCuts(variable, whole, static_cast<int>(count)), variable));
+  form->addField(TermForms::tr("Drag:"), picture);
+  QObject::connect(parts, &NumberBox::valueChanged, form, [variable, whole, cuts, picture](double count) {
+    picture->setCuts(equalCuts(variable, whole, static_cast<int>(count)));
+    cuts->setText(cutsText(picture->cuts(), variable));
+  });
+  QObject::connect(picture, &CutPicture::moved, cuts,
+                   [variable, cuts](const std::vector<double>& places) { cuts->setText(cutsText(places, variable)); });
+  QObject::connect(cuts, &QLineEdit::textEdited, picture, [picture, unit](const QString& typed) {
+    if (const auto places = typedNumbers(typed, unit)) picture->setCuts(*places);
   });
   QObject::connect(form, &PopupForm::accepted, form, [&terms, term, cuts, parts, unit, form] {
     if (!parts->commit()) {

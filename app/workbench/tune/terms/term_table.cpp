@@ -19,6 +19,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/lock_button.h"
 #include "app/workbench/kit/number_box.h"
+#include "app/workbench/kit/row_stop.h"
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/term_forms.h"
@@ -191,6 +192,9 @@ void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
 
   for (std::size_t p = 0; p < term.points.size(); ++p) row.points.push_back(buildPoint(grid, index, p));
   row.more = buildMore(grid, index);
+  QList<QWidget*> parts{row.name, row.shapes};
+  for (const Point& point : row.points) parts << point.number << point.lock;
+  new RowStop(parts << row.more, row.band);
 
   const std::string id = term.id;
   QLineEdit* const name = row.name;

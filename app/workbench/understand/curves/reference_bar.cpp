@@ -10,6 +10,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/model/impact_text.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/understand/curves/curve_looks.h"
 #include "app/workbench/understand/curves/reference_controller.h"
@@ -50,6 +51,7 @@ void ReferenceBar::build() {
     const int row = grid->rowCount();
     auto* name = new QLabel(QStringLiteral("● ") + reference.name, rows_);
     name->setTextFormat(Qt::PlainText);
+    name->setToolTip(rmsExplained());
     names_ << name;
     auto* difference = new ElidedLabel(rows_);
     auto* remove = new QToolButton(rows_);

@@ -7,15 +7,16 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/shown_ranges.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
 namespace {
 
-std::vector<double> evenly(const fuzzy::Variable& variable, std::size_t count) {
+std::vector<double> evenly(const figures::Interval& part, std::size_t count) {
   std::vector<double> places(count);
   for (std::size_t i = 0; i < count; ++i) {
-    places[i] = std::lerp(variable.min, variable.max, static_cast<double>(i) / static_cast<double>(count - 1));
+    places[i] = std::lerp(part.low, part.high, static_cast<double>(i) / static_cast<double>(count - 1));
   }
   return places;
 }
@@ -31,6 +32,7 @@ ForceMapController::ForceMapController(const SceneController& scene, QObject* pa
     here_.reset();
   });
   connect(&scene_, &SceneController::valueChanged, this, &ForceMapController::dropPoint);
+  connect(&scene_.ranges(), &ShownRanges::changed, this, &ForceMapController::dropPart);
   connect(&scene_, &SceneController::presetApplied, this, &ForceMapController::applyPreset);
   if (scene_.model()) adoptModel();
 }
@@ -112,6 +114,12 @@ void ForceMapController::dropPoint(std::size_t input) {
   if (input != x_input_ && input != y_input_) stale_ = true;
 }
 
+void ForceMapController::dropPart(const std::string& input_id) {
+  if (!scene_.model()) return;
+  const std::vector<fuzzy::Variable>& inputs = scene_.model()->model.inputs;
+  if (input_id == inputs[x_input_].id || input_id == inputs[y_input_].id) stale_ = true;
+}
+
 void ForceMapController::compute() {
   stop();
   model_ = scene_.shared();
@@ -124,6 +132,8 @@ void ForceMapController::compute() {
   auto order = fuzzy::Scene::specialise(model_->compiled, fixed);
   TACTUS_CHECK(order.has_value());
   order_ = std::move(*order);
+  x_part_ = scene_.ranges().of(model_->model.inputs[x_input_]);
+  y_part_ = scene_.ranges().of(model_->model.inputs[y_input_]);
   level_ = firstLevel();
   beginLevel();
   work();
@@ -197,8 +207,10 @@ void ForceMapController::beginLevel() {
   growing_.side = kSides[level_];
   growing_.force_n.resize(growing_.side * growing_.side);
   growing_.fired.resize(growing_.side * growing_.side);
-  xs_ = evenly(model_->model.inputs[x_input_], growing_.side);
-  ys_ = evenly(model_->model.inputs[y_input_], growing_.side);
+  growing_.x = x_part_;
+  growing_.y = y_part_;
+  xs_ = evenly(x_part_, growing_.side);
+  ys_ = evenly(y_part_, growing_.side);
   row_ = 0;
 }
 

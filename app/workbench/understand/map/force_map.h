@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/figures/force_curves.h"
 #include "app/workbench/model/open_model.h"
 #include "core/fuzzy/scene.h"
 
@@ -19,10 +20,12 @@ namespace tactus::workbench {
 class SceneController;
 struct FigurePreset;
 
-/// Forces on a grid over the universes of two inputs, including the ends.
+/// Forces on a grid over the parts of two inputs that are shown, including the ends.
 struct ForceMap {
   std::size_t x_input = 0;
   std::size_t y_input = 0;
+  figures::Interval x;  ///< the part of the universe
+  figures::Interval y;
   std::size_t side = 0;             ///< points along each input
   std::vector<double> force_n;      ///< side * side values, row by row from the lowest y
   std::vector<std::uint8_t> fired;  ///< 1 if a rule fires
@@ -32,7 +35,8 @@ struct ForceMap {
 };
 
 /// Computes the map of a scene once for all views, in slices so that the window stays responsive. It starts with coarse
-/// maps, unless a finer one is ready within the first slice. A new request replaces an older one.
+/// maps, unless a finer one is ready within the first slice. A new request replaces an older one. Of an input that is
+/// zoomed only the part that is shown is computed, as finely as otherwise the whole.
 class ForceMapController : public QObject {
   Q_OBJECT
 
@@ -83,6 +87,7 @@ class ForceMapController : public QObject {
   void adoptModel();
   void applyPreset(const FigurePreset& preset);
   void dropPoint(std::size_t input);
+  void dropPart(const std::string& input_id);
   void compute();
   void stop();
   void work();
@@ -107,6 +112,8 @@ class ForceMapController : public QObject {
   std::shared_ptr<const OpenModel> model_;
   std::optional<fuzzy::Scene> order_;
   std::vector<double> point_;
+  figures::Interval x_part_;
+  figures::Interval y_part_;
   std::size_t level_ = kSides.size();  ///< index in kSides; past the end if none is in progress
   std::size_t row_ = 0;
   double place_ns_ = 0;  ///< time of one point in the last map; 0 before the first map

@@ -119,7 +119,7 @@ void ForceMapPlot::setMap(const ForceMap* map) {
   const int side = static_cast<int>(map->side);
   QCPColorMapData* cells = colors_->data();
   cells->setSize(side, side);
-  cells->setRange(QCPRange(x_.min, x_.max), QCPRange(y_.min, y_.max));
+  cells->setRange(QCPRange(map->x.low, map->x.high), QCPRange(map->y.low, map->y.high));
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       const auto column = static_cast<std::size_t>(x);
@@ -128,8 +128,8 @@ void ForceMapPlot::setMap(const ForceMap* map) {
                      map->isFired(column, row) ? map->force(column, row) : std::numeric_limits<double>::quiet_NaN());
     }
   }
-  const double step_x = (x_.max - x_.min) / (side - 1);
-  const double step_y = (y_.max - y_.min) / (side - 1);
+  const double step_x = (map->x.high - map->x.low) / (side - 1);
+  const double step_y = (map->y.high - map->y.low) / (side - 1);
   std::vector<ContourMarks::Line> lines;
   const QCPRange range = scale_->dataRange();
   const std::vector<double> levels = contourLevels(range.lower, range.upper);
@@ -138,8 +138,8 @@ void ForceMapPlot::setMap(const ForceMap* map) {
     ContourMarks::Line line{numberText(levels[i]), forceColor((levels[i] - range.lower) / range.size()),
                             std::move(pieces[i])};
     for (QLineF& piece : line.pieces) {
-      piece.setLine(x_.min + piece.x1() * step_x, y_.min + piece.y1() * step_y, x_.min + piece.x2() * step_x,
-                    y_.min + piece.y2() * step_y);
+      piece.setLine(map->x.low + piece.x1() * step_x, map->y.low + piece.y1() * step_y,
+                    map->x.low + piece.x2() * step_x, map->y.low + piece.y2() * step_y);
     }
     lines.push_back(std::move(line));
   }

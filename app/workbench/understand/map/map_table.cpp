@@ -30,13 +30,13 @@ PlotTable mapTable(const SceneController& scene, ForceMapController& controller,
   const QString whose = expert ? MapTable::tr("expert %1").arg(labelOf(*expert)) : MapTable::tr("mean of the experts");
   PlotTable table = captionedTable(scene, QStringLiteral("%1, %2").arg(what, whose), axes, {}, suffix);
   table.columns = {columnName(x), columnName(y), expert ? columnName(model.output, *expert) : columnName(model.output)};
-  const auto place = [&map](const fuzzy::Variable& variable, std::size_t i) {
-    return std::lerp(variable.min, variable.max, static_cast<double>(i) / static_cast<double>(map.side - 1));
+  const auto place = [&map](const figures::Interval& part, std::size_t i) {
+    return std::lerp(part.low, part.high, static_cast<double>(i) / static_cast<double>(map.side - 1));
   };
   for (std::size_t row = 0; row < map.side; ++row) {
     for (std::size_t column = 0; column < map.side; ++column) {
       table.rows.push_back(
-          {place(x, column), place(y, row), forceCell({map.force(column, row), map.isFired(column, row)})});
+          {place(map.x, column), place(map.y, row), forceCell({map.force(column, row), map.isFired(column, row)})});
     }
   }
   return table;

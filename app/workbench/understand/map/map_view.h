@@ -12,7 +12,8 @@ namespace tactus::workbench {
 
 class MapView : public PlotSource {
  public:
-  /// The axes become the universes of `x`, `y` and of the force. This removes the map.
+  /// The map says which parts of the universes it shows. The axes become the universes of `x`, `y` and of the force.
+  /// This removes the map.
   virtual void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, const fuzzy::Variable& output) = 0;
   /// The map for the current axes; null: none.
   virtual void setMap(const ForceMap* map) = 0;

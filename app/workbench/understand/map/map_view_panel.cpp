@@ -7,6 +7,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "app/workbench/understand/map/map_choice.h"
@@ -47,6 +48,7 @@ MapViewPanel::MapViewPanel(const SceneController& scene, ForceMapController& map
   connect(&scene_, &SceneController::modelEdited, compute_, &Refresh::request);
   connect(&scene_, &SceneController::modelEdited, draw_point_, &Refresh::request);
   connect(&scene_, &SceneController::valueChanged, this, &MapViewPanel::onValue);
+  connect(&scene_.ranges(), &ShownRanges::changed, this, &MapViewPanel::onRange);
 }
 
 void MapViewPanel::adoptModel() {
@@ -87,6 +89,11 @@ void MapViewPanel::showPoint() {
 void MapViewPanel::onValue(std::size_t input) {
   if (input != map_.xInput() && input != map_.yInput()) compute_->request();
   draw_point_->request();
+}
+
+void MapViewPanel::onRange(const std::string& input_id) {
+  const std::vector<fuzzy::Variable>& inputs = scene_.model()->model.inputs;
+  if (input_id == inputs[map_.xInput()].id || input_id == inputs[map_.yInput()].id) compute_->request();
 }
 
 PlotTable MapViewPanel::table() {

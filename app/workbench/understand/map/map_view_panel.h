@@ -45,6 +45,7 @@ class MapViewPanel : public Card {
   void showPoint();
   void onMap();
   void onValue(std::size_t input);
+  void onRange(const std::string& input_id);
   PlotTable table();
 
   const SceneController& scene_;

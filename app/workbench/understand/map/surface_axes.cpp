@@ -210,7 +210,10 @@ class Builder {
     std::vector<Name> names;
     for (const Landmark& landmark : landmarks) {
       const fuzzy::Variable& depth = *variables_[axis];
-      QLineF bar(seen_(edge.at(shareOf(depth, landmark.from_mm))), seen_(edge.at(shareOf(depth, landmark.to_mm))));
+      if (landmark.to_mm < depth.min || landmark.from_mm > depth.max) continue;
+      const double from_mm = std::max(landmark.from_mm, depth.min);
+      const double to_mm = std::min(landmark.to_mm, depth.max);
+      QLineF bar(seen_(edge.at(shareOf(depth, from_mm))), seen_(edge.at(shareOf(depth, to_mm))));
       // A point is as wide as it is seen well.
       if (bar.length() < 1.5) {
         const QPointF half = line(edge).unitVector().p2() - line(edge).p1();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "app/workbench/base/theme.h"
@@ -50,12 +51,17 @@ void SurfacePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, co
 
 void SurfacePlot::setMap(const ForceMap* map) {
   map_ = map ? std::optional(*map) : std::nullopt;
+  if (map) {
+    // The box is that of the part.
+    std::tie(frame_.x.min, frame_.x.max) = std::pair(map->x.low, map->x.high);
+    std::tie(frame_.y.min, frame_.y.max) = std::pair(map->y.low, map->y.high);
+  }
   meshes_.clear();
   changed();
 }
 
 void SurfacePlot::setPoint(double x, double y, std::optional<double> force_n, const QString& tag) {
-  Point point{shareOf(frame_.x, x), shareOf(frame_.y, y), {}, tag};
+  Point point{x, y, {}, tag};
   if (force_n) point.height = std::clamp(shareOf(frame_.output, *force_n), 0.0, 1.0);
   point_ = std::move(point);
   update();
@@ -242,6 +248,10 @@ std::shared_ptr<const SurfaceMesh> SurfacePlot::mesh(std::size_t stride) {
 
 void SurfacePlot::paintPoint(QPainter& painter) {
   if (!point_ || !map_) return;
+  const double x = shareOf(frame_.x, point_->x);
+  const double y = shareOf(frame_.y, point_->y);
+  // Beside the part that is shown.
+  if (x < 0 || x > 1 || y < 0 || y > 1) return;
   const SurfaceProjection seen = frame_.projection();
   const SurfaceMesh& ground = *mesh(quickStride());
   QColor white = Qt::white;
@@ -256,7 +266,7 @@ void SurfacePlot::paintPoint(QPainter& painter) {
   painter.setClipRect(frame_.textArea());
   painter.setBrush(Qt::NoBrush);
   std::vector<QPolygonF> lines;
-  for (const auto& run : visibleSections(ground, point_->x, point_->y, seen.toViewer())) {
+  for (const auto& run : visibleSections(ground, x, y, seen.toViewer())) {
     QPolygonF& line = lines.emplace_back();
     for (const BoxPoint& place : run) line << seen(place);
   }
@@ -265,14 +275,14 @@ void SurfacePlot::paintPoint(QPainter& painter) {
   });
 
   // Down to the floor, and from there to the edges with the numbers.
-  const BoxPoint foot{point_->x, point_->y, 0};
-  const BoxPoint top{point_->x, point_->y, point_->height.value_or(0)};
+  const BoxPoint foot{x, y, 0};
+  const BoxPoint top{x, y, point_->height.value_or(0)};
   painter.setPen(QPen(theme::accent(), 1.2, Qt::DashLine));
   painter.drawLine(seen(foot), seen(top));
   const BoxPoint far = farCorner(seen);
   painter.setPen(QPen(theme::accent(), 1, Qt::DotLine));
-  painter.drawLine(seen(foot), seen({point_->x, 1 - far.y, 0}));
-  painter.drawLine(seen(foot), seen({1 - far.x, point_->y, 0}));
+  painter.drawLine(seen(foot), seen({x, 1 - far.y, 0}));
+  painter.drawLine(seen(foot), seen({1 - far.x, y, 0}));
 
   const bool hidden = point_->height && isCovered(ground, top, seen.toViewer());
   painter.setPen(QPen(hidden || !point_->height ? theme::accent() : QColor(Qt::white), 1.5));

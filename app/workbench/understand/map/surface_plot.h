@@ -77,7 +77,7 @@ class SurfacePlot : public QWidget, public MapView {
   std::optional<QPointF> grabbed_;
 
   struct Point {
-    double x = 0;  ///< share of the universe
+    double x = 0;  ///< in the units of the axes
     double y = 0;
     std::optional<double> height;
     QString tag;

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/editing/edit_steps.h"
+#include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/kit/lock_button.h"
 #include "app/workbench/kit/number_box.h"
@@ -16,6 +18,7 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/tune/terms/cut_picture.h"
 #include "app/workbench/tune/terms/membership_editor_plot.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/vertex_slider.h"
@@ -215,6 +218,37 @@ TEST_F(MembershipEditorTest, ASmallFormSplitsATerm) {
   EXPECT_EQ(terms.terms().size(), 3U);
   edits.undo();
   EXPECT_EQ(edits.model(), tests::twoExperts());
+}
+
+TEST_F(MembershipEditorTest, TheCutsOfASplitAreDraggedInAPicture) {
+  more("Far")[0]->trigger();
+  auto* form = editor.findChild<PopupForm*>();
+  ASSERT_NE(form, nullptr);
+  auto* cuts = form->findChild<QLineEdit*>(QString(), Qt::FindDirectChildrenOnly);
+  auto* picture = form->findChild<CutPicture*>();
+  ASSERT_NE(picture, nullptr);
+  ASSERT_EQ(picture->cuts(), Points{8.5});
+  const auto at = [picture](double value) { return QPoint(qRound(picture->pixelOf(value)), 20); };
+  QTest::mousePress(picture, Qt::LeftButton, {}, at(8.5));
+  QTest::mouseMove(picture, at(9.2));
+  QTest::mouseRelease(picture, Qt::LeftButton, {}, at(9.2));
+  ASSERT_EQ(picture->cuts().size(), 1U);
+  const double per_pixel = 1 / (picture->pixelOf(9) - picture->pixelOf(8));
+  EXPECT_NEAR(picture->cuts()[0], 9.2, per_pixel);
+  EXPECT_EQ(cuts->text(), text(editing::numberText(terms.variable(), picture->cuts()[0])));
+  // Away from a cut there is nothing to drag.
+  QTest::mousePress(picture, Qt::LeftButton, {}, at(7.5));
+  QTest::mouseMove(picture, at(7));
+  QTest::mouseRelease(picture, Qt::LeftButton, {}, at(7));
+  EXPECT_NEAR(picture->cuts()[0], 9.2, per_pixel);
+  // What is typed is drawn, and a key moves it by a fine step.
+  cuts->selectAll();
+  QTest::keyClicks(cuts, QStringLiteral("8; 9"));
+  EXPECT_EQ(picture->cuts(), (Points{8, 9}));
+  QTest::keyClick(picture, Qt::Key_Down);
+  QTest::keyClick(picture, Qt::Key_Left);
+  EXPECT_DOUBLE_EQ(picture->cuts()[1], 9 - editing::editStep(terms.variable(), editing::StepSize::kFine));
+  EXPECT_EQ(picture->cuts()[0], 8);
 }
 
 TEST_F(MembershipEditorTest, ATermWithRulesIsRemovedAfterASmallForm) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/shown_ranges.h"
 
 #include "tests/gui/quiet.h"
 #include "tests/gui/sample_models.h"
@@ -53,6 +54,25 @@ TEST_F(ForceMapTest, EveryPlaceIsTheModel) {
       }
     }
   }
+}
+
+TEST_F(ForceMapTest, OfAPartAsManyPlacesAreComputedAsOfTheWhole) {
+  finish();
+  scene.ranges().show(scene.model()->model.inputs[kDepth], {7, 9});
+  finish();
+  const ForceMap& part = *map.map();
+  EXPECT_EQ(part.side, ForceMapController::kSides.back());
+  EXPECT_EQ(part.x.low, 7);
+  EXPECT_EQ(part.x.high, 9);
+  EXPECT_EQ(part.y.high, 100);
+  // Depth 8, speed 20: A says 0.75 N, B 0.25 N.
+  EXPECT_NEAR(part.force(100, 40), 0.5, kRounding);
+  const double place = std::lerp(7.0, 9.0, 13.0 / 200);
+  const fuzzy::Evaluation here = models.current()->compiled.evaluate(std::array{20.0, place});
+  EXPECT_NEAR(part.force(13, 40), here.force_n, kRounding);
+  scene.ranges().showAll(scene.model()->model.inputs[kDepth]);
+  finish();
+  EXPECT_EQ(map.map()->x.high, 10);
 }
 
 TEST_F(ForceMapTest, AxesCanChangePlaces) {
