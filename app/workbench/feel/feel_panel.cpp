@@ -40,7 +40,9 @@ constexpr auto kStopKey = Qt::Key_F12;
 constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other
 constexpr int kRoomyWidth = 820;  // px: from this size on all steps of the procedure are listed
 constexpr int kRoomyHeight = 360;
-constexpr int kLowHeight = 380;  // px: below it the hand, the force and the picture alone are shown
+constexpr int kLowHeight = 380;   // px: below it the hand, the force and the picture alone are shown
+constexpr int kLowestTrace = 28;  // px, its least height then, and with more room
+constexpr int kLowTrace = 50;
 constexpr int kOpenWidth = 900;  // px: from this size on the panel is for feeling alone
 constexpr int kOpenHeight = 480;
 constexpr int kOpenPicture = 320;   // px: the least height of the picture then
@@ -94,6 +96,7 @@ FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* pare
 FeelPanel::~FeelPanel() = default;
 
 void FeelPanel::build() {
+  trace_->setMinimumHeight(kLowTrace);
   force_->setFont(theme::titleFont());
   force_->setTextFormat(Qt::PlainText);
   force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("-0.000 N")));
@@ -229,6 +232,7 @@ void FeelPanel::setOpen(bool open) {
 void FeelPanel::setLow(bool low) {
   low_ = low;
   pad_->setLow(low);
+  trace_->setMinimumHeight(low ? kLowestTrace : kLowTrace);
   placement_->setVisible(!low);
   for (DrawerButton* drawer : drawers_) drawer->setFolded(low);
 }

@@ -37,7 +37,7 @@ ForceTracePlot::ForceTracePlot(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
-  setMinimumSize(200, 50);
+  setMinimumWidth(200);
   setAccessibleName(tr("Force of the last ten seconds"));
 
   // The limits first, so that the lines stand above the fill.

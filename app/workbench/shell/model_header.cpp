@@ -16,6 +16,11 @@
 #include "app/workbench/model/scene_controller.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr int kLeastName = 200;  // px: with less for the model's name the numbers of experts and rules give way
+
+}  // namespace
 
 ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
     : QWidget(parent),
@@ -131,6 +136,10 @@ bool ModelHeader::hasSeveralKinds() const {
 }
 
 void ModelHeader::fitButtons() {
+  // The name is needed more than the numbers.
+  summary_->setVisible(true);
+  const int others = widthOfOthers() + buttonsWidth() - name_->sizeHint().width();
+  summary_->setVisible(width() - others >= std::min(name_->sizeHint().width(), kLeastName));
   const QVector<NoteGroup> groups = notices_->notes() + data_->notes() + notes_->notes();
   all_->setNotes(NotesButton::counted(countOf(groups)), groups, notices_->hasNotes() || data_->hasNotes());
   const bool merged = hasSeveralKinds() && widthOfOthers() + buttonsWidth() > width();

@@ -136,6 +136,16 @@ TEST_F(RoomTest, NothingScrollsWhereAModelIsFelt) {
   EXPECT_FALSE(scrolls());
 }
 
+TEST_F(RoomTest, TheFirstWindowOfASmallScreenHasRoomToo) {
+  // What is left of 1280 x 720 px inside the frame of a window.
+  bench.window.resize(1264, 672);
+  enter(Stage::kTune);
+  EXPECT_FALSE(scrolls());
+  bench.window.enterLayout(FeelParts::layoutId());
+  tests::settle(bench.window);
+  EXPECT_FALSE(scrolls());
+}
+
 TEST_F(RoomTest, LargeTextCutsNoStageOfTheRail) {
   enter(Stage::kUnderstand);
   for (const int percent : appearance::kTextSizes) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/editing/edit_steps.h"
+#include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/term_outline.h"
@@ -101,8 +102,8 @@ void CutPicture::paintEvent(QPaintEvent* /*event*/) {
     painter.setBrush(strong ? theme::accent() : theme::card());
     painter.drawEllipse(QPointF(x, plot.top() + 1), kGripRadius - 1, kGripRadius - 1);
     painter.setPen(theme::ink());
-    painter.drawText(QRectF(x - 40, plot.bottom() + 2, 80, height() - plot.bottom() - 2), Qt::AlignHCenter | Qt::AlignTop,
-                     text(editing::numberText(variable_, cuts_[i])));
+    painter.drawText(QRectF(x - 40, plot.bottom() + 2, 80, height() - plot.bottom() - 2),
+                     Qt::AlignHCenter | Qt::AlignTop, text(editing::numberText(variable_, cuts_[i])));
   }
 }
 

@@ -4,11 +4,11 @@
 #include <QPaintEvent>
 #include <QPainter>
 #include <algorithm>
-#include <utility>
 
 #include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/model/scene_controller.h"
 #include "app/workbench/understand/here/set_sketch.h"
 
 namespace tactus::workbench {
@@ -22,21 +22,19 @@ constexpr int kNarrowestFlow = 340;  // px, of all
 
 }  // namespace
 
-ExpertFlow::ExpertFlow(QWidget* parent) : QWidget(parent) {
+ExpertFlow::ExpertFlow(const SceneController& scene, QWidget* parent) : QWidget(parent), scene_(scene) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
   setCursor(Qt::PointingHandCursor);
 }
 
-void ExpertFlow::set(std::shared_ptr<const OpenModel> open, analysis::Explanation explanation) {
-  open_ = std::move(open);
-  explanation_ = std::move(explanation);
+std::size_t ExpertFlow::count() const { return scene_.model() ? scene_.model()->model.experts.size() : 0; }
+
+void ExpertFlow::follow() {
   updateGeometry();
   update();
 }
 
-QSize ExpertFlow::sizeHint() const {
-  return {640, static_cast<int>(kExpertHeight * static_cast<double>(explanation_.experts.size()))};
-}
+QSize ExpertFlow::sizeHint() const { return {640, static_cast<int>(kExpertHeight * static_cast<double>(count()))}; }
 
 QSize ExpertFlow::minimumSizeHint() const { return {kNarrowestFlow, sizeHint().height()}; }
 
@@ -46,21 +44,22 @@ void ExpertFlow::paintEvent(QPaintEvent* event) {
   // Of many experts only those in sight.
   const auto first = static_cast<std::size_t>(std::max(0.0, event->rect().top() / kExpertHeight));
   const auto last = static_cast<std::size_t>(std::max(0.0, event->rect().bottom() / kExpertHeight));
-  for (std::size_t expert = first; expert < explanation_.experts.size() && expert <= last; ++expert) {
+  for (std::size_t expert = first; expert < count() && expert <= last; ++expert) {
     paintLine(painter, expert);
   }
 }
 
 void ExpertFlow::mousePressEvent(QMouseEvent* event) {
   const auto line = static_cast<std::size_t>(std::max(0.0, event->position().y()) / kExpertHeight);
-  if (event->button() == Qt::LeftButton && line < explanation_.experts.size()) emit chosen(line);
+  if (event->button() == Qt::LeftButton && line < count()) emit chosen(line);
 }
 
 void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
-  const analysis::ExplainedExpert& explained = explanation_.experts[expert];
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const analysis::ExplainedExpert& explained = scene_.explanation().experts[expert];
   const QRectF line(0, kExpertHeight * static_cast<double>(expert), width(), kExpertHeight);
   if (expert % 2 == 0) painter.fillRect(line, theme::window());
-  const QColor color = theme::expert(figures::expertNumbers(open_->model.experts)[expert]);
+  const QColor color = theme::expert(figures::expertNumbers(model.experts)[expert]);
   painter.setPen(Qt::NoPen);
   painter.setBrush(color);
   painter.drawEllipse(QRectF(4, line.center().y() - kDot / 2, kDot, kDot));
@@ -71,7 +70,7 @@ void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
   painter.setPen(theme::ink());
   painter.setFont(theme::headingFont());
   painter.drawText(words, Qt::AlignLeft | Qt::AlignTop,
-                   painter.fontMetrics().elidedText(labelOf(open_->model.experts[expert]), Qt::ElideRight,
+                   painter.fontMetrics().elidedText(labelOf(model.experts[expert]), Qt::ElideRight,
                                                     static_cast<int>(words.width())));
   painter.setPen(theme::mutedInk());
   painter.setFont(theme::smallFont());
@@ -81,7 +80,7 @@ void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
 
   const QRectF forces(line.right() - kForces, line.top() + 5, kForces - theme::kGrid, kExpertHeight - 10);
   SetSketch sketch(painter, QRectF(forces.left() - sketch_width, line.top() + 4, sketch_width - 8, kExpertHeight - 9),
-                   open_->model.output);
+                   model.output);
   sketch.ground();
   if (explained.abstains) {
     painter.setPen(theme::mutedInk());
@@ -92,32 +91,33 @@ void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
   sketch.mark(explained.force_n, theme::ink());
   painter.setPen(theme::ink());
   painter.setFont(theme::headingFont());
-  painter.drawText(forces, Qt::AlignRight | Qt::AlignTop, forceText(explained.force_n, open_->model.output.unit));
+  painter.drawText(forces, Qt::AlignRight | Qt::AlignTop, forceText(explained.force_n, model.output.unit));
   painter.setPen(theme::mutedInk());
   painter.setFont(theme::smallFont());
   painter.drawText(
       forces, Qt::AlignRight | Qt::AlignBottom,
       tr("× %1 = %2")
-          .arg(numberText(explained.weight_share, 3), forceText(explained.contribution_n, open_->model.output.unit)));
+          .arg(numberText(explained.weight_share, 3), forceText(explained.contribution_n, model.output.unit)));
 }
 
 QString ExpertFlow::strongestRule(std::size_t expert) const {
-  const std::vector<analysis::ExplainedRule>& rules = explanation_.experts[expert].rules;
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const std::vector<analysis::ExplainedRule>& rules = scene_.explanation().experts[expert].rules;
   const auto strongest = std::max_element(
       rules.begin(), rules.end(), [](const auto& one, const auto& other) { return one.strength < other.strength; });
   if (strongest == rules.end() || strongest->strength <= 0) return {};
   const auto acting = std::count_if(rules.begin(), rules.end(), [](const auto& rule) { return rule.strength > 0; });
-  const fuzzy::Expert& said = open_->model.experts[expert];
+  const fuzzy::Expert& said = model.experts[expert];
   const fuzzy::Rule& rule = said.rules[strongest->rule];
   // The terms alone; the variables stand in the rule viewer of the expert.
   QStringList terms;
   for (const fuzzy::Condition& condition : rule.conditions) {
-    const auto input = std::find_if(open_->model.inputs.begin(), open_->model.inputs.end(),
+    const auto input = std::find_if(model.inputs.begin(), model.inputs.end(),
                                     [&condition](const auto& variable) { return variable.id == condition.input; });
     terms << labelOf(*fuzzy::findTerm(fuzzy::termsFor(said, *input), condition.term));
   }
   const QString words = terms.join(QStringLiteral(", ")) + QStringLiteral(" → ") +
-                        labelOf(*fuzzy::findTerm(fuzzy::termsFor(said, open_->model.output), rule.then));
+                        labelOf(*fuzzy::findTerm(fuzzy::termsFor(said, model.output), rule.then));
   return acting == 1 ? words : tr("%n rule(s) · %1", nullptr, static_cast<int>(acting)).arg(words);
 }
 

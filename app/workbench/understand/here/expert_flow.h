@@ -3,20 +3,20 @@
 #pragma once
 
 #include <QWidget>
-#include <memory>
-
-#include "app/workbench/model/open_model.h"
-#include "core/analysis/explain.h"
 
 namespace tactus::workbench {
 
+class SceneController;
+
+/// Shows the explanation of the scene; it copies nothing, so that hundreds of experts cost only what is in sight.
 class ExpertFlow : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ExpertFlow(QWidget* parent = nullptr);
+  explicit ExpertFlow(const SceneController& scene, QWidget* parent = nullptr);
 
-  void set(std::shared_ptr<const OpenModel> open, analysis::Explanation explanation);
+  /// The explanation changed.
+  void follow();
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -33,8 +33,9 @@ class ExpertFlow : public QWidget {
   void paintLine(QPainter& painter, std::size_t expert) const;
   QString strongestRule(std::size_t expert) const;
 
-  std::shared_ptr<const OpenModel> open_;
-  analysis::Explanation explanation_;
+  std::size_t count() const;
+
+  const SceneController& scene_;
 };
 
 }  // namespace tactus::workbench

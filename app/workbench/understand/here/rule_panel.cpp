@@ -34,7 +34,7 @@ RulePanel::RulePanel(const SceneController& scene, Selection& selection, QWidget
       area_(new QScrollArea(this)),
       flows_(new QStackedWidget),
       rules_(new RuleFlow),
-      experts_(new ExpertFlow),
+      experts_(new ExpertFlow(scene)),
       sets_(new OutputSetsPlot(this)),
       refresh_(new Refresh(this, [this] { explain(); })) {
   who_->setAccessibleName(tr("Whose rules are shown"));
@@ -135,7 +135,7 @@ void RulePanel::explain() {
   const analysis::Explanation& explanation = scene_.explanation();
   const int row = who_->currentIndex();
   if (row == 0) {
-    experts_->set(scene_.shared(), explanation);
+    experts_->follow();
     sets_->showExperts(scene_.model()->model, explanation);
   } else {
     const auto expert = static_cast<std::size_t>(row) - 1;

@@ -13,7 +13,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kNarrowestCard = 176;  // px; five of them fit into the smallest window
+constexpr int kNarrowestCard = 158;  // px; five of them fit beside the forces in a window of 1280 px
 constexpr int kHeight = 224;         // px
 
 // Cards with many terms get more room for their names, but not in proportion.

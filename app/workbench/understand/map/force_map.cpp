@@ -207,8 +207,8 @@ void ForceMapController::beginLevel() {
   growing_.side = kSides[level_];
   growing_.force_n.resize(growing_.side * growing_.side);
   growing_.fired.resize(growing_.side * growing_.side);
-  growing_.x = x_part_;
-  growing_.y = y_part_;
+  growing_.x_part = x_part_;
+  growing_.y_part = y_part_;
   xs_ = evenly(x_part_, growing_.side);
   ys_ = evenly(y_part_, growing_.side);
   row_ = 0;

@@ -24,8 +24,8 @@ struct FigurePreset;
 struct ForceMap {
   std::size_t x_input = 0;
   std::size_t y_input = 0;
-  figures::Interval x;  ///< the part of the universe
-  figures::Interval y;
+  figures::Interval x_part;  ///< of the universe
+  figures::Interval y_part;
   std::size_t side = 0;             ///< points along each input
   std::vector<double> force_n;      ///< side * side values, row by row from the lowest y
   std::vector<std::uint8_t> fired;  ///< 1 if a rule fires

@@ -19,6 +19,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kRoomy = 360;      // px: below this height the map needs the room of the landmarks' names
+constexpr int kLow = 240;        // px: below this height the boxes above the map alone name its axes
 constexpr int kBeside = 2;       // px from the map or its landmarks to the bars of the terms
 constexpr int kBeforeScale = 4;  // px from the names of the terms to the color scale
 
@@ -73,10 +74,8 @@ void ForceMapPlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& y, c
   styleAxis(*plot_->yAxis, y);
   zoom_->setInputs(x, y);
   styleAxis(*scale_->axis(), output);
-  plot_->xAxis->setLabel(axisText(x));
-  plot_->yAxis->setLabel(axisText(y));
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->grid()->setVisible(false);
-  scale_->axis()->setLabel(axisText(output));
+  output_ = output;
   scale_->setDataRange(QCPRange(output.min, output.max));
   landmarks_->setVariable(x);
   y_landmarks_->setVariable(y);
@@ -97,7 +96,12 @@ void ForceMapPlot::setTerms(const std::vector<fuzzy::Term>& x, const std::vector
 
 // From the plot outward: landmarks, bars of the terms, their names.
 void ForceMapPlot::makeRoom(int height) {
-  landmarks_->setText(height >= kRoomy ? LandmarkMarks::Text::kNames : LandmarkMarks::Text::kNumbers);
+  using Text = LandmarkMarks::Text;
+  const bool low = height < kLow;
+  landmarks_->setText(height >= kRoomy ? Text::kNames : low ? Text::kNone : Text::kNumbers);
+  plot_->xAxis->setLabel(low ? QString() : axisText(x_));
+  plot_->yAxis->setLabel(low ? unitText(y_.unit) : axisText(y_));
+  scale_->axis()->setLabel(low ? unitText(output_.unit) : axisText(output_));
   x_terms_->setDistance(landmarks_->height() + kBeside);
   y_terms_->setDistance(kBeside);
   plot_->axisRect()->setMinimumMargins(
@@ -119,7 +123,7 @@ void ForceMapPlot::setMap(const ForceMap* map) {
   const int side = static_cast<int>(map->side);
   QCPColorMapData* cells = colors_->data();
   cells->setSize(side, side);
-  cells->setRange(QCPRange(map->x.low, map->x.high), QCPRange(map->y.low, map->y.high));
+  cells->setRange(QCPRange(map->x_part.low, map->x_part.high), QCPRange(map->y_part.low, map->y_part.high));
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       const auto column = static_cast<std::size_t>(x);
@@ -128,8 +132,8 @@ void ForceMapPlot::setMap(const ForceMap* map) {
                      map->isFired(column, row) ? map->force(column, row) : std::numeric_limits<double>::quiet_NaN());
     }
   }
-  const double step_x = (map->x.high - map->x.low) / (side - 1);
-  const double step_y = (map->y.high - map->y.low) / (side - 1);
+  const double step_x = (map->x_part.high - map->x_part.low) / (side - 1);
+  const double step_y = (map->y_part.high - map->y_part.low) / (side - 1);
   std::vector<ContourMarks::Line> lines;
   const QCPRange range = scale_->dataRange();
   const std::vector<double> levels = contourLevels(range.lower, range.upper);
@@ -138,8 +142,8 @@ void ForceMapPlot::setMap(const ForceMap* map) {
     ContourMarks::Line line{numberText(levels[i]), forceColor((levels[i] - range.lower) / range.size()),
                             std::move(pieces[i])};
     for (QLineF& piece : line.pieces) {
-      piece.setLine(map->x.low + piece.x1() * step_x, map->y.low + piece.y1() * step_y,
-                    map->x.low + piece.x2() * step_x, map->y.low + piece.y2() * step_y);
+      piece.setLine(map->x_part.low + piece.x1() * step_x, map->y_part.low + piece.y1() * step_y,
+                    map->x_part.low + piece.x2() * step_x, map->y_part.low + piece.y2() * step_y);
     }
     lines.push_back(std::move(line));
   }

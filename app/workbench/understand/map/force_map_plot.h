@@ -58,6 +58,7 @@ class ForceMapPlot : public QWidget, public MapView {
   MapCross* cross_;
   fuzzy::Variable x_;
   fuzzy::Variable y_;
+  fuzzy::Variable output_;
 };
 
 }  // namespace tactus::workbench

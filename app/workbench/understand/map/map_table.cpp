@@ -35,8 +35,8 @@ PlotTable mapTable(const SceneController& scene, ForceMapController& controller,
   };
   for (std::size_t row = 0; row < map.side; ++row) {
     for (std::size_t column = 0; column < map.side; ++column) {
-      table.rows.push_back(
-          {place(map.x, column), place(map.y, row), forceCell({map.force(column, row), map.isFired(column, row)})});
+      table.rows.push_back({place(map.x_part, column), place(map.y_part, row),
+                            forceCell({map.force(column, row), map.isFired(column, row)})});
     }
   }
   return table;

@@ -53,8 +53,8 @@ void SurfacePlot::setMap(const ForceMap* map) {
   map_ = map ? std::optional(*map) : std::nullopt;
   if (map) {
     // The box is that of the part.
-    std::tie(frame_.x.min, frame_.x.max) = std::pair(map->x.low, map->x.high);
-    std::tie(frame_.y.min, frame_.y.max) = std::pair(map->y.low, map->y.high);
+    std::tie(frame_.x.min, frame_.x.max) = std::pair(map->x_part.low, map->x_part.high);
+    std::tie(frame_.y.min, frame_.y.max) = std::pair(map->y_part.low, map->y_part.high);
   }
   meshes_.clear();
   changed();

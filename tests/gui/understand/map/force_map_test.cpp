@@ -62,9 +62,9 @@ TEST_F(ForceMapTest, OfAPartAsManyPlacesAreComputedAsOfTheWhole) {
   finish();
   const ForceMap& part = *map.map();
   EXPECT_EQ(part.side, ForceMapController::kSides.back());
-  EXPECT_EQ(part.x.low, 7);
-  EXPECT_EQ(part.x.high, 9);
-  EXPECT_EQ(part.y.high, 100);
+  EXPECT_EQ(part.x_part.low, 7);
+  EXPECT_EQ(part.x_part.high, 9);
+  EXPECT_EQ(part.y_part.high, 100);
   // Depth 8, speed 20: A says 0.75 N, B 0.25 N.
   EXPECT_NEAR(part.force(100, 40), 0.5, kRounding);
   const double place = std::lerp(7.0, 9.0, 13.0 / 200);
@@ -72,7 +72,7 @@ TEST_F(ForceMapTest, OfAPartAsManyPlacesAreComputedAsOfTheWhole) {
   EXPECT_NEAR(part.force(13, 40), here.force_n, kRounding);
   scene.ranges().showAll(scene.model()->model.inputs[kDepth]);
   finish();
-  EXPECT_EQ(map.map()->x.high, 10);
+  EXPECT_EQ(map.map()->x_part.high, 10);
 }
 
 TEST_F(ForceMapTest, AxesCanChangePlaces) {

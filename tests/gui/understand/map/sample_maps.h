@@ -12,7 +12,7 @@ workbench::ForceMap sampleMap(std::size_t side, Force force) {
   map.x_input = 0;
   map.y_input = 1;
   map.side = side;
-  map.x = map.y = {0, 1};
+  map.x_part = map.y_part = {0, 1};
   const auto last = static_cast<double>(side - 1);
   for (std::size_t y = 0; y < side; ++y) {
     for (std::size_t x = 0; x < side; ++x) {
