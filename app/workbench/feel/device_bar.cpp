@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kFarthestZoneMm = -100;
 constexpr double kNearestZoneMm = -5;  // nearer, the end of a stroke would let go
-constexpr int kOneLine = 560;          // px: below it the state has a line of its own
+constexpr int kOneLine = 520;          // px: below it the state has a line of its own
 
 QString ticksText(std::uint64_t ticks) { return DeviceBar::tr("%n tick(s)", nullptr, static_cast<int>(ticks)); }
 

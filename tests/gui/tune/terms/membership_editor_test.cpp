@@ -243,11 +243,11 @@ TEST_F(MembershipEditorTest, TheCutsOfASplitAreDraggedInAPicture) {
   EXPECT_NEAR(picture->cuts()[0], 9.2, per_pixel);
   // What is typed is drawn, and a key moves it by a fine step.
   cuts->selectAll();
-  QTest::keyClicks(cuts, QStringLiteral("8; 9"));
-  EXPECT_EQ(picture->cuts(), (Points{8, 9}));
+  QTest::keyClicks(cuts, QStringLiteral("8; 9.5"));
+  EXPECT_EQ(picture->cuts(), (Points{8, 9.5}));
   QTest::keyClick(picture, Qt::Key_Down);
   QTest::keyClick(picture, Qt::Key_Left);
-  EXPECT_DOUBLE_EQ(picture->cuts()[1], 9 - editing::editStep(terms.variable(), editing::StepSize::kFine));
+  EXPECT_DOUBLE_EQ(picture->cuts()[1], 9.5 - editing::editStep(terms.variable(), editing::StepSize::kFine));
   EXPECT_EQ(picture->cuts()[0], 8);
 }
 
