@@ -35,7 +35,8 @@ void RowStop::stopAt(qsizetype part) {
 bool RowStop::eventFilter(QObject* watched, QEvent* event) {
   const qsizetype part = parts_.indexOf(watched);
   if (part >= 0 && event->type() == QEvent::FocusIn) stopAt(part);
-  if (part >= 0 && event->type() == QEvent::KeyPress && goFrom(part, static_cast<const QKeyEvent&>(*event))) return true;
+  if (part >= 0 && event->type() == QEvent::KeyPress && goFrom(part, static_cast<const QKeyEvent&>(*event)))
+    return true;
   return QObject::eventFilter(watched, event);
 }
 

@@ -626,6 +626,10 @@
         <source>%1 on this curve</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>RMS: the root of the mean squared difference. Large differences count more than in a mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>InfluenceText</name>
@@ -1714,6 +1718,10 @@
             <numerusform>%n rules name this term and go with it. Undo brings all back.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Drag:</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TraceTable</name>
@@ -2376,6 +2384,18 @@
         <source>Everything of %1 is deleted from %2. Backups and exports made before can still hold the data.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The session did not begin. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The protocol stays as it was. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::CommandSearch</name>
@@ -2681,6 +2701,17 @@
     </message>
     <message>
         <source>Move the operating point to where the last edit changes the force most</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::CutPicture</name>
+    <message>
+        <source>Cuts of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a cut, or choose it with the arrows up and down and move it with left and right</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6672,6 +6703,14 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Writing the report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The report was not written. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another file…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -46,7 +46,7 @@ class CutPicture : public QWidget {
 
   const fuzzy::Variable variable_;
   const fuzzy::Term term_;
-  double low_;   ///< the part of the universe that is drawn
+  double low_;  ///< the part of the universe that is drawn
   double high_;
   std::vector<double> cuts_;
   std::size_t selected_ = 0;
