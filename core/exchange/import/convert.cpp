@@ -166,8 +166,8 @@ class ModelConverter {
   bool addConjunction(const ResolvedRule& rule, const std::vector<ResolvedLiteral>& literals,
                       const std::vector<std::string>& then) {
     if (literals.empty()) {
-      return fail(source_.error(ErrorCode::kValue, rule.rule->at, "a rule that always fires",
-                                "a condition that depends on an input: the rules of Tactus have one"));
+      return fail(source_.error(ErrorCode::kValue, rule.rule->at, "a rule whose condition asks for no term",
+                                "a term of one input or more"));
     }
     std::map<std::size_t, ResolvedLiteral> by_input;
     for (const ResolvedLiteral& literal : literals) {

@@ -99,12 +99,10 @@ class FisRuleReader {
     if (number != 1 && number != 2)
       return refuse(ErrorCode::kSyntax, word.at, base::quoted(word.text), "1 for AND or 2 for OR");
     if (!line_.atEnd()) return refuse(ErrorCode::kSyntax, line_.at(), shownRest(), "the end of the rule");
-    if (condition.empty()) {
-      return refuse(ErrorCode::kSchema, rule_.at, "a rule without a condition",
-                    "the number of a term for one input or more");
-    }
     if (condition.size() > 1) (number == 1 ? rule_.and_at : rule_.or_at) = word.at;
-    if (number == 1) {
+    // Without a condition it is refused where its output is chosen: fuzzylite writes rules that follow rules in this
+    // way.
+    if (number == 1 || condition.empty()) {
       rule_.alternatives.push_back(condition);
     } else {
       for (const Literal& literal : condition) rule_.alternatives.push_back({literal});

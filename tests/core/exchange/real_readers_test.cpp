@@ -1,9 +1,6 @@
 // Another program reads our files and computes the forces that we expect of it: fuzzylite, where it is installed.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <iostream>
 #include <string>
@@ -14,9 +11,9 @@
 #include "core/exchange/dialect.h"
 #include "core/fuzzy/compiled_model.h"
 
+#include "tests/support/fuzzylite_program.h"
 #include "tests/support/ngt_model.h"
 #include "tests/support/random_model.h"
-#include "tests/support/temp_folder.h"
 
 namespace tactus::exchange {
 namespace {
@@ -24,16 +21,6 @@ namespace {
 constexpr double kVertexGap = 1e-4;  // fuzzylite takes numbers for equal that are closer than 1e-6
 constexpr double kShare = 1e-9;      // of the output's range: what a program may differ that computes the same
 constexpr int kPoints = 200;
-
-/// What `fuzzylite` says of itself; empty where it is not installed.
-std::string fuzzyliteText() {
-  std::string text;
-  FILE* const program = ::popen("fuzzylite 2>/dev/null", "r");
-  if (program == nullptr) return text;
-  for (int c = std::fgetc(program); c != EOF; c = std::fgetc(program)) text += static_cast<char>(c);
-  ::pclose(program);
-  return text;
-}
 
 bool hasNarrowGap(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {
   for (const fuzzy::Term& term : terms) {
@@ -85,44 +72,21 @@ bool hasFaintStrength(const fuzzy::CompiledModel& model, std::size_t expert, con
 class Fuzzylite : public testing::Test {
  protected:
   void SetUp() override {
-    const std::string said = fuzzyliteText();
-    // FCL has no word for the number of cells; version 7 takes 1,000, and 6 takes 100.
-    if (said.find("version: 6.") != std::string::npos) cells_of_fcl_ = 100;
-    if (said.find("fuzzylite") != std::string::npos) return;
+    if (program_.isThere()) return;
     std::cout << "SKIPPED: fuzzylite is not installed, so no other program reads our files here\n";
     GTEST_SKIP();
   }
 
-  /// The forces that fuzzylite computes from `text`; NaN where nothing fires.
-  std::vector<double> forces(const std::string& text, const std::string& format,
-                             const std::vector<std::vector<double>>& points) const {
-    std::ofstream(folder_.file("model." + format)) << text;
-    std::ofstream data(folder_.file("points.fld"));
-    for (const auto& point : points) {
-      std::string line;
-      for (const double x : point) line += (line.empty() ? "" : " ") + base::formatNumber(x);
-      data << line << '\n';
-    }
-    data.close();
-    const std::string command = "fuzzylite -i " + folder_.file("model." + format) + " -if " + format + " -o " +
-                                folder_.file("forces.fld") + " -of fld -decimals 17 -dheader false -dinputs false -d " +
-                                folder_.file("points.fld") + " >" + folder_.file("log") + " 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command << '\n' << text;
-    std::vector<double> out;
-    std::ifstream in(folder_.file("forces.fld"));
-    for (std::string word; in >> word;) out.push_back(base::parseNumber(word).value_or(HUGE_VAL));
-    return out;
-  }
-
   void expectSame(const fuzzy::ForceModel& model, Dialect dialect, const std::string& format, base::Random& random) {
     const auto compiled = fuzzy::compile(model);
-    const analysis::Sampling sampling{analysis::Sampling::Rule::kMidpoint, format == "fcl" ? cells_of_fcl_ : 1000};
+    const analysis::Sampling sampling{analysis::Sampling::Rule::kMidpoint,
+                                      format == "fcl" ? program_.cellsOfFcl() : 1000};
     for (std::size_t e = 0; e < model.experts.size(); ++e) {
       SCOPED_TRACE("expert " + std::to_string(e) + " as " + std::string(name(dialect)));
       const auto text = exchange::format(model, e, dialect);
       ASSERT_TRUE(text) << text.error().message();
       const auto points = pointsOf(model, model.experts[e], random);
-      const auto found = forces(*text, format, points);
+      const auto found = program_.outputs(*text, format, points);
       ASSERT_EQ(found.size(), points.size()) << *text;
       for (std::size_t p = 0; p < points.size(); ++p) {
         if (hasFaintStrength(*compiled, e, points[p])) continue;
@@ -138,10 +102,9 @@ class Fuzzylite : public testing::Test {
     }
   }
 
-  support::TempFolder folder_;
+  support::FuzzyliteProgram program_;
   double largest_ = 0;
   int compared_ = 0;
-  std::size_t cells_of_fcl_ = 1000;
 };
 
 TEST_F(Fuzzylite, ReadsTheNgtModelInItsDialects) {

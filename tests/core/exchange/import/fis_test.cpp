@@ -105,7 +105,7 @@ TEST(Fis, WhatIsRefused) {
             "a.fis: line 35, column 1: found term '3', wanted a number from 1 to 2, the terms of 'x'");
   EXPECT_EQ(
       refused(replaced(plain, "1 0, 1", "0 0, 1")),
-      "a.fis: line 35, column 1: found a rule without a condition, wanted the number of a term for one input or more");
+      "a.fis: line 35, column 1: found a rule whose condition asks for no term, wanted a term of one input or more");
   EXPECT_EQ(refused(replaced(plain, "1 0, 1", "1, 1")),
             "a.fis: line 35, column 2: found ', 1 (1) : 1', wanted the number of a term of 'z', one for each of the 2 "
             "inputs");
