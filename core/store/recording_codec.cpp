@@ -139,7 +139,8 @@ Result<study::Recording> decodeRecording(std::string_view bytes) {
     channel.name = reader.text();
     channel.unit = reader.text();
   }
-  if (!reader.ok() || reader.left() != samples * recording.channels.size() * sizeof(double)) {
+  const bool has_no_channel = recording.channels.empty() && samples > 0;
+  if (!reader.ok() || has_no_channel || reader.left() != samples * recording.channels.size() * sizeof(double)) {
     return damaged("another number of samples");
   }
   for (study::Channel& channel : recording.channels) {
