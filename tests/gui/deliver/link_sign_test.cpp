@@ -44,12 +44,14 @@ class LinkSignTest : public tests::ShownBench {
 };
 
 TEST_F(LinkSignTest, StandsInTheStripAndInDeliverWhileTheModelIsServed) {
+  const int before_width = bench.window.minimumSizeHint().width();
   EXPECT_FALSE(sign().isVisible());
   EXPECT_TRUE(inDeliver().startsWith(QStringLiteral("Off.")));
   bench.link.start();
   settle();
   EXPECT_TRUE(sign().isVisible());
   EXPECT_EQ(sign().text(), serving("none connected"));
+  EXPECT_EQ(bench.window.minimumSizeHint().width(), before_width) << "the window gets no wider by it";
   EXPECT_EQ(inDeliver(), serving("none connected"));
   {
     const TestClient first = connect();
