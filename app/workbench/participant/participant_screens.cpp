@@ -38,7 +38,9 @@ std::string ParticipantController::asked() const {
 
 void ParticipantController::fill() {
   state_.saving = proxy_.isSlow();
-  state_.failed = !proxy_.failure().isEmpty();
+  // Her own model is stored beside the session, before she feels it.
+  const bool own_waits = state_.screen == Screen::kOwnModel && !study_.failure().isEmpty();
+  state_.failed = own_waits || !proxy_.failure().isEmpty();
   state_.simulated = plan_.simulated || (device_.device() && device_.device()->simulated);
   state_.device = deviceStep();
   if (at() != nullptr) {
