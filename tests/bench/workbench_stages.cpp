@@ -43,8 +43,8 @@ double medianUs(int rounds, const std::function<void()>& work) {
 workbench::ForceMap mapOf(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled) {
   auto scene = fuzzy::Scene::specialise(compiled, sceneOfNgt());
   TACTUS_CHECK(scene.has_value());
-  workbench::ForceMap map{kDepth, kSpeed, kSide, std::vector<double>(kSide * kSide),
-                          std::vector<std::uint8_t>(kSide * kSide)};
+  workbench::ForceMap map{
+      kDepth, kSpeed, {}, {}, kSide, std::vector<double>(kSide * kSide), std::vector<std::uint8_t>(kSide * kSide)};
   const auto places = [](const fuzzy::Variable& input) {
     std::vector<double> out(kSide);
     for (std::size_t i = 0; i < kSide; ++i) {
@@ -77,8 +77,8 @@ std::vector<std::vector<std::string>> stageTimes(int rounds) {
     const double edit =
         medianUs(turns, [&] { TACTUS_CHECK(editing::moveVertex(model, vertex, from + 3, {}).has_value()); });
     const double compile = medianUs(turns, [&] { TACTUS_CHECK(fuzzy::compile(model).has_value()); });
-    workbench::ForceCurves curves;
-    const double curve = medianUs(turns, [&] { curves = workbench::computeCurves(model, compiled, kDepth, kPoint); });
+    figures::ForceCurves curves;
+    const double curve = medianUs(turns, [&] { curves = figures::computeCurves(model, compiled, kDepth, kPoint); });
     workbench::ForceMap map;
     const double surface = medianUs(turns, [&] { map = mapOf(model, compiled); });
     const std::vector<double> levels = workbench::contourLevels(model.output.min, model.output.max);
@@ -101,7 +101,7 @@ std::vector<std::vector<std::string>> stageDifferences() {
   for (const int experts : kExperts) {
     const fuzzy::ForceModel model = syntheticExperts(experts);
     const fuzzy::CompiledModel compiled = *fuzzy::compile(model);
-    const workbench::ForceCurves curves = workbench::computeCurves(model, compiled, kDepth, kPoint);
+    const figures::ForceCurves curves = figures::computeCurves(model, compiled, kDepth, kPoint);
     const workbench::ForceMap map = mapOf(model, compiled);
     double of_mean = 0;
     double of_experts = 0;
