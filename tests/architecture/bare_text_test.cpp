@@ -68,6 +68,8 @@ constexpr Exception kExceptions[] = {
     {"anatomy/anatomy_drawing.cpp", "([MCLZ])([^MCLZ]*)", "commands of a path"},
     {"participant/kit/language.cpp", "zh-Hant", "the id of a language"},
     {"participant/kit/language.cpp", "zh-Hans", "the id of a language"},
+    {"participant/participant_state.h", "zh-Hant", "the id of a language"},
+    {"participant/participant_state.h", "zh-Hans", "the id of a language"},
     {"participant/kit/language.cpp", "DejaVu Sans", "the name of a font"},
     {"participant/kit/language.cpp", "Noto Sans CJK TC", "the name of a font"},
     {"participant/kit/language.cpp", "Noto Sans CJK SC", "the name of a font"},

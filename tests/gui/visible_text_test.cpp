@@ -31,7 +31,7 @@ struct Untranslated {
 };
 
 constexpr Untranslated kUntranslated[] = {
-    {"\\b(mm/s|mm|deg|ms|px)\\b", "units"},
+    {"\\b(mm/s|mm|cm|deg|ms|px)\\b", "units"},
     {"\\b(Lubrication|Neck flexion|Depth|Speed)\\b", "the short name of an input is its id"},
     {"\\b(nasal_cavity|nasopharynx|oropharynx|laryngopharynx|esophagus|stomach)\\b", "ids of terms"},
     {"名\\d+ \\(S4, S2\\) / .*", "names of edits come from app/editing"},
@@ -42,7 +42,7 @@ constexpr Untranslated kUntranslated[] = {
      "labels come from elicitation/variables"},
     {"\\bTactus demo\\b", "the name of a folder, found again in every language"},
     {"^(Exploring and tuning a model|Running sessions with nurses|The labs: from recordings to depth and speed "
-     "terms|From words to an agreed model|Taking part as a "
+     "terms|From words to an agreed model|From an empty study to an agreed model|Taking part as a "
      "nurse|Ten minutes to a force)$",
      "headings of the guide, which is written in English"},
     {"\\([^()]+ (19|20)\\d\\d[^()]*\\)", "sources of landmarks"},
