@@ -190,6 +190,9 @@ Result<Sources> sourcesOfVertex(const study::Study& study, const BuiltModel& bui
     }
     return out;
   }
+  if (found->id == "depth" && settings.depths == DepthsFrom::kMeasured && settings.measured_depths) {
+    return without(measuredSentence(*settings.measured_depths));
+  }
   return without("The terms of " + found->id + " are defaults of the program.");
 }
 

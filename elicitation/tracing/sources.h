@@ -53,7 +53,8 @@ base::Result<std::vector<VertexShare>> speedVertexShares(const study::Study& stu
 /// The records behind vertex `point` of term `term` of the shared list of variable `variable`.
 /// Speed: the strokes of the participants that were averaged. Force under the vote: the judgements at the steps where
 /// the core of the term or of its neighbor begins or ends; under frequency and thresholds every judgement of the
-/// series. Other variables have default terms. Returns an error for an unknown variable, term or vertex.
+/// series. Measured depths: no record, but a sentence about their image. Other variables have default terms. Returns an
+/// error for an unknown variable, term or vertex.
 base::Result<Sources> sourcesOfVertex(const study::Study& study, const BuiltModel& built, const BuildSettings& settings,
                                       std::string_view variable, std::string_view term, std::size_t point);
 

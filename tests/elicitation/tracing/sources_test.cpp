@@ -62,6 +62,20 @@ TEST(Sources, AnEndOfTheUniverseAndDefaultTermsComeFromNoRecord) {
   EXPECT_FALSE(sourcesOfVertex(t.study, t.built, t.settings, "speed", "slow", 4));
 }
 
+TEST(Sources, AMeasuredDepthNamesItsImage) {
+  const auto& t = traced();
+  BuildSettings settings = t.settings;
+  settings.depths = DepthsFrom::kMeasured;
+  settings.measured_depths = emptyMeasurement(t.built.model.inputs[2]);
+  settings.measured_depths->image = "patient.png";
+  const auto sources = sourcesOfVertex(t.study, t.built, settings, "depth", "esophagus", 1);
+  ASSERT_TRUE(sources);
+  EXPECT_TRUE(sources->empty());
+  ASSERT_EQ(sources->without_records.size(), 1U);
+  EXPECT_NE(sources->without_records[0].find("measured on the image 'patient.png'"), std::string::npos)
+      << sources->without_records[0];
+}
+
 // Table 2: very small wins at .1 and .2 N, so its core ends with the votes at .2 N, and its foot is where small begins.
 TEST(Sources, AForceVertexIsTheVotesOfItsStep) {
   const auto study = fourPeople();
