@@ -43,7 +43,7 @@ TEST_F(MethodLabTest, ComparesOnRequestAndDrawsTheCurvesWhereTheyDifferMost) {
   EXPECT_FALSE(lab.isBusy()) << "nothing is computed before the button";
   lab.compare();
   EXPECT_TRUE(lab.isBusy());
-  lab.setWanted(false);  // it goes on behind another tab
+  lab.setWanted(false);  // the run continues behind another tab
   ASSERT_TRUE(comesTrue([this] { return lab.found() != nullptr; }));
   lab.setWanted(true);
   EXPECT_FALSE(lab.isBusy());

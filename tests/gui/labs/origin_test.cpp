@@ -31,9 +31,9 @@ TEST(Origin, AVoteIsTheJudgementsForItsWord) {
     EXPECT_EQ(one.what, QStringLiteral("0.9 N, step 9"));
   }
   EXPECT_EQ(Four().ask(VoteQuestion{0.9, {}}).records.size(), 4U);
-  const Origin nobody = Four().ask(VoteQuestion{0.9, "small"});
-  EXPECT_TRUE(nobody.records.empty());
-  EXPECT_FALSE(nobody.notes.isEmpty());
+  const Origin none = Four().ask(VoteQuestion{0.9, "small"});
+  EXPECT_TRUE(none.records.empty());
+  EXPECT_FALSE(none.notes.isEmpty());
 }
 
 // Table 2: small begins at .3 N, so its left shoulder has the four judgements there.

@@ -99,7 +99,7 @@ class SessionKilledTest : public CourseTest {
 
   // She types her code, and comes to what was asked; what is shown to each who sits down is passed before.
   void expectItContinues(const RehearsalLine& told) {
-    if (code.isEmpty()) return;  // nobody was there yet
+    if (code.isEmpty()) return;  // there was no participant yet
     sitDown(time);
     look();
     nurse->enterCode(code);

@@ -378,7 +378,7 @@ TEST_F(StudyModelsTest, AnswersWithoutAModelGiveTheAveragedOneWhenItIsAskedFor) 
     rule.rule.then = "large";
     ASSERT_TRUE(store::append(file, rule));
   });
-  // Whoever looks at the study changes nothing of it.
+  // Opening the study changes nothing in it.
   ASSERT_TRUE(open(path)) << failed.toStdString();
   EXPECT_EQ(offered, QStringLiteral("sample.tactus holds answers, but no model yet."));
   EXPECT_EQ(models.current(), nullptr);

@@ -29,7 +29,7 @@ class LabScreen : public QWidget {
   void addLab(const QString& title, QWidget* lab, UndoSource* undo);
   /// Says what `work` is doing while it runs, e.g. `Clustering the speeds`, with a button that cancels it.
   void watch(LabWork& work, const QString& doing);
-  /// Something short beside the watched work: it counts for `isBusy`, and nothing is said of it.
+  /// Something short beside the watched work: it counts for `isBusy` without a text.
   void watch(std::function<bool()> busy) { short_work_.push_back(std::move(busy)); }
   /// Puts the lab with this widget in front.
   void reveal(QWidget* lab);

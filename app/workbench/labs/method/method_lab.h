@@ -35,7 +35,7 @@ class MethodLab : public QObject {
   explicit MethodLab(LabData& data, QObject* parent = nullptr);
   ~MethodLab() override;
 
-  /// Compares the choices for the study and the settings of this moment. It goes on while the lab is hidden.
+  /// Compares the choices for the study and the settings of this moment. Runs also while the lab is hidden.
   void compare();
   void cancel();
   LabWork& work() { return work_; }
