@@ -21,8 +21,8 @@ std::string lit(const figures::Rgb& color, double light) {
 std::string scaleColor(double share, double light) { return lit(figures::forceRamp(share), light); }
 
 std::string_view seriesColor(std::size_t index) {
-  static const std::array<std::string, 6> kColors = [] {
-    std::array<std::string, 6> colors;
+  static const std::array<std::string, kSeriesColors> kColors = [] {
+    std::array<std::string, kSeriesColors> colors;
     for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = figures::hex(figures::expertColor(i));
     return colors;
   }();

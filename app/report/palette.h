@@ -20,6 +20,9 @@ inline constexpr std::string_view kInk = "#1B1F24";    ///< text, the averaged m
 inline constexpr std::string_view kMuted = "#57606A";  ///< axes, secondary text
 inline constexpr std::string_view kGrid = "#E3E7EB";
 
+/// Colors that differ; the next one is the first again.
+inline constexpr std::size_t kSeriesColors = 6;
+
 /// Color of one expert, the same in every plot and in the workbench.
 std::string_view seriesColor(std::size_t index);
 

@@ -84,8 +84,8 @@ class Chart {
 
   std::string series(const ChartSeries& series, std::size_t index) const {
     const std::string_view color = report::seriesColor(index);
-    // Colours come round again; hollow marks tell the second round from the first.
-    const bool hollow = index >= report::kSeriesColors.size();
+    // Colors come round again; hollow marks tell the second round from the first.
+    const bool hollow = index >= report::kSeriesColors;
     std::vector<SvgPoint> points;
     for (const auto* result : series.results) points.push_back(place(*result));
     std::string out;
