@@ -3,82 +3,12 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "core/fuzzy/compiled_model.h"
 #include "elicitation/variables/ngt_variables.h"
 
-#include "tests/elicitation/table2.h"
+#include "tests/elicitation/model/small_study.h"
 
 namespace tactus::elicitation {
 namespace {
-
-using Status = study::Answer::Status;
-
-study::Participant participant(const char* code, double years = 10, bool simulated = false) {
-  study::Participant out;
-  out.code = code;
-  out.years_experience = years;
-  out.simulated = simulated;
-  return out;
-}
-
-/// Two items about the nasal cavity, one about the esophagus.
-std::vector<study::Form> forms() {
-  study::Form form;
-  form.id = "short";
-  form.depth_terms = "form_a1";
-  form.items = {{1, "", {{"lubrication", "well"}, {"depth", "nasal_cavity"}}},
-                {2, "", {{"speed", "fast"}, {"depth", "nasal_cavity"}}},
-                {3, "", {{"speed", "slow"}, {"depth", "esophagus"}}}};
-  study::Form reading;
-  reading.id = "reading";
-  reading.depth_terms = "form_a2";
-  return {form, reading};
-}
-
-/// Two experts who answered the form; no speeds, no judgements.
-study::Study smallStudy() {
-  study::Study study;
-  study.name = "Small study";
-  study.participants = {participant("A", 3), participant("B", 1)};
-  study.answers = {{"A", "short", 1, "very_small", Status::kAnswered},
-                   {"A", "short", 2, "small", Status::kAnswered},
-                   {"A", "short", 3, "medium", Status::kAnswered},
-                   {"B", "short", 1, "small", Status::kAnswered},
-                   {"B", "short", 2, "", Status::kSkipped}};
-  return study;
-}
-
-fuzzy::Evaluation evaluate(const fuzzy::ForceModel& model, std::vector<double> in) {
-  return fuzzy::compile(model).value().evaluate(in);
-}
-
-std::string errorOf(const study::Study& study, const BuildSettings& settings = {}) {
-  const auto built = buildModel(study, forms(), settings);
-  return built ? std::string("no error") : built.error().message();
-}
-
-bool mentions(const std::vector<std::string>& notes, const std::string& text) {
-  return std::any_of(notes.begin(), notes.end(),
-                     [&text](const std::string& note) { return note.find(text) != std::string::npos; });
-}
-
-/// JSON text of a setting of the provenance.
-std::string settingOf(const fuzzy::ForceModel& model, const std::string& key) {
-  for (const auto& setting : model.provenance->settings) {
-    if (setting.key == key) return setting.json;
-  }
-  return "absent";
-}
-
-/// Ten samples at each of three speeds, so that the centres are those speeds.
-void addSpeeds(study::Study& study, const char* who, std::vector<double> speeds_mm_s) {
-  const char* levels[] = {"slow", "medium", "fast"};
-  for (int sample = 0; sample < 10; ++sample) {
-    for (std::size_t level = 0; level < 3; ++level) {
-      study.speeds.push_back({who, levels[level], 1, 0.001 * sample, 0, speeds_mm_s[level]});
-    }
-  }
-}
 
 TEST(ModelBuilder, TheAverageIsThatOfTheExpertsWhoDoNotAbstain) {
   const auto built = buildModel(smallStudy(), forms(), {});
@@ -270,25 +200,6 @@ TEST(ModelBuilder, GivenRulesTakeThePlaceOfAnswersAndBringTheirDepthTerms) {
   EXPECT_NEAR(evaluate(built->model, {0, 0, 130, 110}).force_n, 0.7, 1e-14);
 }
 
-TEST(ModelBuilder, GivenRulesWithoutAFormGetTheSetTheyUse) {
-  const auto set_of = [](std::vector<const char*> regions) {
-    study::Study study;
-    study.participants = {participant("A")};
-    for (const char* region : regions) study.rules.push_back({"A", "", {{"depth", region}}, "small", 1});
-    const auto built = buildModel(study, forms(), {});
-    EXPECT_TRUE(mentions(built.value().notes, "name no form"));
-    EXPECT_TRUE(mentions(built.value().notes, findDepthTerms(built.value().experts.at(0).depth_terms)->label));
-    EXPECT_FALSE(mentions(built.value().notes, built.value().experts.at(0).depth_terms)) << "an id of the program";
-    EXPECT_EQ(settingOf(built.value().model, "forms"), "{ \"A\": null }");
-    EXPECT_EQ(settingOf(built.value().model, "depth_terms_inferred"), "[\"A\"]");
-    return built.value().experts.at(0).depth_terms;
-  };
-  EXPECT_EQ(set_of({"nasal_cavity", "stomach"}), "form_a2");
-  EXPECT_EQ(set_of({"oropharynx"}), "form_a1");
-  EXPECT_EQ(set_of({"oropharynx", "stomach"}), "six_regions");
-  EXPECT_EQ(set_of({"nasal_cavity"}), "six_regions");
-}
-
 TEST(ModelBuilder, RefusesWhatDoesNotResolve) {
   const auto with_rule = [](study::GivenRule rule) {
     auto study = smallStudy();
@@ -320,85 +231,6 @@ TEST(ModelBuilder, RefusesWhatDoesNotResolve) {
   BuildSettings settings;
   settings.speed.trim = 1;
   EXPECT_EQ(errorOf(study, settings), "trim: found 1, wanted a share of 0 or more and below 1");
-}
-
-TEST(ModelBuilder, OtherFormsAndParticipantsWithoutRulesAreNoted) {
-  auto study = smallStudy();
-  study.participants.push_back(participant("C"));
-  study.answers.push_back({"C", "usability", 1, "5", Status::kAnswered});
-  const auto built = buildModel(study, forms(), {});
-  ASSERT_TRUE(built) << built.error().message();
-  EXPECT_TRUE(mentions(built->notes, "'usability'"));
-  EXPECT_TRUE(mentions(built->notes, "Participant C has no rules"));
-}
-
-TEST(ModelBuilder, ProvenanceSaysWhichFormsAndDepthTermsWereUsed) {
-  auto study = smallStudy();
-  study.rules = {{"B", "reading", {{"depth", "laryngopharynx"}}, "large", 1}};
-  BuildSettings settings;
-  settings.extra = {{"simulation_seed", "7"}};
-  const auto built = buildModel(study, forms(), settings);
-  ASSERT_TRUE(built) << built.error().message();
-  EXPECT_EQ(settingOf(built->model, "forms"), "{ \"A\": \"short\", \"B\": \"reading\" }");
-  EXPECT_EQ(settingOf(built->model, "depth_terms"), "{ \"A\": \"form_a1\", \"B\": \"form_a2\" }");
-  EXPECT_EQ(settingOf(built->model, "depth_terms_inferred"), "absent");
-  EXPECT_EQ(settingOf(built->model, "simulation_seed"), "7");
-}
-
-TEST(ModelBuilder, OddDataAreNoted) {
-  auto study = smallStudy();
-  addSpeeds(study, "A", {-3, 100, 200});
-  study.rules = {{"B", "", {{"speed", "slow"}, {"depth", "stomach"}}, "small", 1, {2}},
-                 {"B", "", {{"depth", "stomach"}}, "small", 1, {3}},
-                 {"B", "", {{"depth", "stomach"}, {"speed", "slow"}}, "large", 1, {4}}};
-  BuildSettings settings;
-  settings.weights.policy = WeightPolicy::kTable;
-  settings.weights.table = {{"A", 1}, {"B", 1}, {"Z", 1}};
-  settings.weights.table_file = "w.csv";
-  study.speeds.push_back({"A", "slow", 1, 0, 0, 8});  // so that the lowest of three centres is not negative
-  for (int i = 0; i < 100; ++i) study.speeds.push_back({"A", "slow", 2, 0.001 * i, 0, 8});
-  const auto built = buildModel(study, forms(), settings);
-  ASSERT_TRUE(built) << built.error().message();
-  EXPECT_TRUE(mentions(built->notes, "10 of 131 speed samples lie below 0 mm/s"));
-  EXPECT_TRUE(mentions(built->notes,
-                       "Participant B contradicts themselves: rule 1 (line 2) says 'small', rule 3 (line 4) says "
-                       "'large' of the same conditions."));
-  EXPECT_TRUE(mentions(built->notes, "w.csv has a weight for 'Z', who is not in the study."));
-}
-
-TEST(ModelBuilder, SimulatedDataSaySo) {
-  auto study = smallStudy();
-  for (auto& participant : study.participants) participant.simulated = true;
-  study.rules = {{"A", "", {{"depth", "nasal_cavity"}}, "small", 1}};
-  const auto built = buildModel(study, forms(), {});
-  ASSERT_TRUE(built);
-  EXPECT_EQ(built->model.experts[0].label, "A") << "given rules are not what is simulated of a participant";
-  EXPECT_EQ(built->model.experts[1].label, "B (simulated)");
-  EXPECT_EQ(built->model.provenance->notes, "Simulated, not measured: answers of A, B. Rules given directly: A.");
-  EXPECT_TRUE(mentions(built->notes, "Simulated"));
-  const auto& sources = built->model.provenance->sources;
-  EXPECT_TRUE(std::any_of(sources.begin(), sources.end(), [](const fuzzy::NamedJson& source) {
-    return source.key == "simulated" && source.json == "[\"A\", \"B\"]";
-  }));
-}
-
-TEST(ModelBuilder, WhatIsSimulatedIsSaidForEachKindOfData) {
-  auto study = smallStudy();
-  study.participants[0].simulated = true;
-  addSpeeds(study, "A", {20, 100, 200});
-  study.judgements = {{"A", "ascending", 1, 1.1, study::ForceJudgement::Kind::kTerm, "small"},
-                      {"B", "ascending", 1, 1.1, study::ForceJudgement::Kind::kTerm, "small"}};
-  study.answers = {{"B", "short", 1, "small", Status::kAnswered}};
-  study.rules = {{"A", "", {{"depth", "nasal_cavity"}}, "small", 1}};
-  const auto notes = [&study] { return buildModel(study, forms(), {}).value().model.provenance->notes; };
-  EXPECT_EQ(notes(), "Simulated, not measured: strokes and judgements of A. Rules given directly: A.");
-  study.participants[1].simulated = true;
-  EXPECT_EQ(notes(),
-            "Simulated, not measured: strokes of A; judgements of A, B; answers of B. Rules given directly: A.");
-  study.speeds.clear();
-  study.judgements.clear();
-  study.participants[1].simulated = false;
-  EXPECT_EQ(notes(), "Simulated participants without strokes, judgements and answers: A. Rules given directly: A.");
 }
 
 TEST(ModelBuilder, AnExpertAloneHasItsOwnTermsAsTheModels) {

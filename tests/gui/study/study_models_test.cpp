@@ -2,106 +2,18 @@
 
 #include <QFileInfo>
 #include <QSignalSpy>
-#include <QTest>
-#include <atomic>
 #include <gtest/gtest.h>
-#include <memory>
-#include <semaphore>
 
-#include "app/editing/history_versions.h"
-#include "app/editing/membership_edits.h"
 #include "app/session/session_notes.h"
-#include "core/model_io/model_file.h"
 #include "core/store/entries.h"
-#include "core/store/model_versions.h"
 #include "core/store/study_info.h"
 
-#include "tests/gui/sample_models.h"
-#include "tests/gui/sample_study.h"
+#include "tests/gui/study/study_models_fixture.h"
 
 namespace tactus::workbench {
 namespace {
 
 using tests::comesTrue;
-
-const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
-
-class StudyModelsTest : public testing::Test {
- protected:
-  StudyModelsTest() {
-    const auto on_said = [this](const QString& sentence) { said = sentence; };
-    const auto on_failed = [this](const QString&, const QString& sentence) { failed = sentence; };
-    QObject::connect(study.get(), &StudyConnection::said, on_said);
-    QObject::connect(kept.get(), &StudyModels::said, on_said);
-    QObject::connect(kept.get(), &StudyModels::buildOffered, [this](const QString& sentence) { offered = sentence; });
-    QObject::connect(study.get(), &StudyConnection::failed, on_failed);
-    QObject::connect(kept.get(), &StudyModels::failed, on_failed);
-  }
-
-  // A study with the sample model, opened and moved to 3 and 2, then back to 3.
-  void makeTuned() {
-    tests::makeStudyFile(path, [](store::StudyFile& file, study::RecordIds& ids) {
-      auto history = *editing::EditHistory::open(tests::twoExperts(), "Opened", {"anna", 1}, ids);
-      for (const double to : {3.0, 2.0}) {
-        history.apply(*editing::moveVertex(history.model(), kNearShoulder, to), {"anna", 2});
-      }
-      ASSERT_TRUE(history.undo({"anna", 3}));
-      for (const auto& version : editing::unstoredVersions(history)) ASSERT_TRUE(store::append(file, version));
-    });
-  }
-  void end() {
-    kept.reset();
-    study.reset();
-  }
-  bool open(const QString& file) {
-    failed.clear();
-    study->open(file);
-    return comesTrue([this] { return !study->isOpening(); }) && failed.isEmpty();
-  }
-  // Until `disk` is released, nothing more is written; from the moment on at which the study is left.
-  void hangOnLeaving(const std::shared_ptr<std::binary_semaphore>& disk) {
-    QObject::connect(study.get(), &StudyConnection::leaving, [this, disk] {
-      left = true;
-      study->order([disk](store::StudyFile&, study::RecordIds&) -> base::Result<void> {
-        disk->acquire();
-        return {};
-      });
-    });
-  }
-  // Nothing is written until the disk is told not to be full any more.
-  std::shared_ptr<std::atomic<bool>> fillDisk() {
-    auto full = std::make_shared<std::atomic<bool>>(true);
-    study->order([full](store::StudyFile&, study::RecordIds&) -> base::Result<void> {
-      if (*full) return base::fail(base::ErrorCode::kIo, "disk", "no space left", "free space");
-      return {};
-    });
-    return full;
-  }
-  void move(double to) { ASSERT_TRUE(edits.apply(editing::moveVertex(edits.model(), kNearShoulder, to))); }
-  double shoulder() const { return models.current()->model.inputs[1].terms[0].points[2]; }
-  bool allWritten() {
-    return comesTrue([this] { return !study->isBusy(); });
-  }
-  std::vector<study::ModelVersion> versions(const QString& file) {
-    return *store::modelVersions(tests::lookInto(file));
-  }
-  std::vector<study::ModelVersion> versions() { return versions(path); }
-  double storedShoulder() {
-    const auto version = *store::latestModelVersion(tests::lookInto(path));
-    return model_io::parseModel(version->text, "stored")->model.inputs[1].terms[0].points[2];
-  }
-
-  tests::ModelFolder folder;
-  QString path = folder.path(QStringLiteral("sample.tactus"));
-  ModelController models;
-  EditController edits{models};
-  std::unique_ptr<StudyConnection> study = std::make_unique<StudyConnection>();
-  std::unique_ptr<StudyModels> kept = std::make_unique<StudyModels>(*study, models, edits);
-  QString said;
-  QString offered;
-  QString failed;
-  bool left = false;
-};
 
 TEST_F(StudyModelsTest, OpensTheLatestModelWithItsHistory) {
   makeTuned();
@@ -155,59 +67,6 @@ TEST_F(StudyModelsTest, EveryEditBecomesAVersion) {
   EXPECT_TRUE(stored.back().label.starts_with("edit: ")) << stored.back().label;
   EXPECT_EQ(storedShoulder(), 1.5);
   EXPECT_TRUE(store::checkStudy(tests::lookInto(path))->empty());
-}
-
-TEST_F(StudyModelsTest, WhatWasOrderedIsWrittenBeforeTheEnd) {
-  makeTuned();
-  ASSERT_TRUE(open(path));
-  for (int i = 0; i < 50; ++i) move(2 + 0.01 * i);
-  end();
-  EXPECT_EQ(versions().size(), 54U);
-}
-
-TEST_F(StudyModelsTest, ADiskThatHangsHoldsNobodyUp) {
-  makeTuned();
-  ASSERT_TRUE(open(path));
-  std::binary_semaphore disk(0);
-  study->order([&disk](store::StudyFile&, study::RecordIds&) -> base::Result<void> {
-    disk.acquire();
-    return {};
-  });
-  move(2.5);
-  EXPECT_EQ(shoulder(), 2.5);
-  ASSERT_TRUE(comesTrue([this] { return kept->savedText() == QStringLiteral("Saving in sample.tactus…"); }));
-  EXPECT_TRUE(study->isBusy());
-  disk.release();
-  ASSERT_TRUE(allWritten());
-  EXPECT_EQ(kept->savedText(), QStringLiteral("Stored in sample.tactus"));
-}
-
-TEST_F(StudyModelsTest, WhatTheDiskRefusesIsSaidAndDoneAgain) {
-  makeTuned();
-  ASSERT_TRUE(open(path));
-  auto full = std::make_shared<std::atomic<bool>>(true);
-  bool done = false;
-  study->order(
-      [full](store::StudyFile&, study::RecordIds&) -> base::Result<void> {
-        if (*full) return base::fail(base::ErrorCode::kIo, "disk", "no space left", "free space");
-        return {};
-      },
-      [&done] { done = true; });
-  move(2.5);
-  ASSERT_TRUE(comesTrue([this] { return !study->failure().isEmpty(); }));
-  EXPECT_TRUE(failed.contains(QStringLiteral("no space left"))) << failed.toStdString();
-  EXPECT_TRUE(kept->savedText().contains(QStringLiteral("Not stored"))) << kept->savedText().toStdString();
-  // Nobody gets away from it by accident.
-  study->open(folder.path(QStringLiteral("other.tactus")));
-  EXPECT_FALSE(study->isOpening());
-
-  *full = false;
-  study->storeNow();
-  ASSERT_TRUE(allWritten());
-  EXPECT_TRUE(done);
-  EXPECT_TRUE(study->failure().isEmpty());
-  end();
-  EXPECT_EQ(storedShoulder(), 2.5);
 }
 
 TEST_F(StudyModelsTest, WhatIsWrongIsOneSentenceAndTheStudyBeforeStays) {
@@ -283,39 +142,6 @@ TEST_F(StudyModelsTest, AClosedStudyLeavesItsModelOnTheScreen) {
   EXPECT_TRUE(models.isModified());
 }
 
-TEST_F(StudyModelsTest, AnEditWhileTheStudyClosesIsStored) {
-  makeTuned();
-  ASSERT_TRUE(open(path));
-  const auto disk = std::make_shared<std::binary_semaphore>(0);
-  hangOnLeaving(disk);
-  study->close();
-  move(2.5);
-  disk->release();
-  ASSERT_TRUE(comesTrue([this] { return !study->isOpen(); }));
-  EXPECT_EQ(shoulder(), 2.5);
-  EXPECT_EQ(storedShoulder(), 2.5);
-  EXPECT_TRUE(store::checkStudy(tests::lookInto(path))->empty());
-}
-
-TEST_F(StudyModelsTest, AnEditWhileAnotherStudyOpensStaysInItsOwn) {
-  const QString other = folder.path(QStringLiteral("other.tactus"));
-  tests::makeStudyFile(other);
-  makeTuned();
-  ASSERT_TRUE(open(path));
-  const auto disk = std::make_shared<std::binary_semaphore>(0);
-  hangOnLeaving(disk);
-  study->open(other);
-  ASSERT_TRUE(comesTrue([this] { return left; }));
-  move(2.5);
-  disk->release();
-  ASSERT_TRUE(comesTrue([&] { return study->path() == other; })) << failed.toStdString();
-  ASSERT_TRUE(allWritten());
-  EXPECT_TRUE(failed.isEmpty()) << failed.toStdString();
-  end();
-  EXPECT_EQ(storedShoulder(), 2.5);
-  EXPECT_TRUE(versions(other).empty());
-}
-
 TEST_F(StudyModelsTest, AModelOfOneStudyIsPutIntoAnother) {
   const QString other = folder.path(QStringLiteral("other.tactus"));
   makeTuned();
@@ -335,25 +161,6 @@ TEST_F(StudyModelsTest, AModelOfOneStudyIsPutIntoAnother) {
   EXPECT_EQ(stored[1].parent, stored[0].id);
   const auto last = *store::latestModelVersion(tests::lookInto(other));
   EXPECT_EQ(model_io::parseModel(last->text, "stored")->model, models.current()->model);
-}
-
-TEST_F(StudyModelsTest, WhatTheDiskRefusesIsNotReplacedByWhatItHas) {
-  makeTuned();
-  ASSERT_TRUE(open(path));
-  const auto full = fillDisk();
-  move(2.5);
-  ASSERT_TRUE(comesTrue([this] { return !study->failure().isEmpty(); }));
-  kept->openModel();
-  ASSERT_TRUE(comesTrue([this] { return !study->isOpening(); }));
-  EXPECT_EQ(shoulder(), 2.5);
-  kept->buildModel();
-  ASSERT_TRUE(comesTrue([this] { return !study->isOpening(); }));
-  EXPECT_EQ(shoulder(), 2.5);
-  *full = false;
-  study->storeNow();
-  ASSERT_TRUE(allWritten());
-  end();
-  EXPECT_EQ(storedShoulder(), 2.5);
 }
 
 TEST_F(StudyModelsTest, LookingAtTheHistoryComplainsOfNothing) {

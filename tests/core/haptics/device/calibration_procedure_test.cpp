@@ -1,150 +1,25 @@
 #include "core/haptics/device/calibration_procedure.h"
 
-#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <string>
+
+#include "tests/core/haptics/device/calibration_person.h"
 
 namespace tactus::haptics {
 namespace {
 
 using Step = CalibrationStep;
 
-constexpr double kTickS = 0.001;
-
-/// A handle of 0.15 kg on a device whose numbers the procedure has to find.
-struct SimulatedDevice {
-  double full_scale_n = 8;
-  double mm_per_count = 0.02;
-  Vector3 sign{1, 1, 1};
-  double friction_in_n = 0.30;   ///< for motion in direction -z
-  double friction_out_n = 0.45;  ///< for motion in direction +z
-  double friction_x_n = 0.2;
-  double weight_n = 0;   ///< pulls along -z
-  bool blocked = false;  ///< held by a person or a spring scale
-  bool silent = false;
-  int noise_counts = 0;
-  bool no_power = false;
-  std::int64_t mute_from_ns = INT64_MAX;   ///< no sample from then on
-  std::int64_t stuck_from_ns = INT64_MAX;  ///< no force arrives from then on
-
-  Vector3 position_mm{3, 0, 10};
-  Vector3 speed_mm_s;
-  Vector3 last_share;
-  double largest_share = 0;
-  std::uint64_t number = 1;
-  std::int64_t now_ns = 0;
-
-  double counts(double mm) const {
-    const int noise = noise_counts == 0 ? 0 : static_cast<int>(number % static_cast<std::uint64_t>(noise_counts + 1));
-    return std::round(mm / mm_per_count) + noise;
-  }
-  DeviceState state() const {
-    DeviceState out;
-    out.number = number;
-    out.time_ns = std::min(now_ns, mute_from_ns);
-    out.written_ns = std::min(now_ns, stuck_from_ns);
-    out.position_mm = {counts(position_mm.x), 0, counts(position_mm.z)};
-    out.fault = DeviceFault::kNotCalibrated;
-    return out;
-  }
-  static void slide(double& position_mm, double& speed_mm_s, double force_n, double friction_neg_n,
-                    double friction_pos_n) {
-    constexpr double kMassKg = 0.15;
-    constexpr double kDampingNSMm = 0.02;  // so that a push does not throw the handle away
-    if (speed_mm_s == 0 && force_n <= friction_pos_n && force_n >= -friction_neg_n) return;
-    const bool positive = speed_mm_s > 0 || (speed_mm_s == 0 && force_n > 0);
-    const double net_n = force_n - (positive ? friction_pos_n : -friction_neg_n) - kDampingNSMm * speed_mm_s;
-    const double next = speed_mm_s + net_n / kMassKg * kTickS * 1000;
-    speed_mm_s = next * (positive ? 1 : -1) <= 0 ? 0 : next;
-    position_mm += speed_mm_s * kTickS;
-  }
-  void step(const Vector3& share) {
-    last_share = share;
-    largest_share = std::max(largest_share, std::sqrt(dot(share, share)));
-    const double before = state().position_mm.z + state().position_mm.x;
-    if (!blocked) {
-      const double scale = no_power ? 0 : full_scale_n;
-      slide(position_mm.x, speed_mm_s.x, sign.x * share.x * scale, friction_x_n, friction_x_n);
-      slide(position_mm.z, speed_mm_s.z, sign.z * share.z * scale - weight_n, friction_in_n, friction_out_n);
-    } else {
-      speed_mm_s = {};
-    }
-    if (position_mm.z < -60) position_mm.z = -60;  // the end of the travel
-    now_ns += 1'000'000;
-    if (now_ns > mute_from_ns) return;
-    if (!silent || state().position_mm.z + state().position_mm.x != before) ++number;
-  }
-  /// What a spring scale that holds it against moving outwards reads.
-  double springScaleN() const { return sign.z * last_share.z * full_scale_n; }
-};
-
-/// A person who does what the procedure says.
-class Person {
- public:
-  Person(CalibrationPlan plan, SimulatedDevice simulated) : device(simulated), procedure(std::move(plan)) {}
-
-  void ticks(int count) {
-    for (int i = 0; i < count; ++i) device.step(procedure.tick(device.state(), device.now_ns));
-  }
-  void untilNotIn(Step step) {
-    for (int i = 0; i < 100'000 && procedure.step() == step; ++i) ticks(1);
-  }
-  void proceed() {
-    ticks(2);
-    procedure.proceed();
-    ticks(1);
-  }
-  void enter(double value) {
-    const auto entered = procedure.enter(value);
-    EXPECT_TRUE(entered) << entered.error().message();
-    ticks(1);
-  }
-  void hold(double z_mm) {
-    device.blocked = true;
-    device.position_mm.z = z_mm;
-    ticks(5);
-  }
-  void letGo() { device.blocked = false; }
-
-  /// Up to the friction, both directions.
-  void measureAllButTheScale() {
-    EXPECT_EQ(procedure.step(), Step::kLetGo);
-    proceed();
-    untilNotIn(Step::kRest);
-    untilNotIn(Step::kSign);
-    ASSERT_EQ(procedure.step(), Step::kOuterEnd) << procedure.instruction();
-    hold(20);
-    proceed();
-    ASSERT_EQ(procedure.step(), Step::kInnerEnd);
-    hold(-40);
-    proceed();
-    ASSERT_EQ(procedure.step(), Step::kRuler) << procedure.instruction();
-    enter(60);
-    ASSERT_EQ(procedure.step(), Step::kLetGoAgain);
-    hold(0);
-    letGo();
-    proceed();
-    untilNotIn(Step::kFrictionIn);
-    untilNotIn(Step::kFrictionOut);
-  }
-
-  SimulatedDevice device;
-  CalibrationProcedure procedure;
-};
-
-CalibrationPlan plan(ScaleMethod method = ScaleMethod::kSpringScale, bool both_axes = false) {
-  return {"hid:1209:ffb0:7", "7", {both_axes, false, true}, method};
-}
-
 // A rising push of 2 % of full scale per second lasts at most the ticks until 4 counts are seen.
 constexpr double kFrictionToleranceN = 0.03;
 
 TEST(CalibrationProcedure, FindsTheNumbersOfADevice) {
   for (const double sign : {1.0, -1.0}) {
-    SimulatedDevice device;
+    UncalibratedDevice device;
     device.sign = {1, 1, sign};
-    Person person(plan(), device);
+    CalibrationPerson person(samplePlan(), device);
     person.measureAllButTheScale();
     ASSERT_EQ(person.procedure.step(), Step::kScaleReady) << person.procedure.instruction();
     person.hold(0);
@@ -173,7 +48,7 @@ TEST(CalibrationProcedure, FindsTheNumbersOfADevice) {
 }
 
 TEST(CalibrationProcedure, AKnownWeightServesInPlaceOfASpringScale) {
-  Person person(plan(ScaleMethod::kKnownWeight), {});
+  CalibrationPerson person(samplePlan(ScaleMethod::kKnownWeight), {});
   person.measureAllButTheScale();
   ASSERT_EQ(person.procedure.step(), Step::kWeight) << person.procedure.instruction();
   person.device.weight_n = 0.981;
@@ -186,26 +61,26 @@ TEST(CalibrationProcedure, AKnownWeightServesInPlaceOfASpringScale) {
 }
 
 TEST(CalibrationProcedure, TheSignOfEveryAxisIsFoundWithASmallShortPush) {
-  SimulatedDevice device;
+  UncalibratedDevice device;
   device.sign = {-1, 1, -1};
-  Person person(plan(ScaleMethod::kSpringScale, true), device);
+  CalibrationPerson person(samplePlan(ScaleMethod::kSpringScale, true), device);
   person.proceed();
   person.untilNotIn(Step::kRest);
   double pushed_s = 0;
   while (person.procedure.step() == Step::kSign) {
     person.ticks(1);
-    pushed_s += person.device.last_share == Vector3{} ? 0 : kTickS;
+    pushed_s += person.device.last_share == Vector3{} ? 0 : kCalibrationTickS;
   }
   EXPECT_EQ(person.procedure.step(), Step::kOuterEnd);
   EXPECT_LE(person.device.largest_share, 0.10 + 1e-12) << "5 % does not overcome the friction of 0.45 N of 8 N along z";
-  EXPECT_LE(pushed_s, 3 * CalibrationProcedure::kSignS + 2 * kTickS);
+  EXPECT_LE(pushed_s, 3 * CalibrationProcedure::kSignS + 2 * kCalibrationTickS);
 }
 
 TEST(CalibrationProcedure, NoiseIsNotTakenForMotion) {
-  SimulatedDevice device;
+  UncalibratedDevice device;
   device.noise_counts = 5;
   device.silent = false;
-  Person person(plan(), device);
+  CalibrationPerson person(samplePlan(), device);
   person.measureAllButTheScale();
   ASSERT_EQ(person.procedure.step(), Step::kScaleReady);
   person.hold(0);
@@ -221,9 +96,9 @@ TEST(CalibrationProcedure, NoiseIsNotTakenForMotion) {
 }
 
 TEST(CalibrationProcedure, ADeviceWithoutPowerIsToldApart) {
-  SimulatedDevice device;
+  UncalibratedDevice device;
   device.no_power = true;
-  Person person(plan(), device);
+  CalibrationPerson person(samplePlan(), device);
   person.proceed();
   person.untilNotIn(Step::kRest);
   person.untilNotIn(Step::kSign);
@@ -234,9 +109,9 @@ TEST(CalibrationProcedure, ADeviceWithoutPowerIsToldApart) {
 }
 
 TEST(CalibrationProcedure, ASilentDeviceIsNoticed) {
-  SimulatedDevice device;
+  UncalibratedDevice device;
   device.silent = true;
-  Person person(plan(), device);
+  CalibrationPerson person(samplePlan(), device);
   person.measureAllButTheScale();
   person.hold(0);
   person.proceed();
@@ -249,7 +124,7 @@ TEST(CalibrationProcedure, ASilentDeviceIsNoticed) {
 }
 
 TEST(CalibrationProcedure, AHandleThatMovesAtRestIsAskedForAgain) {
-  Person person(plan(), {});
+  CalibrationPerson person(samplePlan(), {});
   person.proceed();
   person.ticks(100);
   person.device.position_mm.z += 30;
@@ -259,7 +134,7 @@ TEST(CalibrationProcedure, AHandleThatMovesAtRestIsAskedForAgain) {
 }
 
 TEST(CalibrationProcedure, AHandleThatSlipsFromTheScaleIsNotPushedOn) {
-  Person person(plan(), {});
+  CalibrationPerson person(samplePlan(), {});
   person.measureAllButTheScale();
   person.hold(0);
   person.proceed();
@@ -274,7 +149,7 @@ TEST(CalibrationProcedure, AHandleThatSlipsFromTheScaleIsNotPushedOn) {
 }
 
 TEST(CalibrationProcedure, ReadingsThatCannotBeAreRefused) {
-  Person person(plan(), {});
+  CalibrationPerson person(samplePlan(), {});
   EXPECT_FALSE(person.procedure.enter(3)) << "nothing was asked";
   person.measureAllButTheScale();
   person.hold(0);
@@ -293,13 +168,13 @@ TEST(CalibrationProcedure, ReadingsThatCannotBeAreRefused) {
 }
 
 TEST(CalibrationProcedure, AFaultOrTheEndOfPatienceStopsTheForce) {
-  Person person(plan(), {});
+  CalibrationPerson person(samplePlan(), {});
   person.measureAllButTheScale();
   person.hold(0);
   person.proceed();
   person.ticks(600);
   ASSERT_NE(person.device.last_share, (Vector3{}));
-  Person other = person;
+  CalibrationPerson other = person;
   person.procedure.cancel();
   EXPECT_EQ(person.procedure.tick(person.device.state(), person.device.now_ns + 1), (Vector3{}));
   EXPECT_EQ(person.procedure.step(), Step::kFailed);
@@ -330,7 +205,7 @@ class PathBesideTheMotor : public testing::Test {
     person_.hold(20 - depth_mm * std::cos(angle_));
   }
 
-  Person person_{plan(), {}};
+  CalibrationPerson person_{samplePlan(), {}};
   double angle_ = 0;
 };
 
@@ -365,7 +240,7 @@ TEST_F(PathBesideTheMotor, FullScaleIsThatOfTheMotorAndFrictionThatAlongThePath)
 TEST_F(PathBesideTheMotor, OneThatIsTooFarOffIsRefused) {
   moveAlong(25);
   EXPECT_EQ(person_.procedure.step(), Step::kRuler) << "cos 25 degrees is 0.906";
-  Person other(plan(), {});
+  CalibrationPerson other(samplePlan(), {});
   person_ = other;
   moveAlong(27);
   EXPECT_EQ(person_.procedure.step(), Step::kFailed) << "cos 27 degrees is 0.891";
@@ -375,9 +250,9 @@ TEST_F(PathBesideTheMotor, OneThatIsTooFarOffIsRefused) {
 }
 
 TEST(CalibrationProcedure, AnAxisWithoutAMotorIsRefused) {
-  CalibrationPlan along_x = plan();
+  CalibrationPlan along_x = samplePlan();
   along_x.driven = {true, false, false};
-  Person person(along_x, {});
+  CalibrationPerson person(along_x, {});
   person.proceed();
   person.untilNotIn(Step::kRest);
   person.untilNotIn(Step::kSign);
@@ -408,9 +283,9 @@ TEST(CalibrationProcedure, OldPositionsAndForcesThatDoNotArriveAreNoMeasurement)
   for (const bool mute : {true, false}) {
     for (const int after_ms : {0, 100, 5000}) {
       SCOPED_TRACE(mute ? "mute" : "stuck");
-      SimulatedDevice device;
+      UncalibratedDevice device;
       device.friction_in_n = 1.9;  // the push rises for long
-      Person person(plan(), device);
+      CalibrationPerson person(samplePlan(), device);
       person.proceed();
       person.untilNotIn(Step::kRest);
       person.untilNotIn(Step::kSign);
@@ -429,9 +304,9 @@ TEST(CalibrationProcedure, OldPositionsAndForcesThatDoNotArriveAreNoMeasurement)
 }
 
 TEST(CalibrationProcedure, SilenceOfADeviceThatIsSilentWhenStillIsNoFault) {
-  SimulatedDevice device;
+  UncalibratedDevice device;
   device.silent = true;
-  Person person(plan(), device);
+  CalibrationPerson person(samplePlan(), device);
   person.proceed();
   person.untilNotIn(Step::kRest);
   person.untilNotIn(Step::kSign);

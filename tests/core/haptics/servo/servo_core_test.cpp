@@ -1,17 +1,14 @@
 #include "core/haptics/servo/servo_core.h"
 
-#include <algorithm>
 #include <cfenv>
-#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "core/base/random.h"
 
 #include "tests/core/haptics/scenes.h"
+#include "tests/core/haptics/servo/servo_hand.h"
 #include "tests/support/real_time_trap.h"
 
 namespace tactus::haptics {
@@ -21,54 +18,8 @@ constexpr double kRounding = 1e-12;  // of a few hundred additions of numbers ne
 // Forces up to 1.3 N that go within 30 ms, beside a spring of 0.25 N/mm at 100 mm/s.
 constexpr double kCalmStepN = 1.3 / 30 + 0.025;
 
-/// A hand on a perfect device, at ticks of 1 ms. It begins armed, and pressed once the switch has been seen open.
-struct Hand {
-  ServoCore core;
-  ServoOrders orders;
-  ServoTick tick;
-  Sample sample;
-  double position_mm = 0;
-  std::optional<Vector3> at_mm;  ///< where the device is; nothing: at `position_mm` along the axis of the orders
-  double largest_step_n = 0;
-  std::vector<ScenePointer> scenes;
-
-  explicit Hand(ForceSource source, const DeviceInfo& device = {}) : core(device) {
-    orders.source = source;
-    orders.limits.fade_in_s = 0;
-    tick.orders_number = 1;
-    step(5);
-    orders.armed = true;
-    step(5);
-    tick.device.buttons = 1;
-    step(30);
-    EXPECT_TRUE(sample.enabled);
-  }
-
-  /// As the mailbox hands it over; the old scene stays until the servo has seen the new one.
-  void post(ScenePointer scene) {
-    scenes.push_back(orders.scene);
-    if (scenes.size() > 2) scenes.erase(scenes.begin());
-    orders.scene = std::move(scene);
-    ++tick.orders_number;
-  }
-
-  void step(int ticks = 1, double way_mm = 0) {
-    for (int i = 0; i < ticks; ++i) {
-      position_mm += way_mm / ticks;
-      tick.now_ns += 1'000'000;
-      tick.orders = &orders;
-      ++tick.device.number;
-      tick.device.time_ns = tick.device.written_ns = tick.now_ns;
-      tick.device.position_mm = at_mm.value_or(orders.axis.originMm() + position_mm * orders.axis.inwards());
-      const double before_n = sample.force_n;
-      sample = core.tick(tick);
-      largest_step_n = std::max(largest_step_n, std::abs(sample.force_n - before_n));
-    }
-  }
-};
-
 TEST(ServoCore, AnEditIsInForceAtTheNextTick) {
-  Hand hand(ForceSource::kInsertion);
+  ServoHand hand(ForceSource::kInsertion);
   hand.post(constantScene(0.4));
   hand.step(400, 10);
   EXPECT_NEAR(hand.sample.model_force_n, 0.4, 1e-15);
@@ -89,7 +40,7 @@ TEST(ServoCore, AnEditIsInForceAtTheNextTick) {
 }
 
 TEST(ServoCore, OnlyWhatTheSceneNeedsIsComputed) {
-  Hand hand(ForceSource::kInsertion);
+  ServoHand hand(ForceSource::kInsertion);
   hand.post(ngtScene());
   hand.step(1);
   hand.step(300, 0.5);
@@ -109,7 +60,7 @@ TEST(ServoCore, OnlyWhatTheSceneNeedsIsComputed) {
 }
 
 TEST(ServoCore, AReleaseMeansNoForceWithin30Ms) {
-  Hand hand(ForceSource::kInsertion);
+  ServoHand hand(ForceSource::kInsertion);
   hand.post(constantScene(1.2));
   hand.step(500, 25);
   ASSERT_GT(hand.sample.force_n, 1.15);
@@ -126,7 +77,7 @@ TEST(ServoCore, AReleaseMeansNoForceWithin30Ms) {
 }
 
 TEST(ServoCore, SourcesFollowEachOtherWithoutAKick) {
-  Hand hand(ForceSource::kInsertion);
+  ServoHand hand(ForceSource::kInsertion);
   hand.post(constantScene(1.2));
   hand.orders.stimulus.force_n = 0.8;
   hand.step(500, 25);
@@ -157,7 +108,7 @@ TEST(ServoCore, SourcesFollowEachOtherWithoutAKick) {
 }
 
 TEST(ServoCore, FreeRecordsTheHandWithoutForce) {
-  Hand hand(ForceSource::kFree);
+  ServoHand hand(ForceSource::kFree);
   hand.post(constantScene(1.2));
   hand.orders.limits.guard_velocity = false;
   hand.step(400, 80);
@@ -168,7 +119,7 @@ TEST(ServoCore, FreeRecordsTheHandWithoutForce) {
 }
 
 TEST(ServoCore, AStimulusIsFeltAfterItsRamp) {
-  Hand hand(ForceSource::kStimulus);
+  ServoHand hand(ForceSource::kStimulus);
   hand.tick.device.buttons = 0;
   hand.step(50);
   hand.orders.stimulus.number = 7;
@@ -189,7 +140,7 @@ TEST(ServoCore, AStimulusIsFeltAfterItsRamp) {
 }
 
 TEST(ServoCore, AnotherPlacementBeginsAtItsDepth) {
-  Hand hand(ForceSource::kInsertion);
+  ServoHand hand(ForceSource::kInsertion);
   hand.orders.placement = 1;
   hand.post(constantScene(0.4));
   hand.step(500, 30);
@@ -212,7 +163,7 @@ TEST(ServoCore, AnotherPlacementBeginsAtItsDepth) {
 }
 
 TEST(ServoCore, FaultsOfPositionAndModelTrip) {
-  Hand nowhere(ForceSource::kInsertion);
+  ServoHand nowhere(ForceSource::kInsertion);
   nowhere.post(constantScene(0.4));
   nowhere.step(100, 1);
   nowhere.position_mm = std::numeric_limits<double>::quiet_NaN();
@@ -224,7 +175,7 @@ TEST(ServoCore, FaultsOfPositionAndModelTrip) {
   EXPECT_EQ(nowhere.sample.force_n, 0);
   EXPECT_FALSE(nowhere.sample.enabled);
 
-  Hand lost(ForceSource::kInsertion);
+  ServoHand lost(ForceSource::kInsertion);
   lost.post(constantScene(0.4));
   lost.step(100, 1);
   lost.orders.placement = 1;
@@ -237,116 +188,11 @@ TEST(ServoCore, FaultsOfPositionAndModelTrip) {
   EXPECT_EQ(lost.sample.force_n, 0);
 }
 
-TEST(ServoCore, AnotherAxisIsNoMotion) {
-  Hand hand(ForceSource::kInsertion);
-  hand.post(constantScene(0.6));
-  hand.step(300, 10);
-  const Sample before = hand.sample;
-  hand.at_mm = hand.tick.device.position_mm;
-  hand.orders.axis = *AxisMapping::make({1, 0, 0}, {40, 0, 0});
-  hand.step(50);
-  EXPECT_EQ(hand.sample.position_mm, -40);
-  hand.tick.device.buttons = 0;
-  hand.step(5);
-  hand.tick.device.buttons = 1;
-  hand.step(30);
-  EXPECT_TRUE(hand.sample.enabled);
-  EXPECT_EQ(hand.sample.trip, TripCause::kNone);
-  EXPECT_EQ(hand.sample.depth_mm, before.depth_mm);
-  EXPECT_EQ(hand.sample.stretch_mm, 0);
-  hand.at_mm.reset();
-  hand.position_mm = -40;
-  hand.step(300, 10);
-  EXPECT_NEAR(hand.sample.depth_mm + hand.sample.stretch_mm, before.depth_mm + 10, kRounding);
-}
-
-TEST(ServoCore, AnotherAxisLetsTheForceGoAlongTheOldOne) {
-  const Vector3 old_inwards = AxisMapping().inwards();
-  Hand hand(ForceSource::kStimulus);
-  hand.orders.stimulus.number = 1;
-  hand.orders.stimulus.force_n = 0.8;
-  hand.step(200);
-  ASSERT_EQ(hand.sample.force_n, 0.8);
-  hand.orders.axis = *AxisMapping::make(-1 * old_inwards);
-  for (int i = 1; i < 30; ++i) {
-    hand.step();
-    ASSERT_NEAR(hand.sample.force_n, 0.8 * (1 - i / 30.0), 1e-9);
-    ASSERT_EQ(hand.core.axis().inwards(), old_inwards);
-    ASSERT_FALSE(hand.sample.enabled);
-  }
-  hand.step(2);
-  EXPECT_EQ(hand.core.axis().inwards(), hand.orders.axis.inwards());
-  // Nothing along the new one before the next press, whatever is ordered.
-  hand.orders.stimulus.number = 2;
-  hand.largest_step_n = 0;
-  hand.step(500);
-  EXPECT_EQ(hand.sample.force_n, 0);
-  EXPECT_EQ(hand.largest_step_n, 0);
-  hand.tick.device.buttons = 0;
-  hand.step(5);
-  hand.tick.device.buttons = 1;
-  hand.step(200);
-  EXPECT_EQ(hand.sample.force_n, 0.8);
-}
-
-TEST(ServoCore, AnAxisThatComesBackDuringTheFadeBringsNoForceBack) {
-  Hand hand(ForceSource::kStimulus);
-  hand.orders.stimulus.number = 1;
-  hand.orders.stimulus.force_n = 0.8;
-  hand.step(200);
-  hand.orders.axis = *AxisMapping::make({1, 0, 0});
-  hand.step(10);
-  hand.orders.axis = AxisMapping();
-  hand.step();
-  EXPECT_NEAR(hand.sample.force_n, 0.8 * 19 / 30, 1e-9);
-  hand.step(19);
-  EXPECT_EQ(hand.sample.force_n, 0);
-  hand.step(200);
-  EXPECT_FALSE(hand.sample.enabled);
-}
-
-double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
-
-TEST(ServoCore, TheForceOnTheHandKeepsTheSlewLimitsAsAVector) {
-  constexpr double kRoundingN = 1e-9;
-  base::Random random(21);
-  const auto direction = [&] { return Vector3{random.normal(), random.normal(), random.normal()}; };
-  Hand hand(ForceSource::kInsertion);
-  hand.orders.limits.guard_velocity = false;
-  hand.orders.stimulus.force_n = 1.3;
-  hand.orders.stimulus.ramp_s = 0;
-  hand.post(constantScene(1.2));
-  hand.at_mm = Vector3{};
-  Vector3 velocity_mm_s;
-  Vector3 before_n;
-  int turned_under_force = 0;
-  for (int i = 0; i < 60'000; ++i) {
-    if (random.below(400) == 0) {
-      hand.orders.axis = *AxisMapping::make(direction(), 20 * direction());
-      turned_under_force += length(before_n) > 0.5 ? 1 : 0;
-    }
-    if (random.below(400) == 0) {
-      const bool insertion = hand.orders.source == ForceSource::kInsertion;
-      hand.orders.source = insertion ? ForceSource::kStimulus : ForceSource::kInsertion;
-      ++hand.orders.stimulus.number;
-    }
-    if (random.below(hand.tick.device.buttons == 1 ? 300 : 20) == 0) hand.tick.device.buttons ^= 1U;
-    velocity_mm_s = 0.99 * velocity_mm_s + 20 * direction();
-    hand.at_mm = *hand.at_mm + 0.001 * velocity_mm_s;
-    hand.step();
-    const Vector3 force_n = hand.core.axis().forceOnHand(hand.sample.force_n);
-    ASSERT_LE(length(force_n - before_n), 0.5 + kRoundingN) << i;           // 500 N/s toward zero
-    ASSERT_LE(length(force_n) - length(before_n), 0.25 + kRoundingN) << i;  // 250 N/s away from it
-    before_n = force_n;
-  }
-  EXPECT_GT(turned_under_force, 20);
-}
-
 // 20 minutes of a hand that holds the device and does nothing, after motion: what decays ends at 0. A subnormal number
 // that decays further raises the flag.
 TEST(ServoCore, NothingDecaysIntoSubnormalNumbers) {
   for (const ForceSource source : {ForceSource::kInsertion, ForceSource::kStimulus, ForceSource::kFree}) {
-    Hand hand(source);
+    ServoHand hand(source);
     hand.orders.stimulus.number = 1;
     hand.orders.stimulus.force_n = 0.3;
     hand.orders.stimulus.hold_limit_s = 0.5;
@@ -382,7 +228,7 @@ TEST(ServoCore, TheFirstSampleOfADeviceIsNoMotion) {
 TEST(ServoCore, SamplesSayWhatIsRendered) {
   DeviceInfo info;
   info.delay_s = 0.003;
-  Hand hand(ForceSource::kInsertion, info);
+  ServoHand hand(ForceSource::kInsertion, info);
   hand.post(constantScene(0.8, [] {
     fuzzy::RendererParameters renderer;
     renderer.stiffness_n_mm = 0.4;
@@ -408,7 +254,7 @@ TEST(ServoCore, TheStiffestSpringFollowsFromDampingAndDelay) {
 }
 
 TEST(ServoCore, TheSameInputsGiveTheSameBitsAndACopyGoesOn) {
-  const auto scripted = [](Hand& hand, base::Random& random, int ticks) {
+  const auto scripted = [](ServoHand& hand, base::Random& random, int ticks) {
     std::vector<double> seen;
     for (int i = 0; i < ticks; ++i) {
       if (random.below(50) == 0) hand.post(ngtScene(random.uniform(), random.uniform(0, 90)));
@@ -418,18 +264,18 @@ TEST(ServoCore, TheSameInputsGiveTheSameBitsAndACopyGoesOn) {
     }
     return seen;
   };
-  Hand one(ForceSource::kInsertion);
-  Hand two(ForceSource::kInsertion);
+  ServoHand one(ForceSource::kInsertion);
+  ServoHand two(ForceSource::kInsertion);
   base::Random first(9);
   base::Random second(9);
   EXPECT_EQ(scripted(one, first, 1000), scripted(two, second, 1000));
-  Hand copy = one;
+  ServoHand copy = one;
   base::Random third = first;
   EXPECT_EQ(scripted(one, first, 500), scripted(copy, third, 500));
 }
 
 TEST(ServoCore, ATickAllocatesNothing) {
-  Hand hand(ForceSource::kInsertion);
+  ServoHand hand(ForceSource::kInsertion);
   hand.post(ngtScene());
   const auto next = ngtScene(0.2, 80);
   const long before = support::allocations();
