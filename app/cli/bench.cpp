@@ -7,12 +7,13 @@
 #include <functional>
 
 #include "app/cli/commands.h"
+#include "app/cli/opened_model.h"
+#include "app/cli/wrapped_text.h"
 #include "core/analysis/force_box.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/batch.h"
 #include "core/fuzzy/scene.h"
-#include "core/model_io/model_file.h"
 
 namespace tactus::cli {
 namespace {
@@ -184,11 +185,6 @@ std::string processor() {
   return {};
 }
 
-std::string inColumn(const std::string& text, std::size_t width, bool right) {
-  const std::size_t missing = text.size() < width ? width - text.size() : 0;
-  return right ? std::string(missing, ' ') + text : text + std::string(missing, ' ');
-}
-
 std::string scientific(double value) {
   if (value == 0) return "0";
   const int exponent = static_cast<int>(std::floor(std::log10(value)));
@@ -199,12 +195,12 @@ std::string benchText(const BenchOptions& options, const fuzzy::ForceModel& mode
   const std::string cpu = processor();
   std::string text = base::oneLine(options.model) + ": experts " + std::to_string(model.experts.size()) +
                      (cpu.empty() ? std::string() : "; " + base::oneLine(cpu)) + '\n';
-  text += inColumn("method", 22, false) + inColumn("ns a point", 12, true) + inColumn("largest error", 16, true) +
-          inColumn("rms error (" + model.output.unit + ")", 16, true) + inColumn("points", 8, true) + '\n';
+  text += padded("method", 22) + rightAligned("ns a point", 12) + rightAligned("largest error", 16) +
+          rightAligned("rms error (" + model.output.unit + ")", 16) + rightAligned("points", 8) + '\n';
   for (const BenchRow& row : rows) {
-    text += inColumn(row.method, 22, false) + inColumn(base::formatFixed(row.ns, 0), 12, true) +
-            inColumn(scientific(row.largest_error_n), 16, true) + inColumn(scientific(row.rms_error_n), 16, true) +
-            inColumn(std::to_string(row.points), 8, true) + '\n';
+    text += padded(row.method, 22) + rightAligned(base::formatFixed(row.ns, 0), 12) +
+            rightAligned(scientific(row.largest_error_n), 16) + rightAligned(scientific(row.rms_error_n), 16) +
+            rightAligned(std::to_string(row.points), 8) + '\n';
   }
   return text +
          "Errors are against one point of the exact centroid, itself within 1e-12 of the output's range.\n"
@@ -228,18 +224,16 @@ std::string benchJson(const BenchOptions& options, const fuzzy::ForceModel& mode
 }  // namespace
 
 base::Result<Output> bench(const BenchOptions& options) {
-  const auto read = model_io::readModel(options.model);
-  if (!read) return tl::unexpected(read.error());
-  const auto compiled = fuzzy::compile(read->model);
-  if (!compiled) return inFile(compiled.error(), options.model);
-  Bench bench(read->model, *compiled, options.seconds);
+  const auto opened = openedModel(options.model);
+  if (!opened) return tl::unexpected(opened.error());
+  Bench bench(opened->model, opened->compiled, options.seconds);
   auto rows = bench.exactRows();
   auto scenes = bench.sceneRows();
   if (!scenes) return inFile(scenes.error(), options.model);
   rows.insert(rows.end(), scenes->begin(), scenes->end());
   for (const Sampling& sampling : kSampled) rows.push_back(bench.sampledRow(sampling));
-  return Output{options.json ? benchJson(options, read->model, rows) : benchText(options, read->model, rows),
-                read->warnings};
+  return Output{options.json ? benchJson(options, opened->model, rows) : benchText(options, opened->model, rows),
+                opened->warnings};
 }
 
 }  // namespace tactus::cli

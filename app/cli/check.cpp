@@ -1,9 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/findings_text.h"
+#include "app/cli/opened_model.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
-#include "core/fuzzy/compiled_model.h"
-#include "core/model_io/model_file.h"
 #include "elicitation/rules/rule_lint.h"
 
 namespace tactus::cli {
@@ -68,13 +67,11 @@ std::string asJson(const std::string& file, const fuzzy::ForceModel& model, cons
 }  // namespace
 
 base::Result<Output> check(const CheckOptions& options) {
-  const auto read = model_io::readModel(options.model);
-  if (!read) return tl::unexpected(read.error());
-  const auto compiled = fuzzy::compile(read->model);
-  if (!compiled) return inFile(compiled.error(), options.model);
-  const auto found = elicitation::ruleLint(read->model, *compiled);
-  if (options.json) return Output{asJson(options.model, read->model, found, read->warnings), {}};
-  return Output{asText(options.model, read->model, found), read->warnings};
+  const auto opened = openedModel(options.model);
+  if (!opened) return tl::unexpected(opened.error());
+  const auto found = elicitation::ruleLint(opened->model, opened->compiled);
+  if (options.json) return Output{asJson(options.model, opened->model, found, opened->warnings), {}};
+  return Output{asText(options.model, opened->model, found), opened->warnings};
 }
 
 }  // namespace tactus::cli

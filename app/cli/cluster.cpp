@@ -81,7 +81,7 @@ std::string asText(const elicitation::FcmResult& result, const elicitation::FcmV
   for (std::size_t k = 0; k < result.centres.size(); ++k) {
     const double percent = 100 * static_cast<double>(validity.sizes[k]) / static_cast<double>(samples);
     text += padded(std::to_string(k + 1), 9, 2) +
-            padded(base::formatFixed(result.centres[k], 3), std::max<std::size_t>(12, centre.size() + 2), 2) +
+            padded(base::formatFixed(result.centres[k], 3), std::max<std::size_t>(12, characters(centre) + 2), 2) +
             std::to_string(validity.sizes[k]) + " (" + base::formatFixed(percent, 1) + " %)\n";
   }
   return text + std::to_string(samples) + " samples; " + std::string(name(result.stop)) + " after " +

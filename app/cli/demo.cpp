@@ -1,8 +1,8 @@
 // The main job, end to end (app/demo): simulated and published data in; study, tables, models, export and report out.
-#include <algorithm>
 #include <utility>
 
 #include "app/cli/commands.h"
+#include "app/cli/wrapped_text.h"
 #include "app/demo/demo_folder.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"
@@ -14,9 +14,7 @@ std::string asText(const std::string& folder, const std::vector<demo::DemoFile>&
   std::string text =
       "Wrote the demo study (simulated, except for S4's published rules) to " + base::oneLine(folder) + ":\n";
   for (const auto& file : files) {
-    std::string path = file.path;
-    path.resize(std::max<std::size_t>(30, path.size() + 2), ' ');
-    text += "  " + path + file.holds + '\n';
+    text += "  " + padded(file.path, 30, 2) + file.holds + '\n';
   }
   return text;
 }

@@ -1,9 +1,9 @@
 #include "app/cli/commands.h"
+#include "app/cli/opened_model.h"
 #include "core/analysis/force_difference.h"
 #include "core/analysis/model_difference.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
-#include "core/model_io/model_file.h"
 
 namespace tactus::cli {
 namespace {
@@ -79,19 +79,15 @@ base::Result<void> wantSameInputs(const DiffOptions& options, const fuzzy::Force
 }  // namespace
 
 base::Result<Output> diff(const DiffOptions& options) {
-  const auto first = model_io::readModel(options.first);
+  const auto first = openedModel(options.first);
   if (!first) return tl::unexpected(first.error());
-  const auto second = model_io::readModel(options.second);
+  const auto second = openedModel(options.second);
   if (!second) return tl::unexpected(second.error());
   if (const auto same = wantSameInputs(options, first->model, second->model); !same)
     return tl::unexpected(same.error());
-  const auto compiled_first = fuzzy::compile(first->model);
-  if (!compiled_first) return base::inFile(compiled_first.error(), options.first);
-  const auto compiled_second = fuzzy::compile(second->model);
-  if (!compiled_second) return base::inFile(compiled_second.error(), options.second);
   const Difference difference{
       analysis::modelChanges(first->model, second->model),
-      analysis::forceDifference(first->model, *compiled_first, second->model, *compiled_second)};
+      analysis::forceDifference(first->model, first->compiled, second->model, second->compiled)};
   std::vector<std::string> warnings = first->warnings;
   warnings.insert(warnings.end(), second->warnings.begin(), second->warnings.end());
   return Output{options.json ? asJson(options, first->model, difference) : asText(first->model, difference),

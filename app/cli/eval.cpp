@@ -2,10 +2,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
+#include "app/cli/opened_model.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
-#include "core/fuzzy/compiled_model.h"
-#include "core/model_io/model_file.h"
 
 namespace tactus::cli {
 namespace {
@@ -34,18 +33,16 @@ Result<std::vector<std::size_t>> inputColumns(const fuzzy::ForceModel& model, co
 }  // namespace
 
 Result<Output> eval(const EvalOptions& options) {
-  const auto read = model_io::readModel(options.model);
-  if (!read) return tl::unexpected(read.error());
-  const auto compiled = fuzzy::compile(read->model);
-  if (!compiled) return inFile(compiled.error(), options.model);
-  const auto expert = expertOption(read->model, options.model, options.expert);
+  const auto opened = openedModel(options.model);
+  if (!opened) return tl::unexpected(opened.error());
+  const auto expert = expertOption(opened->model, options.model, options.expert);
   if (!expert) return tl::unexpected(expert.error());
   const auto points = CsvTable::read(options.points);
   if (!points) return tl::unexpected(points.error());
-  const auto columns = inputColumns(read->model, *points);
+  const auto columns = inputColumns(opened->model, *points);
   if (!columns) return tl::unexpected(columns.error());
 
-  auto warnings = read->warnings;
+  auto warnings = opened->warnings;
   if (auto note = points->note()) warnings.push_back(std::move(*note));
   auto header = points->columns();
   header.insert(header.end(), {"force", "fired"});
@@ -58,9 +55,9 @@ Result<Output> eval(const EvalOptions& options) {
       point[i] = *value;
     }
     const fuzzy::Evaluation force = options.sampling
-                                        ? analysis::evaluateSampled(*compiled, point, *options.sampling, *expert)
-                                    : *expert ? compiled->evaluateExpert(**expert, point)
-                                              : compiled->evaluate(point);
+                                        ? analysis::evaluateSampled(opened->compiled, point, *options.sampling, *expert)
+                                    : *expert ? opened->compiled.evaluateExpert(**expert, point)
+                                              : opened->compiled.evaluate(point);
     for (std::size_t column = 0; column < points->columns().size(); ++column) csv.cell(points->cell(row, column));
     csv.cell(force.force_n).cell(force.fired ? 1 : 0).endRow();
   }

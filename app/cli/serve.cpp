@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt_signals.h"
+#include "app/cli/opened_model.h"
 #include "app/cli/watched_file.h"
 #include "app/link/link_server.h"
 #include "app/link/token_file.h"
@@ -28,12 +29,11 @@ struct ReadFile {
 };
 
 Result<ReadFile> modelOf(std::string text, const std::string& path) {
-  auto read = model_io::parseModel(text, path);
-  if (!read) return tl::unexpected(read.error());
-  auto compiled = fuzzy::compile(read->model);
-  if (!compiled) return base::inFile(compiled.error(), path);
+  auto opened = openedModel(text, path);
+  if (!opened) return tl::unexpected(std::move(opened.error()));
   auto shared = std::make_shared<const std::string>(text);
-  return ReadFile{std::move(text), {std::move(*compiled), [shared] { return *shared; }}, std::move(read->warnings)};
+  return ReadFile{
+      std::move(text), {std::move(opened->compiled), [shared] { return *shared; }}, std::move(opened->warnings)};
 }
 
 Result<std::string> textOf(const std::string& path) { return base::readFile(path, model_io::kMostModelFileBytes); }

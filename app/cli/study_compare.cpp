@@ -1,8 +1,7 @@
 // The method study: does a choice of the method matter here?
-#include <algorithm>
-
 #include "app/cli/study_build.h"
 #include "app/cli/study_commands.h"
+#include "app/cli/wrapped_text.h"
 #include "app/session/known_forms.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
@@ -16,13 +15,8 @@ using elicitation::MethodFactor;
 using elicitation::MethodStudy;
 using elicitation::MethodVariant;
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size() + 1, width), ' ');
-  return text;
-}
-
 std::string variantLine(const MethodVariant& one, const fuzzy::ForceModel& model) {
-  std::string text = "  " + padded(base::oneLine(one.value), 14);
+  std::string text = "  " + padded(one.value, 14);
   if (!one.unavailable.empty()) return text + "not possible: " + base::oneLine(one.unavailable) + '\n';
   text += "rms " + base::formatFixed(one.rms_n, 4) + " N (" + base::formatFixed(one.rms_noticeable, 2) +
           " JND), felt at " + base::formatFixed(100 * one.noticeable_share, 1) + " %, largest " +

@@ -3,9 +3,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
+#include "app/cli/opened_model.h"
 #include "app/cli/why_text.h"
 #include "core/base/text.h"
-#include "core/model_io/model_file.h"
 #include "elicitation/force/noticeable_force.h"
 
 namespace tactus::cli {
@@ -39,28 +39,26 @@ base::Result<std::vector<double>> pointOf(const fuzzy::ForceModel& model, const 
 }  // namespace
 
 base::Result<Output> why(const WhyOptions& options) {
-  const auto read = model_io::readModel(options.model);
-  if (!read) return tl::unexpected(read.error());
-  const auto compiled = fuzzy::compile(read->model);
-  if (!compiled) return inFile(compiled.error(), options.model);
-  const auto expert = expertOption(read->model, options.model, options.expert);
+  const auto opened = openedModel(options.model);
+  if (!opened) return tl::unexpected(opened.error());
+  const auto expert = expertOption(opened->model, options.model, options.expert);
   if (!expert) return tl::unexpected(expert.error());
-  const auto point = pointOf(read->model, options.at);
+  const auto point = pointOf(opened->model, options.at);
   if (!point) return tl::unexpected(point.error());
-  const auto explanation = analysis::explain(read->model, *compiled, *point);
+  const auto explanation = analysis::explain(opened->model, opened->compiled, *point);
   if (!explanation) return tl::unexpected(explanation.error());
-  auto moves =
-      analysis::counterfactuals(read->model, *compiled, *point, elicitation::justNoticeableDifference, *expert);
+  auto moves = analysis::counterfactuals(opened->model, opened->compiled, *point, elicitation::justNoticeableDifference,
+                                         *expert);
   if (!moves) return tl::unexpected(moves.error());
 
-  std::vector<std::string> warnings = read->warnings;
+  std::vector<std::string> warnings = opened->warnings;
   for (const analysis::ExplainedInput& input : explanation->inputs) {
     if (input.given == input.value) continue;
     warnings.push_back(input.id + " " + base::formatNumber(input.given) + " lies outside its universe; taken as " +
                        base::formatNumber(input.value));
   }
-  const Reasons reasons{read->model, *expert ? !explanation->experts[**expert].abstains : explanation->fired,
-                        analysis::forceBalance(read->model, *explanation, *expert), std::move(*moves)};
+  const Reasons reasons{opened->model, *expert ? !explanation->experts[**expert].abstains : explanation->fired,
+                        analysis::forceBalance(opened->model, *explanation, *expert), std::move(*moves)};
   return Output{options.json ? asJson(reasons) : asText(reasons), std::move(warnings)};
 }
 

@@ -14,7 +14,14 @@ inline constexpr std::size_t kTextColumns = 100;
 /// spaces.
 std::string wrapped(std::string_view sentence, std::string_view first, std::size_t indent);
 
-/// A cell of a table: `text`, escaped by base::oneLine, filled with spaces to `width` bytes, and by `gap` at least.
-std::string padded(const std::string& text, std::size_t width, std::size_t gap = 1);
+/// The number of characters of `text` (UTF-8) on the screen, one for each code point.
+std::size_t characters(std::string_view text);
+
+/// A cell of a table: `text` (UTF-8), escaped by base::oneLine, with spaces behind it up to `width` characters, and at
+/// least `gap` spaces.
+std::string padded(std::string_view text, std::size_t width, std::size_t gap = 1);
+
+/// The same with the spaces before the text, for numbers.
+std::string rightAligned(std::string_view text, std::size_t width, std::size_t gap = 1);
 
 }  // namespace tactus::cli

@@ -25,5 +25,17 @@ TEST(WrappedText, ALongWordStaysWhole) {
   EXPECT_EQ(wrapped("in " + path + " here", "", 2), "in\n  " + path + "\n  here\n");
 }
 
+TEST(PaddedText, CountsCharactersAndKeepsTheGap) {
+  EXPECT_EQ(padded("small", 7), "small  ");
+  EXPECT_EQ(padded("größer", 8), "größer  ");  // six characters in eight bytes
+  EXPECT_EQ(padded("very_large", 7, 2), "very_large  ");
+}
+
+TEST(PaddedText, NumbersEndInOneColumn) {
+  EXPECT_EQ(rightAligned("12", 5), "   12");
+  EXPECT_EQ(rightAligned("µs", 5), "   µs");
+  EXPECT_EQ(rightAligned("largest error", 5), " largest error") << "a gap to the cell before stays";
+}
+
 }  // namespace
 }  // namespace tactus::cli
