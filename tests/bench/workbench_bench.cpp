@@ -15,6 +15,7 @@
 #include "tests/bench/text_table.h"
 #include "tests/bench/workbench_drag.h"
 #include "tests/bench/workbench_idle.h"
+#include "tests/bench/workbench_lab_report.h"
 #include "tests/bench/workbench_stages.h"
 
 namespace tactus::bench {
@@ -28,6 +29,8 @@ struct Options {
   int idle_s = 10;
   int measured_experts = 0;
   std::string measured_stage;
+  bool labs = false;
+  std::string visited_study;
 };
 
 using Series = std::map<std::string, std::vector<double>>;
@@ -164,6 +167,16 @@ std::string againstTable(const Options& options, const std::string& self) {
   return alignedTable(rows, 2);
 }
 
+/// Prints `text` and writes it to `folder`, if one is given.
+int tell(const std::string& text, const std::string& folder, const std::string& file) {
+  std::cout << text;
+  if (folder.empty()) return 0;
+  auto written = base::makeFolder(folder);
+  if (written) written = base::writeFileAtomically(folder + "/" + file, text);
+  if (!written) std::cerr << written.error().message() << '\n';
+  return written ? 0 : 1;
+}
+
 int run(const Options& options, const std::string& self) {
   const std::vector<Window> windows = measureWindows(options, self);
   std::string text;
@@ -184,12 +197,7 @@ int run(const Options& options, const std::string& self) {
     }
     text += "\nFour experts, " + std::to_string(options.idle_s) + " s each\n\n" + alignedTable(rows, 1);
   }
-  std::cout << text;
-  if (options.out.empty()) return 0;
-  auto written = base::makeFolder(options.out);
-  if (written) written = base::writeFileAtomically(options.out + "/workbench.txt", text);
-  if (!written) std::cerr << written.error().message() << '\n';
-  return written ? 0 : 1;
+  return tell(text, options.out, "workbench.txt");
 }
 
 }  // namespace
@@ -205,10 +213,17 @@ int main(int argc, char** argv) {
   app.add_option("--idle", options.idle_s, "seconds at rest in each stage; 0: not measured")->check(CLI::Range(0, 600));
   app.add_option("--measure", options.measured_experts, "one window with so many experts, as numbers");
   app.add_option("--stage", options.measured_stage, "of that window: Tune or Understand");
+  app.add_flag("--labs", options.labs, "the speed lab in the place of the bench, written to labs.txt");
+  app.add_option("--visit", options.visited_study, "with --labs: all labs of this study file instead, a large one");
   CLI11_PARSE(app, argc, argv);
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   tactus::bench::TimedApplication application(argc, argv);
   tactus::workbench::theme::apply(application);
   if (options.measured_experts > 0) return tactus::bench::measure(application, options);
+  if (options.labs) {
+    const std::string text = options.visited_study.empty() ? tactus::bench::labReport(application, options.edits)
+                                                           : tactus::bench::visitReport(options.visited_study);
+    return tactus::bench::tell(text, options.out, options.visited_study.empty() ? "labs.txt" : "labs_large.txt");
+  }
   return tactus::bench::run(options, QApplication::applicationFilePath().toStdString());
 }

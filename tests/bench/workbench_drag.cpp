@@ -29,13 +29,6 @@ constexpr double kMostMs = 20'000;
 constexpr double kAmplitudeMm = 12;
 constexpr int kWarmUp = 5;
 
-std::string panelOf(const QObject* object) {
-  for (const QObject* at = object; at != nullptr; at = at->parent()) {
-    if (qobject_cast<const QDockWidget*>(at)) return at->objectName().toStdString();
-  }
-  return "window";
-}
-
 void runFor(int ms) {
   QEventLoop loop;
   QTimer::singleShot(ms, Qt::PreciseTimer, &loop, &QEventLoop::quit);
@@ -53,10 +46,17 @@ double place(int edit) { return kAmplitudeMm * std::sin(0.37 * (edit + 0.5)); }
 
 }  // namespace
 
+std::string TimedApplication::dockOf(const QObject* object) {
+  for (const QObject* at = object; at != nullptr; at = at->parent()) {
+    if (qobject_cast<const QDockWidget*>(at)) return at->objectName().toStdString();
+  }
+  return "window";
+}
+
 bool TimedApplication::notify(QObject* receiver, QEvent* event) {
   const bool paint = event->type() == QEvent::Paint;
   if (!begun_ || (depth_ > 0 && !paint)) return QApplication::notify(receiver, event);
-  const std::string panel = panelOf(receiver);
+  const std::string panel = panel_of_(receiver);
   const qint64 painted_before = painted_ns_;
   ++depth_;
   const qint64 began_ns = threadCpuNs();

@@ -20,6 +20,10 @@ class TimedApplication : public QApplication {
 
   bool notify(QObject* receiver, QEvent* event) override;
 
+  /// Names the panel that an object belongs to, instead of the dock around it; only others than `window` count as
+  /// shown when they are painted.
+  using PanelOf = std::string (*)(const QObject* object);
+  void namePanels(PanelOf panel_of) { panel_of_ = panel_of; }
   /// Begins an edit.
   void begin();
   /// From `begin` to the end of the last paint event of a panel, ms; 0 before the first one.
@@ -32,6 +36,9 @@ class TimedApplication : public QApplication {
   const std::map<std::string, qint64>& spentNs() const { return spent_ns_; }
 
  private:
+  static std::string dockOf(const QObject* object);
+
+  PanelOf panel_of_ = dockOf;
   std::map<std::string, qint64> spent_ns_;
   QElapsedTimer since_begin_;
   qint64 shown_ns_ = 0;
