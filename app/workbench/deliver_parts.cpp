@@ -16,10 +16,10 @@
 #include "app/workbench/history_parts.h"
 #include "app/workbench/kit/notes_popup.h"
 #include "app/workbench/link_parts.h"
+#include "app/workbench/model/finding_words.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel.h"
-#include "app/workbench/tune/findings/finding_words.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {

@@ -31,6 +31,12 @@ std::string percentText(double share) {
   return formatFixed(100 * share, 1) + " %";
 }
 
+std::string whyNot(const MethodStudy& study, const MethodFactor& factor) {
+  const auto first = std::find_if(study.variants.begin(), study.variants.end(),
+                                  [&](const MethodVariant& one) { return one.factor == factor.factor; });
+  return first == study.variants.end() ? "nothing was tried" : first->unavailable;
+}
+
 std::string effectOf(const MethodVariant& one) {
   return formatFixed(one.rms_n, 3) + " N rms, " + formatFixed(one.rms_noticeable, 2) +
          " just-noticeable differences; at most " + formatFixed(one.largest_n, 3) + " N";
@@ -44,13 +50,22 @@ std::string factorTitle(std::string_view factor) {
   return std::string(found == std::end(kTitles) ? factor : found->second);
 }
 
+std::string factorVerdict(const MethodStudy& study, const MethodFactor& factor) {
+  if (!factor.worst) return "Cannot be compared: " + whyNot(study, factor) + '.';
+  const MethodVariant& worst = study.variants[*factor.worst];
+  if (worst.largest_n == 0 && worst.only_one_share == 0) return "No: no other choice moves the force.";
+  const std::string gaps = worst.only_one_share > 0
+                               ? " At " + percentText(worst.only_one_share) + " only one of them gives a force."
+                               : std::string();
+  if (factor.matters)
+    return "Yes: \"" + worst.value + "\" is felt at " + percentText(worst.noticeable_share) + '.' + gaps;
+  const std::string where =
+      worst.noticeable_share > 0 ? "at only " + percentText(worst.noticeable_share) : std::string("nowhere");
+  return "No: even \"" + worst.value + "\" is felt " + where + '.' + gaps;
+}
+
 std::string factorSentence(const MethodStudy& study, const MethodFactor& factor) {
-  if (!factor.worst) {
-    const auto first = std::find_if(study.variants.begin(), study.variants.end(),
-                                    [&](const MethodVariant& one) { return one.factor == factor.factor; });
-    return "Cannot be compared here: " + (first == study.variants.end() ? "nothing was tried" : first->unavailable) +
-           '.';
-  }
+  if (!factor.worst) return "Cannot be compared here: " + whyNot(study, factor) + '.';
   const MethodVariant& worst = study.variants[*factor.worst];
   if (worst.largest_n == 0 && worst.only_one_share == 0) {
     return "Does not matter here: no other choice moves the force.";

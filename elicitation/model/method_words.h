@@ -16,6 +16,9 @@ std::string factorTitle(std::string_view factor);
 /// One sentence: whether another choice is felt, which one moves the force most, and by how much. `factor`: of `study`.
 std::string factorSentence(const MethodStudy& study, const MethodFactor& factor);
 
+/// The same in a few words, for a table that has the numbers beside it: `No: even "median" is felt nowhere.`
+std::string factorVerdict(const MethodStudy& study, const MethodFactor& factor);
+
 /// Indices of the factors, the largest effect first; factors that cannot be compared come last.
 std::vector<std::size_t> factorsByEffect(const MethodStudy& study);
 

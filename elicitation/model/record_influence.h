@@ -21,7 +21,7 @@ struct RecordInfluence {
 base::Result<RecordInfluence> withoutJudgement(const BuiltModel& built, const study::Study& study,
                                                const BuildSettings& settings, std::size_t index);
 
-/// Without rule `rule` of the expert number `expert`. Refused for the only rule of the only expert. Thread: any.
+/// Without rule `rule` of the expert number `expert`. Without its only rule an expert abstains. Thread: any.
 base::Result<RecordInfluence> withoutRule(const BuiltModel& built, std::size_t expert, std::size_t rule);
 
 /// Without one stroke: the speeds of its participant are clustered again and averaged with those of the others,

@@ -58,6 +58,7 @@ constexpr Exception kExceptions[] = {
     {"labs/depth/dicom_image.cpp", "DICM", "the mark of a format"},
     {"labs/depth/dicom_image.cpp", "PNG", "the name of a format"},
     {"base/field_style.cpp", "Fusion", "the name of a style"},
+    {"labs/frame/lab_table.cpp", "Fusion", "the name of a style"},
     {"desktop/system_look.cpp", "org.freedesktop.portal.Desktop", "a name on the bus"},
     {"desktop/system_look.cpp", "org.freedesktop.portal.Settings", "a name on the bus"},
     {"desktop/system_look.cpp", "SettingChanged", "a name on the bus"},

@@ -6,6 +6,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "app/workbench/labs/experts/experts_lab_view.h"
@@ -19,6 +20,7 @@
 #include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/labs/method/method_lab_view.h"
 #include "app/workbench/labs/method/method_plot.h"
+#include "app/workbench/labs/rules/cell_table.h"
 #include "app/workbench/labs/rules/grids_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 
@@ -122,6 +124,28 @@ TEST_F(LabViews, ADoubleClickInAGridCorrectsTheAnswer) {
   QTest::keyClick(&grids, Qt::Key_Return);
   ASSERT_TRUE(pick(grids, QStringLiteral("cannot tell")));
   EXPECT_TRUE(comesTrue([&] { return !lab.grids().at(0, place.row, place.column).word; }));
+}
+
+TEST_F(LabViews, AClickOnAHeadSortsTheExpertsOfACellByTheirDistanceFromTheMean) {
+  RulesLab lab(data, model, corrections);
+  RulesLabView view(lab);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return lab.chosen() && lab.influenceOf(0).has_value(); }));
+  const auto tables = view.findChildren<QTableView*>();
+  const auto table = std::find_if(tables.begin(), tables.end(), [](const QTableView* one) {
+    return one->accessibleName() == QStringLiteral("Experts in the chosen cell");
+  });
+  ASSERT_NE(table, tables.end());
+  const QAbstractItemModel& rows = *(*table)->model();
+  ASSERT_EQ(rows.rowCount(), 4);
+  EXPECT_TRUE(rows.index(0, CellTable::kExpert).data().toString().startsWith(QStringLiteral("S1")));
+  (*table)->sortByColumn(CellTable::kFromMean, Qt::DescendingOrder);
+  double before = 10;
+  for (int row = 0; row < 4; ++row) {
+    const double distance = rows.index(row, CellTable::kFromMean).data(CellTable::kOrderRole).toDouble();
+    EXPECT_LE(distance, before) << row;
+    before = distance;
+  }
 }
 
 TEST_F(LabViews, AWeightIsTypedIntoTheTable) {

@@ -62,13 +62,13 @@ TEST_F(RulesLabTest, TheGridOfS4IsTableA2) {
   for (const GridExpert& expert : lab.grids().experts) EXPECT_EQ(expert.other_rules, 0U) << expert.id;
 }
 
-// A finding about a rule leads to the cell of that rule, and each of them has a finding's words.
+// A finding about a rule leads to the cell of that rule.
 TEST_F(RulesLabTest, AFindingLeadsToItsCell) {
   ASSERT_TRUE(comesTrue([this] { return lab.findings() != nullptr; }));
   ASSERT_FALSE(lab.findings()->empty());
   std::size_t led = 0;
   for (std::size_t i = 0; i < lab.findings()->size(); ++i) {
-    const elicitation::RuleFinding& finding = (*lab.findings())[i];
+    const elicitation::RuleFinding& finding = (*lab.findings())[i].finding;
     if (finding.experts.empty() || finding.sources.empty() || !finding.sources.front().rule) continue;
     if (!lab.chooseFinding(i)) continue;
     ++led;
@@ -76,6 +76,23 @@ TEST_F(RulesLabTest, AFindingLeadsToItsCell) {
     EXPECT_EQ(cell(finding.experts.front(), *lab.chosen()).rule, *finding.sources.front().rule) << finding.text;
   }
   EXPECT_GT(led, 0U);
+}
+
+// As in the bench: labels and no ids, and a rule by the item of the form that it came from.
+TEST_F(RulesLabTest, AFindingIsSaidWithTheLabelsOfTheModel) {
+  ASSERT_TRUE(comesTrue([this] { return lab.findings() != nullptr; }));
+  bool items = false;
+  for (const WordedFinding& worded : *lab.findings()) {
+    EXPECT_FALSE(worded.sentence.contains(QLatin1Char('_'))) << worded.sentence.toStdString();
+    EXPECT_FALSE(worded.who.isEmpty());
+    const auto& sources = worded.finding.sources;
+    if (worded.finding.kind != elicitation::RuleFinding::Kind::kLevelJump || sources.size() != 2) continue;
+    if (sources[0].origin.item == 0) continue;
+    items = true;
+    const QString named = QStringLiteral("(item(s) %1, %2)").arg(sources[0].origin.item).arg(sources[1].origin.item);
+    EXPECT_TRUE(worded.sentence.contains(named)) << worded.sentence.toStdString();
+  }
+  EXPECT_TRUE(items);
 }
 
 TEST_F(RulesLabTest, EachCellHasItsConflictInNewtons) {

@@ -11,11 +11,6 @@ const QString kUnknown = QStringLiteral("–");
 
 QString policyNewtons(double force_n) { return quantityText(force_n, "N", 3); }
 
-QVariant policyAlignment(int column) {
-  const bool number = column == PolicyTable::kLargest || column == PolicyTable::kRms;
-  return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-}
-
 }  // namespace
 
 QString policyName(WeightPolicy policy) {
@@ -34,7 +29,14 @@ QString policyName(WeightPolicy policy) {
   return {};
 }
 
-PolicyTable::PolicyTable(const ExpertsLab& lab, QObject* parent) : QAbstractTableModel(parent), lab_(lab) {}
+PolicyTable::PolicyTable(const ExpertsLab& lab, QObject* parent)
+    : LabTableModel({{tr("Weights")},
+                     {tr("Of the experts")},
+                     {tr("From equal, at most"), Qt::AlignRight},
+                     {tr("rms"), Qt::AlignRight},
+                     {tr("Where")}},
+                    parent),
+      lab_(lab) {}
 
 void PolicyTable::follow() {
   beginResetModel();
@@ -42,50 +44,27 @@ void PolicyTable::follow() {
   endResetModel();
 }
 
-int PolicyTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
+int PolicyTable::rows() const { return static_cast<int>(rows_.size()); }
 
-QVariant PolicyTable::data(const QModelIndex& index, int role) const {
-  const ComparedWeights& row = rows_[static_cast<std::size_t>(index.row())];
-  if (role == Qt::TextAlignmentRole) return policyAlignment(index.column());
-  if (role == Qt::ToolTipRole && !row.unavailable.isEmpty()) return row.unavailable;
-  if (role == Qt::ToolTipRole && index.column() >= kWeights) return data(index, Qt::DisplayRole);
+QVariant PolicyTable::cell(int row, int column, int role) const {
+  const ComparedWeights& at = rows_[static_cast<std::size_t>(row)];
+  if (role == Qt::ToolTipRole && !at.unavailable.isEmpty()) return at.unavailable;
+  if (role == Qt::ToolTipRole && column >= kWeights) return cell(row, column, Qt::DisplayRole);
   if (role != Qt::DisplayRole) return {};
-  if (index.column() == kPolicy) return policyName(row.policy);
-  if (!row.unavailable.isEmpty()) return index.column() == kWeights ? tr("not in the data") : kUnknown;
-  switch (index.column()) {
+  if (column == kPolicy) return policyName(at.policy);
+  if (!at.unavailable.isEmpty()) return column == kWeights ? tr("not in the data") : kUnknown;
+  switch (column) {
     case kWeights: {
       QStringList weights;
-      for (const double weight : row.weights) weights << numberText(weight, 2);
+      for (const double weight : at.weights) weights << numberText(weight, 2);
       return weights.join(QStringLiteral(" · "));
     }
     case kLargest:
-      return policyNewtons(row.from_equal.largest_n);
+      return policyNewtons(at.from_equal.largest_n);
     case kRms:
-      return policyNewtons(row.from_equal.rms_n);
+      return policyNewtons(at.from_equal.rms_n);
     case kWhere:
-      return row.where;
-    default:
-      return {};
-  }
-}
-
-QVariant PolicyTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole) return policyAlignment(section);
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case kPolicy:
-      return tr("Weights");
-    case kWeights:
-      return tr("Of the experts");
-    case kLargest:
-      return tr("From equal, at most");
-    case kRms:
-      return tr("rms");
-    case kWhere:
-      return tr("Where");
+      return at.where;
     default:
       return {};
   }

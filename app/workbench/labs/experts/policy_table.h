@@ -1,27 +1,24 @@
 // The weight policies beside equal weights, in newtons, as an item model.
 #pragma once
 
-#include <QAbstractTableModel>
-
 #include "app/workbench/labs/experts/experts_lab.h"
+#include "app/workbench/labs/frame/lab_table_model.h"
 
 namespace tactus::workbench {
 
-class PolicyTable : public QAbstractTableModel {
+class PolicyTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kPolicy, kWeights, kLargest, kRms, kWhere, kColumns };
+  enum Column { kPolicy, kWeights, kLargest, kRms, kWhere };
 
   explicit PolicyTable(const ExpertsLab& lab, QObject* parent = nullptr);
   void follow();
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
  private:
+  int rows() const override;
+  QVariant cell(int row, int column, int role) const override;
+
   const ExpertsLab& lab_;
   std::vector<ComparedWeights> rows_;
 };

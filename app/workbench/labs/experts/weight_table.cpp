@@ -13,13 +13,19 @@ constexpr int kForceDigits = 3;
 
 QString newtons(double force_n) { return quantityText(force_n, "N", kForceDigits); }
 
-QVariant alignment(bool number) {
-  return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-}
+QString leftOutTip() { return WeightTable::tr("How far the averaged force moves without this expert."); }
 
 }  // namespace
 
-WeightTable::WeightTable(ExpertsLab& lab, QObject* parent) : QAbstractTableModel(parent), lab_(lab) {}
+WeightTable::WeightTable(ExpertsLab& lab, QObject* parent)
+    : LabTableModel({{tr("Expert")},
+                     {tr("Weight"), Qt::AlignRight, tr("Double-click a weight to change it.")},
+                     {tr("Left out, rms"), Qt::AlignRight, leftOutTip()},
+                     {tr("At most"), Qt::AlignRight, leftOutTip()},
+                     {tr("JND"), Qt::AlignRight, tr("The largest change in just-noticeable differences.")},
+                     {tr("Where"), Qt::AlignLeft, leftOutTip()}},
+                    parent),
+      lab_(lab) {}
 
 void WeightTable::follow() {
   const bool same = built_ != nullptr && lab_.built() != nullptr &&
@@ -28,24 +34,21 @@ void WeightTable::follow() {
   built_ = lab_.built();
   numbers_ = built_ == nullptr ? std::vector<std::size_t>() : figures::expertNumbers(built_->model.experts);
   // The cell that is being edited stays while only numbers change.
-  same ? emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1)) : endResetModel();
+  same ? emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1)) : endResetModel();
 }
 
-int WeightTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || built_ == nullptr ? 0 : static_cast<int>(built_->model.experts.size());
-}
+int WeightTable::rows() const { return built_ == nullptr ? 0 : static_cast<int>(built_->model.experts.size()); }
 
 Qt::ItemFlags WeightTable::flags(const QModelIndex& index) const {
   const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
   return index.column() == kWeight ? flags | Qt::ItemIsEditable : flags;
 }
 
-QVariant WeightTable::data(const QModelIndex& index, int role) const {
-  const auto expert = static_cast<std::size_t>(index.row());
-  if (role == Qt::DecorationRole && index.column() == kExpert) return theme::expert(numbers_[expert]);
-  if (role == Qt::TextAlignmentRole) return alignment(index.column() > kExpert && index.column() < kWhere);
-  if (role == Qt::EditRole && index.column() == kWeight) return numberText(built_->model.experts[expert].weight, 3);
-  if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return shown(expert, index.column());
+QVariant WeightTable::cell(int row, int column, int role) const {
+  const auto expert = static_cast<std::size_t>(row);
+  if (role == Qt::DecorationRole && column == kExpert) return theme::expert(numbers_[expert]);
+  if (role == Qt::EditRole && column == kWeight) return numberText(built_->model.experts[expert].weight, 3);
+  if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return shown(expert, column);
   return {};
 }
 
@@ -71,33 +74,6 @@ bool WeightTable::setData(const QModelIndex& index, const QVariant& value, int r
   if (!weight || *weight < 0) return false;
   lab_.setWeight(built_->model.experts[static_cast<std::size_t>(index.row())].id, *weight);
   return true;
-}
-
-QVariant WeightTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole) return alignment(section > kExpert && section < kWhere);
-  if (role == Qt::ToolTipRole) {
-    if (section == kWeight) return tr("Double-click a weight to change it.");
-    if (section == kNoticeable) return tr("The largest change in just-noticeable differences.");
-    return section > kWeight ? tr("How far the averaged force moves without this expert.") : QString();
-  }
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case kExpert:
-      return tr("Expert");
-    case kWeight:
-      return tr("Weight");
-    case kRms:
-      return tr("Left out, rms");
-    case kLargest:
-      return tr("At most");
-    case kNoticeable:
-      return tr("JND");
-    case kWhere:
-      return tr("Where");
-    default:
-      return {};
-  }
 }
 
 }  // namespace tactus::workbench

@@ -2,17 +2,16 @@
 // edited.
 #pragma once
 
-#include <QAbstractTableModel>
-
 #include "app/workbench/labs/experts/experts_lab.h"
+#include "app/workbench/labs/frame/lab_table_model.h"
 
 namespace tactus::workbench {
 
-class WeightTable : public QAbstractTableModel {
+class WeightTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kExpert, kWeight, kRms, kLargest, kNoticeable, kWhere, kColumns };
+  enum Column { kExpert, kWeight, kRms, kLargest, kNoticeable, kWhere };
 
   /// `lab` outlives this.
   explicit WeightTable(ExpertsLab& lab, QObject* parent = nullptr);
@@ -20,14 +19,12 @@ class WeightTable : public QAbstractTableModel {
   /// Shows what the lab has.
   void follow();
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
   Qt::ItemFlags flags(const QModelIndex& index) const override;
-  QVariant data(const QModelIndex& index, int role) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  int rows() const override;
+  QVariant cell(int row, int column, int role) const override;
   QString shown(std::size_t expert, int column) const;
 
   ExpertsLab& lab_;

@@ -1,13 +1,24 @@
 #include "app/workbench/labs/frame/lab_table.h"
 
 #include <QHeaderView>
+#include <QProxyStyle>
 
 #include "app/workbench/base/theme.h"
 
 namespace tactus::workbench {
 namespace {
 
+constexpr int kCellPad = 7;        // px on each side: a number at the right keeps off the words of the next column
 constexpr int kMeasuredRows = 20;  // of long tables, for the widths of the columns
+
+class RoomyCells : public QProxyStyle {
+ public:
+  RoomyCells() : QProxyStyle(QStringLiteral("Fusion")) {}
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    const bool pad = metric == PM_FocusFrameHMargin || metric == PM_HeaderMargin;
+    return pad ? kCellPad : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+};
 
 }  // namespace
 
@@ -24,6 +35,9 @@ QTableView* makeLabTable(QAbstractItemModel& model, int stretched, const QString
   view->setAccessibleName(accessible_name);
   view->verticalHeader()->hide();
   QHeaderView* const head = view->horizontalHeader();
+  auto* const roomy = new RoomyCells;
+  roomy->setParent(view);
+  for (QWidget* widget : {static_cast<QWidget*>(view), static_cast<QWidget*>(head)}) widget->setStyle(roomy);
   head->setFont(theme::smallFont());
   head->setHighlightSections(false);
   head->setSectionsClickable(false);
@@ -35,6 +49,14 @@ QTableView* makeLabTable(QAbstractItemModel& model, int stretched, const QString
     head->setStretchLastSection(true);
   }
   return view;
+}
+
+void sortByHeads(QTableView& view) {
+  QHeaderView* const head = view.horizontalHeader();
+  head->setSectionsClickable(true);
+  head->setSortIndicatorClearable(true);
+  head->setSortIndicator(-1, Qt::DescendingOrder);
+  view.setSortingEnabled(true);
 }
 
 }  // namespace tactus::workbench

@@ -9,4 +9,7 @@ namespace tactus::workbench {
 /// column has its width and the last one takes the rest.
 QTableView* makeLabTable(QAbstractItemModel& model, int stretched, const QString& accessible_name, QWidget* parent);
 
+/// Lets a click on a head sort the rows of `view`; at first, and after a third click, they stand in the model's order.
+void sortByHeads(QTableView& view);
+
 }  // namespace tactus::workbench

@@ -15,6 +15,16 @@ QString feltText(double share) {
   return QStringLiteral("%1 %").arg(numberText(100 * share, 1));
 }
 
+FactorTable::FactorTable(QObject* parent)
+    : LabTableModel({{tr("Choice")},
+                     {tr("Now")},
+                     {tr("Does it matter here?")},
+                     {tr("At most"), Qt::AlignRight},
+                     {tr("JND"), Qt::AlignRight,
+                      tr("Root mean square of the difference over the input space, in just-noticeable differences, for "
+                         "the value that moves the force most.")}},
+                    parent) {}
+
 void FactorTable::setStudy(const elicitation::MethodStudy* study) {
   beginResetModel();
   study_ = study == nullptr ? elicitation::MethodStudy() : *study;
@@ -22,51 +32,24 @@ void FactorTable::setStudy(const elicitation::MethodStudy* study) {
   endResetModel();
 }
 
-int FactorTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(order_.size());
-}
+int FactorTable::rows() const { return static_cast<int>(order_.size()); }
 
-QVariant FactorTable::data(const QModelIndex& index, int role) const {
-  const auto& factor = study_.factors[factorAt(index.row())];
-  if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((index.column() == kNoticeable ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  }
+QVariant FactorTable::cell(int row, int column, int role) const {
+  const auto& factor = study_.factors[factorAt(row)];
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
   const auto* const worst = factor.worst ? &study_.variants[*factor.worst] : nullptr;
-  switch (index.column()) {
+  switch (column) {
     case kFactor:
       return text(elicitation::factorTitle(factor.factor));
     case kNow:
       return text(factor.unchanged);
     case kSentence:
-      return text(elicitation::factorSentence(study_, factor));
+      return text(role == Qt::DisplayRole ? elicitation::factorVerdict(study_, factor)
+                                          : elicitation::factorSentence(study_, factor));
+    case kLargest:
+      return worst == nullptr ? kNotCompared : quantityText(worst->largest_n, "N", 3);
     case kNoticeable:
       return worst == nullptr ? kNotCompared : numberText(worst->rms_noticeable, 2);
-    default:
-      return {};
-  }
-}
-
-QVariant FactorTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((section == kNoticeable ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  }
-  if (role == Qt::ToolTipRole && section == kNoticeable) {
-    return tr(
-        "Root mean square of the difference over the input space, in just-noticeable differences, for the value that "
-        "moves the force most.");
-  }
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case kFactor:
-      return tr("Choice");
-    case kNow:
-      return tr("Now");
-    case kSentence:
-      return tr("Does it matter here?");
-    case kNoticeable:
-      return tr("JND");
     default:
       return {};
   }

@@ -1,31 +1,27 @@
 // The choices of the method study as an item model, the largest effect first, each with one sentence: does it matter?
 #pragma once
 
-#include <QAbstractTableModel>
-#include <optional>
-
+#include "app/workbench/labs/frame/lab_table_model.h"
 #include "elicitation/model/method_study.h"
 
 namespace tactus::workbench {
 
-class FactorTable : public QAbstractTableModel {
+class FactorTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kFactor, kNow, kSentence, kNoticeable, kColumns };
+  enum Column { kFactor, kNow, kSentence, kLargest, kNoticeable };
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit FactorTable(QObject* parent = nullptr);
   /// Null: no study.
   void setStudy(const elicitation::MethodStudy* study);
   /// The index in the study of the choice in `row`.
   std::size_t factorAt(int row) const { return order_[static_cast<std::size_t>(row)]; }
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
  private:
+  int rows() const override;
+  QVariant cell(int row, int column, int role) const override;
+
   elicitation::MethodStudy study_;
   std::vector<std::size_t> order_;
 };

@@ -5,11 +5,14 @@
 #include "elicitation/agreement/expert_influence.h"
 
 namespace tactus::workbench {
-namespace {
-
-bool isNumber(int column) { return column > VariantTable::kValue && column < VariantTable::kWhere; }
-
-}  // namespace
+VariantTable::VariantTable(QObject* parent)
+    : LabTableModel({{tr("Instead")},
+                     {tr("rms"), Qt::AlignRight},
+                     {tr("JND"), Qt::AlignRight},
+                     {tr("Felt at"), Qt::AlignRight},
+                     {tr("At most"), Qt::AlignRight},
+                     {tr("Where")}},
+                    parent) {}
 
 void VariantTable::setFactor(const elicitation::MethodStudy& study, const std::string& factor,
                              const fuzzy::ForceModel& model) {
@@ -36,22 +39,17 @@ int VariantTable::rowOf(std::size_t variant) const {
   return -1;
 }
 
-int VariantTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
+int VariantTable::rows() const { return static_cast<int>(rows_.size()); }
 
-QVariant VariantTable::data(const QModelIndex& index, int role) const {
-  const Row& row = rows_[static_cast<std::size_t>(index.row())];
-  const auto& one = row.variant;
-  if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((isNumber(index.column()) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  }
+QVariant VariantTable::cell(int row, int column, int role) const {
+  const Row& at = rows_[static_cast<std::size_t>(row)];
+  const auto& one = at.variant;
   if (role == Qt::ToolTipRole && !one.unavailable.empty()) return text(one.unavailable);
-  if (role == Qt::ToolTipRole && index.column() == kWhere) return row.where;
+  if (role == Qt::ToolTipRole && column == kWhere) return at.where;
   if (role != Qt::DisplayRole) return {};
-  if (index.column() == kValue) return text(one.value);
-  if (!one.unavailable.empty()) return index.column() == kWhere ? text(one.unavailable) : QStringLiteral("–");
-  switch (index.column()) {
+  if (column == kValue) return text(one.value);
+  if (!one.unavailable.empty()) return column == kWhere ? text(one.unavailable) : QStringLiteral("–");
+  switch (column) {
     case kRms:
       return quantityText(one.rms_n, "N", 3);
     case kNoticeable:
@@ -61,31 +59,7 @@ QVariant VariantTable::data(const QModelIndex& index, int role) const {
     case kLargest:
       return quantityText(one.largest_n, "N", 3);
     case kWhere:
-      return row.where;
-    default:
-      return {};
-  }
-}
-
-QVariant VariantTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((isNumber(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  }
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case kValue:
-      return tr("Instead");
-    case kRms:
-      return tr("rms");
-    case kNoticeable:
-      return tr("JND");
-    case kFelt:
-      return tr("Felt at");
-    case kLargest:
-      return tr("At most");
-    case kWhere:
-      return tr("Where");
+      return at.where;
     default:
       return {};
   }

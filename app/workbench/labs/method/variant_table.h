@@ -1,22 +1,21 @@
 // The values that were tried for one choice, as an item model.
 #pragma once
 
-#include <QAbstractTableModel>
-#include <QStringList>
 #include <vector>
 
+#include "app/workbench/labs/frame/lab_table_model.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/model/method_study.h"
 
 namespace tactus::workbench {
 
-class VariantTable : public QAbstractTableModel {
+class VariantTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kValue, kRms, kNoticeable, kFelt, kLargest, kWhere, kColumns };
+  enum Column { kValue, kRms, kNoticeable, kFelt, kLargest, kWhere };
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit VariantTable(QObject* parent = nullptr);
   /// The variants of `factor`; an empty one shows none.
   void setFactor(const elicitation::MethodStudy& study, const std::string& factor, const fuzzy::ForceModel& model);
   void clear();
@@ -25,12 +24,10 @@ class VariantTable : public QAbstractTableModel {
   /// The row of a variant, -1 if it is none of them.
   int rowOf(std::size_t variant) const;
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
  private:
+  int rows() const override;
+  QVariant cell(int row, int column, int role) const override;
+
   struct Row {
     std::size_t index;
     elicitation::MethodVariant variant;

@@ -4,7 +4,15 @@
 
 namespace tactus::workbench {
 
-OriginTable::OriginTable(const OriginFinder& finder, QObject* parent) : QAbstractTableModel(parent), finder_(finder) {
+OriginTable::OriginTable(const OriginFinder& finder, QObject* parent)
+    : LabTableModel({{tr("Participant")},
+                     {tr("Record")},
+                     {tr("Says")},
+                     {tr("Moves the force"), Qt::AlignRight,
+                      tr("How far the averaged force moves without this record, at most, and in just-noticeable "
+                         "differences.")}},
+                    parent),
+      finder_(finder) {
   connect(&finder, &OriginFinder::changed, this, [this] {
     beginResetModel();
     endResetModel();
@@ -15,8 +23,8 @@ OriginTable::OriginTable(const OriginFinder& finder, QObject* parent) : QAbstrac
   });
 }
 
-int OriginTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || finder_.origin() == nullptr ? 0 : static_cast<int>(finder_.origin()->records.size());
+int OriginTable::rows() const {
+  return finder_.origin() == nullptr ? 0 : static_cast<int>(finder_.origin()->records.size());
 }
 
 QString OriginTable::movesText(std::size_t row) const {
@@ -27,23 +35,20 @@ QString OriginTable::movesText(std::size_t row) const {
       .arg(quantityText((*found)->difference.largest_n, "N", 3), numberText((*found)->noticeable, 1));
 }
 
-QVariant OriginTable::data(const QModelIndex& index, int role) const {
-  const auto row = static_cast<std::size_t>(index.row());
-  const OriginRecord& record = finder_.origin()->records[row];
-  if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((index.column() == kMoves ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  }
+QVariant OriginTable::cell(int row, int column, int role) const {
+  const auto at = static_cast<std::size_t>(row);
+  const OriginRecord& record = finder_.origin()->records[at];
   if (role == Qt::ToolTipRole) {
-    const QString sentence = finder_.influenceSentence(row);
-    return index.column() == kMoves && !sentence.isEmpty() ? QVariant(sentence) : QVariant();
+    const QString sentence = finder_.influenceSentence(at);
+    return column == kMoves && !sentence.isEmpty() ? QVariant(sentence) : QVariant();
   }
-  if (role == kOrderRole && index.column() == kMoves) {
-    const OriginFinder::Influence& found = finder_.influence(row);
+  if (role == kOrderRole && column == kMoves) {
+    const OriginFinder::Influence& found = finder_.influence(at);
     return found && *found ? (*found)->difference.largest_n : -1.0;
   }
-  if (role == kOrderRole && index.column() == kRecord) return index.row();
+  if (role == kOrderRole && column == kRecord) return row;
   if (role != Qt::DisplayRole && role != kOrderRole) return {};
-  switch (index.column()) {
+  switch (column) {
     case kParticipant:
       return record.participant;
     case kRecord:
@@ -51,28 +56,7 @@ QVariant OriginTable::data(const QModelIndex& index, int role) const {
     case kSays:
       return record.says;
     default:
-      return movesText(row);
-  }
-}
-
-QVariant OriginTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((section == kMoves ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  }
-  if (role == Qt::ToolTipRole && section == kMoves) {
-    return tr("How far the averaged force moves without this record, at most, and in just-noticeable differences.");
-  }
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case kParticipant:
-      return tr("Participant");
-    case kRecord:
-      return tr("Record");
-    case kSays:
-      return tr("Says");
-    default:
-      return tr("Moves the force");
+      return movesText(at);
   }
 }
 

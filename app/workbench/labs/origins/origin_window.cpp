@@ -50,10 +50,7 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
   sorted_->setSortRole(OriginTable::kOrderRole);
   view_ = makeLabTable(*sorted_, OriginTable::kRecord, tr("Records behind the number"), this);
   view_->verticalHeader()->setDefaultSectionSize(kRow);
-  view_->horizontalHeader()->setSectionsClickable(true);
-  view_->horizontalHeader()->setSortIndicatorClearable(true);
-  view_->horizontalHeader()->setSortIndicator(-1, Qt::DescendingOrder);
-  view_->setSortingEnabled(true);
+  sortByHeads(*view_);
   moved_->setFixedHeight(3 * QFontMetrics(moved_->font()).lineSpacing() + theme::kGrid / 2);
   moved_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);

@@ -21,7 +21,17 @@ QString signedText(double force_n, const std::string& unit) {
 
 }  // namespace
 
-CellTable::CellTable(const RulesLab& lab, QObject* parent) : QAbstractTableModel(parent), lab_(lab) {}
+CellTable::CellTable(const RulesLab& lab, QObject* parent)
+    : LabTableModel({{tr("Expert")},
+                     {tr("Says")},
+                     {tr("Would feel"), Qt::AlignRight},
+                     {tr("From the mean"), Qt::AlignRight},
+                     {tr("Mean without it"), Qt::AlignRight,
+                      tr("How far the averaged force moves without this rule, at most, and in just-noticeable "
+                         "differences.")},
+                     {tr("From")}},
+                    parent),
+      lab_(lab) {}
 
 void CellTable::follow() {
   beginResetModel();
@@ -53,74 +63,66 @@ void CellTable::follow() {
   endResetModel();
 }
 
-int CellTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+void CellTable::followInfluences() {
+  if (!rows_.empty()) emit dataChanged(index(0, kWithout), index(rows() - 1, kWithout));
 }
 
-QVariant CellTable::data(const QModelIndex& index, int role) const {
-  const Row& row = rows_[static_cast<std::size_t>(index.row())];
-  const std::string& unit = lab_.grids().output.unit;
-  if (role == Qt::DecorationRole && index.column() == kExpert) return theme::expert(row.number);
-  if (role == Qt::DecorationRole && index.column() == kWord && row.term) {
-    return termFill(lab_.grids().output, lab_.grids().output.terms, *row.term);
-  }
-  if (role == Qt::TextAlignmentRole) {
-    const bool number = index.column() >= kFelt && index.column() <= kWithout;
-    return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  }
-  if (role == Qt::ToolTipRole && index.column() == kWithout) {
-    const auto moved = lab_.influenceOf(static_cast<std::size_t>(index.row()));
-    return moved ? QVariant(influenceText(row.expert, *moved, lab_.model())) : QVariant();
-  }
-  if (role != Qt::DisplayRole) return {};
-  switch (index.column()) {
-    case kExpert:
-      return row.expert;
+int CellTable::rows() const { return static_cast<int>(rows_.size()); }
+
+QString CellTable::withoutText(std::size_t row) const {
+  const auto moved = lab_.influenceOf(row);
+  if (!moved) return rows_[row].term && lab_.isComparing() ? QStringLiteral("…") : kNothing;
+  return tr("%1 (%2 JND)")
+      .arg(quantityText(moved->difference.largest_n, lab_.grids().output.unit, 3), numberText(moved->noticeable, 1));
+}
+
+QVariant CellTable::orderOf(std::size_t row, int column) const {
+  const Row& at = rows_[row];
+  switch (column) {
     case kWord:
-      return row.word;
+      return at.term ? static_cast<int>(*at.term) : -1;
     case kFelt:
-      return row.felt_n ? quantityText(*row.felt_n, unit, 3) : kNothing;
+      return at.felt_n.value_or(-1);
+    case kFromMean:
+      return at.felt_n && mean_n_ ? std::abs(*at.felt_n - *mean_n_) : -1;
     case kWithout: {
-      const auto moved = lab_.influenceOf(static_cast<std::size_t>(index.row()));
-      if (!moved && row.term && lab_.isComparing()) return QStringLiteral("…");
-      return moved ? tr("%1 (%2 JND)")
-                         .arg(quantityText(moved->difference.largest_n, unit, 3), numberText(moved->noticeable, 1))
-                   : kNothing;
+      const auto moved = lab_.influenceOf(row);
+      return moved ? moved->difference.largest_n : -1;
     }
     case kSource:
-      return row.source;
-    case kFromMean:
-      return row.felt_n && mean_n_ ? signedText(*row.felt_n - *mean_n_, unit) : kNothing;
+      return at.source;
     default:
-      return {};
+      return static_cast<int>(row);
   }
 }
 
-QVariant CellTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole) {
-    const bool number = section >= kFelt && section <= kWithout;
-    return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+QVariant CellTable::cell(int row, int column, int role) const {
+  const auto expert = static_cast<std::size_t>(row);
+  const Row& at = rows_[expert];
+  const std::string& unit = lab_.grids().output.unit;
+  if (role == kOrderRole) return orderOf(expert, column);
+  if (role == Qt::DecorationRole && column == kExpert) return theme::expert(at.number);
+  if (role == Qt::DecorationRole && column == kWord && at.term) {
+    return termFill(lab_.grids().output, lab_.grids().output.terms, *at.term);
   }
-  if (role == Qt::ToolTipRole && section == kWithout) {
-    return tr("How far the averaged force moves without this rule, at most, and in just-noticeable differences.");
+  if (role == Qt::ToolTipRole && column == kWithout) {
+    const auto moved = lab_.influenceOf(expert);
+    return moved ? QVariant(influenceText(at.expert, *moved, lab_.model())) : QVariant();
   }
   if (role != Qt::DisplayRole) return {};
-  switch (section) {
+  switch (column) {
     case kExpert:
-      return tr("Expert");
+      return at.expert;
     case kWord:
-      return tr("Says");
+      return at.word;
     case kFelt:
-      return tr("Would feel");
+      return at.felt_n ? quantityText(*at.felt_n, unit, 3) : kNothing;
     case kFromMean:
-      return tr("From the mean");
+      return at.felt_n && mean_n_ ? signedText(*at.felt_n - *mean_n_, unit) : kNothing;
     case kWithout:
-      return tr("Mean without it");
-    case kSource:
-      return tr("From");
+      return withoutText(expert);
     default:
-      return {};
+      return at.source;
   }
 }
 

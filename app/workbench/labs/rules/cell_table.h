@@ -1,30 +1,32 @@
 // What each expert says and would feel in the chosen cell, as an item model.
 #pragma once
 
-#include <QAbstractTableModel>
-
+#include "app/workbench/labs/frame/lab_table_model.h"
 #include "app/workbench/labs/rules/rules_lab.h"
 
 namespace tactus::workbench {
 
-class CellTable : public QAbstractTableModel {
+class CellTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kExpert, kWord, kFelt, kFromMean, kWithout, kSource, kColumns };
+  enum Column { kExpert, kWord, kFelt, kFromMean, kWithout, kSource };
+  static constexpr int kOrderRole = Qt::UserRole;  ///< what a column is sorted by
 
   /// `lab` outlives this.
   explicit CellTable(const RulesLab& lab, QObject* parent = nullptr);
 
   /// Shows the chosen cell of the lab.
   void follow();
-
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  /// Shows what the rules of the chosen cell move.
+  void followInfluences();
 
  private:
+  int rows() const override;
+  QVariant cell(int row, int column, int role) const override;
+  QVariant orderOf(std::size_t row, int column) const;
+  QString withoutText(std::size_t row) const;
+
   struct Row {
     QString expert;
     std::size_t number = 0;

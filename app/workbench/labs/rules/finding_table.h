@@ -1,38 +1,36 @@
 // The findings about the experts' rules as an item model: grouped by kind, the group with the most newtons first.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <vector>
 
-#include "elicitation/rules/rule_finding.h"
+#include "app/workbench/labs/frame/lab_table_model.h"
+#include "app/workbench/labs/rules/worded_finding.h"
 
 namespace tactus::workbench {
 
-class FindingTable : public QAbstractTableModel {
+class FindingTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kKind, kNewtons, kExperts, kSentence, kColumns };
+  enum Column { kKind, kNewtons, kExperts, kSentence };
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit FindingTable(QObject* parent = nullptr);
 
   /// `unit`: of the force.
-  void setFindings(const std::vector<elicitation::RuleFinding>& findings, const std::string& unit);
+  void setFindings(const std::vector<WordedFinding>& findings, const std::string& unit);
   /// The finding of a row, as an index of what was set.
   std::size_t findingAt(int row) const { return rows_[static_cast<std::size_t>(row)].finding; }
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
  private:
+  int rows() const override;
+  QVariant cell(int row, int column, int role) const override;
+
   struct Row {
     std::size_t finding = 0;
     std::size_t group = 0;  ///< findings of the group, in its first row; else 0
   };
 
-  std::vector<elicitation::RuleFinding> findings_;
+  std::vector<WordedFinding> findings_;
   std::string unit_;
   std::vector<Row> rows_;
 };

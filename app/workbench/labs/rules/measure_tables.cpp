@@ -70,7 +70,28 @@ QString spanText(const questionnaires::ScaleSummary& row) {
   return row.n == 0 ? kNoValue : QStringLiteral("%1 – %2").arg(row.min).arg(row.max);
 }
 
+QString orderLessTip() {
+  return AgreementTable::tr("Takes no account of the order of the words: neighbors count as different as the ends.");
+}
+
 }  // namespace
+
+AgreementTable::AgreementTable(QObject* parent)
+    : LabTableModel(
+          {{tr("Ratings")},
+           {tr("Units × raters"), Qt::AlignHCenter},
+           {tr("Ordinal alpha"), Qt::AlignHCenter,
+            tr("Krippendorff's alpha for ordered words: 1 is full agreement, 0 what chance gives.")},
+           {tr("95 % interval"), Qt::AlignHCenter,
+            tr("95 % of 2,000 draws of the forces or items; the participants stay the same.")},
+           {tr("Consensus"), Qt::AlignHCenter,
+            tr("Tastle and Wierman: 1 if all say the same, 0 if half are at each end; mean of the forces or items.")},
+           {tr("Interval alpha"), Qt::AlignHCenter},
+           {tr("Nominal alpha"), Qt::AlignHCenter, orderLessTip()},
+           {tr("Kendall's W"), Qt::AlignHCenter,
+            tr("How similarly the participants order the forces or items, from 0 to 1.")},
+           {tr("Fleiss' kappa"), Qt::AlignHCenter, orderLessTip()}},
+          parent) {}
 
 void AgreementTable::setRows(std::vector<AgreementRow> rows) {
   beginResetModel();
@@ -78,67 +99,26 @@ void AgreementTable::setRows(std::vector<AgreementRow> rows) {
   endResetModel();
 }
 
-int AgreementTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
+int AgreementTable::rows() const { return static_cast<int>(rows_.size()); }
 
-QVariant AgreementTable::data(const QModelIndex& index, int role) const {
-  const AgreementRow& row = rows_[static_cast<std::size_t>(index.row())];
+QVariant AgreementTable::cell(int row, int column, int role) const {
+  const AgreementRow& at = rows_[static_cast<std::size_t>(row)];
   if (role == Qt::DisplayRole) {
-    if (index.column() == kRatings) return row.ratings;
-    return row.refusal.isEmpty() ? measureText(row, index.column()) : kNoValue;
+    if (column == kRatings) return at.ratings;
+    return at.refusal.isEmpty() ? measureText(at, column) : kNoValue;
   }
-  if (role == Qt::ToolTipRole) return row.refusal.isEmpty() ? reasonText(row, index.column()) : row.refusal;
-  if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((index.column() == kRatings ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter);
-  }
+  if (role == Qt::ToolTipRole) return at.refusal.isEmpty() ? reasonText(at, column) : at.refusal;
   return {};
 }
 
-QVariant AgreementTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole && section == kRatings) return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
-  if (role == Qt::ToolTipRole) {
-    switch (section) {
-      case kOrdinal:
-        return tr("Krippendorff's alpha for ordered words: 1 is full agreement, 0 what chance gives.");
-      case kInterval:
-        return tr("95 % of 2,000 draws of the forces or items; the participants stay the same.");
-      case kConsensus:
-        return tr("Tastle and Wierman: 1 if all say the same, 0 if half are at each end; mean of the forces or items.");
-      case kNominal:
-      case kFleiss:
-        return tr("Takes no account of the order of the words: neighbors count as different as the ends.");
-      case kKendall:
-        return tr("How similarly the participants order the forces or items, from 0 to 1.");
-      default:
-        return {};
-    }
-  }
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case kRatings:
-      return tr("Ratings");
-    case kSize:
-      return tr("Units × raters");
-    case kOrdinal:
-      return tr("Ordinal alpha");
-    case kInterval:
-      return tr("95 % interval");
-    case kConsensus:
-      return tr("Consensus");
-    case kIntervalAlpha:
-      return tr("Interval alpha");
-    case kNominal:
-      return tr("Nominal alpha");
-    case kKendall:
-      return tr("Kendall's W");
-    case kFleiss:
-      return tr("Fleiss' kappa");
-    default:
-      return {};
-  }
-}
+UsabilityTable::UsabilityTable(QObject* parent)
+    : LabTableModel({{tr("Statement")},
+                     {tr("Answers"), Qt::AlignHCenter},
+                     {tr("Mean (SD)"), Qt::AlignHCenter},
+                     {tr("Range"), Qt::AlignHCenter},
+                     {tr("Published"), Qt::AlignHCenter},
+                     {tr("Published range"), Qt::AlignHCenter}},
+                    parent) {}
 
 void UsabilityTable::setRows(std::vector<UsabilityRow> rows) {
   beginResetModel();
@@ -146,52 +126,25 @@ void UsabilityTable::setRows(std::vector<UsabilityRow> rows) {
   endResetModel();
 }
 
-int UsabilityTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
+int UsabilityTable::rows() const { return static_cast<int>(rows_.size()); }
 
-QVariant UsabilityTable::data(const QModelIndex& index, int role) const {
-  const UsabilityRow& row = rows_[static_cast<std::size_t>(index.row())];
-  if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((index.column() == kStatement ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter);
-  }
-  if (role == Qt::ToolTipRole && index.column() == kStatement) return row.statement;
+QVariant UsabilityTable::cell(int row, int column, int role) const {
+  const UsabilityRow& at = rows_[static_cast<std::size_t>(row)];
+  if (role == Qt::ToolTipRole && column == kStatement) return at.statement;
   if (role != Qt::DisplayRole) return {};
-  switch (index.column()) {
+  switch (column) {
     case kStatement:
-      return row.statement;
+      return at.statement;
     case kCount:
-      return QString::number(row.here.n);
+      return QString::number(at.here.n);
     case kHere:
-      return meanText(row.here);
+      return meanText(at.here);
     case kHereRange:
-      return spanText(row.here);
+      return spanText(at.here);
     case kPublished:
-      return meanText(row.published);
+      return meanText(at.published);
     case kPublishedRange:
-      return spanText(row.published);
-    default:
-      return {};
-  }
-}
-
-QVariant UsabilityTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole && section == kStatement) return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
-  if (role != Qt::DisplayRole) return {};
-  switch (section) {
-    case kStatement:
-      return tr("Statement");
-    case kCount:
-      return tr("Answers");
-    case kHere:
-      return tr("Mean (SD)");
-    case kHereRange:
-      return tr("Range");
-    case kPublished:
-      return tr("Published");
-    case kPublishedRange:
-      return tr("Published range");
+      return spanText(at.published);
     default:
       return {};
   }

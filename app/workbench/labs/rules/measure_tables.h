@@ -1,56 +1,40 @@
 // The measures of agreement and the answers to the usability scale (Table 3) as item models.
 #pragma once
 
-#include <QAbstractTableModel>
-
+#include "app/workbench/labs/frame/lab_table_model.h"
 #include "app/workbench/labs/rules/agreement_rows.h"
 
 namespace tactus::workbench {
 
-class AgreementTable : public QAbstractTableModel {
+class AgreementTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  enum Column {
-    kRatings,
-    kSize,
-    kOrdinal,
-    kInterval,
-    kConsensus,
-    kIntervalAlpha,
-    kNominal,
-    kKendall,
-    kFleiss,
-    kColumns
-  };
+  enum Column { kRatings, kSize, kOrdinal, kInterval, kConsensus, kIntervalAlpha, kNominal, kKendall, kFleiss };
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit AgreementTable(QObject* parent = nullptr);
   void setRows(std::vector<AgreementRow> rows);
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
  private:
+  int rows() const override;
+  QVariant cell(int row, int column, int role) const override;
+
   std::vector<AgreementRow> rows_;
 };
 
-class UsabilityTable : public QAbstractTableModel {
+class UsabilityTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kStatement, kCount, kHere, kHereRange, kPublished, kPublishedRange, kColumns };
+  enum Column { kStatement, kCount, kHere, kHereRange, kPublished, kPublishedRange };
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit UsabilityTable(QObject* parent = nullptr);
   void setRows(std::vector<UsabilityRow> rows);
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
  private:
+  int rows() const override;
+  QVariant cell(int row, int column, int role) const override;
+
   std::vector<UsabilityRow> rows_;
 };
 

@@ -5,7 +5,11 @@
 #include <variant>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/model/finding_sentence.h"
+#include "app/workbench/model/finding_words.h"
 #include "core/fuzzy/compiled_model.h"
+#include "elicitation/model/rule_influence.h"
+#include "elicitation/rules/rule_lint.h"
 
 namespace tactus::workbench {
 
@@ -40,8 +44,14 @@ LabWork::Deliver RulesLab::compute(const LabWork::Run& run) {
   run.hand([this, whole] { take(whole); });
   const auto compiled = fuzzy::compile(input->built->model);
   if (!compiled) return {};
-  checked->findings =
-      elicitation::ruleLint(input->built->model, *compiled, input->built->experts, {}, run.stop).findings;
+  const fuzzy::ForceModel& model = input->built->model;
+  auto& findings = checked->findings.emplace();
+  for (auto& one : elicitation::ruleLint(model, *compiled, input->built->experts, {}, run.stop).findings) {
+    if (run.stop.stop_requested()) return {};
+    WordedFinding worded{{}, findingWho(model, one), findingSentence(model, *compiled, one)};
+    worded.finding = std::move(one);
+    findings.push_back(std::move(worded));
+  }
   if (run.stop.stop_requested()) return {};
   return [this, checked] { take(checked); };
 }
@@ -79,7 +89,7 @@ void RulesLab::askInfluences() {
   influence_work_.drop();
   const auto input = input_.load();
   const std::size_t count = found_.grids.experts.size();
-  if (!chosen_ || input == nullptr || input->study != found_.study || count > kInfluenceExperts) {
+  if (!chosen_ || input == nullptr || input->study != found_.study) {
     emit influencesChanged();
     return;
   }
@@ -89,12 +99,7 @@ void RulesLab::askInfluences() {
     if (cell.word) rules[e] = cell.rule;
   }
   influence_work_.run([this, built = input->built, rules](const std::stop_token& stop) -> Background::Deliver {
-    std::vector<std::optional<elicitation::RecordInfluence>> moved(rules.size());
-    for (std::size_t e = 0; e < rules.size() && !stop.stop_requested(); ++e) {
-      if (!rules[e]) continue;
-      if (const auto one = elicitation::withoutRule(*built, e, *rules[e])) moved[e] = *one;
-    }
-    return [this, moved] {
+    return [this, moved = elicitation::withoutRules(*built, rules, stop)] {
       influences_ = moved;
       emit influencesChanged();
     };
@@ -123,7 +128,7 @@ void RulesLab::chooseRule(std::size_t expert, std::size_t rule) {
 }
 
 bool RulesLab::chooseFinding(std::size_t finding) {
-  const elicitation::RuleFinding& found = (*found_.findings)[finding];
+  const elicitation::RuleFinding& found = (*found_.findings)[finding].finding;
   const ExpertGrids& grids = found_.grids;
   const auto expert = std::find_if(grids.experts.begin(), grids.experts.end(), [&](const GridExpert& one) {
     return !found.experts.empty() && one.id == found.experts.front();

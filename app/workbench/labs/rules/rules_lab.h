@@ -15,9 +15,9 @@
 #include "app/workbench/labs/data/lab_work.h"
 #include "app/workbench/labs/rules/agreement_rows.h"
 #include "app/workbench/labs/rules/expert_grids.h"
+#include "app/workbench/labs/rules/worded_finding.h"
 #include "elicitation/agreement/conflict_map.h"
 #include "elicitation/model/record_influence.h"
-#include "elicitation/rules/rule_lint.h"
 
 namespace tactus::workbench {
 
@@ -46,9 +46,7 @@ class RulesLab : public QObject {
   /// What the experts' words cost in a cell; null if no expert has a rule there, or it is not computed.
   const elicitation::CellConflict* conflictAt(const GridPlace& place) const;
   /// About the rules of each expert and of all; null until they are computed.
-  const std::vector<elicitation::RuleFinding>* findings() const {
-    return found_.findings ? &*found_.findings : nullptr;
-  }
+  const std::vector<WordedFinding>* findings() const { return found_.findings ? &*found_.findings : nullptr; }
   const std::vector<AgreementRow>& agreement() const { return found_.agreement; }
   const std::vector<UsabilityRow>& usability() const { return found_.usability; }
   /// Why there are no grids; empty if there are.
@@ -58,12 +56,10 @@ class RulesLab : public QObject {
   /// Computes while wanted.
   void setWanted(bool wanted);
 
-  /// How far the averaged force moves without the expert's rule in the chosen cell; nothing while it is not known, or
-  /// with more than kInfluenceExperts experts.
+  /// How far the averaged force moves without the expert's rule in the chosen cell; nothing while it is not known.
   std::optional<elicitation::RecordInfluence> influenceOf(std::size_t expert) const;
   /// Some are still being computed.
   bool isComparing() const { return influence_work_.isBusy(); }
-  static constexpr std::size_t kInfluenceExperts = 24;  ///< each takes the time of a comparison of two models
 
   /// The chosen cell.
   const std::optional<GridPlace>& chosen() const { return chosen_; }
@@ -96,7 +92,7 @@ class RulesLab : public QObject {
     std::shared_ptr<const LabStudy> study;
     ExpertGrids grids;
     std::optional<elicitation::ConflictMap> conflicts;
-    std::optional<std::vector<elicitation::RuleFinding>> findings;
+    std::optional<std::vector<WordedFinding>> findings;
     std::vector<const elicitation::CellConflict*> by_cell;  ///< into `conflicts`, row after row
     std::vector<AgreementRow> agreement;
     std::vector<UsabilityRow> usability;

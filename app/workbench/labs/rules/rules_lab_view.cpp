@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
@@ -25,7 +26,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kExpertRow = 22;  // px: four experts are seen at once in a window of 720 px
+constexpr int kReadAtOnce = 24;  // experts
+constexpr int kExpertRow = 22;   // px: four experts are seen at once in a window of 720 px
 
 // How far the experts are apart as a whole, for the heading.
 QString spreadText(const RulesLab& lab) {
@@ -86,7 +88,7 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
   auto* refresh = new Refresh(this, [this] { follow(); });
   connect(&lab_, &RulesLab::changed, refresh, &Refresh::request);
   connect(&lab_, &RulesLab::chosenChanged, this, &RulesLabView::followCell);
-  connect(&lab_, &RulesLab::influencesChanged, this, [this] { cell_->follow(); });
+  connect(&lab_, &RulesLab::influencesChanged, cell_, &CellTable::followInfluences);
   followCell();
 }
 
@@ -104,9 +106,13 @@ QWidget* RulesLabView::makeCell() {
   row->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, 0);
   row->setSpacing(2 * theme::kGrid);
   row->addLayout(words, 2);
-  auto* const experts = makeLabTable(*cell_, CellTable::kSource, tr("Experts in the chosen cell"), page);
-  experts->verticalHeader()->setDefaultSectionSize(kExpertRow);
-  row->addWidget(experts, 3);
+  auto* const sorted = new QSortFilterProxyModel(this);
+  sorted->setSourceModel(cell_);
+  sorted->setSortRole(CellTable::kOrderRole);
+  experts_ = makeLabTable(*sorted, CellTable::kSource, tr("Experts in the chosen cell"), page);
+  experts_->verticalHeader()->setDefaultSectionSize(kExpertRow);
+  sortByHeads(*experts_);
+  row->addWidget(experts_, 3);
   return page;
 }
 
@@ -156,8 +162,7 @@ void RulesLabView::follow() {
   grids_->follow();
   spread_->setText(spreadText(lab_));
   const auto* const findings = lab_.findings();
-  findings_->setFindings(findings == nullptr ? std::vector<elicitation::RuleFinding>() : *findings,
-                         lab_.grids().output.unit);
+  findings_->setFindings(findings == nullptr ? std::vector<WordedFinding>() : *findings, lab_.grids().output.unit);
   findings_note_->setText(findings == nullptr ? tr("Looking at the rules…")
                           : findings->empty() ? tr("Nothing is odd in the rules.")
                                               : QString());
@@ -172,7 +177,12 @@ void RulesLabView::follow() {
 }
 
 void RulesLabView::followCell() {
+  const int few = cell_->rowCount();
   cell_->follow();
+  // Of many experts those far from the mean are worth reading first.
+  if (few <= kReadAtOnce && cell_->rowCount() > kReadAtOnce) {
+    experts_->sortByColumn(CellTable::kFromMean, Qt::DescendingOrder);
+  }
   cell_title_->setText(lab_.chosen() ? lab_.textOf(*lab_.chosen()) : tr("No cell is chosen"));
   cell_summary_->setText(lab_.chosen()
                              ? cellSummary(lab_)

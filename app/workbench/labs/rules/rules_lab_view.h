@@ -41,6 +41,7 @@ class RulesLabView : public QWidget {
   GridsView* grids_;
   QLabel* spread_;
   CellTable* cell_;
+  QTableView* experts_ = nullptr;  ///< of the chosen cell
   QLabel* cell_title_;
   QLabel* cell_summary_;
   FindingTable* findings_;

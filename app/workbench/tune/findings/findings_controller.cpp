@@ -12,7 +12,6 @@
 #include "app/workbench/model/impact_text.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_impact.h"
-#include "app/workbench/tune/findings/finding_words.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {

@@ -15,6 +15,7 @@
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/model/finding_words.h"
 #include "app/workbench/tune/findings/finding_delegate.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 #include "app/workbench/tune/findings/fix_card.h"

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/tune/findings/finding_words.h"
+#include "app/workbench/model/finding_sentence.h"
+#include "app/workbench/model/finding_words.h"
 #include "core/analysis/rule_findings.h"
 #include "core/analysis/rule_table.h"
 #include "elicitation/force/noticeable_force.h"
@@ -209,42 +210,6 @@ FindingGroup groupOf(Kind kind) {
       break;
   }
   return FindingGroup::kNeedless;
-}
-
-QString kindText(Kind kind) {
-  switch (kind) {
-    case Kind::kHole:
-      return ShownFindingText::tr("Hole");
-    case Kind::kAbstentionJump:
-      return ShownFindingText::tr("Mean jumps");
-    case Kind::kForceStep:
-      return ShownFindingText::tr("Force steps");
-    case Kind::kRegionWithoutRule:
-      return ShownFindingText::tr("Region without a rule");
-    case Kind::kMissingItem:
-      return ShownFindingText::tr("Missing answer");
-    case Kind::kConflict:
-      return ShownFindingText::tr("Conflict");
-    case Kind::kExpertsApart:
-      return ShownFindingText::tr("Experts apart");
-    case Kind::kAgainstDeclaration:
-      return ShownFindingText::tr("Against the declaration");
-    case Kind::kLevelJump:
-      return ShownFindingText::tr("Level jump");
-    case Kind::kDirectionChange:
-      return ShownFindingText::tr("Change of direction");
-    case Kind::kDisagreement:
-      return ShownFindingText::tr("Disagreement");
-    case Kind::kRedundantRule:
-      return ShownFindingText::tr("Redundant rule");
-    case Kind::kUnreachableRule:
-      return ShownFindingText::tr("Rule never fires");
-    case Kind::kUnreachableTerm:
-      return ShownFindingText::tr("Unreachable term");
-    case Kind::kUnusedTerm:
-      return ShownFindingText::tr("Unused term");
-  }
-  return {};
 }
 
 std::vector<ShownFinding> shownFindings(const ForceModel& model, const fuzzy::CompiledModel& compiled,

@@ -58,8 +58,6 @@ struct ShownFinding {
 };
 
 FindingGroup groupOf(elicitation::RuleFinding::Kind kind);
-/// `Hole`, `Mean jumps`, …
-QString kindText(elicitation::RuleFinding::Kind kind);
 
 /// The findings of `lint`: largest force first, then those without a force, then accepted holes, then lapsed
 /// acceptances. `lint` and `compiled` are made from `model`. Thread: any.

@@ -1,4 +1,4 @@
-#include "app/workbench/tune/findings/finding_words.h"
+#include "app/workbench/model/finding_sentence.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/model/finding_words.h"
 #include "elicitation/force/noticeable_force.h"
 
 namespace tactus::workbench {
@@ -25,6 +26,14 @@ const Variable* inputOf(const ForceModel& model, const std::string& id) {
   return it == model.inputs.end() ? nullptr : &*it;
 }
 
+// More than the items of one region.
+constexpr qsizetype kMostListed = 12;
+
+QString listed(const QStringList& numbers) {
+  return numbers.mid(0, kMostListed).join(QStringLiteral(", ")) +
+         (numbers.size() > kMostListed ? QStringLiteral(", …") : QString());
+}
+
 class Words {
   Q_DECLARE_TR_FUNCTIONS(FindingWords)
 
@@ -35,14 +44,17 @@ class Words {
   QString sentence() const {
     switch (finding_.kind) {
       case Kind::kHole:
-        return (expert_ == nullptr ? tr("No rule of any expert fires: %1") : tr("No rule fires: %1")).arg(where());
+        return (expert_ == nullptr ? tr("No rule of any expert fires: %1") : tr("No rule fires: %1")).arg(where()) +
+               unanswered();
       case Kind::kAbstentionJump:
         return jump();
       case Kind::kForceStep:
         return cliff();
       case Kind::kRegionWithoutRule:
       case Kind::kUnusedTerm:
-        return tr("No rule mentions %1").arg(term());
+        return tr("No rule mentions %1").arg(term()) + unanswered();
+      case Kind::kMissingItem:
+        return missing();
       case Kind::kConflict:
         return conflict();
       case Kind::kExpertsApart:
@@ -61,8 +73,6 @@ class Words {
         return rule(tr("The conditions are never true together: %1"));
       case Kind::kUnreachableTerm:
         return unreachableTerm();
-      case Kind::kMissingItem:
-        break;
     }
     return text(finding_.text);
   }
@@ -74,13 +84,36 @@ class Words {
     return index && *index < expert_->rules.size() ? &expert_->rules[*index] : nullptr;
   }
 
+  // A rule by its item of the form if the study is known, otherwise by its number.
   QString numbers() const {
-    QStringList out;
+    QStringList items;
+    QStringList rules;
     for (const auto& source : finding_.sources) {
-      if (source.rule) out << QString::number(*source.rule + 1);
+      if (!source.rule) continue;
+      const int item = source.origin.item;
+      (item > 0 ? items : rules) << QString::number(item > 0 ? item : static_cast<int>(*source.rule) + 1);
     }
-    if (out.isEmpty()) return {};
-    return tr(" (rule(s) %1)", nullptr, static_cast<int>(out.size())).arg(out.join(QStringLiteral(", ")));
+    QString out;
+    if (!items.isEmpty()) out += tr(" (item(s) %1)", nullptr, static_cast<int>(items.size())).arg(listed(items));
+    if (!rules.isEmpty()) out += tr(" (rule(s) %1)", nullptr, static_cast<int>(rules.size())).arg(listed(rules));
+    return out;
+  }
+
+  // The items without an answer that would have given a rule there.
+  QString unanswered() const {
+    QStringList items;
+    for (const auto& source : finding_.sources) {
+      if (!source.rule && source.origin.item > 0) items << QString::number(source.origin.item);
+    }
+    if (items.isEmpty()) return {};
+    return tr("; no answer to item(s) %1", nullptr, static_cast<int>(items.size())).arg(listed(items));
+  }
+
+  QString missing() const {
+    const auto* const place = std::get_if<analysis::ConditionPlace>(&finding_.where);
+    if (place == nullptr) return text(finding_.text);
+    const int item = finding_.sources.empty() ? 0 : finding_.sources.front().origin.item;
+    return tr("No answer to item %1: %2").arg(QString::number(item), conditionsText(place->conditions));
   }
 
   QString termText(const Condition& condition) const {
@@ -118,9 +151,13 @@ class Words {
   }
 
   QString jump() const {
-    if (finding_.from.empty()) return tr("The mean jumps where this expert abstains: %1").arg(where());
+    if (finding_.from.empty()) {
+      return tr("The mean jumps where this expert abstains: %1").arg(where()) + unanswered();
+    }
     return tr("The mean jumps from %1 to %2 where this expert abstains: %3")
-        .arg(force(compiled_.evaluate(finding_.from).force_n), force(compiled_.evaluate(finding_.to).force_n), where());
+               .arg(force(compiled_.evaluate(finding_.from).force_n), force(compiled_.evaluate(finding_.to).force_n),
+                    where()) +
+           unanswered();
   }
 
   QString cliff() const {
@@ -267,35 +304,6 @@ class Words {
 
 QString findingSentence(const ForceModel& model, const fuzzy::CompiledModel& compiled, const RuleFinding& finding) {
   return Words(model, compiled, finding).sentence();
-}
-
-QString findingWho(const ForceModel& model, const RuleFinding& finding) {
-  QStringList out;
-  for (const std::string& id : finding.experts) {
-    for (const Expert& expert : model.experts) {
-      if (expert.id == id) out << labelOf(expert);
-    }
-  }
-  return out.isEmpty() ? Words::tr("Mean") : out.join(Words::tr(" and "));
-}
-
-QString holeText(const ForceModel& model, const analysis::Hole& hole) {
-  return text(analysis::describe(hole, model, [](const Variable& input) { return labelOf(input).toStdString(); }));
-}
-
-const Expert* expertOf(const ForceModel& model, const RuleFinding& finding) {
-  if (finding.experts.empty()) return nullptr;
-  const auto it = std::find_if(model.experts.begin(), model.experts.end(),
-                               [&](const Expert& expert) { return expert.id == finding.experts.front(); });
-  return it == model.experts.end() ? nullptr : &*it;
-}
-
-PlacedTerm termOfFinding(const ForceModel& model, const RuleFinding& finding) {
-  const auto* const place = std::get_if<analysis::TermPlace>(&finding.where);
-  const Expert* const expert = expertOf(model, finding);
-  if (place == nullptr || expert == nullptr) return {};
-  const fuzzy::Term* const term = analysis::termAt(finding.where, model, *expert);
-  return term == nullptr ? PlacedTerm{} : PlacedTerm{&analysis::variableAt(model, place->variable), term};
 }
 
 }  // namespace tactus::workbench

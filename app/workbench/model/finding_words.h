@@ -1,17 +1,15 @@
-// One sentence for each finding, with the labels of the model.
+// What a finding about the rules is called, and whom and what it is about, with the labels of the model.
 #pragma once
 
 #include <QString>
 
-#include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/rules/rule_finding.h"
 
 namespace tactus::workbench {
 
-/// `finding` belongs to `model`, and `compiled` is made from it. Thread: any.
-QString findingSentence(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-                        const elicitation::RuleFinding& finding);
+/// `Hole`, `Mean jumps`, …
+QString kindText(elicitation::RuleFinding::Kind kind);
 
 /// The experts of the finding: `S1 and S4`, or `Mean`.
 QString findingWho(const fuzzy::ForceModel& model, const elicitation::RuleFinding& finding);
