@@ -24,7 +24,7 @@
 namespace tactus::workbench {
 namespace {
 
-// Takes a second for four participants and a quarter of a minute for 200.
+// Takes a second for four participants and half a minute for 200.
 base::Result<void> writeStudyReport(const session::StudyView& view, const session::StudyAside& aside,
                                     elicitation::BuildSettings settings, const QString& study_name,
                                     const std::string& path) {

@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/noticeable_force.h"
+#include "elicitation/model/rebuilt_model.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -113,32 +114,35 @@ class Choices {
   }
 
   template <class Change>
-  void rebuilt(const std::string& factor, const std::string& value, Change change) {
-    add(factor, value, [this, change]() -> Result<ForceModel> {
+  void rebuilt(const std::string& factor, const std::string& value, Change change, SpeedsOf speeds = SpeedsOf::kBuilt) {
+    add(factor, value, [this, change, speeds] {
       auto settings = settings_;
       change(settings);
-      auto built = buildModel(study_, forms_, settings);
-      if (!built) return tl::unexpected(built.error());
-      return std::move(built->model);
+      return rebuiltModel(built_, study_, forms_, settings, speeds);
     });
   }
 
   void addSpeedChoices() {
     for (const double alpha : {0.8, 0.9, 0.95, 1.0}) {
       if (alpha == settings_.speed.alpha) continue;
-      rebuilt("alpha", base::formatNumber(alpha), [alpha](BuildSettings& s) { s.speed.alpha = alpha; });
+      rebuilt(
+          "alpha", base::formatNumber(alpha), [alpha](BuildSettings& s) { s.speed.alpha = alpha; }, SpeedsOf::kStudy);
     }
     for (const double m : {1.5, 2.0, 2.5, 3.0}) {
       if (m == settings_.speed.fcm.m) continue;
-      rebuilt("m", base::formatNumber(m), [m](BuildSettings& s) { s.speed.fcm.m = m; });
+      rebuilt(
+          "m", base::formatNumber(m), [m](BuildSettings& s) { s.speed.fcm.m = m; }, SpeedsOf::kStudy);
     }
     for (const double trim : {0.0, 0.2}) {
       if (trim == settings_.speed.trim) continue;
-      rebuilt("trim", base::formatNumber(trim), [trim](BuildSettings& s) { s.speed.trim = trim; });
+      rebuilt(
+          "trim", base::formatNumber(trim), [trim](BuildSettings& s) { s.speed.trim = trim; }, SpeedsOf::kStudy);
     }
     for (const auto centres : {SpeedCentres::kClusters, SpeedCentres::kLevelMeans}) {
       if (centres == settings_.speed.centres) continue;
-      rebuilt("centres", std::string(name(centres)), [centres](BuildSettings& s) { s.speed.centres = centres; });
+      rebuilt(
+          "centres", std::string(name(centres)), [centres](BuildSettings& s) { s.speed.centres = centres; },
+          SpeedsOf::kStudy);
     }
     if (built_.speeds.size() < 2) return;
     for (const auto averaging : {Averaging::kMean, Averaging::kMedian}) {

@@ -13,6 +13,7 @@
 #include "elicitation/force/step_forces.h"
 #include "elicitation/model/model_checks.h"
 #include "elicitation/model/model_provenance.h"
+#include "elicitation/model/rebuilt_model.h"
 #include "elicitation/rules/rule_checks.h"
 #include "elicitation/variables/ngt_variables.h"
 
@@ -105,11 +106,19 @@ Result<void> buildDepth(const BuildSettings& settings, BuiltModel& out) {
   return {};
 }
 
-Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
+/// The clusters of another build with the same speeds and the same SpeedTermSettings, or none.
+using KnownClusters = const std::vector<ParticipantSpeeds>*;
+
+Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, KnownClusters known,
+                        BuiltModel& out) {
   auto& speed = variable(out.model.inputs, "speed");
-  auto participants = clusterSpeeds(study, speed, settings.speed);
-  if (!participants) return tl::unexpected(participants.error());
-  out.speeds = std::move(*participants);
+  if (known != nullptr) {
+    out.speeds = *known;
+  } else {
+    auto participants = clusterSpeeds(study, speed, settings.speed);
+    if (!participants) return tl::unexpected(participants.error());
+    out.speeds = std::move(*participants);
+  }
   if (out.speeds.empty()) {
     out.notes.push_back("There are no insertion speeds: the speed has its default terms.");
     return {};
@@ -257,17 +266,7 @@ Result<void> buildExperts(const study::Study& study, const BuildSettings& settin
   return {};
 }
 
-}  // namespace
-
-std::string_view name(SpeedTermsOf terms) noexcept { return terms == SpeedTermsOf::kOwn ? "own" : "averaged"; }
-
-bool hasRules(const study::Study& study) {
-  return !study.rules.empty() || std::any_of(study.answers.begin(), study.answers.end(), [](const auto& answer) {
-    return answer.status == study::Answer::Status::kAnswered;
-  });
-}
-
-Result<BuiltModel> buildTerms(const study::Study& study, const BuildSettings& settings) {
+Result<BuiltModel> termsOf(const study::Study& study, const BuildSettings& settings, KnownClusters known) {
   if (auto ok = checkParticipants(study); !ok) return tl::unexpected(ok.error());
   BuiltModel out;
   out.model.inputs = ngtInputs();
@@ -277,16 +276,17 @@ Result<BuiltModel> buildTerms(const study::Study& study, const BuildSettings& se
   out.model.generator = settings.generator;
   if (auto ok = buildDepth(settings, out); !ok) return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), ngtRegionInput());
-  if (auto ok = buildSpeed(study, settings, out); !ok) return tl::unexpected(ok.error());
+  if (auto ok = buildSpeed(study, settings, known, out); !ok) return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), "speed");
   if (auto ok = buildForce(study, settings, out); !ok) return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), out.model.output.id);
   return out;
 }
 
-Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
-                              const BuildSettings& settings) {
-  auto terms = buildTerms(study, settings);
+/// Everything of buildModel but the influences.
+Result<BuiltModel> modelOf(const study::Study& study, std::span<const study::Form> forms, const BuildSettings& settings,
+                           KnownClusters known) {
+  auto terms = termsOf(study, settings, known);
   if (!terms) return terms;
   BuiltModel out = std::move(*terms);
   std::vector<std::string> answer_terms;
@@ -302,12 +302,42 @@ Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::
   if (!out.model.provenance->notes.empty()) out.notes.push_back(out.model.provenance->notes);
   if (auto ok = setChecks(out.model); !ok) return tl::unexpected(ok.error());
   if (auto ok = fuzzy::validate(out.model); !ok) return tl::unexpected(ok.error());
+  return out;
+}
+
+}  // namespace
+
+std::string_view name(SpeedTermsOf terms) noexcept { return terms == SpeedTermsOf::kOwn ? "own" : "averaged"; }
+
+bool hasRules(const study::Study& study) {
+  return !study.rules.empty() || std::any_of(study.answers.begin(), study.answers.end(), [](const auto& answer) {
+    return answer.status == study::Answer::Status::kAnswered;
+  });
+}
+
+Result<BuiltModel> buildTerms(const study::Study& study, const BuildSettings& settings) {
+  return termsOf(study, settings, nullptr);
+}
+
+Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
+                              const BuildSettings& settings) {
+  auto made = modelOf(study, forms, settings, nullptr);
+  if (!made) return made;
+  BuiltModel out = std::move(*made);
   auto influences = expertInfluence(out.model);
   if (!influences) return tl::unexpected(influences.error());
   out.influences = std::move(*influences);
   append(out.notes, influenceNotes(out.model, out.influences));
   out.note_subjects.resize(out.notes.size());
   return out;
+}
+
+Result<fuzzy::ForceModel> rebuiltModel(const BuiltModel& built, const study::Study& study,
+                                       std::span<const study::Form> forms, const BuildSettings& settings,
+                                       SpeedsOf speeds) {
+  auto made = modelOf(study, forms, settings, speeds == SpeedsOf::kBuilt ? &built.speeds : nullptr);
+  if (!made) return tl::unexpected(made.error());
+  return std::move(made->model);
 }
 
 Result<fuzzy::ForceModel> reweightedModel(const BuiltModel& built, const study::Study& study,
