@@ -9,6 +9,7 @@ folder=${1:-out/demo}
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   preset=release
   install_missing "${build_packages[@]}" "${workbench_packages[@]}"
+  install_wanted "${wanted_packages[@]}"
 else
   preset=release-cli
   install_missing "${build_packages[@]}"

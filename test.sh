@@ -7,6 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 install_missing git ccache clang-format locales libgtest-dev libgmp-dev qemu-system-x86 busybox-static cpio fuzzylite \
   dpkg-dev file g++-mingw-w64-x86-64-posix xvfb xauth xdotool \
   "${build_packages[@]}" "${workbench_packages[@]}"
+install_wanted "${wanted_packages[@]}"
 
 # A fresh clone may belong to somebody else than the one who tests it.
 sources() { git -c safe.directory='*' ls-files -co --exclude-standard -- '*.h' '*.cpp'; }

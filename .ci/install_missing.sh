@@ -27,6 +27,9 @@ install_missing() {
   rm -f "$log"
 }
 
+# `install_wanted PACKAGE...`: the same for what the program can do without. Only tries.
+install_wanted() { (install_missing "$@") >/dev/null 2>&1 || true; }
+
 # `quietly COMMAND...`: its output only where it fails.
 quietly() {
   local log
@@ -46,3 +49,5 @@ build_packages=(g++ cmake ninja-build pkgconf nlohmann-json3-dev libexpected-dev
 # What the workbench needs on top.
 workbench_packages=(qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools libqcustomplot-dev fonts-dejavu-core
                     fonts-noto-cjk)
+# With it the workbench reads TIFF images.
+wanted_packages=(qt6-image-formats-plugins)

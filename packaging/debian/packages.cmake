@@ -46,7 +46,7 @@ set(CPACK_DEBIAN_TACTUS_PACKAGE_SHLIBDEPS ON)
 if(TACTUS_WORKBENCH)
   # What Qt loads while it runs: dpkg-shlibdeps does not see it. The fonts carry the symbols and the Chinese screens.
   set(CPACK_DEBIAN_TACTUS_PACKAGE_DEPENDS "qt6-qpa-plugins, fonts-dejavu-core")
-  set(CPACK_DEBIAN_TACTUS_PACKAGE_RECOMMENDS "fonts-noto-cjk")
+  set(CPACK_DEBIAN_TACTUS_PACKAGE_RECOMMENDS "fonts-noto-cjk, qt6-image-formats-plugins")
 endif()
 set(CPACK_DEBIAN_TACTUS_PACKAGE_SUGGESTS "libtactus-dev")
 set(CPACK_DEBIAN_TACTUS_DESCRIPTION "tactile knowledge of experts as a force model for haptic simulators

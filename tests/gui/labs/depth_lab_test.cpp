@@ -1,7 +1,9 @@
 #include "app/workbench/labs/depth/depth_lab.h"
 
+#include <QBuffer>
 #include <QComboBox>
 #include <QDir>
+#include <QImageReader>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -134,6 +136,76 @@ TEST_F(DepthLabTest, WhatIsNoImageIsSaid) {
   EXPECT_FALSE(isDicom("no image"));
 }
 
+// Two gray pixels, uncompressed, in the fewest tags that a baseline TIFF has (TIFF 6.0, section 4).
+QByteArray smallTiff() {
+  QByteArray bytes("II*\0\x08\0\0\0\x08\0", 10);
+  const auto tag = [&](int number, int type, int value) {
+    for (const int two : {number, type, 1, 0, value, 0}) {
+      bytes += static_cast<char>(two & 0xff);
+      bytes += static_cast<char>(two >> 8);
+    }
+  };
+  tag(256, 3, 2);    // columns
+  tag(257, 3, 1);    // rows
+  tag(258, 3, 8);    // bits
+  tag(259, 3, 1);    // no compression
+  tag(262, 3, 1);    // 0 is black
+  tag(273, 4, 110);  // where the pixels begin: 8 + 2 + 8 tags of 12 bytes + 4
+  tag(278, 3, 1);    // rows in the strip
+  tag(279, 4, 2);    // bytes of the strip
+  return bytes + QByteArray("\0\0\0\0\x20\xe0", 6);
+}
+
+TEST_F(DepthLabTest, ATiffImageIsReadOrTheMissingPackageIsNamed) {
+  const auto image = readImage(smallTiff(), QStringLiteral("scan.tif"));
+  if (QImageReader::supportedImageFormats().contains("tiff")) {
+    ASSERT_TRUE(image) << image.error().message();
+    EXPECT_EQ(image->size(), QSize(2, 1));
+    EXPECT_EQ(qGray(image->pixel(0, 0)), 0x20);
+    EXPECT_EQ(qGray(image->pixel(1, 0)), 0xe0);
+  } else {
+    EXPECT_EQ(image.error().message(),
+              "scan.tif: found a TIFF image, wanted PNG or JPEG, or the package qt6-image-formats-plugins, with which "
+              "TIFF can be read");
+  }
+}
+
+// A camera held upright writes lying pixels and the turn as a number (EXIF 2.3, Orientation 6: turn right).
+TEST_F(DepthLabTest, AnUprightPhotographStandsUpright) {
+  QImage lying(40, 20, QImage::Format_RGB32);
+  lying.fill(Qt::black);
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 0; x < 10; ++x) lying.setPixel(x, y, qRgb(255, 255, 255));
+  }
+  QByteArray jpeg;
+  QBuffer buffer(&jpeg);
+  buffer.open(QIODevice::WriteOnly);
+  ASSERT_TRUE(lying.save(&buffer, "JPEG", 95));
+  const QByteArray exif(
+      "\xff\xe1\0\x22"
+      "Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
+      36);
+  const auto image = readImage(jpeg.left(2) + exif + jpeg.mid(2), QStringLiteral("photo.jpg"));
+  ASSERT_TRUE(image) << image.error().message();
+  ASSERT_EQ(image->size(), QSize(20, 40));
+  // What was at the left is at the top.
+  EXPECT_GT(qGray(image->pixel(10, 3)), 200);
+  EXPECT_LT(qGray(image->pixel(10, 35)), 50);
+}
+
+// The study holds the image itself.
+TEST_F(DepthLabTest, AnImageThatIsDeletedLaterStaysInTheStudy) {
+  const QString file = imageFile();
+  view->load(file);
+  settle();
+  ASSERT_TRUE(QFile::remove(file));
+  study.close();
+  ASSERT_TRUE(comesTrue([this] { return !study.isOpen(); }));
+  study.open(path);
+  ASSERT_TRUE(comesTrue([this] { return !lab.image().isEmpty(); }));
+  EXPECT_EQ(view->canvas().image().size(), QSize(300, 400));
+}
+
 // Where DCMTK or GDCM are installed, the sentence is theirs; where they are not, it names them.
 TEST_F(DepthLabTest, ADicomFileWithoutAPictureIsRefused) {
   QByteArray dicom(128, '\0');
@@ -165,13 +237,44 @@ TEST_F(DepthLabTest, AConvertedDicomImageBringsItsScale) {
   };
   // Without a window of gray values in the file the first way fails.
   script("dcm2pnm", "[ \"$2\" = --use-window ] && exit 1\n/bin/cp '" + imageFile().toUtf8() + "' \"$4\"\n");
-  script("dcmdump", "printf '%s\\n' '(0028,0030) DS [0.5\\0.5]   #   8, 2 PixelSpacing'\n");
+  // It prints three pictures; the first program writes one of them only by its number.
+  script(
+      "dcmdump",
+      "printf '%s\\n' '(0028,0008) IS [3]   # 2, 1 NumberOfFrames' '(0028,0030) DS [0.5\\0.5]   # 8, 2 PixelSpacing' "
+      "'(7fe0,0010) OB 00\\00   # 2, 1 PixelData'\n");
+  script("dcmj2pnm",
+         "[ \"$2$3$4\" = --min-max-window--frame2 ] || exit 1\n/bin/cp '" + imageFile().toUtf8() + "' \"$6\"\n");
   const QByteArray path_before = qgetenv("PATH");
   qputenv("PATH", programs.toUtf8());
   QByteArray dicom(128, '\0');
   dicom += "DICM";
   const auto image = dicomImage(dicom, QStringLiteral("scan.dcm"));
+  const int pictures = dicomPictures(dicom);
+  ASSERT_TRUE(QFile::remove(programs + QStringLiteral("/dcm2pnm")));
+  const auto second = dicomImage(dicom, QStringLiteral("scan.dcm"), 2);
+  const auto third = dicomImage(dicom, QStringLiteral("scan.dcm"), 3);
+  script("dcmdump", "printf '%s\\n' '(0002,0010) UI =LittleEndianExplicit  # 20, 1 TransferSyntaxUID'\n");
+  const auto none = dicomImage(dicom, QStringLiteral("report.dcm"));
+  script("dcmdump", "echo 'F: premature end of stream' >&2\nexit 1\n");
+  const auto half = dicomImage(dicom, QStringLiteral("half.dcm"));
+  script(
+      "dcmdump",
+      "printf '%s\\n' '(0002,0010) UI =MPEG2MainProfileAtMainLevel  # 20, 1' '(7fe0,0010) OB (PixelSequence #=2)'\n");
+  const auto film = dicomImage(dicom, QStringLiteral("film.dcm"));
   qputenv("PATH", path_before);
+  EXPECT_EQ(pictures, 3);
+  EXPECT_TRUE(second);
+  const auto said = [](const base::Result<DicomImage>& result) {
+    return result ? std::string("an image") : result.error().message();
+  };
+  EXPECT_EQ(said(third),
+            "scan.dcm: found a DICOM image that the installed programs cannot convert, wanted one without compression, "
+            "or PNG, JPEG or TIFF");
+  EXPECT_EQ(said(none), "report.dcm: found a DICOM file without an image, wanted one with an image");
+  EXPECT_EQ(said(half), "half.dcm: found a DICOM image that ends too early, wanted the whole file: copy it again");
+  EXPECT_EQ(said(film),
+            "film.dcm: found a DICOM image that the installed programs cannot convert (MPEG2MainProfileAtMainLevel), "
+            "wanted one without compression, or PNG, JPEG or TIFF");
   ASSERT_TRUE(image) << image.error().message();
   EXPECT_EQ(QImage::fromData(image->png).size(), QSize(300, 400));
   EXPECT_EQ(image->mm_per_px, 0.5);

@@ -103,7 +103,23 @@ void DepthLabView::load(const QString& path) {
   if (!isDicom(bytes)) return take(bytes, name, std::nullopt);
   sayDone(*this, tr("Converting %1…").arg(name));
   conversion_.run([this, bytes, name](const std::stop_token&) -> Background::Deliver {
-    auto image = dicomImage(bytes, name);
+    const int pictures = dicomPictures(bytes);
+    return [this, bytes, name, pictures] { convert(bytes, name, pictures); };
+  });
+}
+
+void DepthLabView::convert(const QByteArray& bytes, const QString& name, int pictures) {
+  int picture = 1;
+  if (pictures > 1) {
+    // Of a volume the plane through the middle of the body lies near the middle.
+    bool taken = false;
+    picture =
+        QInputDialog::getInt(this, tr("Several images"), tr("%1 holds %2 images. Which one?").arg(name).arg(pictures),
+                             (pictures + 1) / 2, 1, pictures, 1, &taken);
+    if (!taken) return;
+  }
+  conversion_.run([this, bytes, name, picture](const std::stop_token&) -> Background::Deliver {
+    auto image = dicomImage(bytes, name, picture);
     if (!image) return [this, why = text(image.error().message())] { sayError(*this, why); };
     return [this, image = std::move(*image), name] { take(image.png, name, image.mm_per_px); };
   });

@@ -37,6 +37,7 @@ class DepthLabView : public QWidget {
   void askLength(const elicitation::ImagePoint& one, const elicitation::ImagePoint& other);
   void followImage();
   /// `mm_per_px`: as the file says; nothing: the scale stays to be set.
+  void convert(const QByteArray& bytes, const QString& name, int pictures);
   void take(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px);
 
   DepthLab& lab_;

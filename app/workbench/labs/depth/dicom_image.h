@@ -17,10 +17,14 @@ struct DicomImage {
   std::optional<double> mm_per_px;  ///< nothing: the file does not say, or not the same for both directions
 };
 
-/// The picture of a DICOM file by `dcmj2pnm` and its sisters, or by `gdcmconv` and `gdcmimg`; its scale by `dcmdump` or
-/// `gdcmdump`. Waits for these programs. Returns an error that names the packages where none is installed, or what the
-/// programs say.
-/// Thread: any but that of the screen.
-base::Result<DicomImage> dicomImage(const QByteArray& bytes, const QString& name);
+/// How many pictures a DICOM file holds; 1 if no installed program says it. Waits for that program.
+/// Thread: any but the gui.
+int dicomPictures(const QByteArray& bytes);
+
+/// Picture number `picture` (from 1) of a DICOM file by `dcmj2pnm` and its sisters, or by `gdcmconv` and `gdcmimg`; its
+/// scale by `dcmdump` or `gdcmdump`. Waits for these programs. Returns an error in one sentence: the packages where
+/// none is installed, a file without an image, one that ends too early, a compression that none of them knows. Thread:
+/// any but the gui.
+base::Result<DicomImage> dicomImage(const QByteArray& bytes, const QString& name, int picture = 1);
 
 }  // namespace tactus::workbench

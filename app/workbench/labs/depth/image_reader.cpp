@@ -17,6 +17,11 @@ constexpr int kMostMegabytes = 512;  // decoded: the paper's image needs 25
 constexpr double kDrawingHeightMm = 620;
 constexpr double kClickMm = 15;  // between two points of the example's way
 
+// Of either order of bytes.
+bool isTiff(const QByteArray& bytes) {
+  return bytes.startsWith(QByteArray("II*\0", 4)) || bytes.startsWith(QByteArray("MM\0*", 4));
+}
+
 }  // namespace
 
 base::Result<QImage> readImage(const QByteArray& bytes, const QString& name) {
@@ -34,6 +39,10 @@ base::Result<QImage> readImage(const QByteArray& bytes, const QString& name) {
                       "at most " + std::to_string(kMostPixels) + " on a side");
   }
   QImage image = reader.read();
+  if (image.isNull() && isTiff(bytes) && !QImageReader::supportedImageFormats().contains("tiff")) {
+    return base::fail(base::ErrorCode::kSyntax, file, "a TIFF image",
+                      "PNG or JPEG, or the package qt6-image-formats-plugins, with which TIFF can be read");
+  }
   if (image.isNull()) {
     return base::fail(base::ErrorCode::kSyntax, file, "no image that can be read", "a PNG, JPEG or TIFF image");
   }
