@@ -102,13 +102,16 @@ TEST(MethodStudy, InWordsTheLargestEffectComesFirst) {
   EXPECT_EQ(factorSentence(compared, factorOf(compared, "weights")),
             "Matters here: \"years\" instead of \"equal\" is felt at 100.0 % of the input space (0.080 N rms, 1.19 "
             "just-noticeable differences; at most 0.080 N).");
+  EXPECT_EQ(factorVerdict(compared, factorOf(compared, "weights")), "Yes: \"years\" is felt at 100.0 %.");
   MethodStudy none;
   none.variants = {named("weights", "years", "no years of A")};
   none.factors = {{.factor = "weights", .unchanged = "equal", .worst = std::nullopt}};
   EXPECT_EQ(factorSentence(none, none.factors[0]), "Cannot be compared here: no years of A.");
+  EXPECT_EQ(factorVerdict(none, none.factors[0]), "Cannot be compared: no years of A.");
   none.variants = {named("m", "3")};
   none.factors = {{.factor = "m", .unchanged = "2", .worst = 0}};
   EXPECT_EQ(factorSentence(none, none.factors[0]), "Does not matter here: no other choice moves the force.");
+  EXPECT_EQ(factorVerdict(none, none.factors[0]), "No: no other choice moves the force.");
   EXPECT_EQ(factorTitle("implication"), "Implication");
   // .4167 N instead of .45 N, half a just-noticeable difference: felt nowhere.
   const auto near = smallAndMedium(2, 1);
@@ -117,6 +120,7 @@ TEST(MethodStudy, InWordsTheLargestEffectComesFirst) {
       factorSentence(near_compared, factorOf(near_compared, "weights")),
       "Does not matter here: even \"years\" instead of \"equal\" is felt at none of the points (0.033 N rms, 0.50 "
       "just-noticeable differences; at most 0.033 N).");
+  EXPECT_EQ(factorVerdict(near_compared, factorOf(near_compared, "weights")), "No: even \"years\" is felt nowhere.");
 }
 
 TEST(MethodStudy, GivesTheModelOfAVariant) {

@@ -52,8 +52,11 @@ TEST_F(MethodLabTest, ComparesOnRequestAndDrawsTheCurvesWhereTheyDifferMost) {
   factors.setStudy(lab.found());
   EXPECT_EQ(factors.rowCount(), static_cast<int>(lab.found()->factors.size()));
   for (int row = 0; row < factors.rowCount(); ++row) {
-    const QString sentence = factors.index(row, FactorTable::kSentence).data().toString();
-    EXPECT_TRUE(sentence.contains(QStringLiteral("here"))) << sentence.toStdString();
+    const QModelIndex at = factors.index(row, FactorTable::kSentence);
+    const QString verdict = at.data().toString();
+    EXPECT_TRUE(verdict.startsWith(QStringLiteral("Yes: ")) || verdict.startsWith(QStringLiteral("No: ")))
+        << verdict.toStdString();
+    EXPECT_TRUE(at.data(Qt::ToolTipRole).toString().contains(QStringLiteral("here")));
   }
   VariantTable variants;
   variants.setFactor(*lab.found(), "force_terms", lab.model());
