@@ -171,13 +171,6 @@
     </message>
 </context>
 <context>
-    <name>DicomText</name>
-    <message>
-        <source>took longer than a minute</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>DisplayText</name>
     <message>
         <source>%1 to %2</source>
@@ -481,6 +474,84 @@
     </message>
     <message>
         <source>%1 is outside the universe of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source> (item(s) %1)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; no answer to item(s) %1</source>
+        <translation>
+            <numerusform>; no answer to item %1</numerusform>
+            <numerusform>; no answer to items %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No answer to item %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean jumps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Region without a rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conflict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experts apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against the declaration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level jump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disagreement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redundant rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule never fires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unreachable term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unused term</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1512,66 +1583,6 @@
     </message>
     <message>
         <source>Accepted, but there is no such hole any more: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hole</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mean jumps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Force steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Region without a rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Missing answer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Conflict</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Experts apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the declaration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Level jump</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change of direction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disagreement</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Redundant rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rule never fires</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unreachable term</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unused term</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2964,6 +2975,14 @@
         <source>Converting %1…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Several images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds %2 images. Which one?</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::DepthSettingsPanel</name>
@@ -3437,6 +3456,10 @@
         <source>Root mean square of the difference over the input space, in just-noticeable differences, for the value that moves the force most.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>At most</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::FeelController</name>
@@ -3644,70 +3667,6 @@
 </context>
 <context>
     <name>tactus::workbench::FindingTable</name>
-    <message>
-        <source>No rule fires</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An expert falls silent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Step of the force</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Region without a rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Item without an answer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Two answers to one item</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Experts far apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the declared direction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Neighboring answers far apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the expert&apos;s own direction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Experts disagree on a direction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Redundant rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rule that never fires</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Term out of reach</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Term without a rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Kind</source>
         <translation type="unfinished"></translation>
