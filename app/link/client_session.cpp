@@ -8,7 +8,7 @@
 namespace tactus::link {
 
 void ClientSession::receive(std::string_view bytes) {
-  if (stage_ == Stage::kEnding) return;
+  if (phase_ == Phase::kEnding) return;
   input_.add(bytes);
   findWork();
 }
@@ -33,7 +33,7 @@ void ClientSession::readLine(std::string_view line, const SessionNeeds& needs) {
     error.file = "line " + std::to_string(lines_) + " of the client";
     refuse(error.message());
   };
-  if (stage_ == Stage::kHello) {
+  if (phase_ == Phase::kHello) {
     const auto hello = readHello(line);
     if (!hello) return refuseLine(hello.error());
     greet(*hello, needs);
@@ -50,7 +50,7 @@ void ClientSession::greet(const Hello& hello, const SessionNeeds& needs) {
   } else if (!needs.has_place) {
     refuse("found as many clients as the server takes, wanted fewer: try again when one has left");
   } else {
-    stage_ = Stage::kGreeted;
+    phase_ = Phase::kGreeted;
     hello_ = hello;
     hello_.token.clear();
     greeting_ = helloLine(needs.program);
@@ -69,8 +69,8 @@ void ClientSession::answer(const Ask& ask, const ServedModel& model) {
 }
 
 void ClientSession::refuse(std::string_view sentence) {
-  if (stage_ == Stage::kEnding) return;
-  stage_ = Stage::kEnding;
+  if (phase_ == Phase::kEnding) return;
+  phase_ = Phase::kEnding;
   replies_ += errorLine(sentence);
   model_.reset();
   state_.reset();
@@ -79,11 +79,11 @@ void ClientSession::refuse(std::string_view sentence) {
 }
 
 void ClientSession::offer(const ServedModel& model) {
-  if (stage_ == Stage::kGreeted && hello_.wants_model) model_ = model.line;
+  if (phase_ == Phase::kGreeted && hello_.wants_model) model_ = model.line;
 }
 
 bool ClientSession::isDue(double time_s) {
-  if (stage_ != Stage::kGreeted || !hello_.wants_state) return false;
+  if (phase_ != Phase::kGreeted || !hello_.wants_state) return false;
   const double period_s = 1 / hello_.state_hz;
   const bool new_run = time_s < std::exchange(state_before_s_, time_s);
   // The moments lie on a grid of ticks, whose times are not exact.

@@ -33,7 +33,7 @@ struct SessionNeeds {
 /// Thread: one at a time.
 class ClientSession {
  public:
-  enum class Stage {
+  enum class Phase {
     kHello,    ///< waits for the first line
     kGreeted,  ///< reads questions, gets what it wants
     kEnding,   ///< an error was said: nothing more is read; what is left to send is the end
@@ -41,14 +41,14 @@ class ClientSession {
   /// No line is read while this many bytes of answers wait, so a flood of questions is not read either.
   static constexpr std::size_t kMostAnswers = std::size_t{64} << 10U;
 
-  Stage stage() const { return stage_; }
+  Phase phase() const { return phase_; }
   const Hello& hello() const { return hello_; }
 
   /// Whether there is room for more bytes of the client.
-  bool wantsInput() const { return stage_ != Stage::kEnding && !has_work_; }
+  bool wantsInput() const { return phase_ != Phase::kEnding && !has_work_; }
   void receive(std::string_view bytes);
   /// Whether lines are left to read and there is room for what they bring.
-  bool hasWork() const { return stage_ != Stage::kEnding && has_work_ && replies_.size() < kMostAnswers; }
+  bool hasWork() const { return phase_ != Phase::kEnding && has_work_ && replies_.size() < kMostAnswers; }
   /// Reads at most `most_lines` lines.
   void work(int most_lines, const SessionNeeds& needs);
   /// Says why, in one sentence, and ends. Answers to earlier questions are sent first.
@@ -72,7 +72,7 @@ class ClientSession {
   void answer(const Ask& ask, const ServedModel& model);
   void findWork();
 
-  Stage stage_ = Stage::kHello;
+  Phase phase_ = Phase::kHello;
   Hello hello_;
   LineBuffer input_;
   bool has_work_ = false;  ///< a whole line is there, or one that is too long

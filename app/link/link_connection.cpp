@@ -35,14 +35,14 @@ LinkConnection::LinkConnection(base::Descriptor socket, Clock::time_point hello_
 }
 
 short LinkConnection::events() {
-  const bool reads = !input_ended_ && (session_.wantsInput() || session_.stage() == ClientSession::Stage::kEnding);
+  const bool reads = !input_ended_ && (session_.wantsInput() || session_.phase() == ClientSession::Phase::kEnding);
   const bool writes = !output_ended_ && !session_.output().empty();
   return static_cast<short>((reads ? POLLIN : 0) | (writes ? POLLOUT : 0));
 }
 
 void LinkConnection::keepTime(Clock::time_point now) {
   if (!deadline_ || now < *deadline_) return;
-  if (session_.stage() == ClientSession::Stage::kHello) {
+  if (session_.phase() == ClientSession::Phase::kHello) {
     session_.refuse("found no hello in time, wanted it as the first line");
     deadline_ = now + kEndingTime;
   } else {
@@ -64,17 +64,17 @@ void LinkConnection::read() {
 
 void LinkConnection::work(const SessionNeeds& needs, Clock::time_point now) {
   if (isClosed()) return;
-  const auto before = session_.stage();
+  const auto before = session_.phase();
   session_.work(kLinesInTurn, needs);
-  if (session_.stage() != before) {
+  if (session_.phase() != before) {
     deadline_.reset();
-    if (session_.stage() == ClientSession::Stage::kEnding) deadline_ = now + kEndingTime;
+    if (session_.phase() == ClientSession::Phase::kEnding) deadline_ = now + kEndingTime;
   }
   send();
   if (isClosed() || session_.hasWork() || !session_.output().empty()) return;
   if (input_ended_) {
     close();
-  } else if (session_.stage() == ClientSession::Stage::kEnding && !output_ended_) {
+  } else if (session_.phase() == ClientSession::Phase::kEnding && !output_ended_) {
     ::shutdown(socket_.number(), SHUT_WR);
     output_ended_ = true;
   }

@@ -23,7 +23,7 @@ class LinkConnection {
   const std::string& address() const { return address_; }
   ClientSession& session() { return session_; }
   const ClientSession& session() const { return session_; }
-  bool isGreeted() const { return session_.stage() == ClientSession::Stage::kGreeted; }
+  bool isGreeted() const { return session_.phase() == ClientSession::Phase::kGreeted; }
   bool isClosed() const { return !socket_.isOpen(); }
 
   /// Events to poll for.

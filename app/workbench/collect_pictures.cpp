@@ -119,7 +119,7 @@ Result<void> addMonitor(PictureAlbum& album, Workbench& bench) {
   state.code = row->code;
   state.screen = ParticipantScreen::kForce;
   state.device = DeviceStep::kReady;
-  state.force.stage = ForceState::Stage::kFeel;
+  state.force.phase = ForceState::Phase::kFeel;
   const auto snapshot = proxy.snapshot();
   NurseView view = nurseView(state, snapshot && snapshot->force ? &*snapshot->force : nullptr);
   monitor.show(view);

@@ -63,13 +63,13 @@ QString forceText(const ForceState& state, const experiments::ForcePlan& plan) {
   const QString force = NurseViewText::tr("%1 N%2").arg(
       numberText(plan.step.force_n),
       plan.attempt > 1 ? NurseViewText::tr(", attempt %1").arg(plan.attempt) : QString());
-  switch (state.stage) {
-    case ForceState::Stage::kPause:
+  switch (state.phase) {
+    case ForceState::Phase::kPause:
       return state.warm ? NurseViewText::tr("The device rests before %1").arg(force)
                         : NurseViewText::tr("Pause before %1").arg(force);
-    case ForceState::Stage::kFeel:
+    case ForceState::Phase::kFeel:
       return NurseViewText::tr("Feels %1").arg(force);
-    case ForceState::Stage::kAnswer:
+    case ForceState::Phase::kAnswer:
       return NurseViewText::tr("Answers %1").arg(force);
   }
   return {};

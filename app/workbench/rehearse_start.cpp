@@ -80,8 +80,8 @@ void RehearseStart::raise(const ParticipantPlan& plan, const session::NurseTrait
   take_part_ = std::make_unique<TakePart>(study_, device_, plan, [this] { return now(); });
   emit raised(&take_part_->course());
   take_part_->begin(*QGuiApplication::primaryScreen());
-  const Rehearsal::Stage stage{take_part_->course(), take_part_->window(), take_part_->look(), device_, time_};
-  rehearsal_ = std::make_unique<Rehearsal>(stage, nurse, plan.seed.value_or(kRehearsalSeed), speed_);
+  const Rehearsal::Parts on{take_part_->course(), take_part_->window(), take_part_->look(), device_, time_};
+  rehearsal_ = std::make_unique<Rehearsal>(on, nurse, plan.seed.value_or(kRehearsalSeed), speed_);
   connect(&take_part_->course(), &ParticipantController::refused, this, &RehearseStart::end);
   connect(rehearsal_.get(), &Rehearsal::stuck, this, &RehearseStart::end);
   connect(rehearsal_.get(), &Rehearsal::came, this, &RehearseStart::came);

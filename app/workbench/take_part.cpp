@@ -35,7 +35,7 @@ void TakePart::giveHand() {
                       (state.screen == Screen::kPractice && !state.feels_force) ||
                       (state.screen == Screen::kDeviceCheck && state.device != DeviceStep::kReady);
   const bool feels = (state.screen == Screen::kForce || state.screen == Screen::kPractice) && state.feels_force &&
-                     state.force.stage != ForceState::Stage::kAnswer;
+                     state.force.phase != ForceState::Phase::kAnswer;
   const bool covered = state.overlay != ForceOffOverlay::kNone;
   hand_.setWanted(!covered && (pushes || feels));
   if (covered) hand_.letGo();

@@ -144,9 +144,4 @@ Result<study::FeelEnd> feelEndOf(const EventRecord& event) {
   return out;
 }
 
-study::FeelPiece feelPieceOf(study::StrokeRecord stroke) {
-  return {std::move(stroke.entry), stroke.attempt, stroke.number, std::move(stroke.recording),
-          stroke.verdict == kFeelGapVerdict};
-}
-
 }  // namespace tactus::store

@@ -26,7 +26,5 @@ study::StrokeRecord strokeOf(const study::FeelPiece& record);
 base::Result<study::PlacementRecord> placementOf(const study::EventRecord& event);
 base::Result<study::FeelStart> feelStartOf(const study::EventRecord& event);
 base::Result<study::FeelEnd> feelEndOf(const study::EventRecord& event);
-/// Every stroke of the level kFeelLevel is a piece.
-study::FeelPiece feelPieceOf(study::StrokeRecord stroke);
 
 }  // namespace tactus::store

@@ -19,7 +19,7 @@ void ForceTrial::begin(const experiments::ForcePlan& plan) {
 }
 
 void ForceTrial::feelAgain() {
-  if (stage_ != Stage::kFelt) return;
+  if (phase_ != Phase::kFelt) return;
   const experiments::ForceAnswer before = measured();
   delivered_before_ = before.delivered;
   share_before_ = before.delivered_share;
@@ -30,13 +30,13 @@ void ForceTrial::feelAgain() {
 }
 
 void ForceTrial::cancel() {
-  if (stage_ != Stage::kNone) device_.setForce({});
-  stage_ = Stage::kNone;
+  if (phase_ != Phase::kNone) device_.setForce({});
+  phase_ = Phase::kNone;
 }
 
 void ForceTrial::pause() {
   device_.setForce({});
-  stage_ = Stage::kPause;
+  phase_ = Phase::kPause;
   pause_since_ns_.reset();
   warm_ = restS() > plan_.pause_before_s;
 }
@@ -49,16 +49,16 @@ double ForceTrial::restS() const {
 }
 
 bool ForceTrial::add(std::span<const haptics::Sample> samples) {
-  const Stage before = stage_;
+  const Phase before = phase_;
   for (const haptics::Sample& sample : samples) {
-    if (stage_ == Stage::kPause && !pause_since_ns_) pause_since_ns_ = sample.time_ns;
-    if (stage_ == Stage::kWait || stage_ == Stage::kRise || stage_ == Stage::kFelt) take(sample);
+    if (phase_ == Phase::kPause && !pause_since_ns_) pause_since_ns_ = sample.time_ns;
+    if (phase_ == Phase::kWait || phase_ == Phase::kRise || phase_ == Phase::kFelt) take(sample);
   }
-  if (stage_ == Stage::kPause && pause_since_ns_) {
+  if (phase_ == Phase::kPause && pause_since_ns_) {
     const double paused_s = static_cast<double>(samples.back().time_ns - *pause_since_ns_) * 1e-9;
     if (paused_s >= plan_.pause_before_s && restS() <= 0) order();
   }
-  return stage_ != before;
+  return phase_ != before;
 }
 
 void ForceTrial::order() {
@@ -71,26 +71,26 @@ void ForceTrial::order() {
   delivery_ = {};
   motion_.emplace(plan_.forward_least_mm_s);
   since_full_s_ = 0;
-  stage_ = Stage::kWait;
+  phase_ = Phase::kWait;
 }
 
 void ForceTrial::take(const haptics::Sample& sample) {
   if (sample.orders < orders_) return;
   delivery_.add(sample);
-  if (stage_ != Stage::kFelt) {
+  if (phase_ != Phase::kFelt) {
     const bool began = sample.stimulus != StimulusStage::kWaiting;
     if (sample.since_full_s > 0 || sample.stimulus == StimulusStage::kFull) {
-      stage_ = Stage::kFelt;
+      phase_ = Phase::kFelt;
       felt_once_ = true;
       full_ns_ = sample.time_ns;
     } else if (sample.stimulus == StimulusStage::kEnded) {
       order();  // the hand let go too early: the same force waits for it again
       return;
     } else if (began) {
-      stage_ = Stage::kRise;
+      phase_ = Phase::kRise;
     }
   }
-  if (stage_ != Stage::kFelt) return;
+  if (phase_ != Phase::kFelt) return;
   motion_->add({static_cast<double>(sample.time_ns - full_ns_) * 1e-9, sample.position_mm});
   since_full_s_ = sample.since_full_s;
 }

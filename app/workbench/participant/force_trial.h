@@ -17,7 +17,7 @@ namespace tactus::workbench {
 /// if each of them was; its share is the least of them. Thread: gui.
 class ForceTrial {
  public:
-  enum class Stage {
+  enum class Phase {
     kNone,
     kPause,  ///< without force
     kWait,   ///< ordered; it begins when the hand holds the handle at the start
@@ -34,14 +34,13 @@ class ForceTrial {
   /// No force; forgets the step.
   void cancel();
 
-  /// All samples, oldest first. Returns whether the stage changed.
+  /// All samples, oldest first. Returns whether the phase changed.
   bool add(std::span<const haptics::Sample> samples);
 
-  Stage stage() const { return stage_; }
+  Phase phase() const { return phase_; }
   bool wasFelt() const { return felt_once_; }
   /// The pause lasts longer than the protocol asks, because the motors are warm.
   bool isWarm() const { return warm_; }
-  int timesAgain() const { return again_; }
 
   /// What was measured so far, without the word. `wasFelt` must be true.
   experiments::ForceAnswer measured() const;
@@ -54,7 +53,7 @@ class ForceTrial {
 
   DeviceSession& device_;
   experiments::ForcePlan plan_;
-  Stage stage_ = Stage::kNone;
+  Phase phase_ = Phase::kNone;
   std::uint64_t number_ = 0;  ///< of the stimulus; never used twice
   std::uint64_t orders_ = 0;  ///< samples with older orders are not of this stimulus
   bool warm_ = false;

@@ -215,7 +215,7 @@ void ParticipantController::choose(const QString& id) {
       about_.choose(id);
       break;
     case Screen::kForce:
-      if ((correcting_ || trial_.stage() == ForceTrial::Stage::kFelt) && answerOf(id)) chosen_ = id;
+      if ((correcting_ || trial_.phase() == ForceTrial::Phase::kFelt) && answerOf(id)) chosen_ = id;
       break;
     case Screen::kRating:
       rating_.choose(id);
@@ -237,13 +237,13 @@ void ParticipantController::choose(const QString& id) {
 }
 
 void ParticipantController::feelAgain() {
-  if (!takesInput() || trial_.stage() != ForceTrial::Stage::kFelt) return;
+  if (!takesInput() || trial_.phase() != ForceTrial::Phase::kFelt) return;
   trial_.feelAgain();
   look();
 }
 
 void ParticipantController::lightNext() {
-  const bool asks = state_.screen == Screen::kForce && (correcting_ || trial_.stage() == ForceTrial::Stage::kFelt);
+  const bool asks = state_.screen == Screen::kForce && (correcting_ || trial_.phase() == ForceTrial::Phase::kFelt);
   if (!asks || !takesInput()) return;
   lit_.next(forceAnswers(), chance_);
   look();
@@ -290,7 +290,6 @@ void ParticipantController::callResearcher() {
   if (!takesOverlay()) return;
   state_.overlay = ForceOffOverlay::kCalled;
   if (at() != nullptr) proxy_.note({session::kResearcherCalled, {}});
-  emit researcherCalled();
   look();
 }
 

@@ -102,7 +102,6 @@ class ParticipantController : public QObject {
   void changed();
   /// Along the device's axis, mm: the tube of the picture follows it. At most 60 times a second.
   void handMoved(double position_mm);
-  void researcherCalled();
   /// One sentence for the researcher: what was refused, and why. Nothing is lost.
   void refused(const QString& sentence);
 

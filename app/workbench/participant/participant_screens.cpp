@@ -142,22 +142,22 @@ void ParticipantController::fillForce() {
   out.lit = lit_.id();
   out.again = at()->force->attempt > 1;
   out.before = correcting_;
-  switch (trial_.stage()) {
-    case ForceTrial::Stage::kNone:
-    case ForceTrial::Stage::kPause:
-      out.stage = ForceState::Stage::kPause;
+  switch (trial_.phase()) {
+    case ForceTrial::Phase::kNone:
+    case ForceTrial::Phase::kPause:
+      out.phase = ForceState::Phase::kPause;
       out.warm = trial_.isWarm();
       break;
-    case ForceTrial::Stage::kWait:
-    case ForceTrial::Stage::kRise:
-      out.stage = ForceState::Stage::kFeel;
+    case ForceTrial::Phase::kWait:
+    case ForceTrial::Phase::kRise:
+      out.phase = ForceState::Phase::kFeel;
       break;
-    case ForceTrial::Stage::kFelt:
-      out.stage = ForceState::Stage::kAnswer;
+    case ForceTrial::Phase::kFelt:
+      out.phase = ForceState::Phase::kAnswer;
       break;
   }
-  if (correcting_) out.stage = ForceState::Stage::kAnswer;
-  state_.can_go_on = out.stage == ForceState::Stage::kAnswer && (!out.asks || !chosen_.isEmpty());
+  if (correcting_) out.phase = ForceState::Phase::kAnswer;
+  state_.can_go_on = out.phase == ForceState::Phase::kAnswer && (!out.asks || !chosen_.isEmpty());
   state_.can_go_back = correcting_ || (out.asks && at()->judged);
   state_.force = std::move(out);
 }

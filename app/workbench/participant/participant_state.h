@@ -75,12 +75,12 @@ struct SpeedState {
 };
 
 struct ForceState {
-  enum class Stage {
+  enum class Phase {
     kPause,   ///< without force; the handle goes back to the start
     kFeel,    ///< the force waits for the hand, or rises
     kAnswer,  ///< felt: a word may be chosen, or she feels it again
   };
-  Stage stage = Stage::kPause;
+  Phase phase = Phase::kPause;
   bool asks = true;     ///< for a word; not in the practice
   QString chosen;       ///< a term id, `not_felt`, `beyond_practice`; empty: none
   QString lit;          ///< the word that the button of the device would choose; may be empty

@@ -137,7 +137,7 @@ void ParticipantController::onSampled(std::span<const haptics::Sample> samples) 
     captureStroke(samples);
   } else if (state_.screen == Screen::kOwnModel) {
     own_->look(samples);
-  } else if (trial_.stage() != ForceTrial::Stage::kNone && gate_.isSettled(now_().monotonic_ns)) {
+  } else if (trial_.phase() != ForceTrial::Phase::kNone && gate_.isSettled(now_().monotonic_ns)) {
     if (trial_.add(samples)) look();
   }
 }

@@ -128,14 +128,14 @@ nurse::StrokeState shownStrokes(const ParticipantState& state) {
 }
 
 nurse::ForceState shownForce(const ParticipantState& state) {
-  using Stage = ForceState::Stage;
+  using Phase = ForceState::Phase;
   nurse::ForceState shown;
   shown.practice = state.screen == ParticipantScreen::kPractice;
   shown.part = state.part;
   shown.parts = state.parts;
   shown.step = nurse::JudgingPhase::kPause;
-  if (state.force.stage == Stage::kFeel) shown.step = nurse::JudgingPhase::kFeel;
-  if (state.force.stage == Stage::kAnswer) shown.step = nurse::JudgingPhase::kAnswer;
+  if (state.force.phase == Phase::kFeel) shown.step = nurse::JudgingPhase::kFeel;
+  if (state.force.phase == Phase::kAnswer) shown.step = nurse::JudgingPhase::kAnswer;
   shown.asks = state.force.asks;
   shown.again = state.force.again;
   shown.warm = state.force.warm;

@@ -20,8 +20,8 @@ constexpr qint64 kStillMs = 60'000;
 
 }  // namespace
 
-Rehearsal::Rehearsal(const Stage& stage, session::NurseTraits traits, std::uint64_t seed, double speed)
-    : stage_(stage), hands_(stage.window, stage.look), nurse_(hands_, std::move(traits), seed), speed_(speed) {
+Rehearsal::Rehearsal(const Parts& on, session::NurseTraits traits, std::uint64_t seed, double speed)
+    : on_(on), hands_(on.window, on.look), nurse_(hands_, std::move(traits), seed), speed_(speed) {
   timer_.setInterval(kWakeMs);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &Rehearsal::wake);
@@ -39,10 +39,10 @@ void Rehearsal::wake() {
   clock_.start();
   while (owed_ms_ >= VirtualTime::kBeat) {
     owed_ms_ -= VirtualTime::kBeat;
-    nurse_.notice(stage_.course.state(), nowS());
+    nurse_.notice(on_.course.state(), nowS());
     tell();
-    nurse_.live(stage_.course.state(), stage_.device.latest(), nowS());
-    stage_.time.advance(stage_.device, VirtualTime::kBeat);
+    nurse_.live(on_.course.state(), on_.device.latest(), nowS());
+    on_.time.advance(on_.device, VirtualTime::kBeat);
     if (!nurse_.isDone() && !nurse_.isSentAway() && !standsStill()) continue;
     timer_.stop();
     if (nurse_.isDone()) {
@@ -50,22 +50,22 @@ void Rehearsal::wake() {
     } else {
       emit stuck(nurse_.isSentAway() ? tr("The screens ended the session before the nurse was done.")
                                      : tr("Nothing has happened for fifteen minutes on the screen \"%1\".")
-                                           .arg(stage_.window.screen()->accessibleName()));
+                                           .arg(on_.window.screen()->accessibleName()));
     }
     return;
   }
 }
 
 void Rehearsal::tell() {
-  const ParticipantState& state = stage_.course.state();
+  const ParticipantState& state = on_.course.state();
   const std::pair now(state.serial, state.failed);
   if (told_ == now) return;
   told_ = now;
-  emit came(progressLine(state, stage_.course.session().snapshot().get(), nurse_.memory()));
+  emit came(progressLine(state, on_.course.session().snapshot().get(), nurse_.memory()));
 }
 
 bool Rehearsal::standsStill() {
-  if (const std::uint64_t serial = stage_.course.state().serial; serial != serial_) {
+  if (const std::uint64_t serial = on_.course.state().serial; serial != serial_) {
     serial_ = serial;
     serial_since_s_ = nowS();
     serial_since_.start();

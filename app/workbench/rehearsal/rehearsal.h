@@ -23,7 +23,7 @@ class Rehearsal : public QObject {
 
  public:
   /// What is rehearsed on; all outlive this. `device` runs in `time`.
-  struct Stage {
+  struct Parts {
     ParticipantController& course;
     ParticipantWindow& window;
     const nurse::Look& look;
@@ -32,7 +32,7 @@ class Rehearsal : public QObject {
   };
 
   /// `speed` > 0: how many seconds of the nurse pass in one of the clock, as far as the computer can follow.
-  Rehearsal(const Stage& stage, session::NurseTraits traits, std::uint64_t seed, double speed);
+  Rehearsal(const Parts& on, session::NurseTraits traits, std::uint64_t seed, double speed);
 
   void begin();
   const NurseMemory& memory() const { return nurse_.memory(); }
@@ -49,9 +49,9 @@ class Rehearsal : public QObject {
   void wake();
   void tell();
   bool standsStill();
-  double nowS() const { return static_cast<double>(stage_.time.nowNs()) * 1e-9; }
+  double nowS() const { return static_cast<double>(on_.time.nowNs()) * 1e-9; }
 
-  Stage stage_;
+  Parts on_;
   ScreenHands hands_;
   ScreenNurse nurse_;
   double speed_;

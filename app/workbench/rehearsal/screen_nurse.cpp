@@ -89,7 +89,7 @@ void ScreenNurse::act(const ParticipantState& state) {
     case Screen::kPractice:
     case Screen::kForce:
       if (!state.feels_force) return insert(state);
-      if (state.force.stage == ForceState::Stage::kFeel) {
+      if (state.force.phase == ForceState::Phase::kFeel) {
         again_ = state.force.again;
         return feel();
       }
@@ -213,7 +213,7 @@ void ScreenNurse::feel() {
 }
 
 void ScreenNurse::judge(const ForceState& force) {
-  if (force.stage != ForceState::Stage::kAnswer) return wait(0.1, 0.2);
+  if (force.phase != ForceState::Phase::kAnswer) return wait(0.1, 0.2);
   if (!force.asks) {
     hands_.press("nav.next");
     return wait(0.8, 1.5);

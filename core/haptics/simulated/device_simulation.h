@@ -20,7 +20,7 @@ class DeviceSimulation {
   /// `settings`: must pass `check` and contain a plan.
   explicit DeviceSimulation(VirtualDeviceSettings settings);
 
-  /// Advances in whole steps up to `until_ns`: `timeNs() <= until_ns`, and less than one step is missing.
+  /// Advances in whole steps up to `until_ns`; less than one step is missing.
   void advance(std::int64_t until_ns) noexcept;
 
   /// Writes a force along the insertion axis at `at_ns`, positive against insertion. It acts after the delay.
@@ -29,7 +29,6 @@ class DeviceSimulation {
   /// The newest sample. If a sample was dropped or stalled, the previous one remains.
   DeviceState sample() noexcept;
 
-  std::int64_t timeNs() const noexcept { return time_ns_; }
   const SimulatedBody& body() const noexcept { return body_; }
   /// The resistance in effect during the last step.
   double forceInEffectN() const noexcept { return force_n_; }

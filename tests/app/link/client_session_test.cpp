@@ -12,7 +12,7 @@
 namespace tactus::link {
 namespace {
 
-using Stage = ClientSession::Stage;
+using Phase = ClientSession::Phase;
 
 const std::string kToken = "0123456789abcdef0123456789abcdef";
 const std::string kHello =
@@ -55,7 +55,7 @@ class SessionTest : public testing::Test {
   std::string refusal(const std::string& line) {
     session_ = {};
     const std::string error = errorOf(say(line + '\n'));
-    EXPECT_EQ(session_.stage(), Stage::kEnding) << line;
+    EXPECT_EQ(session_.phase(), Phase::kEnding) << line;
     return error;
   }
 
@@ -69,7 +69,7 @@ TEST_F(SessionTest, AHelloIsAnsweredAndTheModelFollows) {
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0], R"({"hello":"tactus-link","version":1,"program":"tactus test"})");
   EXPECT_EQ(lines[1] + '\n', *model_.line);
-  EXPECT_EQ(session_.stage(), Stage::kGreeted);
+  EXPECT_EQ(session_.phase(), Phase::kGreeted);
 }
 
 TEST_F(SessionTest, AHelloMayComeByteByByteAndKeysOfLaterVersionsAreIgnored) {
@@ -122,7 +122,7 @@ TEST_F(SessionTest, HostileLinesAreOneSentenceAndTheEnd) {
     session_ = {};
     say(kHello + '\n');
     const std::string error = errorOf(say(bytes));
-    EXPECT_EQ(session_.stage(), Stage::kEnding);
+    EXPECT_EQ(session_.phase(), Phase::kEnding);
     EXPECT_TRUE(say("{}\n").empty()) << "nothing is read any more";
     return error;
   };

@@ -23,7 +23,7 @@ inline std::string driveSession(std::string_view bytes) {
   if (!bytes.empty()) bytes.remove_prefix(1);
   ClientSession session;
   std::string sent;
-  while (!bytes.empty() && session.stage() != ClientSession::Stage::kEnding) {
+  while (!bytes.empty() && session.phase() != ClientSession::Phase::kEnding) {
     TACTUS_CHECK(session.wantsInput());
     session.receive(bytes.substr(0, piece));
     bytes.remove_prefix(std::min(piece, bytes.size()));
@@ -42,7 +42,7 @@ inline std::string driveSession(std::string_view bytes) {
   }
   TACTUS_CHECK(sent.empty() || sent.back() == '\n');
   TACTUS_CHECK(base::isUtf8(sent));
-  const bool has_ended = session.stage() == ClientSession::Stage::kEnding;
+  const bool has_ended = session.phase() == ClientSession::Phase::kEnding;
   TACTUS_CHECK(has_ended == (sent.find("{\"error\":") != std::string::npos));
   return sent;
 }

@@ -15,7 +15,7 @@ namespace {
 
 using tests::comesTrue;
 using Screen = ParticipantScreen;
-using Stage = ForceState::Stage;
+using Phase = ForceState::Phase;
 
 using CourseForceTest = CourseTest;
 
@@ -132,7 +132,7 @@ TEST_F(CourseForceTest, BackChangesTheWordOfTheForceBeforeAndKeepsBoth) {
   ASSERT_TRUE(at().can_go_back);
   nurse->back();
   EXPECT_TRUE(at().force.before);
-  EXPECT_EQ(at().force.stage, Stage::kAnswer);
+  EXPECT_EQ(at().force.phase, Phase::kAnswer);
   EXPECT_EQ(at().force.chosen, QStringLiteral("small"));
   advance(3000);
   EXPECT_EQ(device->latest().force_n, 0) << "nothing is felt meanwhile";

@@ -126,14 +126,14 @@ class CourseTest : public testing::Test {
   void feel() {
     nurse->painted(at().serial);
     steps->moveTo(*device, 0, 200);
-    for (int i = 0; i < 100 && at().force.stage != ForceState::Stage::kFeel; ++i) advance(100);
-    ASSERT_EQ(at().force.stage, ForceState::Stage::kFeel);
+    for (int i = 0; i < 100 && at().force.phase != ForceState::Phase::kFeel; ++i) advance(100);
+    ASSERT_EQ(at().force.phase, ForceState::Phase::kFeel);
     device->setHeld(true);
     advance(250);
     steps->moveTo(*device, 40, 60);
     device->setHeld(false);
     advance(20);
-    ASSERT_EQ(at().force.stage, ForceState::Stage::kAnswer);
+    ASSERT_EQ(at().force.phase, ForceState::Phase::kAnswer);
     steps->moveTo(*device, 0, 200);
   }
   void judge(const char* word) {

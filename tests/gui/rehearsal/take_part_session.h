@@ -99,8 +99,8 @@ class TakePartTest : public testing::Test {
       case ParticipantScreen::kPractice:
       case ParticipantScreen::kForce:
         if (!at().feels_force) return push(false);
-        if (at().force.stage == ForceState::Stage::kPause) return pass(500);
-        if (at().force.stage == ForceState::Stage::kFeel) return push(true);
+        if (at().force.phase == ForceState::Phase::kPause) return pass(500);
+        if (at().force.phase == ForceState::Phase::kFeel) return push(true);
         if (at().force.asks && at().force.chosen.isEmpty()) return choose(say("w.small"), Qt::Key_2);
         return goOn();
       case ParticipantScreen::kRating:
