@@ -4,6 +4,7 @@
 #include <QMenuBar>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/lab_search.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel.h"
@@ -14,10 +15,14 @@
 
 namespace tactus::workbench {
 
-SearchParts::SearchParts(MainWindow& window, const Controllers& controllers, const Places& places)
+SearchParts::SearchParts(MainWindow& window, LabScreen& labs, const Controllers& controllers, const Places& places)
     : window_(window), on_(controllers), places_(places) {
-  sources_ = {[this] { return menuEntries(*window_.menuBar()); }, [this] { return panelEntries(window_); },
-              [this] { return experts(); }, [this] { return terms(); }, [this] { return findings(); }};
+  sources_ = {[this] { return menuEntries(*window_.menuBar()); },
+              [this] { return panelEntries(window_); },
+              [this, &labs] { return labEntries(window_, labs); },
+              [this] { return experts(); },
+              [this] { return terms(); },
+              [this] { return findings(); }};
   QAction* const search = window_.menus().addAction(MenuSlot::kHelp, tr("&Search…"), Qt::CTRL | Qt::Key_K);
   connect(search, &QAction::triggered, this, &SearchParts::open);
 }

@@ -1,4 +1,5 @@
-// Adds the search (Ctrl+K) to the window: menus, panels, and the experts, terms and findings of the open model.
+// Adds the search (Ctrl+K) to the window: menus, panels, tables and figures of the labs, and the experts, terms and
+// findings of the open model.
 #pragma once
 
 #include <QObject>
@@ -9,6 +10,7 @@
 namespace tactus::workbench {
 
 class FindingsController;
+class LabScreen;
 class MainWindow;
 class Panel;
 class RuleController;
@@ -31,7 +33,7 @@ class SearchParts : public QObject {
     Panel& rule_editor;
     Panel& findings;
   };
-  SearchParts(MainWindow& window, const Controllers& controllers, const Places& places);
+  SearchParts(MainWindow& window, LabScreen& labs, const Controllers& controllers, const Places& places);
 
   const std::vector<SearchSource>& sources() const { return sources_; }
 

@@ -57,6 +57,32 @@ TEST_F(LabPartsTest, TheAveragedModelWithTheLabsSettingsOpensInTheBench) {
   EXPECT_TRUE(bench.study_models.keepsModel());
 }
 
+// By the paper's numbers, in the words that people type.
+TEST_F(LabPartsTest, TheSearchLeadsToTheTablesAndFiguresOfThePaper) {
+  const auto first = [this](const QString& typed) {
+    QList<SearchEntry> all;
+    for (const SearchSource& source : bench.search_parts.sources()) all << source();
+    const auto found = foundEntries(all, typed);
+    if (!found.isEmpty()) found.front().run();
+    return found.isEmpty() ? QString() : found.front().text;
+  };
+  const auto inFront = [this](const char* name) {
+    auto* const widget = bench.lab_parts.screen().findChild<QWidget*>(QLatin1String(name));
+    return widget != nullptr && widget->isVisible();
+  };
+  EXPECT_TRUE(first(QStringLiteral("table 3")).startsWith(QStringLiteral("Table 3")));
+  EXPECT_EQ(bench.window.stage(), Stage::kAgree);
+  EXPECT_TRUE(inFront("usability"));
+  EXPECT_TRUE(first(QStringLiteral("fig. 6")).startsWith(QStringLiteral("Fig. 6")));
+  EXPECT_TRUE(inFront("strokes"));
+  EXPECT_TRUE(first(QStringLiteral("figure 7")).startsWith(QStringLiteral("Fig. 7")));
+  EXPECT_FALSE(inFront("strokes"));
+  EXPECT_TRUE(inFront("speed"));
+  for (const char* number : {"table 1", "table 2", "figure 3d", "figure 3e", "figure 4", "figure 8"}) {
+    EXPECT_FALSE(first(QLatin1String(number)).isEmpty()) << number;
+  }
+}
+
 TEST_F(LabPartsTest, TheReportOfTheStudyIsWrittenWhole) {
   const QString report = folder.filePath(QStringLiteral("report.html"));
   QSignalSpy written(&bench.report_parts, &ReportParts::written);
