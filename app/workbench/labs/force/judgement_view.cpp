@@ -14,6 +14,7 @@
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/menu_heading.h"
 #include "app/workbench/labs/force/judgement_delegate.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/force/vote_words.h"
@@ -145,10 +146,10 @@ void JudgementView::openMenu(const QModelIndex& index) {
   auto* menu = new QMenu(view_);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const session::JudgedForce* judged : judgements) {
-    menu->addSection(tr("%1 at %2: %3, corrected to")
-                         .arg(harmless(text(judged->participant)),
-                              quantityText(judged->record.commanded_n, words_.unit),
-                              judgedText(words_, judgedWord(judged->record))));
+    addMenuHeading(*menu,
+                   tr("%1 at %2: %3, corrected to")
+                       .arg(harmless(text(judged->participant)), quantityText(judged->record.commanded_n, words_.unit),
+                            judgedText(words_, judgedWord(judged->record))));
     for (const session::JudgedWord& word : offeredWords(words_, all_, *judged)) {
       menu->addAction(judgedText(words_, word), this,
                       [this, judged = *judged, word] { emit correctionAsked(judged, word); });

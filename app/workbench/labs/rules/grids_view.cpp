@@ -11,6 +11,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/label_break.h"
+#include "app/workbench/kit/menu_heading.h"
 #include "app/workbench/labs/rules/cell_paint.h"
 
 namespace tactus::workbench {
@@ -316,7 +317,7 @@ void GridsView::openMenu(std::size_t expert, const GridPlace& place, const QPoin
   if (!cell.record) return;
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addSection(tr("%1, %2: correct to").arg(harmless(grids.experts[expert].label), lab_.textOf(place)));
+  addMenuHeading(*menu, tr("%1, %2: correct to").arg(harmless(grids.experts[expert].label), lab_.textOf(place)));
   for (std::size_t word = 0; word < grids.output.terms.size(); ++word) {
     if (cell.word == word) continue;
     menu->addAction(labelOf(grids.output.terms[word]), this,
