@@ -7,10 +7,10 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_term_plot.h"
+#include "app/workbench/labs/depth/page_parts.h"
 #include "app/workbench/plot/plot_menu.h"
 
 namespace tactus::workbench {
@@ -41,27 +41,18 @@ DepthTermPage::DepthTermPage(DepthLab& lab, QWidget* parent)
       lab_(lab),
       choice_(new QComboBox(this)),
       plot_(new DepthTermPlot(this)),
-      numbers_(new QLabel(this)) {
+      numbers_(mutedWords({}, this)) {
   setObjectName(QStringLiteral("terms"));
-  setMuted(*numbers_);
-  numbers_->setWordWrap(true);
   numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   choice_->addItem(tr("Template"));
   choice_->addItem(tr("Measured here"));
   choice_->setToolTip(tr("Which depths the study's model has, here, in the report and in the bench."));
-  auto* name = new QLabel(tr("De&pths of the model"), this);
-  name->setBuddy(choice_);
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid);
-  head->addWidget(name);
-  head->addWidget(choice_);
-  head->addStretch(1);
-  head->addWidget(new PlotMenu(
-      *plot_, [this] { return termTable(lab_); }, this));
+  auto* menu = new PlotMenu(
+      *plot_, [this] { return termTable(lab_); }, this);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, theme::kGrid, 0, 0);
   layout->setSpacing(theme::kGrid);
-  layout->addLayout(head);
+  layout->addLayout(pageHead(tr("De&pths of the model"), choice_, menu));
   layout->addWidget(plot_, 3);
   layout->addWidget(numbers_);
   layout->addStretch(1);

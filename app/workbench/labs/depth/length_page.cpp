@@ -13,6 +13,7 @@
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/length_plot.h"
+#include "app/workbench/labs/depth/page_parts.h"
 #include "app/workbench/plot/plot_menu.h"
 
 namespace tactus::workbench {
@@ -29,14 +30,6 @@ fuzzy::Variable lengthRange(const QString& name) {
   out.min = elicitation::kNoseEarXiphoidMm.from_mm / kCm;
   out.max = elicitation::kNoseEarXiphoidMm.to_mm / kCm;
   return out;
-}
-
-QLabel* wrapped(const QString& words, QWidget* parent) {
-  auto* label = new QLabel(words, parent);
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(true);
-  setMuted(*label);
-  return label;
 }
 
 // The end of the esophagus: of the person on the image, or of the template.
@@ -67,35 +60,28 @@ LengthPage::LengthPage(DepthLab& lab, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
       length_(new NumberBox(lengthRange(tr("Nose – ear – xiphoid")), 0.5, this)),
-      example_(wrapped({}, this)),
+      example_(mutedWords({}, this)),
       plot_(new LengthPlot(this)),
-      target_(wrapped({}, this)) {
+      target_(mutedWords({}, this)) {
   setObjectName(QStringLiteral("length"));
   length_->setToolTip(
       tr("From the tip of the nose over the lobe of the ear to the end of the breastbone, along the tube."));
-  auto* name = new QLabel(tr("&Nose – ear – xiphoid of a person"), this);
-  name->setBuddy(length_);
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid);
-  head->addWidget(name);
-  head->addWidget(length_);
-  head->addStretch(1);
-  head->addWidget(new PlotMenu(
-      *plot_, [this] { return lengthTable(lab_, lab_.measurement().nose_ear_xiphoid_mm.value_or(kExampleMm)); }, this));
+  auto* menu = new PlotMenu(
+      *plot_, [this] { return lengthTable(lab_, lab_.measurement().nose_ear_xiphoid_mm.value_or(kExampleMm)); }, this);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, theme::kGrid, 0, 0);
   layout->setSpacing(theme::kGrid);
-  layout->addLayout(head);
+  layout->addLayout(pageHead(tr("&Nose – ear – xiphoid of a person"), length_, menu));
   layout->addWidget(example_);
   layout->addWidget(plot_, 1);
   layout->addWidget(makeTable());
   layout->addWidget(target_);
   layout->addWidget(
-      wrapped(tr("Hanson: 0.38696 × length + 30.37 cm; corrected: 0.38696 × length + 36.37 cm (Hanson 1979, "
-                 "biblio.ugent.be/publication/8599660). The plain length is too short in 96.7 % of people, "
-                 "gauged by the tip (Chen 2014, PMC3919749). Target: Boeykens 2023, Crit Care 27:317. The "
-                 "tilt of the head can change the needed length by up to 5 cm."),
-              this));
+      mutedWords(tr("Hanson: 0.38696 × length + 30.37 cm; corrected: 0.38696 × length + 36.37 cm (Hanson 1979, "
+                    "biblio.ugent.be/publication/8599660). The plain length is too short in 96.7 % of people, "
+                    "gauged by the tip (Chen 2014, PMC3919749). Target: Boeykens 2023, Crit Care 27:317. The "
+                    "tilt of the head can change the needed length by up to 5 cm."),
+                 this));
   connect(length_, &QDoubleSpinBox::valueChanged, this, [this] {
     auto wanted = lab_.measurement();
     wanted.nose_ear_xiphoid_mm = length_->exact() * kCm;
