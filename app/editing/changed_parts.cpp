@@ -27,14 +27,10 @@ std::vector<std::size_t> otherRules(const std::vector<Rule>& before, const std::
   return out;
 }
 
-bool sameTerm(const Term& one, const Term& other) {
-  return one.label == other.label && one.shape == other.shape && one.points == other.points;
-}
-
 std::optional<std::string> otherTerm(const std::vector<Term>& before, const std::vector<Term>& after) {
   for (const Term& term : after) {
     const Term* const was = fuzzy::findTerm(before, term.id);
-    if (was == nullptr || !sameTerm(*was, term)) return term.id;
+    if (was == nullptr || !(*was == term)) return term.id;
   }
   return std::nullopt;
 }
