@@ -8,7 +8,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kCellPad = 7;        // px on each side: a number at the right keeps off the words of the next column
+constexpr int kCellPad = 5;        // px on each side: a number at the right keeps off the words of the next column
 constexpr int kMeasuredRows = 20;  // of long tables, for the widths of the columns
 
 class RoomyCells : public QProxyStyle {

@@ -29,8 +29,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kFactorWidth = 17 * theme::kGrid;  // px; longer names wrap
-constexpr int kNowWidth = 9 * theme::kGrid;
+constexpr int kFactorWidth = 24 * theme::kGrid;  // px; longer names wrap
+constexpr int kNowWidth = 11 * theme::kGrid;
 constexpr int kLeftShare = 600;
 constexpr int kRightShare = 480;
 constexpr int kUpperShare = 500;

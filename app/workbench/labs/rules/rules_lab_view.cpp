@@ -105,14 +105,14 @@ QWidget* RulesLabView::makeCell() {
   auto* row = new QHBoxLayout(page);
   row->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, 0);
   row->setSpacing(2 * theme::kGrid);
-  row->addLayout(words, 2);
+  row->addLayout(words, 1);
   auto* const sorted = new QSortFilterProxyModel(this);
   sorted->setSourceModel(cell_);
   sorted->setSortRole(CellTable::kOrderRole);
   experts_ = makeLabTable(*sorted, CellTable::kSource, tr("Experts in the chosen cell"), page);
   experts_->verticalHeader()->setDefaultSectionSize(kExpertRow);
   sortByHeads(*experts_);
-  row->addWidget(experts_, 3);
+  row->addWidget(experts_, 2);
   return page;
 }
 
