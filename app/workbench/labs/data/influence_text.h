@@ -1,4 +1,4 @@
-// What a record moves, in a sentence.
+// What a record moves, in a sentence or for a table.
 #pragma once
 
 #include <QString>
@@ -13,5 +13,8 @@ namespace tactus::workbench {
 /// lubrication 0.5, depth 120 mm; 0.004 N rms.` `which`: the record. `model`: whose inputs have the place.
 QString influenceText(const QString& which, const base::Result<elicitation::RecordInfluence>& moved,
                       const fuzzy::ForceModel& model);
+
+/// The same for a cell of a table: `0.025 N (0.3 JND)`; what is more than nothing never reads `0`.
+QString movedText(const elicitation::RecordInfluence& moved);
 
 }  // namespace tactus::workbench

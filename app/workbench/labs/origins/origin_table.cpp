@@ -1,6 +1,6 @@
 #include "app/workbench/labs/origins/origin_table.h"
 
-#include "app/workbench/base/display_text.h"
+#include "app/workbench/labs/data/influence_text.h"
 
 namespace tactus::workbench {
 
@@ -31,8 +31,7 @@ QString OriginTable::movesText(std::size_t row) const {
   const OriginFinder::Influence& found = finder_.influence(row);
   if (!found) return row < OriginFinder::kMostUnasked ? QStringLiteral("…") : QStringLiteral("–");
   if (!*found) return tr("no model");
-  return tr("%1 (%2 JND)")
-      .arg(quantityText((*found)->difference.largest_n, "N", 3), numberText((*found)->noticeable, 1));
+  return movedText(**found);
 }
 
 QVariant OriginTable::cell(int row, int column, int role) const {

@@ -17,7 +17,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr QSize kWindow(560, 560);  // px
+constexpr QSize kWindow(620, 560);  // px
 constexpr int kRow = 26;
 constexpr int kPreviewHeight = 150;
 

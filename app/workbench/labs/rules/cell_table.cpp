@@ -49,7 +49,7 @@ void CellTable::follow() {
       if (cell.word) row.word = labelOf(grids.output.terms[*cell.word]);
       if (!cell.asked) row.word = tr("not asked");
       if (cell.asked && !cell.word && !cell.without.isEmpty()) row.word = cell.without;
-      row.source = cell.given ? tr("rule given directly") : cell.item > 0 ? tr("item %1").arg(cell.item) : kNothing;
+      row.source = cell.given ? tr("given directly") : cell.item > 0 ? tr("item %1").arg(cell.item) : kNothing;
       if (cell.corrected) row.source += tr(", corrected");
       if (cell.word && conflict != nullptr && e < conflict->felt_n.size()) {
         row.felt_n = conflict->felt_n[e];
@@ -72,8 +72,7 @@ int CellTable::rows() const { return static_cast<int>(rows_.size()); }
 QString CellTable::withoutText(std::size_t row) const {
   const auto moved = lab_.influenceOf(row);
   if (!moved) return rows_[row].term && lab_.isComparing() ? QStringLiteral("…") : kNothing;
-  return tr("%1 (%2 JND)")
-      .arg(quantityText(moved->difference.largest_n, lab_.grids().output.unit, 3), numberText(moved->noticeable, 1));
+  return movedText(*moved);
 }
 
 QVariant CellTable::orderOf(std::size_t row, int column) const {
