@@ -132,6 +132,7 @@ void DepthLabView::take(const QByteArray& bytes, const QString& name, std::optio
     return;
   }
   lab_.setImage(bytes, name, mm_per_px);
+  sayDone(*this, tr("The study has a copy of %1.").arg(name));
 }
 
 void DepthLabView::showExample() {

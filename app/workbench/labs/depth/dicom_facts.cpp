@@ -32,8 +32,8 @@ std::optional<double> spacingIn(const QString& printed, const char* tag) {
 
 DicomFacts factsIn(const QString& printed) {
   DicomFacts facts;
-  facts.pictures = std::max(1, valueOf(printed, "0028,0008").toInt());
   facts.has_picture = printed.contains(QLatin1String("(7fe0,0010)"));
+  if (facts.has_picture) facts.pictures = std::max(1, valueOf(printed, "0028,0008").toInt());
   facts.compression = valueOf(printed, "0002,0010");
   // Pixel spacing, that of the imager's plate, that of a scanned film.
   for (const char* tag : {"0028,0030", "0018,1164", "0018,2010"}) {

@@ -54,7 +54,10 @@ QString imagePatterns() {
   for (const QByteArray& format : QImageReader::supportedImageFormats()) {
     patterns << QStringLiteral("*.") + QString::fromLatin1(format);
   }
-  patterns << QStringLiteral("*.dcm");
+  // TIFF is offered without its reader too: the answer names what is missing.
+  for (const char* more : {"*.tif", "*.tiff", "*.dcm"}) {
+    if (!patterns.contains(QLatin1String(more))) patterns << QLatin1String(more);
+  }
   return patterns.join(QLatin1Char(' '));
 }
 

@@ -14,6 +14,7 @@
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/elided_label.h"
 #include "app/workbench/kit/wrapped_label.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/frame/lab_table.h"
@@ -53,7 +54,7 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
       cell_title_(new QLabel),
       cell_summary_(new WrappedLabel),
       findings_(new FindingTable(this)),
-      findings_note_(new QLabel),
+      findings_note_(new ElidedLabel),
       agreement_(new AgreementTable(this)),
       usability_(new UsabilityTable(this)),
       usability_note_(new WrappedLabel),
@@ -123,10 +124,10 @@ QWidget* RulesLabView::makeFindings() {
   auto* const table = makeLabTable(*findings_, FindingTable::kSentence, tr("Findings about the rules"), page);
   table->verticalHeader()->setDefaultSectionSize(kExpertRow);
   connect(table, &QTableView::clicked, this, [this](const QModelIndex& index) {
-    const bool led = lab_.chooseFinding(findings_->findingAt(index.row()));
-    findings_note_->setText(
-        led ? lab_.textOf(*lab_.chosen())
-            : tr("This finding is about more than one cell; it is in no single place of the grids."));
+    const std::size_t finding = findings_->findingAt(index.row());
+    // The row may be too narrow for the whole sentence.
+    const QString sentence = (*lab_.findings())[finding].sentence;
+    findings_note_->setFullText(lab_.chooseFinding(finding) ? sentence : tr("%1 (in no single cell)").arg(sentence));
   });
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, theme::kGrid, 0, 0);
@@ -163,9 +164,9 @@ void RulesLabView::follow() {
   spread_->setText(spreadText(lab_));
   const auto* const findings = lab_.findings();
   findings_->setFindings(findings == nullptr ? std::vector<WordedFinding>() : *findings, lab_.grids().output.unit);
-  findings_note_->setText(findings == nullptr ? tr("Looking at the rules…")
-                          : findings->empty() ? tr("Nothing is odd in the rules.")
-                                              : QString());
+  findings_note_->setFullText(findings == nullptr ? tr("Looking at the rules…")
+                              : findings->empty() ? tr("Nothing is odd in the rules.")
+                                                  : QString());
   agreement_->setRows(lab_.agreement());
   usability_->setRows(lab_.usability());
   const auto& rows = lab_.usability();

@@ -10,6 +10,7 @@ namespace tactus::workbench {
 
 class AgreementTable;
 class CellTable;
+class ElidedLabel;
 class FindingTable;
 class GridsView;
 class RulesLab;
@@ -45,7 +46,7 @@ class RulesLabView : public QWidget {
   QLabel* cell_title_;
   QLabel* cell_summary_;
   FindingTable* findings_;
-  QLabel* findings_note_;
+  ElidedLabel* findings_note_;
   AgreementTable* agreement_;
   UsabilityTable* usability_;
   QLabel* usability_note_;
