@@ -58,10 +58,9 @@ class Parts {
 void addClipped(const std::string& t, const Polynomial& f, char sign, Parts& parts) {
   parts.add(sign, t + " * (" + number(f.width) + " - " + t + " * " + number(f.half_taper) + ")",
             [&](const std::string& area) {
-              std::string moment = area + " * " + number(f.middle);
-              if (f.linear == 0 && f.cubic == 0) return moment;
-              return moment + " + " + t + " * " + t + " * (" + number(f.linear) + " - " + t + " * " + number(f.cubic) +
-                     ")";
+              if (f.linear == 0 && f.cubic == 0) return area + " * " + number(f.middle);
+              return t + " * (" + number(f.width * f.middle) + " - " + t + " * (" +
+                     number(f.half_taper * f.middle - f.linear) + " + " + t + " * " + number(f.cubic) + "))";
             });
 }
 

@@ -1,4 +1,4 @@
-// The functions of the C source: strengths and centroids of the experts, one point and a batch of points.
+// The functions of the C source: strengths and centroids of the experts, and the force at one point.
 #include <algorithm>
 
 #include "core/exchange/c_writer.h"
@@ -151,66 +151,6 @@ std::string SourceWriter::meanText() const {
   if (const auto pivot = pivotFor(experts)) return stretchedText(experts, *pivot);
   const bool side_by_side = experts.size() > 1 && areOneGroup(experts) && !isLarge() && !memberships_.isOdd();
   return side_by_side ? sideBySideText(experts) : oneByOneText(experts);
-}
-
-/// A block of points without a branch, so that compilers compute several points at once.
-std::string SourceWriter::blockText(const std::vector<std::size_t>& experts) const {
-  std::string copies;
-  std::string arrays;
-  std::string point;
-  std::size_t free = 0;
-  for (const auto& fixed : fixed_) {
-    if (fixed) continue;
-    const std::string index = std::to_string(free++);
-    arrays += ", x" + index + "[kBlock]";
-    copies += "    x" + index + "[j] = inputs[j * FORCE_MODEL_INPUTS + " + index + "];\n";
-    point += "    at[" + index + "] = x" + index + "[j];\n";
-  }
-  std::string forces;
-  for (const std::size_t e : experts) {
-    const std::size_t g = ordered_[e]->group;
-    forces += "    strengths_" + std::to_string(e) + "(m, s, 1);\n    largest = " + largest(groups_[g], "]") +
-              ";\n    centroid_" + std::to_string(g) + "(s, 1, &area, &moment);\n";
-    forces += "    tiny += largest < 1e-90 ? largest : 0.0;\n";
-    forces += "    offset = moment / (largest > 0.0 ? area : 1.0);\n";
-    forces += experts.size() == 1
-                  ? "    sum = offset;\n    weights = largest > 0.0 ? 1.0 : 0.0;\n"
-                  : "    sum += " + share(e) + " * offset;\n    weights += largest > 0.0 ? " + share(e) + " : 0.0;\n";
-  }
-  std::size_t terms = 0;
-  for (const std::size_t e : experts) terms = std::max(terms, groups_[ordered_[e]->group].live.size());
-  const std::string quotient = experts.size() == 1 ? "sum" : "sum / (weights > 0.0 ? weights : 1.0)";
-  return "enum { kBlock = 32 };\n\nstatic void force_block(const double *inputs, double *force, unsigned char *fired) "
-         "{\n  double on[kBlock], odd[kBlock], out[kBlock]" +
-         arrays + ";\n  int j;\n  for (j = 0; j < kBlock; ++j) {\n" + copies +
-         "  }\n  for (j = 0; j < kBlock; ++j) {\n    double m[kMemberships], s[" + std::to_string(terms) + "], at[" +
-         std::to_string(free) +
-         "];\n    double largest, area, moment, offset, nothing, sum = 0.0, weights = 0.0, tiny = 0.0;\n" + point +
-         "    nothing = memberships(at, m);\n" + forces + "    sum = " + number(model_.output.min) + " + " + quotient +
-         ";\n    out[j] = weights > 0.0 ? sum : " + number(model_.default_force_n) +
-         ";\n    odd[j] = tiny + (nothing == 0.0 ? 0.0 : 1.0);\n    on[j] = weights;\n  }\n"
-         "  for (j = 0; j < kBlock; ++j) {\n    int one = on[j] > 0.0;\n    force[j] = odd[j] > 0.0 ? "
-         "force_model(inputs + j * FORCE_MODEL_INPUTS, &one) : out[j];\n    if (fired != NULL) fired[j] = (unsigned "
-         "char)one;\n  }\n}\n\n";
-}
-
-std::string SourceWriter::batchText() const {
-  const std::vector<std::size_t> experts = counting();
-  const bool in_blocks =
-      !isLarge() && !memberships_.isOdd() && !memberships_.usesExp() && !experts.empty() &&
-      std::all_of(experts.begin(), experts.end(), [&](std::size_t e) { return ordered_[e].has_value(); });
-  std::string out = in_blocks ? blockText(experts) : std::string();
-  out +=
-      "void force_model_batch(const double *inputs, size_t points, double *force, unsigned char *fired) {\n"
-      "  size_t p = 0;\n";
-  if (in_blocks) {
-    out +=
-        "  for (; p + kBlock <= points; p += kBlock)\n"
-        "    force_block(inputs + p * FORCE_MODEL_INPUTS, force + p, fired != NULL ? fired + p : NULL);\n";
-  }
-  return out +
-         "  for (; p < points; ++p) {\n    int one;\n    force[p] = force_model(inputs + p * FORCE_MODEL_INPUTS, "
-         "&one);\n    if (fired != NULL) fired[p] = (unsigned char)one;\n  }\n}\n\n";
 }
 
 std::string SourceWriter::expertText() const {

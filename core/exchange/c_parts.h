@@ -43,8 +43,13 @@ class MembershipCode {
   bool usesExp() const;
   /// Some numbers are so large or so small that memberships and strengths must be kept from vanishing.
   bool isOdd() const { return odd_; }
+  /// Some membership above 0 may be so small that the squares of strengths vanish.
+  bool canBeTiny() const;
 
  private:
+  /// Some term of `input`, which is not fixed, begins or ends at 0: next to it, memberships would be too small for a
+  /// double.
+  bool hasRampToZero(std::size_t input) const;
   std::string expression(std::size_t input, const fuzzy::Term& term, bool below_zero = false) const;
   std::string valuesText() const;
 
@@ -103,8 +108,8 @@ std::string walkedCode(const ExpertView& view, std::size_t index, const std::vec
 /// The functions that such bodies call: `general_offset` and, with Gaussians, `gaussian_offset`.
 std::string generalOffsetText();
 std::string gaussianOffsetText();
-/// What both need.
-std::string outputSetText();
+/// What both need, for experts of `most_terms` strengths at most.
+std::string outputSetText(std::size_t most_terms);
 
 /// `parts` joined by calls of `function`, which takes two: a tree, because a chain would be deeper than compilers
 /// accept and slower. `parts` must not be empty.

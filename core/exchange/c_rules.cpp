@@ -15,6 +15,8 @@ namespace {
 constexpr double kSmall = 1e-6;
 constexpr double kLarge = 1e6;
 constexpr double kLeastWeight = 1e-10;
+// Times the least weight, far above the strengths whose squares vanish.
+constexpr double kLeastFixed = 1e-50;
 
 bool isPlain(double value) { return value == 0 || (std::abs(value) >= kSmall && std::abs(value) <= kLarge); }
 
@@ -122,6 +124,25 @@ std::size_t MembershipCode::index(std::size_t input, const fuzzy::Term& term) {
   return terms_.size() - 1;
 }
 
+bool MembershipCode::hasRampToZero(std::size_t input) const {
+  return !fixed_[input] && std::any_of(terms_.begin(), terms_.end(), [input](const auto& one) {
+    if (one.first != input || one.second.shape == fuzzy::Shape::kGaussian) return false;
+    const Corners f = cornersOf(one.second);
+    return (f.a == 0 && f.b > 0) || (f.d == 0 && f.c < 0);
+  });
+}
+
+bool MembershipCode::canBeTiny() const {
+  if (odd_) return true;
+  for (std::size_t i = 0; i < fixed_.size(); ++i) {
+    if (hasRampToZero(i)) return true;
+  }
+  return std::any_of(terms_.begin(), terms_.end(), [this](const auto& one) {
+    const auto fixed = fixedAt(one.first, one.second);
+    return fixed ? *fixed > 0 && *fixed < kLeastFixed : one.second.shape == fuzzy::Shape::kGaussian;
+  });
+}
+
 bool MembershipCode::usesExp() const {
   return std::any_of(terms_.begin(), terms_.end(), [this](const auto& one) {
     return one.second.shape == fuzzy::Shape::kGaussian && !fixed_[one.first];
@@ -179,13 +200,7 @@ std::string MembershipCode::valuesText() const {
     if (!fixed_[i]) out += "  nothing += " + place[i] + " - " + place[i] + ";  /* NaN where it is not finite */\n";
   }
   for (std::size_t i = 0; i < place.size() && !odd_; ++i) {
-    // A ramp that ends at 0: next to it, memberships would be too small for a double.
-    const auto ends_at_zero = [i](const auto& one) {
-      if (one.first != i || one.second.shape == fuzzy::Shape::kGaussian) return false;
-      const Corners f = cornersOf(one.second);
-      return (f.a == 0 && f.b > 0) || (f.d == 0 && f.c < 0);
-    };
-    if (fixed_[i] || std::none_of(terms_.begin(), terms_.end(), ends_at_zero)) continue;
+    if (!hasRampToZero(i)) continue;
     const std::string x = "x" + std::to_string(i);
     out += "  " + x + " = off_zero(" + x + ");\n";
   }

@@ -31,21 +31,26 @@ base::Result<FixedInputs> fixedInputs(const fuzzy::ForceModel& model, std::span<
 /// The helpers that `body` calls: on common processors `lower` and `larger` are one instruction each.
 std::string helperText(std::string_view body) {
   constexpr std::pair<std::string_view, std::string_view> kHelpers[] = {
-      {"lower(", "static inline double lower(double a, double b) { return a < b ? a : b; }\n"},
-      {"larger(", "static inline double larger(double a, double b) { return a > b ? a : b; }\n"},
+      {"lower(", "HELPER double lower(double a, double b) { return a < b ? a : b; }\n"},
+      {"larger(", "HELPER double larger(double a, double b) { return a > b ? a : b; }\n"},
       {"off_zero(",
        "/* Next to 0 a membership would be too small for a double; this far from it nothing changes. */\n"
-       "static inline double off_zero(double x) {\n"
+       "HELPER double off_zero(double x) {\n"
        "  const double above = larger(x, 1e-290), below = lower(x, -1e-290);\n"
        "  const double far = x > 0.0 ? above : below;\n  return x != 0.0 ? far : x;\n}\n"},
       {"kept(",
        "/* A quotient of numbers above 0 stays above 0. */\n"
-       "static inline double kept(double way, double width) {\n"
+       "HELPER double kept(double way, double width) {\n"
        "  return way > 0.0 ? larger(way / width, 4.9406564584124654e-324) : 0.0;\n}\n"},
       {"kept_product(",
        "/* So does a product. */\n"
-       "static inline double kept_product(double weight, double held) {\n"
-       "  return held > 0.0 ? larger(weight * held, 4.9406564584124654e-324) : 0.0;\n}\n"}};
+       "HELPER double kept_product(double weight, double held) {\n"
+       "  return held > 0.0 ? larger(weight * held, 4.9406564584124654e-324) : 0.0;\n}\n"},
+      {"is_not_finite(",
+       "/* By its bits, because compilers may be told that all numbers are finite. */\n"
+       "HELPER unsigned long long is_not_finite(double x) {\n"
+       "  union {\n    double value;\n    unsigned long long bits;\n  } both;\n  both.value = x;\n"
+       "  return (both.bits & 0x7ff0000000000000ULL) == 0x7ff0000000000000ULL;\n}\n"}};
   std::string out;
   for (const auto& [call, text] : kHelpers) {
     // The first two are what the others are made of.
@@ -76,6 +81,7 @@ void SourceWriter::addExpert(std::size_t index) {
     return;
   }
   walked_.back() = walkedCode(view, index, strengths, tables_);
+  most_walked_ = std::max(most_walked_, strengths.size());
   const bool gaussian = std::any_of(view.output.terms.begin(), view.output.terms.end(),
                                     [](const NamedTerm& term) { return term.term->shape == fuzzy::Shape::kGaussian; });
   (gaussian ? gaussian_ : general_) = true;
@@ -168,17 +174,19 @@ std::string SourceWriter::source() const {
   if (memberships_.usesExp() || gaussian_) out += "#include <math.h>\n\n";
   std::string body = "enum { kMemberships = " + std::to_string(std::max<std::size_t>(memberships_.count(), 1)) +
                      " };\n\n" + memberships_.function() + "\n";
-  if (general_ || gaussian_) body += outputSetText();
+  if (general_ || gaussian_) body += outputSetText(most_walked_);
   if (general_) body += generalOffsetText();
   if (gaussian_) body += gaussianOffsetText();
   body += tables_ + expertFunctions() + meanText() + batchText() + expertText();
-  // Both change no number: no exception flags are kept, and what is chosen by a comparison stays one instruction.
+  // No exception flags are kept, what is chosen by a comparison stays one instruction, and a product and a sum are one
+  // instruction where the processor has it.
   out +=
       "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize(\"no-trapping-math\", \"no-thread-jumps\", "
-      "\"tree-vectorize\", \"vect-cost-model=dynamic\", \"no-tree-pre\", \"peel-loops\")\n#endif\n";
+      "\"tree-vectorize\", \"vect-cost-model=dynamic\", \"no-tree-pre\", \"peel-loops\", "
+      "\"fp-contract=fast\")\n#endif\n";
   const std::string part = isLarge() ? "static" : "static inline __attribute__((always_inline))";
-  out += "#ifdef __GNUC__\n#define PART " + part +
-         "\n#define RARE static __attribute__((noinline))\n#else\n#define PART static" +
+  out += "#ifdef __GNUC__\n#define HELPER static inline __attribute__((always_inline))\n#define PART " + part +
+         "\n#define RARE static __attribute__((noinline))\n#else\n#define HELPER static inline\n#define PART static" +
          std::string(isLarge() ? "" : " inline") + "\n#define RARE static\n#endif\n\n";
   return out + helperText(body) + body;
 }

@@ -71,14 +71,27 @@ std::vector<Stretch> stretchesOf(const fuzzy::Variable& input, std::size_t index
   return out;
 }
 
-/// The input whose stretches `force_model` has code for: the one with the most memberships.
+std::vector<std::size_t> SourceWriter::membershipsOf(std::size_t input) const {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < memberships_.count(); ++i) {
+    if (memberships_[i].first == input) out.push_back(i);
+  }
+  return out;
+}
+
+std::size_t SourceWriter::inputOfMostMemberships() const {
+  std::size_t most = 0;
+  for (std::size_t input = 1; input < model_.inputs.size(); ++input) {
+    if (membershipsOf(input).size() > membershipsOf(most).size()) most = input;
+  }
+  return most;
+}
+
+/// The input whose stretches `force_model` has code for.
 std::optional<std::size_t> SourceWriter::pivotFor(const std::vector<std::size_t>& experts) const {
   if (experts.empty() || !areOneGroup(experts) || isLarge() || memberships_.isOdd()) return std::nullopt;
-  std::vector<std::size_t> counts(model_.inputs.size());
-  for (std::size_t i = 0; i < memberships_.count(); ++i) ++counts[memberships_[i].first];
-  const auto most = std::max_element(counts.begin(), counts.end());
-  const auto input = static_cast<std::size_t>(most - counts.begin());
-  if (most == counts.end() || *most < kFewestMemberships) return std::nullopt;
+  const std::size_t input = inputOfMostMemberships();
+  if (membershipsOf(input).size() < kFewestMemberships) return std::nullopt;
   if (stretchesOf(model_.inputs[input], input, memberships_).size() < 2) return std::nullopt;
   return input;
 }
@@ -87,10 +100,7 @@ std::optional<std::size_t> SourceWriter::pivotFor(const std::vector<std::size_t>
 /// sets the memberships of the pivot that it needs.
 std::string SourceWriter::stretchesText(const std::vector<std::size_t>& experts, std::size_t pivot) const {
   const CentroidGroup& group = groups_[ordered_[experts.front()]->group];
-  std::vector<std::size_t> pivots;
-  for (std::size_t i = 0; i < memberships_.count(); ++i) {
-    if (memberships_[i].first == pivot) pivots.push_back(i);
-  }
+  const std::vector<std::size_t> pivots = membershipsOf(pivot);
   const auto stretches = stretchesOf(model_.inputs[pivot], pivot, memberships_);
   const std::string x = "x" + std::to_string(pivot);
   std::string place;

@@ -39,8 +39,12 @@ std::string walkedCode(const ExpertView& view, std::size_t index, const std::vec
          number(force.max) + ");\n  return 1;\n";
 }
 
-std::string outputSetText() {
-  return R"(/* A trapezoid under its rule's strength. */
+std::string outputSetText(std::size_t most_terms) {
+  // GCC takes shorter arrays apart, and then warns of parts that are never read.
+  constexpr std::size_t kFewest = 4;
+  return "enum { kTerms = " + std::to_string(std::max(most_terms, kFewest)) + R"( };
+
+/* A trapezoid under its rule's strength. */
 typedef struct {
   double left, top_left, top_right, right, height;
 } output_set;
@@ -79,8 +83,8 @@ std::string generalOffsetText() {
   return R"(/* Trapezoids in any order: the maximum of the sets is piecewise linear, and every piece is integrated exactly. */
 static double general_offset(const double (*corners)[4], const double *strengths, int count, double largest, int scales,
                              double lo, double hi) {
-  output_set sets[64];
-  double edges[256], start[64], end[64];
+  output_set sets[kTerms] = {{0.0, 0.0, 0.0, 0.0, 0.0}};
+  double edges[4 * kTerms], start[kTerms], end[kTerms];
   double area = 0.0, moment = 0.0;
   int used = 0, edge_count = 0, i, k;
   for (i = 0; i < count; ++i) {
@@ -225,11 +229,11 @@ static void add_curve(const curve_piece *p, double from, double to, double start
 /* terms: corners of a trapezoid and 0, or mean, sigma, 0, 0 and 1. */
 static double gaussian_offset(const double (*terms)[5], const double *strengths, int count, double largest, int scales,
                               double lo, double hi) {
-  output_set sets[64];
-  const double *shapes[64];
-  double share[64];
-  double edges[64 * 7], cuts[64 * 63 + 2];
-  curve_piece pieces[64];
+  output_set sets[kTerms] = {{0.0, 0.0, 0.0, 0.0, 0.0}};
+  const double *shapes[kTerms];
+  double share[kTerms];
+  double edges[7 * kTerms], cuts[kTerms * (kTerms - 1) + 2];
+  curve_piece pieces[kTerms];
   double area = 0.0, moment = 0.0;
   int used = 0, edge_count = 0, i, j, k;
   for (i = 0; i < count; ++i) {

@@ -31,7 +31,7 @@ class SourceWriter {
   void addExpert(std::size_t index);
   std::size_t groupOf(const ExpertView& view, fuzzy::ClosedForm form, const std::vector<Strength>& strengths);
   bool isLarge() const;
-  /// The experts that count, if all of them are of one group.
+  /// The experts that count.
   std::vector<std::size_t> counting() const;
   bool areOneGroup(const std::vector<std::size_t>& experts) const;
   std::string strengthFunction(std::size_t index, const Ordered& expert) const;
@@ -39,6 +39,8 @@ class SourceWriter {
   std::string orderedFunctions(std::size_t index) const;
   std::string expertFunctions() const;
   std::string meanText() const;
+  std::vector<std::size_t> membershipsOf(std::size_t input) const;
+  std::size_t inputOfMostMemberships() const;
   std::optional<std::size_t> pivotFor(const std::vector<std::size_t>& experts) const;
   std::string stretchesText(const std::vector<std::size_t>& experts, std::size_t pivot) const;
   std::string stretchedText(const std::vector<std::size_t>& experts, std::size_t pivot) const;
@@ -46,7 +48,10 @@ class SourceWriter {
   std::string sideBySideCentroids(const std::vector<std::size_t>& experts) const;
   std::string oneByOneText(const std::vector<std::size_t>& experts) const;
   std::string sideBySideText(const std::vector<std::size_t>& experts) const;
+  bool goesInBlocks(const std::vector<std::size_t>& experts) const;
   std::string batchText() const;
+  std::string columnsText(std::string& point) const;
+  std::string strengthsTogether(const std::vector<std::size_t>& experts) const;
   std::string blockText(const std::vector<std::size_t>& experts) const;
   std::string expertText() const;
   std::string share(std::size_t expert) const;
@@ -59,6 +64,7 @@ class SourceWriter {
   std::vector<std::optional<Ordered>> ordered_;  ///< of each expert
   std::vector<std::string> walked_;              ///< the body of each other expert
   std::string tables_;
+  std::size_t most_walked_ = 0;  ///< strengths of such an expert
   bool general_ = false;
   bool gaussian_ = false;
 };

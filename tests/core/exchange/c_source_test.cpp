@@ -1,6 +1,7 @@
 // The C source, compiled as C99 with every warning an error, gives the forces of the evaluator.
 #include "core/exchange/c_source.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <dlfcn.h>
@@ -33,12 +34,23 @@ class CompiledSource {
   using Force = double (*)(const double*, int*);
   using ExpertForce = double (*)(std::size_t, const double*, int*);
 
+  /// `unknown`: parts of the processor that the source is told are missing.
   CompiledSource(const fuzzy::ForceModel& model, const std::string& options = "-O1",
-                 std::span<const FixedInput> fixed = {}, const std::string& compiler = TACTUS_CC) {
-    const auto source = cSource(model, fixed);
+                 std::span<const FixedInput> fixed = {}, const std::string& compiler = TACTUS_CC,
+                 std::span<const std::string> unknown = {}) {
+    auto source = cSource(model, fixed);
     if (!source) {
       ADD_FAILURE() << source.error().message();
       return;
+    }
+    for (const std::string& part : unknown) {
+      const std::string question = "__builtin_cpu_supports(\"" + part + "\")";
+      const std::size_t at = source->source.find(question);
+      if (at == std::string::npos) {
+        ADD_FAILURE() << "the source does not ask " << question;
+        return;
+      }
+      source->source.replace(at, question.size(), "0");
     }
     std::ofstream(folder_.file("force_model.h")) << source->header;
     std::ofstream(folder_.file("force_model.c")) << source->source;
@@ -68,8 +80,8 @@ class CompiledSource {
 
 /// `points` random points, a third of them on vertices or a few ulps beside one, one by one and as a batch.
 void expectSame(const fuzzy::ForceModel& model, base::Random& random, int points, const std::string& options = "-O1",
-                const std::string& compiler = TACTUS_CC) {
-  const CompiledSource source(model, options, {}, compiler);
+                const std::string& compiler = TACTUS_CC, std::span<const std::string> unknown = {}) {
+  const CompiledSource source(model, options, {}, compiler, unknown);
   ASSERT_NE(source.force, nullptr);
   ASSERT_NE(source.batch, nullptr);
   const auto compiled = fuzzy::compile(model);
@@ -115,7 +127,7 @@ TEST(CSource, HasTheForcesOfRandomModels) {
   for (int m = 0; m < models; ++m) {
     SCOPED_TRACE("model " + std::to_string(m));
     expectSame(support::randomModel(random, {.gaussians = m % 4 == 3, .adversarial = false}), random,
-               m % 4 == 3 ? points / 10 : points);
+               m % 4 == 3 ? points / 10 : points, m % 2 == 0 ? "-O1" : "-O2");
     if (HasFatalFailure()) return;
   }
 }
@@ -186,6 +198,59 @@ TEST(CSource, ABatchTakesWhateverTheCallerPasses) {
   }
 }
 
+/// An average of two experts, one of whom leaves out rules.
+fuzzy::ForceModel twoExperts() {
+  auto model = support::s4Shifted();
+  fuzzy::Expert second = model.experts.front();
+  second.id = "S2";
+  second.weight = 3;
+  second.rules.front().weight = 0.25;
+  second.rules.erase(second.rules.begin() + 3, second.rules.begin() + 20);
+  model.experts.push_back(second);
+  return model;
+}
+
+TEST(CSource, ABatchHasTheForcesOnEveryProcessor) {
+  base::Random random(20);
+  const std::vector<std::string> older[] = {{}, {"avx512f"}, {"avx512f", "avx2"}};
+  for (const auto& unknown : older) {
+    SCOPED_TRACE(unknown.size());
+    expectSame(twoExperts(), random, 3000, "-O2", TACTUS_CC, unknown);
+  }
+}
+
+TEST(CSource, ABatchOfMembershipsThatVanishIsComputedPointByPoint) {
+  auto model = support::s4Shifted();
+  model.inputs[0].min = -1;
+  model.inputs[0].terms[0].points = {-1, -1, -0.4, -0.2};  // poor
+  model.inputs[0].terms[1].points = {0, 1e5, 2e5, 3e5};    // medium: rises slowly from 0
+  model.inputs[0].max = 1e6;
+  std::erase_if(model.experts[0].rules, [](const fuzzy::Rule& rule) {
+    return std::none_of(rule.conditions.begin(), rule.conditions.end(),
+                        [](const auto& condition) { return condition.input == "lubrication"; });
+  });
+  for (fuzzy::Rule& rule : model.experts[0].rules) rule.weight = 1e-9;
+  const CompiledSource source(model, "-O2");
+  ASSERT_NE(source.batch, nullptr);
+  const auto compiled = fuzzy::compile(model);
+  ASSERT_TRUE(compiled);
+  std::vector<double> inputs;
+  std::vector<fuzzy::Evaluation> wanted;
+  for (int p = 0; p < 64; ++p) {
+    // The last block is calm.
+    const double point[] = {p < 32 ? std::ldexp(1.0, -35 * p) : 5e4, 45, 150, 60};
+    inputs.insert(inputs.end(), std::begin(point), std::end(point));
+    wanted.push_back(compiled->evaluate(point));
+  }
+  std::vector<double> forces(64);
+  std::vector<unsigned char> fired(64, 7);
+  source.batch(inputs.data(), 64, forces.data(), fired.data());
+  for (std::size_t p = 0; p < 64; ++p) {
+    EXPECT_EQ(fired[p] != 0, wanted[p].fired) << p;
+    EXPECT_NEAR(forces[p], wanted[p].force_n, 1e-12) << p;
+  }
+}
+
 TEST(CSource, FoldsFixedInputsIn) {
   base::Random random(16);
   for (int m = 0; m < 12; ++m) {
@@ -200,6 +265,8 @@ TEST(CSource, FoldsFixedInputsIn) {
     const CompiledSource source(model, "-O1", chosen);
     ASSERT_NE(source.force, nullptr);
     const double most = 1e-12 * (model.output.max - model.output.min);
+    std::vector<double> all_free;
+    std::vector<fuzzy::Evaluation> all_wanted;
     for (int p = 0; p < 500; ++p) {
       auto point = support::randomPoint(random, model);
       point[chosen[0].input] = chosen[0].value;
@@ -209,6 +276,15 @@ TEST(CSource, FoldsFixedInputsIn) {
       const auto wanted = compiled->evaluate(point);
       ASSERT_NEAR(source.force(free.data(), &fired), wanted.force_n, most) << p;
       ASSERT_EQ(fired != 0, wanted.fired) << p;
+      all_free.insert(all_free.end(), free.begin(), free.end());
+      all_wanted.push_back(wanted);
+    }
+    std::vector<double> forces(all_wanted.size());
+    std::vector<unsigned char> fired(all_wanted.size(), 7);
+    source.batch(all_free.data(), forces.size(), forces.data(), fired.data());
+    for (std::size_t p = 0; p < forces.size(); ++p) {
+      ASSERT_EQ(fired[p] != 0, all_wanted[p].fired) << p;
+      ASSERT_NEAR(forces[p], all_wanted[p].force_n, most) << p;
     }
   }
 }
@@ -233,16 +309,24 @@ TEST(CSource, FiresAsTheEvaluatorWhereMembershipsAreTiny) {
     const CompiledSource source(model);
     ASSERT_NE(source.force, nullptr);
     const auto compiled = fuzzy::compile(model);
+    std::vector<double> inputs;
+    std::vector<bool> all_fired;
     for (int p = 0; p < 500; ++p) {
       const auto point = support::randomPoint(random, model);
       int fired = 7;
       const double found = source.force(point.data(), &fired);
       const auto wanted = compiled->evaluate(point);
+      inputs.insert(inputs.end(), point.begin(), point.end());
+      all_fired.push_back(wanted.fired);
       ASSERT_EQ(fired != 0, wanted.fired) << "model " << m << ", point " << p;
       ASSERT_TRUE(std::isfinite(found));
       ASSERT_GE(found, std::min(model.output.min, model.default_force_n));
       ASSERT_LE(found, std::max(model.output.max, model.default_force_n));
     }
+    std::vector<double> forces(all_fired.size());
+    std::vector<unsigned char> told(all_fired.size(), 7);
+    source.batch(inputs.data(), told.size(), forces.data(), told.data());
+    for (std::size_t p = 0; p < told.size(); ++p) ASSERT_EQ(told[p] != 0, all_fired[p]) << "model " << m << ", " << p;
   }
 }
 
