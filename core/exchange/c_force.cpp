@@ -4,6 +4,14 @@
 #include "core/exchange/c_writer.h"
 
 namespace tactus::exchange {
+namespace {
+
+/// The head of a loop over `count` things of several experts side by side.
+std::string forEach(std::size_t count) {
+  return "  SIDE_BY_SIDE\n  for (e = 0; e < " + std::to_string(count) + "; ++e) ";
+}
+
+}  // namespace
 
 /// The weight of an expert, all weights together being 1.
 std::string SourceWriter::share(std::size_t expert) const {
@@ -92,10 +100,10 @@ std::string SourceWriter::oneByOneText(const std::vector<std::size_t>& experts) 
 std::string SourceWriter::sideBySideCentroids(const std::vector<std::size_t>& experts) const {
   const std::size_t g = ordered_[experts.front()]->group;
   const std::string count = std::to_string(experts.size());
-  std::string out = "  for (e = 0; e < " + count +
-                    "; ++e) largest[e] = " + largest(groups_[g], " * " + count + " + e]") + ";\n  for (e = 0; e < " +
-                    count + "; ++e) {\n    double area, moment;\n    centroid_" + std::to_string(g) + "(s + e, " +
-                    count + ", &area, &moment);\n    offset[e] = moment / (largest[e] > 0.0 ? area : 1.0);\n  }\n";
+  std::string out = forEach(experts.size()) + "largest[e] = " + largest(groups_[g], " * " + count + " + e]") + ";\n" +
+                    forEach(experts.size()) + "{\n    double area, moment;\n    centroid_" + std::to_string(g) +
+                    "(s + e, " + count +
+                    ", &area, &moment);\n    offset[e] = moment / (largest[e] > 0.0 ? area : 1.0);\n  }\n";
   for (std::size_t i = 0; i < experts.size(); ++i) {
     const std::string at = "[" + std::to_string(i) + "]";
     out +=
@@ -130,11 +138,14 @@ std::string SourceWriter::sideBySideText(const std::vector<std::size_t>& experts
 /// The same by the stretches of one input.
 std::string SourceWriter::stretchedText(const std::vector<std::size_t>& experts, std::size_t pivot) const {
   const std::size_t g = ordered_[experts.front()]->group;
-  const std::string places = std::to_string(groups_[g].live.size() * experts.size());
+  const std::size_t count = groups_[g].live.size() * experts.size();
+  const std::string places = std::to_string(count);
+  // Few strengths are faster written out.
+  const std::string each = experts.size() > 1 ? forEach(count) : "  for (e = 0; e < " + places + "; ++e) ";
   const std::string strengths =
       "  const double nothing = other_memberships(inputs, m, &at);\n  if (fired != NULL) *fired = 0;\n"
-      "  if (nothing != 0.0) return nothing;\n  strengths_here(at, m, s);\n  for (e = 0; e < " +
-      places + "; ++e) s[e] = larger(s[e], 0.0);\n";
+      "  if (nothing != 0.0) return nothing;\n  strengths_here(at, m, s);\n" +
+      each + "s[e] = larger(s[e], 0.0);\n";
   const std::string before = memberships_.functionBut(pivot) + "\n" + stretchesText(experts, pivot);
   if (experts.size() > 1)
     return before + sideBySideStart(experts) + "  double at;\n" + strengths + sideBySideCentroids(experts);

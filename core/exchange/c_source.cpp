@@ -188,6 +188,11 @@ std::string SourceWriter::source() const {
   out += "#ifdef __GNUC__\n#define HELPER static inline __attribute__((always_inline))\n#define PART " + part +
          "\n#define RARE static __attribute__((noinline))\n#else\n#define HELPER static inline\n#define PART static" +
          std::string(isLarge() ? "" : " inline") + "\n#define RARE static\n#endif\n\n";
+  if (body.find("SIDE_BY_SIDE") != std::string::npos) {
+    out +=
+        "/* Clang computes several at once only where it does not write such a loop out first. */\n#ifdef __clang__\n"
+        "#define SIDE_BY_SIDE _Pragma(\"clang loop unroll(disable)\")\n#else\n#define SIDE_BY_SIDE\n#endif\n\n";
+  }
   return out + helperText(body) + body;
 }
 

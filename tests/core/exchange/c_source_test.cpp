@@ -132,6 +132,18 @@ TEST(CSource, HasTheForcesOfRandomModels) {
   }
 }
 
+/// An average of two experts, one of whom leaves out rules.
+fuzzy::ForceModel twoExperts() {
+  auto model = support::s4Shifted();
+  fuzzy::Expert second = model.experts.front();
+  second.id = "S2";
+  second.weight = 3;
+  second.rules.front().weight = 0.25;
+  second.rules.erase(second.rules.begin() + 3, second.rules.begin() + 20);
+  model.experts.push_back(second);
+  return model;
+}
+
 TEST(CSource, IsTheSameForOtherCompilersAndOptions) {
   base::Random random(15);
   for (const auto* const options : {"-O0", "-O2", "-O3 -march=native"}) {
@@ -143,6 +155,7 @@ TEST(CSource, IsTheSameForOtherCompilersAndOptions) {
     return;
   }
   expectSame(support::s4Shifted(), random, 2000, "-O2", "clang");
+  expectSame(twoExperts(), random, 2000, "-O2", "clang");
 }
 
 /// The source has code of its own for each stretch of depth between the ends of the terms of all experts.
@@ -196,18 +209,6 @@ TEST(CSource, ABatchTakesWhateverTheCallerPasses) {
       EXPECT_NEAR(forces[p], 0.12666666666666668, 1e-15) << p;
     }
   }
-}
-
-/// An average of two experts, one of whom leaves out rules.
-fuzzy::ForceModel twoExperts() {
-  auto model = support::s4Shifted();
-  fuzzy::Expert second = model.experts.front();
-  second.id = "S2";
-  second.weight = 3;
-  second.rules.front().weight = 0.25;
-  second.rules.erase(second.rules.begin() + 3, second.rules.begin() + 20);
-  model.experts.push_back(second);
-  return model;
 }
 
 TEST(CSource, ABatchHasTheForcesOnEveryProcessor) {
