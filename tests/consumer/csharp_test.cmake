@@ -26,6 +26,10 @@ run(force "${MONO}" "${WORK}/force.exe" "${MODEL}" 1 45 30 30)
 if(NOT force MATCHES "^0\\.12666666666666[0-9]* N\n$")
   message(FATAL_ERROR "Force.cs: ${force}")
 endif()
+execute_process(COMMAND "${MONO}" "${WORK}/force.exe" "${MODEL}" 0,5 45 30 30 ERROR_VARIABLE said RESULT_VARIABLE status)
+if(NOT status EQUAL 2 OR NOT said STREQUAL "found '0,5', wanted a number with a decimal point\n")
+  message(FATAL_ERROR "Force.cs with a comma: ${status} ${said}")
+endif()
 
 # The Unity package with the few names of UnityEngine that it uses, in the C# of Unity 2019; two seconds of its thread.
 file(MAKE_DIRECTORY "${WORK}/StreamingAssets")

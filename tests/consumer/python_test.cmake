@@ -14,6 +14,11 @@ run(force "${PYTHON}" "${PREFIX}/share/tactus/examples/force.py" "${MODEL}" 1 45
 if(NOT force MATCHES "^0\\.12666666666666[0-9]* N\n$")
   message(FATAL_ERROR "force.py: ${force}")
 endif()
+execute_process(COMMAND "${PYTHON}" "${PREFIX}/share/tactus/examples/force.py" "${MODEL}" 0,5 45 30 30 ERROR_VARIABLE said
+                RESULT_VARIABLE status)
+if(NOT status EQUAL 1 OR NOT said STREQUAL "found 0,5 45 30 30, wanted numbers with a decimal point\n")
+  message(FATAL_ERROR "force.py with a comma: ${status} ${said}")
+endif()
 
 # The cells of the notebook in their order. The package of the library lets `import tactus` find the module; here it is told.
 set(ENV{PYTHONPATH} "${PREFIX}/share/tactus/languages")

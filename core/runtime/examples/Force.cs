@@ -7,13 +7,23 @@ public static class Force
 {
     public static int Main(string[] arguments)
     {
+        if (arguments.Length == 0)
+        {
+            Console.Error.WriteLine("usage: Force MODEL VALUE...");
+            return 2;
+        }
         try
         {
             using (var model = Tactus.Model.Open(arguments[0]))
             {
                 var inputs = new double[arguments.Length - 1];
                 for (int i = 0; i < inputs.Length; ++i)
-                    inputs[i] = double.Parse(arguments[i + 1], CultureInfo.InvariantCulture);
+                {
+                    // Without the style "0,5" would be 5: a comma between thousands.
+                    if (double.TryParse(arguments[i + 1], NumberStyles.Float, CultureInfo.InvariantCulture, out inputs[i])) continue;
+                    Console.Error.WriteLine("found '" + arguments[i + 1] + "', wanted a number with a decimal point");
+                    return 2;
+                }
                 bool fired;
                 double forceN = model.Force(inputs, out fired);
                 Console.WriteLine(forceN.ToString("R", CultureInfo.InvariantCulture) + " N" +

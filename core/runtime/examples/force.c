@@ -28,7 +28,15 @@ int main(int argc, char **argv) {
     tactus_model_free(model);
     return 2;
   }
-  for (i = 0; i < count; ++i) inputs[i] = strtod(argv[i + 2], NULL);
+  for (i = 0; i < count; ++i) {
+    char *end;
+    inputs[i] = strtod(argv[i + 2], &end);
+    if (end == argv[i + 2] || *end != '\0') {
+      fprintf(stderr, "%s: found '%s', wanted a number with a decimal point\n", tactus_model_input_id(model, i), argv[i + 2]);
+      tactus_model_free(model);
+      return 2;
+    }
+  }
   force_n = tactus_force(model, inputs, &fired);
   printf("%.17g N%s\n", force_n, fired ? "" : " (no rule fires: the model's default)");
   tactus_model_free(model);

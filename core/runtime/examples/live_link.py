@@ -31,7 +31,10 @@ class LiveLink:
         self._waiting = []
         self._send({"hello": "tactus-link", "version": 1, "token": token, "name": name, "want": list(want),
                     "state_hz": state_hz})
-        self.program = self._next()["program"]
+        hello = self._next()
+        if hello is None or hello.get("hello") != "tactus-link":
+            raise LinkError("found another program there, wanted a Tactus that serves")
+        self.program = hello["program"]
 
     def close(self):
         self._lines.close()
@@ -68,10 +71,15 @@ class LiveLink:
         self._socket.sendall(json.dumps(message).encode() + b"\n")
 
     def _next(self):
-        line = self._lines.readline()
-        if not line:
+        try:
+            line = self._lines.readline()
+            message = json.loads(line) if line else None
+        except ValueError:
+            message = ()
+        if message is None:
             return None
-        message = json.loads(line)
+        if not isinstance(message, dict):
+            raise LinkError("found a line that is no JSON object, wanted a Tactus that serves")
         if "error" in message:
             raise LinkError(message["error"])
         if "model" in message:
@@ -82,20 +90,27 @@ class LiveLink:
         return message
 
 
+def _point(text):
+    try:
+        return [float(value) for value in text.split(",")]
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"found '{text}', wanted numbers with decimal points, and commas between them") from None
+
+
 def main():
     parser = argparse.ArgumentParser(description="Follows the live link of Tactus.")
     parser.add_argument("--port", type=int)
     parser.add_argument("--socket")
     parser.add_argument("--token-file", required=True)
     parser.add_argument("--states", type=float, help="states a second")
-    parser.add_argument("--ask", help="values of the inputs, with commas")
+    parser.add_argument("--ask", type=_point, help="values of the inputs, with commas")
     options = parser.parse_args()
     with open(options.token_file, encoding="ascii") as file:
         token = file.readline().strip()
     want = [] if options.ask else ["model", "state"] if options.states else ["model"]
     with LiveLink(token, options.port, options.socket, want, options.states or 100) as link:
         if options.ask:
-            force_n, fired = link.force(options.ask.split(","))
+            force_n, fired = link.force(options.ask)
             print(f"{force_n!r} N" + ("" if fired else " (no rule fires: the model's default)"))
             return
         for message in link:

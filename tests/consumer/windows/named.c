@@ -1,4 +1,5 @@
-/* Names of files are UTF-8 on Windows too: named MODEL copies the model to a file with such a name and opens it. */
+/* Names of files are UTF-8 on Windows too: named MODEL copies the model to a folder and a file with such names and opens it. */
+#include <direct.h>
 #include <stdio.h>
 #include <wchar.h>
 
@@ -9,12 +10,14 @@ int main(int argc, char **argv) {
   char message[256];
   int byte;
   FILE *in = argc == 2 ? fopen(argv[1], "rb") : NULL;
-  FILE *out = _wfopen(L"Modell-\u00e4\u9f3b.tactus.json", L"wb");
+  FILE *out;
+  _wmkdir(L"Gr\u00f6\u00dfe und Blank");
+  out = _wfopen(L"Gr\u00f6\u00dfe und Blank\\Modell-\u00e4\u9f3b.tactus.json", L"wb");
   if (in == NULL || out == NULL) return 2;
   while ((byte = fgetc(in)) != EOF) fputc(byte, out);
   fclose(in);
   fclose(out);
-  if (tactus_model_open("Modell-\xc3\xa4\xe9\xbc\xbb.tactus.json", &model, message, sizeof message) != TACTUS_OK) {
+  if (tactus_model_open("Gr\xc3\xb6\xc3\x9f" "e und Blank\\Modell-\xc3\xa4\xe9\xbc\xbb.tactus.json", &model, message, sizeof message) != TACTUS_OK) {
     puts(message);
     return 1;
   }

@@ -68,7 +68,10 @@ bool readOptions(int argc, char** argv, Options& options) {
       options.out = argv[++i];
     } else if (word == "--set" && has_value && std::strchr(argv[i + 1], '=') != nullptr) {
       const std::string set = argv[++i];
-      options.conditions[set.substr(0, set.find('='))] = std::strtod(set.c_str() + set.find('=') + 1, nullptr);
+      const std::string value = set.substr(set.find('=') + 1);
+      char* end = nullptr;
+      options.conditions[set.substr(0, set.find('='))] = std::strtod(value.c_str(), &end);
+      if (value.empty() || *end != '\0') return false;
     } else if (options.bundle.empty() && word.rfind("--", 0) != 0) {
       options.bundle = word;
     } else {
@@ -188,7 +191,10 @@ int simulate(Options options) {
   SceneBox box;
   std::unique_ptr<LiveLink> link;
   if (options.link.port != 0 || !options.link.socket.empty()) {
-    std::getline(std::ifstream(options.token_file), options.link.token);
+    std::ifstream token_file(options.token_file);
+    if (!std::getline(token_file, options.link.token))
+      throw tactus::Error(TACTUS_BAD_FILE,
+                          options.token_file + ": found no token, wanted the token file of the server");
     link = std::make_unique<LiveLink>(options.link,
                                       [&box, options](const tactus::Model& newer, unsigned long long serial) {
                                         box.put(scenesOf(newer, options, serial));
