@@ -11,7 +11,7 @@ using haptics::CalibrationInput;
 using haptics::CalibrationProcedure;
 using haptics::CalibrationStep;
 
-constexpr std::int64_t kTickNs = 1'000'000;
+constexpr std::int64_t kSampleNs = 1'000'000;
 constexpr int kDriverTicks = 500;  ///< a driver calibrates in its next frame, or not at all
 
 /// Hands the person's answer over, if there is one.
@@ -36,7 +36,7 @@ tl::unexpected<base::Error> interruption(const haptics::HapticDevice& device) {
 base::Result<void> lead(haptics::HapticDevice& device, CalibrationProcedure& procedure, CalibrationGuide& guide,
                         const CalibrationClock& clock) {
   std::string told;
-  for (std::int64_t due_ns = clock.now_ns();; due_ns += kTickNs) {
+  for (std::int64_t due_ns = clock.now_ns();; due_ns += kSampleNs) {
     clock.sleep_until(due_ns);
     const std::int64_t now_ns = clock.now_ns();
     if (guide.interrupted()) {
@@ -87,14 +87,14 @@ base::Result<void> calibrateByDriver(haptics::HapticDevice& device, CalibrationG
   if (!driven->calibrated()) guide.instruct("To calibrate, " + driven->calibrationAdvice() + ": then press Enter.");
   bool stopped = false;
   while (!driven->calibrated() && !stopped && !guide.interrupted()) {
-    clock.sleep_until(clock.now_ns() + kTickNs);
+    clock.sleep_until(clock.now_ns() + kSampleNs);
     const auto answer = guide.answer();
     if (!answer) continue;
     stopped = base::trimmed(*answer) == "stop";
     if (stopped) continue;
     driven->requestCalibration();
     for (int waited = 0; waited < kDriverTicks && !driven->calibrated() && !guide.interrupted(); ++waited)
-      clock.sleep_until(clock.now_ns() + kTickNs);
+      clock.sleep_until(clock.now_ns() + kSampleNs);
     if (!driven->calibrated() && !guide.interrupted())
       guide.refuse("The driver did not take it. Try again, or type stop.");
   }

@@ -62,7 +62,7 @@ bool isTaken(std::string_view lowered) {
 }
 
 /// Gives each id a name of its own.
-class Names {
+class GivenNames {
  public:
   std::string of(std::string_view id) {
     std::string name;
@@ -78,9 +78,9 @@ class Names {
   std::set<std::string> used_;
 };
 
-NamedVariable named(const fuzzy::Variable& variable, const fuzzy::Expert& expert, Names& names) {
+NamedVariable named(const fuzzy::Variable& variable, const fuzzy::Expert& expert, GivenNames& names) {
   NamedVariable out{names.of(variable.id), &variable, {}};
-  Names own;
+  GivenNames own;
   for (const fuzzy::Term& term : fuzzy::termsFor(expert, variable)) out.terms.push_back({own.of(term.id), &term});
   return out;
 }
@@ -96,7 +96,7 @@ std::size_t termIndex(const NamedVariable& variable, std::string_view id) {
 ExpertView viewOf(const fuzzy::ForceModel& model, std::size_t expert) {
   const fuzzy::Expert& from = model.experts[expert];
   ExpertView view{&model, &from, {}, {}, {}, {}, 0};
-  Names names;
+  GivenNames names;
   for (const fuzzy::Variable& input : model.inputs) view.inputs.push_back(named(input, from, names));
   view.output = named(model.output, from, names);
   view.name = names.of("force_model_" + from.id);

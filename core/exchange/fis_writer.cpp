@@ -37,7 +37,7 @@ std::string section(const std::string& title, const NamedVariable& variable) {
 }
 
 /// `3 0 0 1, 1 (1) : 1`: the terms by number, 0 where the rule does not ask.
-std::string ruleText(const ExpertView& view, const IndexedRule& rule) {
+std::string fisRuleText(const ExpertView& view, const IndexedRule& rule) {
   std::string out;
   for (std::size_t i = 0; i < view.inputs.size(); ++i) {
     std::size_t term = 0;
@@ -60,7 +60,7 @@ std::string fisText(const ExpertView& view) {
   out += "'\nAggMethod='max'\nDefuzzMethod='centroid'\n";
   for (std::size_t i = 0; i < view.inputs.size(); ++i) out += section("Input" + std::to_string(i + 1), view.inputs[i]);
   out += section("Output1", view.output) + "\n[Rules]\n";
-  for (const IndexedRule& rule : view.rules) out += ruleText(view, rule);
+  for (const IndexedRule& rule : view.rules) out += fisRuleText(view, rule);
   return out;
 }
 

@@ -128,12 +128,12 @@ Places around(const Place& end, double step, const std::vector<double>& points) 
 }
 
 /// The cheapest ascending choice of one place for each end.
-struct Choice {
+struct CheapestPlaces {
   Places ends;
   double cost = kForbidden;
 };
 
-Choice cheapest(const Costs& costs, const std::vector<Places>& candidates) {
+CheapestPlaces cheapest(const Costs& costs, const std::vector<Places>& candidates) {
   const Place first{0, 0};
   const Place last{1, costs.x().size()};
   std::vector<std::vector<double>> best;
@@ -157,7 +157,7 @@ Choice cheapest(const Costs& costs, const std::vector<Places>& candidates) {
       }
     }
   }
-  Choice out;
+  CheapestPlaces out;
   std::size_t at = 0;
   for (std::size_t b = 0; b < candidates.back().size(); ++b) {
     const double cost = best.back()[b] + costs.core(costs.terms() - 1, candidates.back()[b], last);
@@ -197,12 +197,12 @@ std::vector<TermRamp> fitRamps(std::span<const FrequencyPoint> points, double mi
   const Costs costs(points, min_n, max_n);
   if (costs.terms() < 2) return {};
   const std::size_t ends = 2 * (costs.terms() - 1);
-  Choice choice = cheapest(costs, std::vector<Places>(ends, coarseGrid(costs.x())));
+  CheapestPlaces choice = cheapest(costs, std::vector<Places>(ends, coarseGrid(costs.x())));
   double step = 1.0 / static_cast<double>(kGridPlaces);
   for (int round = 0; round < kMostRounds && step > kFinestStep; ++round) {
     std::vector<Places> candidates;
     for (const Place& end : choice.ends) candidates.push_back(around(end, step, costs.x()));
-    Choice better = cheapest(costs, candidates);
+    CheapestPlaces better = cheapest(costs, candidates);
     const bool moved = better.cost < choice.cost;
     if (moved) choice = std::move(better);
     // A small gain is the rounding of the sums; the step shrinks all the same.

@@ -7,10 +7,11 @@
 #include "app/editing/rule_grid.h"
 
 #include "tests/gui/bench_gestures.h"
+#include "tests/gui/patience.h"
 
 namespace tactus::tests {
 
-constexpr int kPatience = 30'000;  // ms, for a busy machine
+using tests::kPatience;
 
 // What keys and mouse do in the rule editor.
 std::string BenchGestures::grid() {

@@ -10,18 +10,19 @@
 #include "app/workbench/tune/findings/findings_controller.h"
 
 #include "tests/gui/bench_gestures.h"
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPatience = 30'000;  // ms, for a busy machine and a sanitizer
-constexpr int kGestures = 150;     // a second or two
+using tests::kPatience;
+constexpr int kGesturesOfThreads = 150;  // a second or two
 
-int gestures() {
+int threadGestures() {
   const char* const wanted = std::getenv("TACTUS_THREAD_GESTURES");
-  return wanted == nullptr ? kGestures : std::atoi(wanted);
+  return wanted == nullptr ? kGesturesOfThreads : std::atoi(wanted);
 }
 
 TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
@@ -45,7 +46,7 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
 
   base::Random random(3);
   std::size_t runs = 1;
-  const int count = gestures();
+  const int count = threadGestures();
   for (int k = 0; k < count; ++k) {
     const std::string what = hand.play();
     ASSERT_EQ(hand.check(false), "") << "gesture " << k << ", " << what;

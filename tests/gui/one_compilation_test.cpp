@@ -13,6 +13,7 @@
 #include "app/workbench/model/ghost_controller.h"
 
 #include "tests/gui/bench_controllers.h"
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/gui/stepped_feel.h"
 
@@ -51,8 +52,8 @@ base::Result<CompiledModel> countedCompile(const ForceModel& model) {
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPatienceMs = 10'000;
-constexpr std::size_t kDepth = 1;
+using tests::kDepth;
+using tests::kPatience;
 
 class OneCompilation : public testing::Test {
  protected:
@@ -66,7 +67,7 @@ class OneCompilation : public testing::Test {
 
   /// Everything that follows an edit, at once or in the background.
   void settle() {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return bench.findings.isCurrent(); }, kPatienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bench.findings.isCurrent(); }, kPatience));
     QCoreApplication::processEvents();
     time.advance(feel, 50);
     EXPECT_NE(ghost.curves(), nullptr);

@@ -4,11 +4,19 @@
 #include <QString>
 #include <QTemporaryDir>
 
+#include "app/editing/membership_edits.h"
 #include "core/fuzzy/force_model.h"
 
 #include "tests/support/two_experts.h"
 
 namespace tactus::tests {
+
+/// The inputs of these models, in their order.
+inline constexpr std::size_t kSpeed = 0;
+inline constexpr std::size_t kDepth = 1;
+
+/// The vertex where "near" begins to fall.
+inline const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
 
 /// Writes models into a folder that is removed in the end.
 class ModelFolder {

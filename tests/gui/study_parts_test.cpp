@@ -39,7 +39,7 @@ namespace {
 
 using tests::comesTrue;
 
-const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
+using tests::kNearShoulder;
 
 class StudyPartsTest : public testing::Test {
  protected:

@@ -1,6 +1,6 @@
 // The whole window under a hand that does not know what it does: random clicks and keys into the editors and random
-// gestures at their controllers, panels that come and go, other models in between. TACTUS_WINDOW_GESTURES=5000 in the
-// environment plays that many.
+// windowGestures at their controllers, panels that come and go, other models in between. TACTUS_WINDOW_GESTURES=5000 in
+// the environment plays that many.
 #include <QApplication>
 #include <QDockWidget>
 #include <QSettings>
@@ -23,12 +23,12 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kGestures = 120;   // some seconds
-constexpr int kOfOneModel = 60;  // until another one is opened
+constexpr int kGesturesInWindow = 120;   // some seconds
+constexpr int kOfOneModelInWindow = 60;  // until another one is opened
 
-int gestures() {
+int windowGestures() {
   const char* const wanted = std::getenv("TACTUS_WINDOW_GESTURES");
-  return wanted == nullptr ? kGestures : std::atoi(wanted);
+  return wanted == nullptr ? kGesturesInWindow : std::atoi(wanted);
 }
 
 class WindowFuzz : public testing::Test {
@@ -131,13 +131,13 @@ TEST_F(WindowFuzz, NoHandBreaksIt) {
   QTimer closer;
   QObject::connect(&closer, &QTimer::timeout, &closePopup);
   closer.start(0);
-  const int count = gestures();
+  const int count = windowGestures();
   for (int k = 0; k < count;) {
     bench.models.open(folder.write(someModel(), QStringLiteral("%1.tactus.json").arg(k % 3)));
     ASSERT_NE(bench.models.current(), nullptr);
     bench.window.enter(Stage::kTune);
     tests::BenchGestures hand(static_cast<std::uint64_t>(k) + 1, tests::BenchReach(bench));
-    for (int end = k + kOfOneModel; k < end; ++k) {
+    for (int end = k + kOfOneModelInWindow; k < end; ++k) {
       const std::string what = random.below(3) == 0 ? hand.play() : (clickOrType(), "click or key");
       ASSERT_EQ(hand.check(false), "") << "gesture " << k << ", " << what;
       if (random.below(12) == 0) rearrange();

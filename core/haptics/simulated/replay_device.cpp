@@ -16,7 +16,7 @@ using base::fail;
 
 constexpr double kLongestS = 1e6;
 
-std::int64_t nanoseconds(double seconds) { return std::llround(seconds * 1e9); }
+std::int64_t nearestNanosecond(double seconds) { return std::llround(seconds * 1e9); }
 
 const study::Channel* find(const study::Recording& recording, std::string_view name) {
   for (const auto& channel : recording.channels)
@@ -58,7 +58,7 @@ base::Result<std::vector<std::int64_t>> timesOf(const study::Recording& recordin
   if (auto ok = check(*time, "s", recording.size()); !ok) return tl::unexpected(std::move(ok.error()));
   for (std::size_t i = 1; i < times_ns.size(); ++i) {
     const double since_start_s = time->values[i] - time->values.front();
-    if (since_start_s <= kLongestS && since_start_s > 0) times_ns[i] = nanoseconds(since_start_s);
+    if (since_start_s <= kLongestS && since_start_s > 0) times_ns[i] = nearestNanosecond(since_start_s);
     if (times_ns[i] <= times_ns[i - 1])
       return fail(ErrorCode::kData, placeOf(*time) + ", sample " + std::to_string(i + 1),
                   base::formatNumber(time->values[i]) + " s after " + base::formatNumber(time->values[i - 1]) + " s",
@@ -111,8 +111,8 @@ ReplayDevice::ReplayDevice(std::vector<std::int64_t> time_ns, std::vector<double
       position_mm_(std::move(position_mm)),
       button_(std::move(button)),
       settings_(settings),
-      lead_ns_(nanoseconds(settings.lead_s)),
-      return_ns_(nanoseconds(settings.return_s)),
+      lead_ns_(nearestNanosecond(settings.lead_s)),
+      return_ns_(nearestNanosecond(settings.return_s)),
       way_back_(stroke(position_mm_.front() - position_mm_.back(), settings.return_s)),
       info_(describe()) {}
 

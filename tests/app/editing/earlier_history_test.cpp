@@ -9,7 +9,7 @@
 namespace tactus::editing {
 namespace {
 
-const Stamp kAnn{"Ann", 1000};
+const Stamp kEarlierAnn{"Ann", 1000};
 const Stamp kBen{"Ben", 9000};
 
 /// The history of a model file: opened, the foot of the nasopharynx moved to 130, then to 131.
@@ -19,7 +19,7 @@ class EarlierHistoryTest : public testing::Test {
     move(130);
     move(131);
   }
-  void move(double to) { history_.apply(foot(to), kAnn); }
+  void move(double to) { history_.apply(foot(to), kEarlierAnn); }
   Edit foot(double to) const { return must(moveVertex(history_.base(), {kDepth, "nasopharynx", 3}, to)); }
   static EditHistory opened(const fuzzy::ForceModel& model) {
     return EditHistory::open(model, "Opened", kBen, study::RecordIds(7)).value();
@@ -29,7 +29,7 @@ class EarlierHistoryTest : public testing::Test {
     return goOn(kept(), opened(file), study::RecordIds(8), "changed", kBen);
   }
 
-  EditHistory history_ = EditHistory::open(support::s4AsPrinted(), "S4", kAnn, study::RecordIds(1)).value();
+  EditHistory history_ = EditHistory::open(support::s4AsPrinted(), "S4", kEarlierAnn, study::RecordIds(1)).value();
 };
 
 TEST_F(EarlierHistoryTest, GoesOnWithTheLastState) {

@@ -10,12 +10,14 @@ namespace {
 
 using Place = HistoryRow::Place;
 
-const Stamp kAnn{"Ann", 1000};
+const Stamp kTreeByAnn{"Ann", 1000};
 
 class HistoryTreeTest : public testing::Test {
  protected:
-  void edit(double to) { history_.apply(must(moveVertex(history_.model(), {kDepth, "nasopharynx", 3}, to)), kAnn); }
-  void undo() { ASSERT_TRUE(history_.undo(kAnn)); }
+  void edit(double to) {
+    history_.apply(must(moveVertex(history_.model(), {kDepth, "nasopharynx", 3}, to)), kTreeByAnn);
+  }
+  void undo() { ASSERT_TRUE(history_.undo(kTreeByAnn)); }
 
   /// `0. 1* 2~` : state and place; a blank per level before it.
   std::string rows() const {
@@ -31,7 +33,7 @@ class HistoryTreeTest : public testing::Test {
     return out;
   }
 
-  EditHistory history_ = EditHistory::open(support::s4AsPrinted(), "S4", kAnn, study::RecordIds(1)).value();
+  EditHistory history_ = EditHistory::open(support::s4AsPrinted(), "S4", kTreeByAnn, study::RecordIds(1)).value();
 };
 
 TEST_F(HistoryTreeTest, ALineOfEditsAndWhatIsUndone) {
@@ -61,16 +63,16 @@ TEST_F(HistoryTreeTest, AnEditAfterAnUndoLeavesABranch) {
   edit(131);
   EXPECT_EQ(rows(), "0.\n 1|\n  2|\n  3|\n 4|\n5*\n");
   // To return there makes it the line.
-  ASSERT_TRUE(history_.returnTo(2, kAnn));
+  ASSERT_TRUE(history_.returnTo(2, kTreeByAnn));
   EXPECT_EQ(rows(), "0.\n 5|\n1.\n 4|\n2*\n3~\n");
 }
 
 TEST_F(HistoryTreeTest, NamesAndSignOffsStandAtTheirStates) {
   edit(126);
-  history_.snapshot("stiffer", kAnn);
+  history_.snapshot("stiffer", kTreeByAnn);
   history_.signOff({"S4", 2000});
   undo();
-  history_.snapshot("as printed", kAnn);
+  history_.snapshot("as printed", kTreeByAnn);
   const auto all = historyRows(history_);
   ASSERT_EQ(all[1].marks.size(), 2U);
   EXPECT_EQ(history_.events()[all[1].marks[0]].label, "stiffer");

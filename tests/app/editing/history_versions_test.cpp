@@ -11,7 +11,7 @@
 namespace tactus::editing {
 namespace {
 
-const Stamp kAnn{"Ann", 1000};
+const Stamp kVersionsByAnn{"Ann", 1000};
 
 class HistoryVersions : public testing::Test {
  protected:
@@ -45,17 +45,17 @@ class HistoryVersions : public testing::Test {
   store::StudyFile file_ =
       store::StudyFile::create(folder_.file("study.tactus"), {study::RecordIds(3).next(), "study", 0, "test"}).value();
   const fuzzy::ForceModel model_ = support::s4AsPrinted();
-  EditHistory history_ = EditHistory::open(model_, "S4", kAnn, study::RecordIds(1)).value();
+  EditHistory history_ = EditHistory::open(model_, "S4", kVersionsByAnn, study::RecordIds(1)).value();
 };
 
 TEST_F(HistoryVersions, TheStudyFileTellsTheWholeStory) {
-  history_.apply(foot(130), kAnn);
-  history_.apply(foot(131), kAnn);
-  ASSERT_TRUE(history_.undo(kAnn));
-  history_.snapshot("wide", kAnn);
+  history_.apply(foot(130), kVersionsByAnn);
+  history_.apply(foot(131), kVersionsByAnn);
+  ASSERT_TRUE(history_.undo(kVersionsByAnn));
+  history_.snapshot("wide", kVersionsByAnn);
   history_.apply(foot(140), {"Ben", 2000});
-  ASSERT_TRUE(history_.returnTo(2, kAnn));
-  ASSERT_TRUE(history_.undo(kAnn));
+  ASSERT_TRUE(history_.returnTo(2, kVersionsByAnn));
+  ASSERT_TRUE(history_.undo(kVersionsByAnn));
   history_.signOff({"S4", 3000});
   storeAll();
   EXPECT_TRUE(unstoredVersions(history_).empty());
@@ -78,21 +78,21 @@ TEST_F(HistoryVersions, TheStudyFileTellsTheWholeStory) {
 }
 
 TEST_F(HistoryVersions, UndoWorksAcrossARestart) {
-  history_.apply(foot(130), kAnn);
-  history_.apply(foot(131), kAnn);
+  history_.apply(foot(130), kVersionsByAnn);
+  history_.apply(foot(131), kVersionsByAnn);
   storeAll();
   auto read = reopened();
-  EXPECT_FALSE(read.undo(kAnn));
+  EXPECT_FALSE(read.undo(kVersionsByAnn));
   load(read, 1);
-  ASSERT_TRUE(read.undo(kAnn));
+  ASSERT_TRUE(read.undo(kVersionsByAnn));
   load(read, 0);
-  ASSERT_TRUE(read.undo(kAnn));
+  ASSERT_TRUE(read.undo(kVersionsByAnn));
   EXPECT_TRUE(sameBits(read.model(), model_));
   EXPECT_EQ(unstoredVersions(read).size(), 2);
 }
 
 TEST_F(HistoryVersions, VersionsOfOtherProgramsAreEdits) {
-  history_.apply(foot(130), kAnn);
+  history_.apply(foot(130), kVersionsByAnn);
   auto versions = unstoredVersions(history_);
   versions[1].label = "tuned elsewhere";
   const auto read = historyFrom(versions, study::RecordIds(2)).value();

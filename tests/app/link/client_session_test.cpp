@@ -14,9 +14,9 @@ namespace {
 
 using Phase = ClientSession::Phase;
 
-const std::string kToken = "0123456789abcdef0123456789abcdef";
+const std::string kSessionToken = "0123456789abcdef0123456789abcdef";
 const std::string kHello =
-    R"({"hello":"tactus-link","version":1,"token":")" + kToken + R"(","want":["model","state"]})";
+    R"({"hello":"tactus-link","version":1,"token":")" + kSessionToken + R"(","want":["model","state"]})";
 
 class SessionTest : public testing::Test {
  protected:
@@ -35,7 +35,7 @@ class SessionTest : public testing::Test {
     std::vector<std::string> lines;
     std::string text;
     do {
-      session_.work(64, {model_, kToken, "tactus test", has_place_});
+      session_.work(64, {model_, kSessionToken, "tactus test", has_place_});
       for (auto output = session_.output(); !output.empty(); output = session_.output()) {
         text += output;
         session_.sent(output.size());
@@ -84,17 +84,17 @@ TEST_F(SessionTest, AHelloMayComeByteByByteAndKeysOfLaterVersionsAreIgnored) {
 }
 
 TEST_F(SessionTest, WhatIsWantedIsSent) {
-  std::string hello = R"({"hello":"tactus-link","version":1,"token":")" + kToken + R"(","want":[]})";
+  std::string hello = R"({"hello":"tactus-link","version":1,"token":")" + kSessionToken + R"(","want":[]})";
   EXPECT_EQ(say(hello + '\n').size(), 1U);
   EXPECT_FALSE(session_.isDue(0));
   session_ = {};
-  hello = R"({"hello":"tactus-link","version":1,"token":")" + kToken + R"("})";
+  hello = R"({"hello":"tactus-link","version":1,"token":")" + kSessionToken + R"("})";
   EXPECT_EQ(say(hello + '\n').size(), 2U) << "without want: the model";
 }
 
 TEST_F(SessionTest, AWrongHelloIsOneSentenceAndTheEnd) {
   const auto with = [](const std::string& members) { return R"({"hello":"tactus-link",)" + members + "}"; };
-  const std::string token = R"("token":")" + kToken + '"';
+  const std::string token = R"("token":")" + kSessionToken + '"';
   EXPECT_EQ(refusal(with(R"("version":1,"token":"0123456789abcdef0123456789abcdee")")),
             "hello: found another token, wanted the one in the server's token file");
   EXPECT_EQ(refusal(with(R"("version":1,"token":"0123")")),
@@ -187,7 +187,7 @@ TEST_F(SessionTest, AFloodOfQuestionsIsReadNoFasterThanItsAnswersAreTaken) {
              R"(,"inputs":[1,45,30,30]}})"
              "\n";
   session_.receive(flood);
-  for (int i = 0; i < 1000; ++i) session_.work(64, {model_, kToken, "tactus test", true});
+  for (int i = 0; i < 1000; ++i) session_.work(64, {model_, kSessionToken, "tactus test", true});
   EXPECT_FALSE(session_.hasWork());
   EXPECT_FALSE(session_.wantsInput());
   EXPECT_LT(session_.output().size(), 2 * ClientSession::kMostAnswers);
@@ -201,7 +201,7 @@ TEST_F(SessionTest, AFloodOfQuestionsIsReadNoFasterThanItsAnswersAreTaken) {
 
 TEST_F(SessionTest, ASlowClientGetsTheNewestAndTheLineThatWasBegun) {
   session_.receive(kHello + '\n');
-  session_.work(1, {model_, kToken, "tactus test", true});
+  session_.work(1, {model_, kSessionToken, "tactus test", true});
   session_.sent(session_.output().size());
   std::string read(session_.output().substr(0, 1000));  // the first half of model 3
   session_.sent(1000);
@@ -225,7 +225,7 @@ TEST_F(SessionTest, ASlowClientGetsTheNewestAndTheLineThatWasBegun) {
 TEST_F(SessionTest, StatesComeAtTheWantedRate) {
   const auto due = [this](const std::string& rate) {
     session_ = {};
-    say(R"({"hello":"tactus-link","version":1,"token":")" + kToken + R"(","want":["state"])" + rate + "}\n");
+    say(R"({"hello":"tactus-link","version":1,"token":")" + kSessionToken + R"(","want":["state"])" + rate + "}\n");
     int count = 0;
     for (int tick = 0; tick < 1000; ++tick) count += session_.isDue(tick * 0.001) ? 1 : 0;
     return count;

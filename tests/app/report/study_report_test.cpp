@@ -16,7 +16,7 @@ namespace {
 
 using support::countOf;
 
-elicitation::BuildSettings settings() {
+elicitation::BuildSettings studySettings() {
   elicitation::BuildSettings out;
   out.created_utc = "2026-11-23T02:00:00Z";
   out.generator = "tactus test";
@@ -30,7 +30,7 @@ study::Study recorded(int nurses = 3) {
 }
 
 /// The report of a study, as the command makes it.
-std::string pageOf(const study::Study& study, elicitation::BuildSettings build = settings()) {
+std::string pageOf(const study::Study& study, elicitation::BuildSettings build = studySettings()) {
   const auto built = elicitation::hasRules(study) ? elicitation::buildModel(study, session::knownForms(), build)
                                                   : elicitation::buildTerms(study, build);
   EXPECT_TRUE(built) << built.error().message();
@@ -74,7 +74,7 @@ TEST(StudyReport, OfAWholeStudyHasEverySectionAndNumbersItsCaptions) {
         "Membership functions", "Rules", "The experts and their mean", "Force over depth and speed",
         "Influence of lubrication, neck flexion and speed", "What the hand feels", "How far the experts agree",
         "Findings in the rules", "Reachable range", "Does a choice of the method matter here?", "Method",
-        "Notes and settings of this build", "References"}) {
+        "Notes and studySettings of this build", "References"}) {
     EXPECT_TRUE(has(page, std::string(">") + title + "</h2>")) << title;
   }
   EXPECT_TRUE(has(page, "<strong>Vertices of the membership functions.</strong>"));
@@ -97,7 +97,7 @@ TEST(StudyReport, OfAWholeStudyHasEverySectionAndNumbersItsCaptions) {
 }
 
 TEST(StudyReport, StatesHowTheModelWasMade) {
-  auto build = settings();
+  auto build = studySettings();
   build.speed.alpha = 0.9;
   build.force_terms = elicitation::ForceTermsFrom::kThresholds;
   build.weights.policy = elicitation::WeightPolicy::kYears;
@@ -115,7 +115,7 @@ TEST(StudyReport, StatesHowTheModelWasMade) {
 
 TEST(StudyReport, HasTheMethodStudyAndMeasuredDepths) {
   const auto study = recorded(2);
-  auto build = settings();
+  auto build = studySettings();
   const auto inputs = elicitation::ngtInputs();
   build.measured_depths = elicitation::emptyMeasurement(inputs[2]);
   build.measured_depths->image = "scan.png";
@@ -134,7 +134,7 @@ TEST(StudyReport, HasTheMethodStudyAndMeasuredDepths) {
 // Two answers, 5 and 6: mean 5.5, deviation with n - 1 the root of one half.
 TEST(StudyReport, HasTheUsabilityScaleWhereItWasAnswered) {
   const auto study = recorded(1);
-  const auto built = elicitation::buildModel(study, session::knownForms(), settings()).value();
+  const auto built = elicitation::buildModel(study, session::knownForms(), studySettings()).value();
   const auto page = studyReport({.study = study,
                                  .built = built,
                                  .settings = {},

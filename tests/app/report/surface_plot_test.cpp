@@ -7,7 +7,7 @@
 namespace tactus::report {
 namespace {
 
-SurfaceFrame frame() {
+SurfaceFrame surfaceFrame() {
   return {.title = "Surface",
           .x = {.label = "x", .min = 0, .max = 3},
           .y = {.label = "y", .min = 0, .max = 2},
@@ -23,7 +23,7 @@ SurfaceGrid grid() {
 std::size_t quadsIn(const std::string& svg) { return support::countOf(svg, "stroke-width=\"0.6\"/>"); }
 
 TEST(SurfacePlot, DrawsEveryQuad) {
-  const std::string svg = surfacePlot(frame(), grid());
+  const std::string svg = surfacePlot(surfaceFrame(), grid());
   EXPECT_EQ(support::markupFault(svg), "");
   EXPECT_EQ(quadsIn(svg), 6U);  // 3 by 2
 }
@@ -31,7 +31,7 @@ TEST(SurfacePlot, DrawsEveryQuad) {
 TEST(SurfacePlot, AHoleLeavesOutTheQuadsAroundIt) {
   SurfaceGrid holed = grid();
   holed.z[1 * 3 + 1] = std::nullopt;  // x = 1, y = 1 touches four of the six
-  EXPECT_EQ(quadsIn(surfacePlot(frame(), holed)), 2U);
+  EXPECT_EQ(quadsIn(surfacePlot(surfaceFrame(), holed)), 2U);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace tactus::store {
 namespace {
 
-std::string bytesOf(const std::string& path) {
+std::string bytesOfFile(const std::string& path) {
   std::ostringstream out;
   out << std::ifstream(path, std::ios::binary).rdbuf();
   return out.str();
@@ -143,7 +143,7 @@ int openFile(sqlite3_vfs* vfs, const char* path, sqlite3_file* file, int flags, 
   new (file) File{{nullptr}, disk, path};
   const int code = disk->real->xOpen(disk->real, path, real(file), flags, out_flags);
   if (realMethods(file) != nullptr) file->pMethods = &kMethods;
-  if (code == SQLITE_OK && path != nullptr) disk->files.insert_or_assign(path, CrashPicture(bytesOf(path)));
+  if (code == SQLITE_OK && path != nullptr) disk->files.insert_or_assign(path, CrashPicture(bytesOfFile(path)));
   return code;
 }
 

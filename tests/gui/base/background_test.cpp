@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 #include <semaphore>
 
+#include "tests/gui/patience.h"
+
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kPatience;
 
 TEST(Background, DeliversOnTheThreadOfTheGui) {
   Background background;

@@ -9,10 +9,12 @@
 
 #include "app/workbench/base/call_queue.h"
 
+#include "tests/gui/patience.h"
+
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kPatience;
 constexpr std::size_t kTasks = 1000;
 
 std::vector<int> upTo(std::size_t count) {

@@ -12,7 +12,7 @@ namespace tactus::workbench {
 namespace {
 
 using tests::comesTrue;
-using Kind = MonitorLine::Kind;
+using NoteKind = MonitorLine::Kind;
 
 class MonitorControllerTest : public testing::Test {
  protected:
@@ -36,7 +36,7 @@ class MonitorControllerTest : public testing::Test {
   void settle() {
     ASSERT_TRUE(comesTrue([this] { return !proxy.isSaving(); }));
   }
-  bool says(Kind kind, const char* text) {
+  bool says(NoteKind kind, const char* text) {
     return comesTrue([&] {
       const auto& lines = monitor.lines();
       return std::any_of(lines.begin(), lines.end(), [&](const MonitorLine& line) {
@@ -60,11 +60,11 @@ TEST_F(MonitorControllerTest, TellsTheJudgementsAsTheyAreStored) {
   answer.forward_speed_mm_s = 60;
   answer.delivered_share = 0.82;  // 18 % were missing
   ASSERT_TRUE(proxy.judge(proxy.snapshot()->step, answer));
-  EXPECT_TRUE(says(Kind::kUnscored, "0.2 N: very small, not scored: only 82 % of the force was delivered"));
+  EXPECT_TRUE(says(NoteKind::kUnscored, "0.2 N: very small, not scored: only 82 % of the force was delivered"));
   answer.delivered_share = 1;
   settle();
   ASSERT_TRUE(proxy.judge(proxy.snapshot()->step, answer));
-  EXPECT_TRUE(says(Kind::kAnswer, "0.2 N: very small"));
+  EXPECT_TRUE(says(NoteKind::kAnswer, "0.2 N: very small"));
 }
 
 TEST_F(MonitorControllerTest, CountsTheQuestionsAndTellsTheReplies) {
@@ -72,10 +72,10 @@ TEST_F(MonitorControllerTest, CountsTheQuestionsAndTellsTheReplies) {
   settle();
   ASSERT_TRUE(proxy.reply(proxy.snapshot()->step, {study::Answer::Status::kAnswered, "very_large"}, 2));
   settle();
-  EXPECT_TRUE(says(Kind::kAnswer, "Question 1: very large"));
+  EXPECT_TRUE(says(NoteKind::kAnswer, "Question 1: very large"));
   ASSERT_TRUE(proxy.reply(proxy.snapshot()->step, {study::Answer::Status::kCantTell, {}}, 2));
   settle();
-  EXPECT_TRUE(says(Kind::kAnswer, "Question 2: can't tell"));
+  EXPECT_TRUE(says(NoteKind::kAnswer, "Question 2: can't tell"));
   EXPECT_EQ(monitor.share(), (session::Share{2, 45}));
 }
 
@@ -88,7 +88,7 @@ TEST_F(MonitorControllerTest, PausesAndGoesOn) {
   monitor.goOn();
   settle();
   EXPECT_FALSE(monitor.isPaused());
-  EXPECT_TRUE(says(Kind::kStage, "Goes on"));
+  EXPECT_TRUE(says(NoteKind::kStage, "Goes on"));
   // A pause of the participant's own is not the researcher's to end.
   proxy.pause(session::kForceOff);
   settle();
@@ -101,7 +101,7 @@ TEST_F(MonitorControllerTest, KeepsNotesWithTheirTimeInTheLog) {
   monitor.note(QStringLiteral("  talked with a colleague "));
   monitor.note(QStringLiteral("   "));
   settle();
-  ASSERT_EQ(monitor.lines().back().kind, Kind::kNote);
+  ASSERT_EQ(monitor.lines().back().kind, NoteKind::kNote);
   study.close();
   ASSERT_TRUE(comesTrue([this] { return !study.isOpen(); }));
   const auto events = store::events(tests::lookInto(path));
@@ -118,7 +118,7 @@ TEST_F(MonitorControllerTest, SaysThatTheParticipantCalled) {
   monitor.show(view);
   view.called = true;
   monitor.show(view);
-  EXPECT_TRUE(says(Kind::kCall, "The participant has called you"));
+  EXPECT_TRUE(says(NoteKind::kCall, "The participant has called you"));
 }
 
 TEST(ForceTrace, KeepsTheLastSecondsOfOneRun) {

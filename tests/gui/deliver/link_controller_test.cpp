@@ -13,6 +13,7 @@
 #include "core/model_io/model_file.h"
 
 #include "tests/app/link/test_client.h"
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/gui/stepped_feel.h"
 
@@ -22,7 +23,7 @@ namespace {
 using link::TestClient;
 using nlohmann::json;
 
-constexpr int kPatienceMs = 10'000;
+using tests::kPatience;
 
 class LinkControllerTest : public testing::Test {
  protected:
@@ -127,7 +128,7 @@ TEST_F(LinkControllerTest, SaysWhoIsConnected) {
   controller.start();
   const TestClient first = connect(R"("name":"Phantom 2","want":["state"])");
   const TestClient second = connect();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.clients().size() == 2; }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.clients().size() == 2; }, kPatience));
   EXPECT_EQ(controller.clients()[0].name, "Phantom 2");
   EXPECT_TRUE(controller.clients()[0].wants_state);
   EXPECT_TRUE(controller.wantsStates());

@@ -12,6 +12,7 @@
 #include "app/workbench/device/device_search.h"
 #include "core/haptics/sources/servo_scene.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/gui/stepped_feel.h"
 
@@ -20,7 +21,7 @@ namespace {
 
 using State = DeviceSession::State;
 
-constexpr int kPatienceMs = 10'000;
+using tests::kPatience;
 // The stimulus is constant: what the limits add is rounding.
 constexpr double kRounding = 1e-9;
 const QString kVirtual = QStringLiteral("virtual");
@@ -70,7 +71,7 @@ TEST_F(DeviceSessionTest, StartsADeviceThatWasFoundWithoutAModel) {
   DeviceSearch search;
   const QSignalSpy found(&search, &DeviceSearch::found);
   search.search();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return found.count() == 1; }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return found.count() == 1; }, kPatience));
   const std::string id = search.list().devices.back().id;
 
   EXPECT_EQ(session.state(), State::kStopped);
@@ -230,7 +231,7 @@ class SlowDeviceTest : public testing::Test {
     lets_go.notify_all();
   }
   bool comes(State state) {
-    return QTest::qWaitFor([&] { return session.state() == state; }, kPatienceMs);
+    return QTest::qWaitFor([&] { return session.state() == state; }, kPatience);
   }
 
   std::atomic<bool> lets_go{false};

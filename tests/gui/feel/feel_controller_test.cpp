@@ -12,6 +12,7 @@
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/gui/stepped_feel.h"
 
@@ -21,11 +22,11 @@ namespace {
 // Centroids of the rectangles of the sample model, N; the sets are symmetric, so rounding is all that is left.
 constexpr double kLowN = 0.25;
 constexpr double kHighN = 0.75;
-constexpr double kRounding = 1e-12;
+constexpr double kFeltRounding = 1e-12;
 constexpr std::uint64_t kMostTicks = 2;  // an edit is felt no later
 
-constexpr std::size_t kDepth = 1;
-constexpr int kPatienceMs = 10'000;
+using tests::kDepth;
+using tests::kPatience;
 
 class FeelControllerTest : public testing::Test {
  protected:
@@ -90,12 +91,12 @@ TEST_F(FeelControllerTest, StartsOnTheVirtualDeviceAndSaysThatItIsSimulated) {
 TEST_F(FeelControllerTest, AHandThatPushesFeelsTheForceOfTheModel) {
   feel.start(QStringLiteral("virtual"));
   push();
-  EXPECT_NEAR(feel.latest().model_force_n, kLowN, kRounding);
+  EXPECT_NEAR(feel.latest().model_force_n, kLowN, kFeltRounding);
   EXPECT_GT(feel.depthMm(), 0);
   EXPECT_EQ(feel.strokes(), 1u);
   // A stuck tube carries what the hand pushes with: something, and less than the break-away of 1.15 F_d.
   EXPECT_GT(feel.latest().force_n, 0.1);
-  EXPECT_LE(feel.latest().force_n, 1.15 * kLowN + kRounding);
+  EXPECT_LE(feel.latest().force_n, 1.15 * kLowN + kFeltRounding);
   // The hand is a spring of 0.1 N/mm: it stays behind the cursor by what it pushes with.
   EXPECT_GT(feel.lagMm(), feel.latest().force_n / 0.1);
 }
@@ -137,7 +138,7 @@ TEST_F(FeelControllerTest, AnEditIsFeltWithinTwoTicks) {
   EXPECT_LE(feel.session().statistics().longest_wait_ticks, kMostTicks);
   // The difference fades within 50 ms; then the tube has the force of the other rule.
   time.advance(feel, 60);
-  EXPECT_NEAR(feel.latest().model_force_n, kHighN, kRounding);
+  EXPECT_NEAR(feel.latest().model_force_n, kHighN, kFeltRounding);
 }
 
 TEST_F(FeelControllerTest, EveryEditOfADragIsFeltWithinTwoTicks) {
@@ -190,7 +191,7 @@ TEST_F(FeelControllerTest, APlacementEndsWithItsNumbers) {
   EXPECT_EQ(summary->strokes, 2u);
   EXPECT_NEAR(summary->depth_mm, depth_mm, 0.01);  // the deepest place is where it ended, up to the motion of a tick
   EXPECT_GT(summary->peak_force_n, summary->mean_force_n);
-  EXPECT_LE(summary->peak_force_n, 1.15 * kLowN + kRounding);
+  EXPECT_LE(summary->peak_force_n, 1.15 * kLowN + kFeltRounding);
   // Both pushes took 1.2 s + 1 s and 0.6 s with rests of 0.1 s; the way back of 0.1 s + 0.2 s lies between them.
   EXPECT_NEAR(summary->duration_s, 3.3, 0.3);
   time.advance(feel, 20);
@@ -231,7 +232,7 @@ TEST_F(FeelControllerTest, ASlowDeviceStartsAndStopsInTheBackground) {
   EXPECT_EQ(slow.state(), FeelController::State::kOpening);
   EXPECT_FALSE(slow.isRunning());
   let();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatience));
   EXPECT_TRUE(slow.isRunning());
 
   // The call comes back while the device still stops, and what is shown has no force any more.
@@ -245,7 +246,7 @@ TEST_F(FeelControllerTest, ASlowDeviceStartsAndStopsInTheBackground) {
   EXPECT_EQ(slow.state(), FeelController::State::kStopping);
   EXPECT_EQ(failed.count(), 1);
   let();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kStopped; }, kPatienceMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kStopped; }, kPatience));
 }
 
 TEST_F(FeelControllerTest, ADeviceThatStillStartsCanBeStopped) {
@@ -257,7 +258,7 @@ TEST_F(FeelControllerTest, ADeviceThatStillStartsCanBeStopped) {
   EXPECT_EQ(slow.state(), FeelController::State::kStopping);
   lets_go.store(true);
   lets_go.notify_all();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kStopped; }, kPatienceMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kStopped; }, kPatience));
   EXPECT_FALSE(slow.isRunning());
 }
 
@@ -269,7 +270,7 @@ TEST_F(FeelControllerTest, AGripThatIsChosenWhileADeviceStartsCounts) {
   slow.session().setGrip({true, -20});
   lets_go.store(true);
   lets_go.notify_all();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatience));
   time.advance(slow, 50);
   slow.session().setHeld(true);
   time.advance(slow, 50);
@@ -286,7 +287,7 @@ TEST_F(FeelControllerTest, AProgramThatEndsWaitsForADeviceThatStops) {
     DeviceSession slow_device{time.slowSettings(lets_go)};
     FeelController slow{scene, slow_device};
     slow.start(QStringLiteral("slow"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatience));
     lets_go.store(false);
     slow.stop();
     late = std::thread([&] {
@@ -342,12 +343,12 @@ TEST_F(FeelControllerTest, AModelThatIsOpenedWhileADeviceStartsIsTheOneThatIsFel
   ASSERT_TRUE(models.edit(harder()));
   lets_go.store(true);
   lets_go.notify_all();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slow.state() == FeelController::State::kRunning; }, kPatience));
   time.advance(slow, 20);
   slow.session().setHeld(true);
   time.advance(slow, 1200);
   time.moveTo(slow, 5, 5);
-  EXPECT_NEAR(slow.latest().model_force_n, kHighN, kRounding);
+  EXPECT_NEAR(slow.latest().model_force_n, kHighN, kFeltRounding);
 }
 
 class FeelTripTest : public testing::Test {
@@ -444,7 +445,7 @@ TEST_P(NeckFlexion, AGestureTakesASecond) {
   time.advance(feel, 500);
   EXPECT_NEAR(feel.latest().model_force_n, (kLowN + kHighN) / 2, kTwoTicksN);
   time.advance(feel, 505);
-  EXPECT_NEAR(feel.latest().model_force_n, kHighN, kRounding);
+  EXPECT_NEAR(feel.latest().model_force_n, kHighN, kFeltRounding);
   EXPECT_LE(feel.editLatency()->longest_ticks, kMostTicks);
 }
 
@@ -455,7 +456,7 @@ TEST_P(Lubrication, IsPostedWithTheNextBeatAndFadesQuickly) {
   for (int value = 21; value <= 80; ++value) scene.setValue(0, value);  // a slider between two beats
   EXPECT_FALSE(feel.editLatency());
   time.advance(feel, 16 + 16 + 55);
-  EXPECT_NEAR(feel.latest().model_force_n, kHighN, kRounding);
+  EXPECT_NEAR(feel.latest().model_force_n, kHighN, kFeltRounding);
 }
 
 /// The thread of the servo and the clock of this computer: what the tests above leave out.

@@ -20,7 +20,7 @@ struct Typed {
   double value;
 };
 
-const fuzzy::Variable kDepth{"depth", "Insertion depth", "mm", 0, 600, {}};
+const fuzzy::Variable kDepthInput{"depth", "Insertion depth", "mm", 0, 600, {}};
 
 /// In the locale of the C library and in one with a decimal comma.
 class InLocale : public testing::TestWithParam<QLocale::Language> {
@@ -46,7 +46,7 @@ void enter(NumberBox& box, const QString& text) {
 }
 
 TEST_P(InLocale, WhatIsTypedIsTheNumber) {
-  NumberBox box(kDepth, 1);
+  NumberBox box(kDepthInput, 1);
   box.show();
   const Typed numbers[] = {{"13,5", 13.5}, {"13.5", 13.5},   {"1e2", 100},         {"1E2", 100}, {"1,35e1", 13.5},
                            {"+4", 4},      {"0,001", 0.001}, {"13.5678", 13.5678}, {" 7 ", 7},   {"12 mm", 12},
@@ -62,7 +62,7 @@ TEST_P(InLocale, WhatIsTypedIsTheNumber) {
 }
 
 TEST_P(InLocale, WhatIsNoNumberStaysAndChangesNothing) {
-  NumberBox box(kDepth, 1);
+  NumberBox box(kDepthInput, 1);
   box.show();
   std::vector<double> changes;
   QObject::connect(&box, &NumberBox::valueChanged, [&](double value) { changes.push_back(value); });
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(NumberBox, InLocale, testing::Values(QLocale::C, QLocal
 
 TEST(NumberBox, LeavingTheFieldChecksItToo) {
   QWidget window;
-  NumberBox box(kDepth, 1, &window);
+  NumberBox box(kDepthInput, 1, &window);
   QLineEdit other(&window);
   window.show();
   window.activateWindow();

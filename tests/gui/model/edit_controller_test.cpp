@@ -14,7 +14,7 @@ namespace tactus::workbench {
 namespace {
 
 const editing::TermPlace kHigh{{"force", ""}, "high"};
-const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
+using tests::kNearShoulder;
 
 class EditControllerTest : public testing::Test {
  protected:

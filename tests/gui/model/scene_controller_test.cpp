@@ -10,9 +10,9 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr std::size_t kSpeed = 0;
-constexpr std::size_t kDepth = 1;
-constexpr double kRounding = 1e-15;  // one division of numbers below 1
+using tests::kDepth;
+using tests::kSpeed;
+constexpr double kDivisionRounding = 1e-15;  // one division of numbers below 1
 
 class SceneControllerTest : public testing::Test {
  protected:
@@ -33,12 +33,12 @@ TEST_F(SceneControllerTest, ReadsTheForcesOfEveryExpert) {
   scene.setValue(kSpeed, 20);
   scene.setHover(8);
   const Reading far = scene.reading();
-  EXPECT_NEAR(far.experts[0].force_n, 0.75, kRounding);
-  EXPECT_NEAR(far.experts[1].force_n, 0.25, kRounding);
-  EXPECT_NEAR(far.mean.force_n, 0.5, kRounding);
+  EXPECT_NEAR(far.experts[0].force_n, 0.75, kDivisionRounding);
+  EXPECT_NEAR(far.experts[1].force_n, 0.25, kDivisionRounding);
+  EXPECT_NEAR(far.mean.force_n, 0.5, kDivisionRounding);
   scene.setHover(2);
   const Reading near = scene.reading();
-  EXPECT_NEAR(near.mean.force_n, 0.25, kRounding);
+  EXPECT_NEAR(near.mean.force_n, 0.25, kDivisionRounding);
   EXPECT_FALSE(near.experts[1].fired);
   scene.setHover(5.5);
   EXPECT_FALSE(scene.reading().mean.fired);
@@ -75,8 +75,8 @@ TEST_F(SceneControllerTest, CurvesChangeOnlyWithWhatTheyDependOn) {
   EXPECT_EQ(&scene.curves(), before);
   scene.setValue(kSpeed, 20);
   EXPECT_EQ(curves_changed.count(), 1);
-  EXPECT_NEAR(speed_50, 0.5, kRounding);
-  EXPECT_NEAR(scene.curves().mean.front().force_n, 0.25, kRounding);
+  EXPECT_NEAR(speed_50, 0.5, kDivisionRounding);
+  EXPECT_NEAR(scene.curves().mean.front().force_n, 0.25, kDivisionRounding);
 }
 
 TEST_F(SceneControllerTest, ValuesStayInTheUniverse) {
@@ -92,7 +92,7 @@ TEST_F(SceneControllerTest, ListenersOfAValueSeeItsCurves) {
                    [this, &seen] { seen = scene.curves().mean.front().force_n; });
   scene.curves();
   scene.setValue(kSpeed, 80);
-  EXPECT_NEAR(seen, 0.75, kRounding);
+  EXPECT_NEAR(seen, 0.75, kDivisionRounding);
 }
 
 TEST_F(SceneControllerTest, ShowsTheTermsOfOneExpert) {
@@ -135,8 +135,8 @@ TEST_F(SceneControllerTest, AnEditKeepsTheOperatingPoint) {
   EXPECT_EQ(scene.value(kDepth), 2);
   EXPECT_EQ(scene.readingX(), 30);
   EXPECT_EQ(scene.termsOf(), 1U);
-  EXPECT_NEAR(before, 0.25, kRounding);
-  EXPECT_NEAR(scene.curves().mean.front().force_n, 0.75, kRounding);
+  EXPECT_NEAR(before, 0.25, kDivisionRounding);
+  EXPECT_NEAR(scene.curves().mean.front().force_n, 0.75, kDivisionRounding);
 }
 
 TEST_F(SceneControllerTest, AnEditOfTheExpertsIsAnotherModel) {
@@ -184,8 +184,8 @@ TEST_F(SceneControllerTest, AFigureWithAFamilyShowsTheMeanAtEveryValue) {
   const FamilyCurves& curves = scene.familyCurves();
   ASSERT_EQ(curves.curves.size(), 2U);
   EXPECT_EQ(curves.x, scene.curves().x);
-  EXPECT_NEAR(curves.curves[0].front().force_n, 0.25, kRounding);
-  EXPECT_NEAR(curves.curves[1].front().force_n, 0.75, kRounding);
+  EXPECT_NEAR(curves.curves[0].front().force_n, 0.25, kDivisionRounding);
+  EXPECT_NEAR(curves.curves[1].front().force_n, 0.75, kDivisionRounding);
   EXPECT_EQ(familyLineText(scene.model()->model, *scene.family(), 1), QStringLiteral("Speed 80 mm/s"));
 
   // An edit keeps it and moves its curves; an own list of terms is another frame with the same inputs.
@@ -194,7 +194,7 @@ TEST_F(SceneControllerTest, AFigureWithAFamilyShowsTheMeanAtEveryValue) {
   model.name = "another";
   ASSERT_TRUE(models.edit(model));
   ASSERT_TRUE(scene.family().has_value());
-  EXPECT_NEAR(scene.familyCurves().curves[0].front().force_n, 0.75, kRounding);
+  EXPECT_NEAR(scene.familyCurves().curves[0].front().force_n, 0.75, kDivisionRounding);
   // What varies cannot be the axis.
   scene.setXInput(kSpeed);
   EXPECT_FALSE(scene.family().has_value());

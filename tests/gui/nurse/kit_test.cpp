@@ -15,7 +15,7 @@ namespace tactus::workbench::nurse {
 namespace {
 
 // Contrast of two colors, WCAG 2.1.
-double contrast(const QColor& a, const QColor& b) {
+double contrastOf(const QColor& a, const QColor& b) {
   const auto luminance = [](const QColor& color) {
     const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
     return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
@@ -27,14 +27,14 @@ double contrast(const QColor& a, const QColor& b) {
 
 TEST(NurseColors, TextHasSevenToOneAndEdgesThreeToOne) {
   for (const QColor& ground : {colors::kGround, colors::kCard}) {
-    EXPECT_GE(contrast(colors::kInk, ground), 7);
-    EXPECT_GE(contrast(colors::kMutedInk, ground), 7);
-    EXPECT_GE(contrast(colors::kEdge, ground), 3);
+    EXPECT_GE(contrastOf(colors::kInk, ground), 7);
+    EXPECT_GE(contrastOf(colors::kMutedInk, ground), 7);
+    EXPECT_GE(contrastOf(colors::kEdge, ground), 3);
   }
-  EXPECT_GE(contrast(colors::kInk, colors::kChosen), 7);
-  EXPECT_GE(contrast(colors::kInk, colors::kWaiting), 7);
-  EXPECT_GE(contrast(Qt::white, colors::kAccent), 7);
-  EXPECT_GE(contrast(Qt::white, colors::kForceOff), 7);
+  EXPECT_GE(contrastOf(colors::kInk, colors::kChosen), 7);
+  EXPECT_GE(contrastOf(colors::kInk, colors::kWaiting), 7);
+  EXPECT_GE(contrastOf(Qt::white, colors::kAccent), 7);
+  EXPECT_GE(contrastOf(Qt::white, colors::kForceOff), 7);
 }
 
 TEST(NurseLook, TextIs22PointsOnTheScreenTimesTheChosenSize) {

@@ -13,8 +13,8 @@
 namespace tactus::workbench {
 namespace {
 
-const fuzzy::Variable kDepth{"depth", "Depth", "mm", 0, 600, {}};
-const fuzzy::Variable kSpeed{"speed", "Speed", "mm/s", 0, 400, {}};
+const fuzzy::Variable kZoomedDepth{"depth", "Depth", "mm", 0, 600, {}};
+const fuzzy::Variable kZoomedSpeed{"speed", "Speed", "mm/s", 0, 400, {}};
 
 void expectRange(const ShownRanges& ranges, const fuzzy::Variable& input, double low, double high) {
   EXPECT_NEAR(ranges.of(input).low, low, 1e-9);
@@ -23,54 +23,54 @@ void expectRange(const ShownRanges& ranges, const fuzzy::Variable& input, double
 
 TEST(ShownRanges, ZoomKeepsTheCenterAndStaysInTheUniverse) {
   ShownRanges ranges;
-  EXPECT_FALSE(ranges.isPart(kDepth));
-  ranges.zoom(kDepth, 150, 0.5);
-  expectRange(ranges, kDepth, 75, 375);  // 150 stays a quarter of the way
-  ranges.zoom(kDepth, 75, 0.5);
-  expectRange(ranges, kDepth, 75, 225);
-  ranges.zoom(kDepth, 75, 100);
-  expectRange(ranges, kDepth, 0, 600);
-  EXPECT_FALSE(ranges.isPart(kDepth));
+  EXPECT_FALSE(ranges.isPart(kZoomedDepth));
+  ranges.zoom(kZoomedDepth, 150, 0.5);
+  expectRange(ranges, kZoomedDepth, 75, 375);  // 150 stays a quarter of the way
+  ranges.zoom(kZoomedDepth, 75, 0.5);
+  expectRange(ranges, kZoomedDepth, 75, 225);
+  ranges.zoom(kZoomedDepth, 75, 100);
+  expectRange(ranges, kZoomedDepth, 0, 600);
+  EXPECT_FALSE(ranges.isPart(kZoomedDepth));
   // Never less than a two-hundredth.
-  ranges.zoom(kDepth, 300, 1e-9);
-  expectRange(ranges, kDepth, 298.5, 301.5);
+  ranges.zoom(kZoomedDepth, 300, 1e-9);
+  expectRange(ranges, kZoomedDepth, 298.5, 301.5);
 }
 
 TEST(ShownRanges, PanStopsAtTheEnds) {
   ShownRanges ranges;
-  ranges.show(kDepth, {100, 200});
-  ranges.pan(kDepth, 50);
-  expectRange(ranges, kDepth, 150, 250);
-  ranges.pan(kDepth, 1000);
-  expectRange(ranges, kDepth, 500, 600);
-  ranges.pan(kDepth, -1000);
-  expectRange(ranges, kDepth, 0, 100);
+  ranges.show(kZoomedDepth, {100, 200});
+  ranges.pan(kZoomedDepth, 50);
+  expectRange(ranges, kZoomedDepth, 150, 250);
+  ranges.pan(kZoomedDepth, 1000);
+  expectRange(ranges, kZoomedDepth, 500, 600);
+  ranges.pan(kZoomedDepth, -1000);
+  expectRange(ranges, kZoomedDepth, 0, 100);
 }
 
 TEST(ShownRanges, EachInputHasItsOwnAndAnotherUniverseIsRespected) {
   ShownRanges ranges;
   QSignalSpy changed(&ranges, &ShownRanges::changed);
-  ranges.show(kDepth, {400, 600});
+  ranges.show(kZoomedDepth, {400, 600});
   EXPECT_EQ(changed.count(), 1);
-  ranges.show(kDepth, {400, 600});
+  ranges.show(kZoomedDepth, {400, 600});
   EXPECT_EQ(changed.count(), 1) << "nothing changed";
-  expectRange(ranges, kSpeed, 0, 400);
-  fuzzy::Variable shorter = kDepth;
+  expectRange(ranges, kZoomedSpeed, 0, 400);
+  fuzzy::Variable shorter = kZoomedDepth;
   shorter.max = 500;
   expectRange(ranges, shorter, 400, 500);
   shorter.max = 300;
   expectRange(ranges, shorter, 0, 300);
-  ranges.show(kDepth, {std::numeric_limits<double>::quiet_NaN(), 3});
-  expectRange(ranges, kDepth, 400, 600);
+  ranges.show(kZoomedDepth, {std::numeric_limits<double>::quiet_NaN(), 3});
+  expectRange(ranges, kZoomedDepth, 400, 600);
 }
 
 class AxisZoomTest : public testing::Test {
  protected:
   AxisZoomTest() {
     plot->resize(700, 300);
-    styleAxis(*plot->xAxis, kDepth);
+    styleAxis(*plot->xAxis, kZoomedDepth);
     zoom = new AxisZoom(*plot, ranges);
-    zoom->setInputs(kDepth);
+    zoom->setInputs(kZoomedDepth);
     plot->show();
     plot->replot();
   }
@@ -93,13 +93,13 @@ TEST_F(AxisZoomTest, TheWheelZoomsAroundTheMouse) {
   wheel(at(150), 240);
   EXPECT_NEAR(plot->xAxis->range().size(), 600 / (1.25 * 1.25), 1e-6);
   EXPECT_NEAR(plot->xAxis->pixelToCoord(at(under).x()), under, 1.5);
-  EXPECT_EQ(plot->xAxis->range().lower, ranges.of(kDepth).low);
+  EXPECT_EQ(plot->xAxis->range().lower, ranges.of(kZoomedDepth).low);
   wheel(at(150), -2400);
-  EXPECT_FALSE(ranges.isPart(kDepth));
+  EXPECT_FALSE(ranges.isPart(kZoomedDepth));
 }
 
 TEST_F(AxisZoomTest, ShiftAndDragMovesAndIsNoPress) {
-  ranges.show(kDepth, {100, 300});
+  ranges.show(kZoomedDepth, {100, 300});
   QSignalSpy pressed(plot.get(), &QCustomPlot::mousePress);
   const QPoint from = at(200);
   QTest::mousePress(plot.get(), Qt::LeftButton, Qt::ShiftModifier, from);
@@ -107,19 +107,19 @@ TEST_F(AxisZoomTest, ShiftAndDragMovesAndIsNoPress) {
   QTest::mouseRelease(plot.get(), Qt::LeftButton, Qt::ShiftModifier, from - QPoint(60, 0));
   EXPECT_EQ(pressed.count(), 0);
   const double moved = 60.0 * 200 / plot->axisRect()->width();
-  EXPECT_NEAR(ranges.of(kDepth).low, 100 + moved, 1);
+  EXPECT_NEAR(ranges.of(kZoomedDepth).low, 100 + moved, 1);
   QTest::mouseClick(plot.get(), Qt::LeftButton, Qt::NoModifier, from);
   EXPECT_EQ(pressed.count(), 1);
 }
 
 TEST_F(AxisZoomTest, AShiftClickIsNoDragAndADragIsNoClick) {
-  ranges.show(kDepth, {100, 300});
+  ranges.show(kZoomedDepth, {100, 300});
   QSignalSpy clicked(zoom, &AxisZoom::shiftClicked);
   const QPoint place = at(200);
   QTest::mouseClick(plot.get(), Qt::LeftButton, Qt::ShiftModifier, place);
   ASSERT_EQ(clicked.count(), 1);
   EXPECT_EQ(clicked.front().front().toPointF(), QPointF(place));
-  EXPECT_EQ(ranges.of(kDepth).low, 100);
+  EXPECT_EQ(ranges.of(kZoomedDepth).low, 100);
   QTest::mousePress(plot.get(), Qt::LeftButton, Qt::ShiftModifier, place);
   QTest::mouseMove(plot.get(), place - QPoint(60, 0));
   QTest::mouseRelease(plot.get(), Qt::LeftButton, Qt::ShiftModifier, place - QPoint(60, 0));
@@ -129,7 +129,7 @@ TEST_F(AxisZoomTest, AShiftClickIsNoDragAndADragIsNoClick) {
 TEST_F(AxisZoomTest, ADoubleClickShowsAllInEveryPlotOfTheInput) {
   const std::unique_ptr<QCustomPlot> other(makePlot(nullptr));
   auto* other_zoom = new AxisZoom(*other, ranges);
-  other_zoom->setInputs(kDepth);
+  other_zoom->setInputs(kZoomedDepth);
   QSignalSpy told(other_zoom, &AxisZoom::changed);
   wheel(at(150), 360);
   EXPECT_EQ(other->xAxis->range().lower, plot->xAxis->range().lower);
@@ -139,12 +139,12 @@ TEST_F(AxisZoomTest, ADoubleClickShowsAllInEveryPlotOfTheInput) {
 }
 
 TEST_F(AxisZoomTest, TicksOfAPartAreRound) {
-  ranges.show(kDepth, {103.3, 251.7});
+  ranges.show(kZoomedDepth, {103.3, 251.7});
   plot->replot();
   const QVector<double> ticks = plot->xAxis->tickVector();
   ASSERT_GE(ticks.size(), 3);
   for (const double tick : ticks) EXPECT_NEAR(std::remainder(tick, 5), 0, 1e-9) << tick;
-  ranges.showAll(kDepth);
+  ranges.showAll(kZoomedDepth);
   plot->replot();
   EXPECT_EQ(plot->xAxis->tickVector().front(), 0);
   EXPECT_EQ(plot->xAxis->tickVector().back(), 600);

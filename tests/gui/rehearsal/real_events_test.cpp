@@ -5,6 +5,7 @@
 #include <QProcess>
 #include <cmath>
 
+#include "tests/gui/patience.h"
 #include "tests/gui/rehearsal/take_part_session.h"
 
 namespace tactus::workbench {
@@ -12,7 +13,7 @@ namespace {
 
 using session::InputMeans;
 
-constexpr int kPatienceMs = 60'000;  // a busy machine
+using tests::kPatience;
 
 /// Counts what comes from the X server.
 class EventCount : public QObject {
@@ -50,7 +51,7 @@ class RealEvents : public TakePartTest {
   void act(const QString& command, QEvent::Type comes) {
     const int before = events.of(comes);
     hands.write(command.toUtf8() + '\n');
-    ASSERT_TRUE(QTest::qWaitFor([&] { return events.of(comes) > before; }, kPatienceMs)) << command.toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return events.of(comes) > before; }, kPatience)) << command.toStdString();
   }
   QAbstractButton* shown(std::initializer_list<const char*> ids) const {
     for (const char* id : ids) {

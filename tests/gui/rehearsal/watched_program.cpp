@@ -11,10 +11,12 @@
 
 #include "core/base/check.h"
 
+#include "tests/gui/patience.h"
+
 namespace tactus::tests {
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+using tests::kPatience;
 
 std::optional<RehearsalLine> parsed(const QByteArray& text) {
   const QJsonObject line = QJsonDocument::fromJson(text).object();
@@ -39,13 +41,13 @@ WatchedProgram::WatchedProgram(const QString& path, const QString& settings) {
   process_.setProcessEnvironment(environment);
   process_.start(QStringLiteral(TACTUS_WORKBENCH_PROGRAM), {QStringLiteral("--rehearse"), QStringLiteral("--speed"),
                                                             QStringLiteral("1000"), QStringLiteral("--study"), path});
-  TACTUS_CHECK(process_.waitForStarted(kPatienceMs));
+  TACTUS_CHECK(process_.waitForStarted(kPatience));
 }
 
 WatchedProgram::~WatchedProgram() {
   if (process_.state() == QProcess::NotRunning) return;
   process_.kill();
-  process_.waitForFinished(kPatienceMs);
+  process_.waitForFinished(kPatience);
 }
 
 std::optional<RehearsalLine> WatchedProgram::read() {
@@ -58,7 +60,7 @@ std::optional<RehearsalLine> WatchedProgram::read() {
 std::optional<RehearsalLine> WatchedProgram::next() {
   for (;;) {
     if (auto line = read()) return line;
-    if (!process_.waitForReadyRead(kPatienceMs) && !process_.canReadLine()) return std::nullopt;
+    if (!process_.waitForReadyRead(kPatience) && !process_.canReadLine()) return std::nullopt;
   }
 }
 
@@ -92,7 +94,7 @@ void WatchedProgram::thaw() { ::kill(static_cast<pid_t>(process_.processId()), S
 
 std::optional<RehearsalLine> WatchedProgram::kill() {
   process_.kill();
-  process_.waitForFinished(kPatienceMs);
+  process_.waitForFinished(kPatience);
   return readRest();
 }
 
@@ -102,7 +104,7 @@ void WatchedProgram::fillDisk(bool full) {
 }
 
 int WatchedProgram::exitCode() {
-  process_.waitForFinished(kPatienceMs);
+  process_.waitForFinished(kPatience);
   return process_.exitStatus() == QProcess::NormalExit ? process_.exitCode() : -1;
 }
 

@@ -5,13 +5,14 @@
 
 #include "core/store/model_versions.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/gui/sample_study.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kPatience;
 
 class VersionTextsTest : public testing::Test {
  protected:

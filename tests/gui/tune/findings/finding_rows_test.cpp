@@ -5,9 +5,9 @@
 namespace tactus::workbench {
 namespace {
 
-using Kind = elicitation::RuleFinding::Kind;
+using FixKind = elicitation::RuleFinding::Kind;
 
-ShownFinding finding(Kind kind, const char* who, const char* step, double newtons, double at) {
+ShownFinding finding(FixKind kind, const char* who, const char* step, double newtons, double at) {
   ShownFinding out;
   out.finding.kind = kind;
   out.finding.newtons = newtons;
@@ -30,12 +30,12 @@ class FindingRows : public testing::Test {
 
   // Most newtons first, as the lint gives them.
   const std::vector<ShownFinding> all_ = {
-      finding(Kind::kHole, "S3", "", 0.9, 300),
-      finding(Kind::kLevelJump, "S2", "Nasopharynx → Oropharynx", 0.8, 120),
-      finding(Kind::kLevelJump, "S2", "Nasopharynx → Oropharynx", 0.7, 110),
-      finding(Kind::kLevelJump, "S2", "Oropharynx → Esophagus", 0.6, 200),
-      finding(Kind::kLevelJump, "S2", "Nasopharynx → Oropharynx", 0.5, 130),
-      finding(Kind::kHole, "S1", "", 0.4, 20),
+      finding(FixKind::kHole, "S3", "", 0.9, 300),
+      finding(FixKind::kLevelJump, "S2", "Nasopharynx → Oropharynx", 0.8, 120),
+      finding(FixKind::kLevelJump, "S2", "Nasopharynx → Oropharynx", 0.7, 110),
+      finding(FixKind::kLevelJump, "S2", "Oropharynx → Esophagus", 0.6, 200),
+      finding(FixKind::kLevelJump, "S2", "Nasopharynx → Oropharynx", 0.5, 130),
+      finding(FixKind::kHole, "S1", "", 0.4, 20),
   };
 };
 

@@ -11,16 +11,17 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/scene_controller.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 
 namespace tactus::workbench {
 namespace {
 
-using Kind = elicitation::RuleFinding::Kind;
+using FindingKind = elicitation::RuleFinding::Kind;
 
-constexpr int kPatience = 10'000;  // ms, for a busy machine
-constexpr std::size_t kDepth = 1;
-const editing::VertexPlace kNearRightFoot{{"depth", ""}, "near", 3};
+using tests::kDepth;
+using tests::kPatience;
+const editing::VertexPlace kNearFoot{{"depth", ""}, "near", 3};
 
 class FindingsControllerTest : public testing::Test {
  protected:
@@ -33,7 +34,7 @@ class FindingsControllerTest : public testing::Test {
     return QTest::qWaitFor([&] { return findings.isCurrent() && !findings.isLookingForFixes(); }, kPatience);
   }
 
-  std::size_t indexOf(Kind kind, const QString& who) const {
+  std::size_t indexOf(FindingKind kind, const QString& who) const {
     const auto& all = findings.findings();
     const auto it = std::find_if(all.begin(), all.end(), [&](const ShownFinding& shown) {
       return shown.finding.kind == kind && shown.who == who;
@@ -50,9 +51,7 @@ class FindingsControllerTest : public testing::Test {
     return static_cast<std::size_t>(it - all.begin());
   }
 
-  void moveBoundary(double to_mm) {
-    ASSERT_TRUE(edits.apply(editing::moveVertex(edits.model(), kNearRightFoot, to_mm)));
-  }
+  void moveBoundary(double to_mm) { ASSERT_TRUE(edits.apply(editing::moveVertex(edits.model(), kNearFoot, to_mm))); }
 
   tests::ModelFolder folder;
   ModelController models;
@@ -102,7 +101,7 @@ TEST_F(FindingsControllerTest, MostNewtonsFirst) {
   }
   // Expert A has no rule from 5 to 6 mm; beside it a fast tube gives 0.75 N. Around that force
   // sqrt(0.04^2 + (0.12 * 0.75)^2) = 0.0985 N is just noticeable.
-  const ShownFinding& hole = findings.findings()[indexOf(Kind::kHole, QStringLiteral("A"))];
+  const ShownFinding& hole = findings.findings()[indexOf(FindingKind::kHole, QStringLiteral("A"))];
   EXPECT_DOUBLE_EQ(*hole.finding.newtons, 0.75);
   EXPECT_NEAR(*hole.noticeable, 0.75 / std::hypot(0.04, 0.12 * 0.75), 1e-9);
   EXPECT_EQ(hole.sentence, QStringLiteral("No rule fires: Depth 5 to 6 mm"));
@@ -112,7 +111,7 @@ TEST_F(FindingsControllerTest, AChosenFindingMovesTheOperatingPoint) {
   findings.setWatched(true);
   ASSERT_TRUE(waitForFindings());
   QSignalSpy looked(&findings, &FindingsController::lookedAt);
-  findings.choose(indexOf(Kind::kHole, QStringLiteral("A")));
+  findings.choose(indexOf(FindingKind::kHole, QStringLiteral("A")));
   EXPECT_GE(scene.value(kDepth), 5);
   EXPECT_LE(scene.value(kDepth), 6);
   EXPECT_FALSE(scene.reading().experts[0].fired);
@@ -128,7 +127,7 @@ TEST_F(FindingsControllerTest, AChosenFindingMovesTheOperatingPoint) {
 TEST_F(FindingsControllerTest, AFixIsOneEntryOfTheUndoList) {
   findings.setWatched(true);
   ASSERT_TRUE(waitForFindings());
-  findings.choose(indexOf(Kind::kHole, QStringLiteral("Mean")));
+  findings.choose(indexOf(FindingKind::kHole, QStringLiteral("Mean")));
   ASSERT_TRUE(waitForFixes());
   const std::size_t near = fixOf(QStringLiteral("Stretch Near"));
   EXPECT_FALSE(findings.fixes()[near].effect.isEmpty());
@@ -139,7 +138,7 @@ TEST_F(FindingsControllerTest, AFixIsOneEntryOfTheUndoList) {
   EXPECT_FALSE(findings.isCurrent());
   ASSERT_TRUE(waitForFindings());
   for (const auto& shown : findings.findings()) {
-    EXPECT_FALSE(shown.finding.kind == Kind::kHole && shown.who != QStringLiteral("B"));
+    EXPECT_FALSE(shown.finding.kind == FindingKind::kHole && shown.who != QStringLiteral("B"));
   }
   EXPECT_FALSE(findings.chosen().has_value());
   edits.undo();
@@ -149,7 +148,7 @@ TEST_F(FindingsControllerTest, AFixIsOneEntryOfTheUndoList) {
 TEST_F(FindingsControllerTest, AFixOfAnOlderModelIsNotCarriedOut) {
   findings.setWatched(true);
   ASSERT_TRUE(waitForFindings());
-  findings.choose(indexOf(Kind::kHole, QStringLiteral("Mean")));
+  findings.choose(indexOf(FindingKind::kHole, QStringLiteral("Mean")));
   ASSERT_TRUE(waitForFixes());
   ASSERT_FALSE(findings.fixes().empty());
   const QSignalSpy refused(&edits, &EditController::refused);
@@ -163,7 +162,7 @@ TEST_F(FindingsControllerTest, AFixOfAnOlderModelIsNotCarriedOut) {
   ASSERT_TRUE(waitForFixes());
   edits.begin();
   EXPECT_FALSE(findings.apply(0));
-  edits.update(editing::moveVertex(edits.base(), kNearRightFoot, 5.7));
+  edits.update(editing::moveVertex(edits.base(), kNearFoot, 5.7));
   EXPECT_FALSE(findings.apply(0));
   edits.cancel();
 }
@@ -172,7 +171,7 @@ TEST_F(FindingsControllerTest, ADragIsLintedWhenItEnds) {
   findings.setWatched(true);
   ASSERT_TRUE(waitForFindings());
   edits.begin();
-  edits.update(editing::moveVertex(edits.base(), kNearRightFoot, 5.7));
+  edits.update(editing::moveVertex(edits.base(), kNearFoot, 5.7));
   EXPECT_FALSE(findings.isCurrent());
   edits.commit();
   ASSERT_TRUE(waitForFindings());
@@ -180,7 +179,7 @@ TEST_F(FindingsControllerTest, ADragIsLintedWhenItEnds) {
   // A drag that comes back leaves the findings as they are.
   const auto* const lint = findings.lint();
   edits.begin();
-  edits.update(editing::moveVertex(edits.base(), kNearRightFoot, 5.2));
+  edits.update(editing::moveVertex(edits.base(), kNearFoot, 5.2));
   edits.cancel();
   EXPECT_TRUE(findings.isCurrent());
   EXPECT_EQ(findings.lint(), lint);
@@ -197,7 +196,7 @@ TEST_F(FindingsControllerTest, OfManyEditsTheLastOneIsLinted) {
 TEST_F(FindingsControllerTest, TheChoiceStaysWithItsFinding) {
   findings.setWatched(true);
   ASSERT_TRUE(waitForFindings());
-  findings.choose(indexOf(Kind::kHole, QStringLiteral("A")));
+  findings.choose(indexOf(FindingKind::kHole, QStringLiteral("A")));
   ASSERT_TRUE(edits.apply(editing::setExpertWeight(edits.model(), "B", 0.5)));
   ASSERT_TRUE(waitForFixes());
   ASSERT_TRUE(findings.chosen().has_value());
@@ -208,7 +207,7 @@ TEST_F(FindingsControllerTest, TheChoiceStaysWithItsFinding) {
 TEST_F(FindingsControllerTest, AnAcceptedHoleStandsQuietAtTheEnd) {
   findings.setWatched(true);
   ASSERT_TRUE(waitForFindings());
-  findings.choose(indexOf(Kind::kHole, QStringLiteral("Mean")));
+  findings.choose(indexOf(FindingKind::kHole, QStringLiteral("Mean")));
   ASSERT_TRUE(waitForFixes());
   ASSERT_TRUE(findings.apply(fixOf(QStringLiteral("Accept"))));
   ASSERT_TRUE(waitForFindings());
@@ -228,12 +227,12 @@ TEST_F(FindingsControllerTest, AnAcceptedHoleStandsQuietAtTheEnd) {
 TEST_F(FindingsControllerTest, AnAcceptanceLapsesWithItsBoundary) {
   findings.setWatched(true);
   ASSERT_TRUE(waitForFindings());
-  findings.choose(indexOf(Kind::kHole, QStringLiteral("Mean")));
+  findings.choose(indexOf(FindingKind::kHole, QStringLiteral("Mean")));
   ASSERT_TRUE(waitForFixes());
   ASSERT_TRUE(findings.apply(fixOf(QStringLiteral("Accept"))));
   moveBoundary(5.5);
   ASSERT_TRUE(waitForFindings());
-  EXPECT_EQ(findings.findings()[indexOf(Kind::kHole, QStringLiteral("A"))].acceptance, Acceptance::kNone);
+  EXPECT_EQ(findings.findings()[indexOf(FindingKind::kHole, QStringLiteral("A"))].acceptance, Acceptance::kNone);
   ASSERT_EQ(findings.findings().back().acceptance, Acceptance::kLapsed);
   EXPECT_TRUE(findings.findings().back().sentence.contains(QStringLiteral("depth 5 to 6 mm")));
 

@@ -14,13 +14,14 @@
 #include "app/workbench/model/model_controller.h"
 
 #include "tests/gui/crashed.h"
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 
 namespace tactus::workbench {
 namespace {
 
-const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kNearShoulder;
+using tests::kPatience;
 
 /// One run of the program.
 struct Program {

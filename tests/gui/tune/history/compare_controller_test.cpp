@@ -18,11 +18,11 @@
 namespace tactus::workbench {
 namespace {
 
-using Kind = CompareChoice::Kind;
+using ChangeKind = CompareChoice::Kind;
 
 const editing::TermPlace kLow{{"force", ""}, "low"};
-const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
-constexpr double kRounding = 1e-12;
+using tests::kNearShoulder;
+constexpr double kDifferenceRounding = 1e-12;
 
 class CompareControllerTest : public testing::Test {
  protected:
@@ -53,17 +53,17 @@ class CompareControllerTest : public testing::Test {
 };
 
 TEST_F(CompareControllerTest, SaysHowFarAnExpertAloneIsFromTheMean) {
-  compare.choose(CompareSide::kB, {Kind::kExpert, 0, "B"});
+  compare.choose(CompareSide::kB, {ChangeKind::kExpert, 0, "B"});
   QSignalSpy known(&compare, &CompareController::resultChanged);
   compare.compute();
   ASSERT_TRUE(known.wait(5000));
   ASSERT_TRUE(compare.result());
   // Far: A says 0.75 N and B 0.25 N, the mean is 0.5 N, at every far point. Near: B has no rule.
-  EXPECT_NEAR(compare.result()->largest_n, 0.25, kRounding);
-  EXPECT_NEAR(compare.result()->a_n, 0.5, kRounding);
-  EXPECT_NEAR(compare.result()->b_n, 0.25, kRounding);
-  EXPECT_NEAR(compare.result()->rms_n, 0.25, kRounding);
-  EXPECT_NEAR(compare.result()->noticeable, 0.25 / std::hypot(0.04, 0.12 * 0.5), kRounding);
+  EXPECT_NEAR(compare.result()->largest_n, 0.25, kDifferenceRounding);
+  EXPECT_NEAR(compare.result()->a_n, 0.5, kDifferenceRounding);
+  EXPECT_NEAR(compare.result()->b_n, 0.25, kDifferenceRounding);
+  EXPECT_NEAR(compare.result()->rms_n, 0.25, kDifferenceRounding);
+  EXPECT_NEAR(compare.result()->noticeable, 0.25 / std::hypot(0.04, 0.12 * 0.5), kDifferenceRounding);
   EXPECT_GT(compare.result()->only_one, 0U);
   ASSERT_EQ(compare.result()->at.size(), 2U);
   EXPECT_GT(compare.result()->at[1], 6);
@@ -76,15 +76,15 @@ TEST_F(CompareControllerTest, ListsWhatDiffersBetweenAnyTwoStates) {
   other.inputs[1].terms[0].points = {0, 0, 5, 5.5};
   edits.apply(editing::finished(other, "near"));
   // From the first state to the last one.
-  compare.choose(CompareSide::kA, {Kind::kState, 0, {}});
-  compare.choose(CompareSide::kB, {Kind::kState, 2, {}});
+  compare.choose(CompareSide::kA, {ChangeKind::kState, 0, {}});
+  compare.choose(CompareSide::kB, {ChangeKind::kState, 2, {}});
   compare.compute();
   ASSERT_TRUE(QTest::qWaitFor([this] { return compare.result().has_value(); }, 5000));
   const auto& changes = compare.result()->changes;
   ASSERT_EQ(changes.size(), 2U);
   EXPECT_EQ(changes[0].place, "term 'near' of 'depth'");
   EXPECT_EQ(changes[1].place, "rule of 'A': depth near, speed slow");
-  compare.choose(CompareSide::kB, {Kind::kState, 1, {}});
+  compare.choose(CompareSide::kB, {ChangeKind::kState, 1, {}});
   compare.compute();
   ASSERT_TRUE(QTest::qWaitFor([this] { return compare.result().has_value(); }, 5000));
   EXPECT_EQ(compare.result()->changes.size(), 1U);
@@ -122,14 +122,14 @@ TEST_F(CompareControllerTest, TheSwitchIsFeltWithinTwoTicks) {
   raiseLow();
   time.advance(feel, 80);
   const double a_n = feel.latest().model_force_n;
-  EXPECT_NEAR(a_n, 0.3, kRounding);
+  EXPECT_NEAR(a_n, 0.3, kDifferenceRounding);
 
   compare.toggle();
   time.advance(feel, 3);
   EXPECT_LE(feel.editLatency()->last_ticks, 2U);
   EXPECT_LT(feel.latest().model_force_n, a_n);  // on its way: the difference fades within 50 ms
   time.advance(feel, 80);
-  EXPECT_NEAR(feel.latest().model_force_n, 0.25, kRounding);
+  EXPECT_NEAR(feel.latest().model_force_n, 0.25, kDifferenceRounding);
 
   compare.toggle();
   time.advance(feel, 80);
@@ -141,7 +141,7 @@ TEST_F(CompareControllerTest, AnExpertIsFeltAlone) {
   feel.start(QStringLiteral("virtual"));
   push();
   scene.setValue(1, 10);
-  compare.choose(CompareSide::kB, {Kind::kExpert, 0, "B"});
+  compare.choose(CompareSide::kB, {ChangeKind::kExpert, 0, "B"});
   compare.show(CompareSide::kB);
   EXPECT_EQ(scene.reading().mean.force_n, scene.reading().experts[1].force_n);
   EXPECT_EQ(scene.reading().mean.force_n, models.current()->compiled.evaluateExpert(1, scene.readingPoint()).force_n);
@@ -198,11 +198,11 @@ TEST_F(CompareControllerTest, ADragThatIsTakenBackLeavesSomethingToCompute) {
 }
 
 TEST_F(CompareControllerTest, EndsWhileTheDifferenceIsComputed) {
-  compare.choose(CompareSide::kB, {Kind::kExpert, 0, "B"});
+  compare.choose(CompareSide::kB, {ChangeKind::kExpert, 0, "B"});
   const QSignalSpy known(&compare, &CompareController::resultChanged);
   compare.compute();
   // Another choice drops the question; its answer must not come.
-  compare.choose(CompareSide::kB, {Kind::kOpen, 0, {}});
+  compare.choose(CompareSide::kB, {ChangeKind::kOpen, 0, {}});
   compare.compute();
   ASSERT_TRUE(QTest::qWaitFor([this] { return compare.result().has_value(); }, 5000));
   EXPECT_EQ(compare.result()->largest_n, 0);
@@ -229,7 +229,7 @@ TEST_F(CompareControllerTest, AnotherModelEndsTheComparison) {
   models.reopen();
   EXPECT_FALSE(compare.shown());
   EXPECT_EQ(scene.model()->model, tests::twoExperts());
-  EXPECT_EQ(compare.choice(CompareSide::kA).kind, Kind::kOpen);
+  EXPECT_EQ(compare.choice(CompareSide::kA).kind, ChangeKind::kOpen);
 }
 
 }  // namespace

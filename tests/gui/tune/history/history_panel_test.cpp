@@ -17,12 +17,13 @@
 #include "app/workbench/tune/history/compare_strip.h"
 #include "app/workbench/tune/history/history_model.h"
 
+#include "tests/gui/sample_models.h"
 #include "tests/gui/shown_bench.h"
 
 namespace tactus::workbench {
 namespace {
 
-const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
+using tests::kNearShoulder;
 
 class HistoryPanelTest : public tests::ShownBench {
  protected:

@@ -15,17 +15,18 @@
 #include "core/base/json/json_writer.h"
 
 #include "tests/gui/crashed.h"
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 
 namespace tactus::workbench {
 namespace {
 
-const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kNearShoulder;
+using tests::kPatience;
 
 /// One run of the program. It has looked for lost work when it is made.
-struct Program {
-  explicit Program(const QString& root) : autosave(models, edits, root), recovery(models, edits, autosave, root) {
+struct SecondRun {
+  explicit SecondRun(const QString& root) : autosave(models, edits, root), recovery(models, edits, autosave, root) {
     settle();
   }
 
@@ -59,7 +60,7 @@ class RecoveryControllerTest : public testing::Test {
  protected:
   /// Two edits, one undone, another one, a snapshot, and a drag that is in progress when the process dies.
   void crash() {
-    Program run(root);
+    SecondRun run(root);
     run.open(path);
     edit(run);
     at_the_end = run.edits.model();
@@ -67,7 +68,7 @@ class RecoveryControllerTest : public testing::Test {
     run.autosave.flush();
     left = tests::crashedCopy(root);
   }
-  static void edit(Program& run) {
+  static void edit(SecondRun& run) {
     const auto edit = [&](double to) { run.edits.apply(editing::moveVertex(run.edits.model(), kNearShoulder, to)); };
     edit(3);
     edit(2);
@@ -77,7 +78,7 @@ class RecoveryControllerTest : public testing::Test {
     run.edits.begin();
     run.edits.update(editing::moveVertex(run.edits.base(), kNearShoulder, 0.5));
   }
-  void expectRestored(Program& next) const {
+  void expectRestored(SecondRun& next) const {
     EXPECT_FALSE(next.recovery.offered());
     EXPECT_TRUE(editing::sameBits(next.models.current()->model, at_the_end));
     EXPECT_EQ(next.models.current()->path, path);
@@ -125,7 +126,7 @@ class RecoveryControllerTest : public testing::Test {
 
 TEST_F(RecoveryControllerTest, BringsBackEveryBitAndEveryStep) {
   crash();
-  Program next(left);
+  SecondRun next(left);
   const auto offer = next.recovery.offered();
   ASSERT_TRUE(offer);
   EXPECT_EQ(offer->document, path);
@@ -136,7 +137,7 @@ TEST_F(RecoveryControllerTest, BringsBackEveryBitAndEveryStep) {
 
 TEST_F(RecoveryControllerTest, TheSameWhereTheDocumentWasOpenedFirst) {
   crash();
-  Program next(left);
+  SecondRun next(left);
   next.open(path);
   const auto offer = next.recovery.offered();
   ASSERT_TRUE(offer);
@@ -149,11 +150,11 @@ TEST_F(RecoveryControllerTest, TheSameWhereTheDocumentWasOpenedFirst) {
 
 TEST_F(RecoveryControllerTest, ASecondCrashLosesNothingEither) {
   crash();
-  Program next(left);
+  SecondRun next(left);
   next.restore();
   next.autosave.flush();
   const QString again = tests::crashedCopy(left);
-  Program third(again);
+  SecondRun third(again);
   ASSERT_TRUE(third.recovery.offered());
   third.restore();
   EXPECT_TRUE(editing::sameBits(third.models.current()->model, at_the_end));
@@ -161,14 +162,14 @@ TEST_F(RecoveryControllerTest, ASecondCrashLosesNothingEither) {
 
 TEST_F(RecoveryControllerTest, WhatWasSavedNeedsNoOffer) {
   {
-    Program run(root);
+    SecondRun run(root);
     run.open(path);
     run.edits.apply(editing::moveVertex(run.edits.model(), kNearShoulder, 3));
     run.models.save();
     run.autosave.flush();
     left = tests::crashedCopy(root);
   }
-  Program next(left);
+  SecondRun next(left);
   EXPECT_FALSE(next.recovery.offered());
   next.open(path);
   EXPECT_FALSE(next.recovery.offered());
@@ -178,7 +179,7 @@ TEST_F(RecoveryControllerTest, WhatWasSavedNeedsNoOffer) {
 TEST_F(RecoveryControllerTest, LaterMeansWhenTheDocumentIsOpenedOrAtTheNextStart) {
   crash();
   {
-    Program next(left);
+    SecondRun next(left);
     ASSERT_TRUE(next.recovery.offered());
     next.recovery.later();
     EXPECT_FALSE(next.recovery.offered());
@@ -186,7 +187,7 @@ TEST_F(RecoveryControllerTest, LaterMeansWhenTheDocumentIsOpenedOrAtTheNextStart
     EXPECT_FALSE(next.recovery.offered());
   }
   {
-    Program next(left);
+    SecondRun next(left);
     ASSERT_TRUE(next.recovery.offered());
     next.recovery.later();
     next.open(path);
@@ -194,7 +195,7 @@ TEST_F(RecoveryControllerTest, LaterMeansWhenTheDocumentIsOpenedOrAtTheNextStart
     next.recovery.later();
     EXPECT_FALSE(next.recovery.offered());
   }
-  Program next(left);
+  SecondRun next(left);
   next.open(path);
   EXPECT_TRUE(next.recovery.offered());
 }
@@ -202,11 +203,11 @@ TEST_F(RecoveryControllerTest, LaterMeansWhenTheDocumentIsOpenedOrAtTheNextStart
 TEST_F(RecoveryControllerTest, DiscardKeepsTheFileAndLeavesTheEditsInItsHistory) {
   crash();
   {
-    Program next(left);
+    SecondRun next(left);
     next.recovery.discard();
     EXPECT_FALSE(next.recovery.offered());
   }
-  Program next(left);
+  SecondRun next(left);
   EXPECT_FALSE(next.recovery.offered());
   next.open(path);
   EXPECT_FALSE(next.recovery.offered());
@@ -216,8 +217,8 @@ TEST_F(RecoveryControllerTest, DiscardKeepsTheFileAndLeavesTheEditsInItsHistory)
 
 TEST_F(RecoveryControllerTest, AWindowThatHasTheDocumentOpenKeepsItsWork) {
   crash();
-  Program one(left);
-  Program other(left);
+  SecondRun one(left);
+  SecondRun other(left);
   ASSERT_TRUE(one.recovery.offered());
   ASSERT_TRUE(other.recovery.offered());
   one.restore();
@@ -230,7 +231,7 @@ TEST_F(RecoveryControllerTest, AWindowThatHasTheDocumentOpenKeepsItsWork) {
 TEST_F(RecoveryControllerTest, AModelWhoseFileIsGoneComesBackToo) {
   crash();
   ASSERT_TRUE(QFile::remove(path));
-  Program next(left);
+  SecondRun next(left);
   next.restore();
   EXPECT_EQ(next.models.current()->model, at_the_end);
   EXPECT_TRUE(next.models.isModified());
@@ -251,7 +252,7 @@ TEST_F(RecoveryControllerTest, AStudyGoesOnWhereItsHistoryEnds) {
   open.path = study;
   open.in_study = true;
   {
-    Program run(root);
+    SecondRun run(root);
     run.models.openRead(open);
     run.edits.apply(editing::moveVertex(run.edits.model(), kNearShoulder, 3));
     for (const auto& event : std::vector(run.edits.history().events())) run.edits.markStored(event.id);
@@ -261,7 +262,7 @@ TEST_F(RecoveryControllerTest, AStudyGoesOnWhereItsHistoryEnds) {
     run.autosave.flush();
     left = tests::crashedCopy(root);
   }
-  Program next(left);
+  SecondRun next(left);
   const QSignalSpy needed(&next.recovery, &RecoveryController::studyNeeded);
   QSignalSpy restored(&next.recovery, &RecoveryController::restored);
   next.recovery.restore();
@@ -285,7 +286,7 @@ TEST_F(RecoveryControllerTest, AnAutosaveOfAnOlderProgramIsRestoredOnce) {
   ASSERT_TRUE(QDir(root).removeRecursively());
   const QString old = oldAutosave();
   {
-    Program next(root);
+    SecondRun next(root);
     const auto offer = next.recovery.offered();
     ASSERT_TRUE(offer);
     EXPECT_EQ(offer->document, path);
@@ -296,7 +297,7 @@ TEST_F(RecoveryControllerTest, AnAutosaveOfAnOlderProgramIsRestoredOnce) {
     EXPECT_TRUE(QFileInfo::exists(next.autosave.file()));
     expectRestored(next);
   }
-  Program next(root);
+  SecondRun next(root);
   EXPECT_FALSE(next.recovery.offered());
 }
 
@@ -332,7 +333,7 @@ TEST_F(RecoveryControllerTest, WhatIsDamagedStaysWhereItIs) {
   ASSERT_TRUE(QDir(root).removeRecursively());
   const QString old = oldAutosave();
   folder.writeText("{}", QStringLiteral("autosave/0123/part-00000.json"));
-  Program next(root);
+  SecondRun next(root);
   QSignalSpy failed(&next.recovery, &RecoveryController::failed);
   next.recovery.restore();
   ASSERT_TRUE(failed.count() > 0 || failed.wait(kPatience));

@@ -19,13 +19,14 @@
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/term_controller.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kPatience;
 
 // Table A2 in the rows of the grids, as number keys; `-` skips the oropharynx, which it does not have.
 constexpr const char* kAnswers[9] = {

@@ -13,13 +13,14 @@
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/understand/here/rule_flow.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kPatience;
 
 class RulePanelTest : public testing::Test {
  protected:

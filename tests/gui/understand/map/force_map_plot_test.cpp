@@ -9,15 +9,15 @@
 namespace tactus::workbench {
 namespace {
 
-const fuzzy::Variable kDepth{"depth", "Depth", "mm", 0, 600, {}};
-const fuzzy::Variable kSpeed{"speed", "Speed", "mm/s", 0, 400, {}};
-const fuzzy::Variable kForce{"force", "Force", "N", 0, 1, {}};
+const fuzzy::Variable kMapDepth{"depth", "Depth", "mm", 0, 600, {}};
+const fuzzy::Variable kMapSpeed{"speed", "Speed", "mm/s", 0, 400, {}};
+const fuzzy::Variable kMapForce{"force", "Force", "N", 0, 1, {}};
 
 class ForceMapPlotTest : public testing::Test {
  protected:
   ForceMapPlotTest() {
     map.resize(500, 400);
-    map.setAxes(kDepth, kSpeed, kForce);
+    map.setAxes(kMapDepth, kMapSpeed, kMapForce);
     map.show();
     inner = map.findChild<QCustomPlot*>();
     inner->replot();
@@ -38,18 +38,18 @@ class ForceMapPlotTest : public testing::Test {
 TEST_F(ForceMapPlotTest, TheWheelZoomsBothInputsAroundTheMouse) {
   wheel(150, 100);
   // A notch shows 1/1.25 = 0.8 of each axis, and the mouse stays where it points.
-  EXPECT_NEAR(ranges.of(kDepth).high - ranges.of(kDepth).low, 480, 1e-9);
-  EXPECT_NEAR(ranges.of(kSpeed).high - ranges.of(kSpeed).low, 320, 1e-9);
-  EXPECT_NEAR(ranges.of(kDepth).low, 30, 2);  // to a pixel
-  EXPECT_NEAR(inner->xAxis->range().lower, ranges.of(kDepth).low, 1e-9);
-  EXPECT_NEAR(inner->yAxis->range().upper, ranges.of(kSpeed).high, 1e-9);
+  EXPECT_NEAR(ranges.of(kMapDepth).high - ranges.of(kMapDepth).low, 480, 1e-9);
+  EXPECT_NEAR(ranges.of(kMapSpeed).high - ranges.of(kMapSpeed).low, 320, 1e-9);
+  EXPECT_NEAR(ranges.of(kMapDepth).low, 30, 2);  // to a pixel
+  EXPECT_NEAR(inner->xAxis->range().lower, ranges.of(kMapDepth).low, 1e-9);
+  EXPECT_NEAR(inner->yAxis->range().upper, ranges.of(kMapSpeed).high, 1e-9);
 }
 
 TEST_F(ForceMapPlotTest, WhatTheCurvesShowTheMapShowsTooAndAnotherModelKeepsIt) {
-  ranges.show(kDepth, {0, 250});
+  ranges.show(kMapDepth, {0, 250});
   EXPECT_NEAR(inner->xAxis->range().upper, 250, 1e-9);
   EXPECT_NEAR(inner->yAxis->range().upper, 400, 1e-9);
-  map.setAxes(kDepth, kSpeed, kForce);
+  map.setAxes(kMapDepth, kMapSpeed, kMapForce);
   EXPECT_NEAR(inner->xAxis->range().upper, 250, 1e-9);
 }
 

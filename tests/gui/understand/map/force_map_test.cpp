@@ -16,9 +16,9 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr std::size_t kSpeed = 0;
-constexpr std::size_t kDepth = 1;
-constexpr double kRounding = 1e-15;  // a batch agrees with one evaluation to 4 ulp of numbers below 1
+using tests::kDepth;
+using tests::kSpeed;
+constexpr double kBatchRounding = 1e-15;  // a batch agrees with one evaluation to 4 ulp of numbers below 1
 
 class ForceMapTest : public testing::Test {
  protected:
@@ -50,7 +50,7 @@ TEST_F(ForceMapTest, EveryPlaceIsTheModel) {
       const fuzzy::Evaluation here = models.current()->compiled.evaluate(point);
       ASSERT_EQ(map.map()->isFired(x, y), here.fired);
       if (here.fired) {
-        ASSERT_NEAR(map.map()->force(x, y), here.force_n, kRounding);
+        ASSERT_NEAR(map.map()->force(x, y), here.force_n, kBatchRounding);
       }
     }
   }
@@ -66,10 +66,10 @@ TEST_F(ForceMapTest, OfAPartAsManyPlacesAreComputedAsOfTheWhole) {
   EXPECT_EQ(part.x_part.high, 9);
   EXPECT_EQ(part.y_part.high, 100);
   // Depth 8, speed 20: A says 0.75 N, B 0.25 N.
-  EXPECT_NEAR(part.force(100, 40), 0.5, kRounding);
+  EXPECT_NEAR(part.force(100, 40), 0.5, kBatchRounding);
   const double place = std::lerp(7.0, 9.0, 13.0 / 200);
   const fuzzy::Evaluation here = models.current()->compiled.evaluate(std::array{20.0, place});
-  EXPECT_NEAR(part.force(13, 40), here.force_n, kRounding);
+  EXPECT_NEAR(part.force(13, 40), here.force_n, kBatchRounding);
   scene.ranges().showAll(scene.model()->model.inputs[kDepth]);
   finish();
   EXPECT_EQ(map.map()->x_part.high, 10);
@@ -81,7 +81,7 @@ TEST_F(ForceMapTest, AxesCanChangePlaces) {
   EXPECT_EQ(map.yInput(), kDepth);
   finish();
   // Depth 8, speed 20: A says 0.75 N, B 0.25 N.
-  EXPECT_NEAR(map.map()->force(40, 160), 0.5, kRounding);
+  EXPECT_NEAR(map.map()->force(40, 160), 0.5, kBatchRounding);
   // Depth 5.5: nobody.
   EXPECT_FALSE(map.map()->isFired(40, 110));
 }
@@ -89,7 +89,7 @@ TEST_F(ForceMapTest, AxesCanChangePlaces) {
 TEST_F(ForceMapTest, OneExpertAlone) {
   map.setExpert(1);
   finish();
-  EXPECT_NEAR(map.map()->force(160, 40), 0.25, kRounding);
+  EXPECT_NEAR(map.map()->force(160, 40), 0.25, kBatchRounding);
   EXPECT_FALSE(map.map()->isFired(40, 40));
 }
 
@@ -101,7 +101,7 @@ TEST_F(ForceMapTest, TheFirstMapIsThereAtOnceAndTheNewestOrderWins) {
   model.experts[0].rules[0].then = "high";
   ASSERT_TRUE(models.edit(model));
   finish();
-  EXPECT_NEAR(map.map()->force(40, 40), 0.75, kRounding);
+  EXPECT_NEAR(map.map()->force(40, 40), 0.75, kBatchRounding);
 }
 
 TEST_F(ForceMapTest, AMapThatNobodySeesIsComputedNoFurther) {
@@ -158,9 +158,9 @@ TEST_F(ForceMapTest, AFigureWithASurfaceSetsTheAxes) {
 TEST_F(ForceMapTest, TheForceAtThePointIsThatOfTheScene) {
   scene.setValue(kSpeed, 20);
   scene.setValue(kDepth, 8);
-  EXPECT_NEAR(map.forceAtPoint().force_n, 0.5, kRounding);  // A says 0.75 N, B 0.25 N
+  EXPECT_NEAR(map.forceAtPoint().force_n, 0.5, kBatchRounding);  // A says 0.75 N, B 0.25 N
   map.setExpert(0);
-  EXPECT_NEAR(map.forceAtPoint().force_n, 0.75, kRounding);
+  EXPECT_NEAR(map.forceAtPoint().force_n, 0.75, kBatchRounding);
   scene.setValue(kDepth, 5.5);
   EXPECT_FALSE(map.forceAtPoint().fired);
 }

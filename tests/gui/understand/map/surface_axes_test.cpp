@@ -10,14 +10,14 @@
 namespace tactus::workbench {
 namespace {
 
-const fuzzy::Variable kDepth = {"depth", "Insertion depth", "mm", 0, 600, {}};
-const fuzzy::Variable kSpeed = {"speed", "Insertion speed", "mm/s", 0, 400, {}};
-const fuzzy::Variable kForce = {"force", "Insertion force", "N", 0, 1.1, {}};
+const fuzzy::Variable kAxisDepth = {"depth", "Insertion depth", "mm", 0, 600, {}};
+const fuzzy::Variable kAxisSpeed = {"speed", "Insertion speed", "mm/s", 0, 400, {}};
+const fuzzy::Variable kAxisForce = {"force", "Insertion force", "N", 0, 1.1, {}};
 
 SurfaceAxes axesAt(double azimuth, double elevation, const QRectF& bounds, bool depth_on_y = false) {
   const SurfaceProjection seen({azimuth, elevation}, bounds.adjusted(50, 45, -30, -50));
-  return depth_on_y ? surfaceAxes(seen, kSpeed, kDepth, kForce, theme::smallFont(), bounds)
-                    : surfaceAxes(seen, kDepth, kSpeed, kForce, theme::smallFont(), bounds);
+  return depth_on_y ? surfaceAxes(seen, kAxisSpeed, kAxisDepth, kAxisForce, theme::smallFont(), bounds)
+                    : surfaceAxes(seen, kAxisDepth, kAxisSpeed, kAxisForce, theme::smallFont(), bounds);
 }
 
 std::vector<SurfaceText> allTexts(const SurfaceAxes& axes) {
@@ -99,7 +99,8 @@ TEST(SurfaceAxes, NamesAreNeverUpsideDown) {
 TEST(SurfaceAxes, LandmarksFollowTheDepthToTheOtherAxis) {
   EXPECT_EQ(axesAt(32, 30, QRectF(0, 0, 700, 450), true).landmark_bars.size(), 6);
   const SurfaceProjection seen({32, 30}, QRectF(50, 50, 500, 300));
-  EXPECT_TRUE(surfaceAxes(seen, kSpeed, kSpeed, kForce, theme::smallFont(), QRectF(0, 0, 600, 400)).landmarks.empty());
+  EXPECT_TRUE(surfaceAxes(seen, kAxisSpeed, kAxisSpeed, kAxisForce, theme::smallFont(), QRectF(0, 0, 600, 400))
+                  .landmarks.empty());
 }
 
 TEST(SurfaceAxes, TheWallsAreBehind) {

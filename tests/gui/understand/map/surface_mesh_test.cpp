@@ -12,17 +12,17 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kMeshRounding = 1e-12;
 
 TEST(SurfaceMesh, HeightsAreSharesOfTheUniverse) {
   const SurfaceMesh mesh(tests::sampleMap(3, [](double x, double y) { return 1 + x + 2 * y; }), 0, 8);
   ASSERT_EQ(mesh.cells(), 2U);
-  EXPECT_NEAR(mesh.node(0, 0).z, 1.0 / 8, kRounding);
-  EXPECT_NEAR(mesh.node(1, 2).z, 3.5 / 8, kRounding);
+  EXPECT_NEAR(mesh.node(0, 0).z, 1.0 / 8, kMeshRounding);
+  EXPECT_NEAR(mesh.node(1, 2).z, 3.5 / 8, kMeshRounding);
   EXPECT_EQ(mesh.node(1, 2).x, 0.5);
   EXPECT_EQ(mesh.node(1, 2).y, 1);
   // The middle of the cell from (0.5, 0.5) to (1, 1).
-  EXPECT_NEAR(mesh.cell(1, 1).height, (1 + 0.75 + 1.5) / 8, kRounding);
+  EXPECT_NEAR(mesh.cell(1, 1).height, (1 + 0.75 + 1.5) / 8, kMeshRounding);
 }
 
 TEST(SurfaceMesh, TheNormalStandsOnAPlane) {
@@ -32,9 +32,9 @@ TEST(SurfaceMesh, TheNormalStandsOnAPlane) {
   const BoxVector along_y = {0, 1.1, 0.2};
   for (std::size_t i = 0; i < 4; ++i) {
     const BoxVector& normal = mesh.cell(i, 3 - i).normal;
-    EXPECT_NEAR(dot(normal, along_x), 0, kRounding);
-    EXPECT_NEAR(dot(normal, along_y), 0, kRounding);
-    EXPECT_NEAR(dot(normal, normal), 1, kRounding);
+    EXPECT_NEAR(dot(normal, along_x), 0, kMeshRounding);
+    EXPECT_NEAR(dot(normal, along_y), 0, kMeshRounding);
+    EXPECT_NEAR(dot(normal, normal), 1, kMeshRounding);
     EXPECT_GT(normal.z, 0);
   }
 }
@@ -49,7 +49,7 @@ TEST(SurfaceMesh, WhereNoRuleFiresIsAHole) {
     }
   }
   EXPECT_FALSE(heightAt(fine, 0.49, 0.51));
-  EXPECT_NEAR(*heightAt(fine, 0.1, 0.9), 0.3, kRounding);
+  EXPECT_NEAR(*heightAt(fine, 0.1, 0.9), 0.3, kMeshRounding);
 }
 
 TEST(SurfaceMesh, ACoarseMeshClosesNoHole) {
@@ -128,8 +128,8 @@ TEST(SurfaceSections, LinesHaveGapsAtHolesAndBehindHills) {
   const auto runs = visibleSections(mesh, 0.2, 0.5, above.toViewer());
   // Along x left and right of the hole, along y one line.
   ASSERT_EQ(runs.size(), 3U);
-  EXPECT_LE(runs[0].back().x, 0.4 + kRounding);
-  EXPECT_GE(runs[1].front().x, 0.6 - kRounding);
+  EXPECT_LE(runs[0].back().x, 0.4 + kMeshRounding);
+  EXPECT_GE(runs[1].front().x, 0.6 - kMeshRounding);
   for (const BoxPoint& point : runs[2]) EXPECT_EQ(point.x, 0.2);
 }
 

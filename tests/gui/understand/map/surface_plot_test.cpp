@@ -11,13 +11,14 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/understand/map/force_colors.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/quiet.h"
 #include "tests/gui/understand/map/sample_maps.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kPatience = 10'000;  // ms, for a busy machine
+using tests::kPatience;
 
 const fuzzy::Variable kX = {"lubrication", "X", "1", 0, 1, {}};
 const fuzzy::Variable kY = {"speed", "Y", "1", 0, 1, {}};

@@ -6,27 +6,27 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr double kRounding = 1e-9;  // px; of numbers below 1000
+constexpr double kPixelRounding = 1e-9;  // px; of numbers below 1000
 // Wide enough that the height of the area decides, and as high as a box seen from the side, 100 px to its unit.
 const QRectF kArea(0, 0, 1000, 80);
 
 TEST(SurfaceProjection, FromTheFrontXGoesRightAndTheForceUp) {
   const SurfaceProjection seen({0, 0}, kArea);
   // The box is 1.85 wide and 0.8 high, its middle at (500, 40).
-  EXPECT_NEAR(seen({0, 0, 0}).x(), 500 - 92.5, kRounding);
-  EXPECT_NEAR(seen({1, 0, 0}).x(), 500 + 92.5, kRounding);
-  EXPECT_NEAR(seen({0, 0, 0}).y(), 80, kRounding);
-  EXPECT_NEAR(seen({0, 0, 1}).y(), 0, kRounding);
+  EXPECT_NEAR(seen({0, 0, 0}).x(), 500 - 92.5, kPixelRounding);
+  EXPECT_NEAR(seen({1, 0, 0}).x(), 500 + 92.5, kPixelRounding);
+  EXPECT_NEAR(seen({0, 0, 0}).y(), 80, kPixelRounding);
+  EXPECT_NEAR(seen({0, 0, 1}).y(), 0, kPixelRounding);
   // Along y nothing moves on the screen, and the low end is the nearer one.
-  EXPECT_NEAR(seen({0, 1, 0}).x(), 500 - 92.5, kRounding);
-  EXPECT_NEAR(seen.nearness({0, 0, 0}), 0.55, kRounding);
-  EXPECT_NEAR(seen.nearness({0, 1, 0}), -0.55, kRounding);
+  EXPECT_NEAR(seen({0, 1, 0}).x(), 500 - 92.5, kPixelRounding);
+  EXPECT_NEAR(seen.nearness({0, 0, 0}), 0.55, kPixelRounding);
+  EXPECT_NEAR(seen.nearness({0, 1, 0}), -0.55, kPixelRounding);
 }
 
 TEST(SurfaceProjection, FromTheHighEndOfXItIsYThatGoesRight) {
   const SurfaceProjection seen({90, 0}, kArea);
-  EXPECT_NEAR(seen({0.5, 0, 0.5}).x(), 500 - 55, kRounding);
-  EXPECT_NEAR(seen({0.5, 1, 0.5}).x(), 500 + 55, kRounding);
+  EXPECT_NEAR(seen({0.5, 0, 0.5}).x(), 500 - 55, kPixelRounding);
+  EXPECT_NEAR(seen({0.5, 1, 0.5}).x(), 500 + 55, kPixelRounding);
   EXPECT_GT(seen.nearness({1, 0, 0}), seen.nearness({0, 0, 0}));
 }
 
@@ -34,10 +34,10 @@ TEST(SurfaceProjection, FromStraightAboveTheForceIsNotSeen) {
   // The diagonal of the floor, sqrt(1.85^2 + 1.1^2) = 2.1523, fills the height: 37.17 px to the unit.
   const SurfaceProjection seen({0, 90}, kArea);
   const double unit = 80 / std::hypot(1.85, 1.1);
-  EXPECT_NEAR(seen({0, 1, 0}).x(), 500 - 0.925 * unit, kRounding);
-  EXPECT_NEAR(seen({0, 1, 0}).y(), 40 - 0.55 * unit, kRounding);
-  EXPECT_NEAR(seen({0, 1, 1}).y(), seen({0, 1, 0}).y(), kRounding);
-  EXPECT_NEAR(seen.nearness({0.5, 0.5, 1}), 0.4, kRounding);
+  EXPECT_NEAR(seen({0, 1, 0}).x(), 500 - 0.925 * unit, kPixelRounding);
+  EXPECT_NEAR(seen({0, 1, 0}).y(), 40 - 0.55 * unit, kPixelRounding);
+  EXPECT_NEAR(seen({0, 1, 1}).y(), seen({0, 1, 0}).y(), kPixelRounding);
+  EXPECT_NEAR(seen.nearness({0.5, 0.5, 1}), 0.4, kPixelRounding);
 }
 
 TEST(SurfaceProjection, ByHandFromThirtyDegreesAboveAndSixtyToTheSide) {
@@ -48,13 +48,13 @@ TEST(SurfaceProjection, ByHandFromThirtyDegreesAboveAndSixtyToTheSide) {
   // sqrt(3)/2).
   const double right = 0.925 / 2 - 0.55 * std::sqrt(3) / 2;
   const double up = -0.925 * std::sqrt(3) / 4 - 0.55 / 4 - 0.4 * std::sqrt(3) / 2;
-  EXPECT_NEAR(seen({1, 0, 0}).x(), 1000 + right * unit, kRounding);
-  EXPECT_NEAR(seen({1, 0, 0}).y(), 500 - up * unit, kRounding);
+  EXPECT_NEAR(seen({1, 0, 0}).x(), 1000 + right * unit, kPixelRounding);
+  EXPECT_NEAR(seen({1, 0, 0}).y(), 500 - up * unit, kPixelRounding);
 }
 
 TEST(SurfaceProjection, TheWholeBoxStaysInItsAreaFromEveryAngle) {
   const QRectF area(40, 20, 500, 320);
-  const QRectF with_rounding = area.adjusted(-kRounding, -kRounding, kRounding, kRounding);
+  const QRectF with_rounding = area.adjusted(-kPixelRounding, -kPixelRounding, kPixelRounding, kPixelRounding);
   for (int azimuth = -180; azimuth <= 180; azimuth += 7) {
     for (int elevation = -90; elevation <= 90; elevation += 6) {
       const SurfaceProjection seen({double(azimuth), double(elevation)}, area);
@@ -71,8 +71,8 @@ TEST(SurfaceProjection, ZoomAndShiftAreOfTheScreen) {
   const SurfaceProjection near({20, 40}, kArea, 2, {10, -5});
   const QPointF from_middle = plain({0.2, 0.9, 0.4}) - kArea.center();
   const QPointF expected = kArea.center() + 2 * from_middle + QPointF(10, -5);
-  EXPECT_NEAR(near({0.2, 0.9, 0.4}).x(), expected.x(), kRounding);
-  EXPECT_NEAR(near({0.2, 0.9, 0.4}).y(), expected.y(), kRounding);
+  EXPECT_NEAR(near({0.2, 0.9, 0.4}).x(), expected.x(), kPixelRounding);
+  EXPECT_NEAR(near({0.2, 0.9, 0.4}).y(), expected.y(), kPixelRounding);
 }
 
 }  // namespace
