@@ -14,8 +14,8 @@ using base::Result;
 constexpr const char* kMethod = "$y$";
 /// Cost of yescrypt, 1 to 11; one more doubles time and memory. 5 is the library's default.
 constexpr unsigned long kCost = 5;
-constexpr std::size_t kFewestBytes = 6;
-constexpr std::size_t kMostBytes = 500;
+constexpr std::size_t kShortestBytes = 6;
+constexpr std::size_t kLongestBytes = 500;
 
 Result<std::string> crypted(const std::string& passphrase, const std::string& setting) {
   const auto data = std::make_unique<crypt_data>();  // 32 KiB
@@ -30,7 +30,7 @@ Result<std::string> crypted(const std::string& passphrase, const std::string& se
 }  // namespace
 
 Result<std::string> hashOfPassphrase(const std::string& passphrase) {
-  if (passphrase.size() < kFewestBytes || passphrase.size() > kMostBytes ||
+  if (passphrase.size() < kShortestBytes || passphrase.size() > kLongestBytes ||
       passphrase.find('\0') != std::string::npos) {
     return base::fail(ErrorCode::kValue, "research key",
                       "a passphrase of " + std::to_string(passphrase.size()) + " bytes", "6 to 500 bytes of text");

@@ -8,7 +8,7 @@
 namespace tactus::workbench {
 namespace {
 
-using Phase = ForceTrial::Phase;
+using TrialPhase = ForceTrial::Phase;
 
 experiments::ForcePlan plan(double force_n, std::optional<double> hold_s = {}) {
   experiments::ForcePlan out;
@@ -53,13 +53,13 @@ class ForceTrialTest : public testing::Test {
 TEST_F(ForceTrialTest, PausesThenWaitsForTheHandThenMeasuresTheWay) {
   trial.begin(plan(0.4));
   time.advance(device, 1900);
-  EXPECT_EQ(trial.phase(), Phase::kPause);
+  EXPECT_EQ(trial.phase(), TrialPhase::kPause);
   EXPECT_EQ(device.latest().source, haptics::ForceSource::kFree);
   time.advance(device, 200);
-  EXPECT_EQ(trial.phase(), Phase::kWait);
+  EXPECT_EQ(trial.phase(), TrialPhase::kWait);
   EXPECT_FALSE(trial.wasFelt());
   feel();
-  EXPECT_EQ(trial.phase(), Phase::kFelt);
+  EXPECT_EQ(trial.phase(), TrialPhase::kFelt);
   const experiments::ForceAnswer answer = trial.measured();
   EXPECT_TRUE(answer.delivered);
   EXPECT_GT(answer.forward_mm, 20);
@@ -72,7 +72,7 @@ TEST_F(ForceTrialTest, AHandThatDoesNotMoveHasNoWay) {
   trial.begin(plan(0.4));
   time.advance(device, 2100);
   feel(0);
-  ASSERT_EQ(trial.phase(), Phase::kFelt);
+  ASSERT_EQ(trial.phase(), TrialPhase::kFelt);
   EXPECT_LT(trial.measured().forward_mm, 10);
   EXPECT_TRUE(trial.measured().delivered);
 }
@@ -82,13 +82,13 @@ TEST_F(ForceTrialTest, LettingGoBeforeTheFullForceIsNoAnswer) {
   time.advance(device, 2100);
   device.setHeld(true);
   time.advance(device, 80);
-  EXPECT_EQ(trial.phase(), Phase::kRise);
+  EXPECT_EQ(trial.phase(), TrialPhase::kRise);
   device.setHeld(false);
   time.advance(device, 50);
-  EXPECT_EQ(trial.phase(), Phase::kWait) << "the same force waits for the hand";
+  EXPECT_EQ(trial.phase(), TrialPhase::kWait) << "the same force waits for the hand";
   EXPECT_FALSE(trial.wasFelt());
   feel();
-  EXPECT_EQ(trial.phase(), Phase::kFelt);
+  EXPECT_EQ(trial.phase(), TrialPhase::kFelt);
   EXPECT_TRUE(trial.measured().delivered);
 }
 
@@ -98,10 +98,10 @@ TEST_F(ForceTrialTest, FeelsAgainAfterAPauseAndKeepsTheLongerWay) {
   feel();
   const double way_mm = trial.measured().forward_mm;
   trial.feelAgain();
-  EXPECT_EQ(trial.phase(), Phase::kPause);
+  EXPECT_EQ(trial.phase(), TrialPhase::kPause);
   time.advance(device, 2100);
   feel(0);
-  ASSERT_EQ(trial.phase(), Phase::kFelt);
+  ASSERT_EQ(trial.phase(), TrialPhase::kFelt);
   EXPECT_EQ(trial.measured().feel_again, 1);
   EXPECT_EQ(trial.measured().forward_mm, way_mm);
 }
@@ -113,13 +113,13 @@ TEST_F(ForceTrialTest, RestsUntilTheMotorsCanHoldTheWholeForce) {
   for (int i = 0; i < 6; ++i) {
     trial.begin(plan(1.7, 3));
     warm = warm || trial.isWarm();
-    for (int s = 0; s < 90 && trial.phase() != Phase::kWait; ++s) time.advance(device, 1000);
-    ASSERT_EQ(trial.phase(), Phase::kWait) << i;
+    for (int s = 0; s < 90 && trial.phase() != TrialPhase::kWait; ++s) time.advance(device, 1000);
+    ASSERT_EQ(trial.phase(), TrialPhase::kWait) << i;
     device.setHeld(true);
     time.advance(device, 3600);
     device.setHeld(false);
     time.advance(device, 50);
-    ASSERT_EQ(trial.phase(), Phase::kFelt) << i;
+    ASSERT_EQ(trial.phase(), TrialPhase::kFelt) << i;
     EXPECT_TRUE(trial.measured().delivered) << i;
   }
   EXPECT_TRUE(warm);
@@ -134,7 +134,7 @@ TEST_F(ForceTrialTest, CancelledItGivesNoForce) {
   trial.cancel();
   time.advance(device, 60);
   EXPECT_EQ(device.latest().force_n, 0);
-  EXPECT_EQ(trial.phase(), Phase::kNone);
+  EXPECT_EQ(trial.phase(), TrialPhase::kNone);
 }
 
 }  // namespace
