@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   qputenv("XDG_RUNTIME_DIR", runtime_folder.path().toUtf8());
   qputenv("XDG_DATA_HOME", runtime_folder.path().toUtf8());
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  tactus::workbench::tests::stopOnWarnings();
+  tactus::tests::stopOnWarnings();
   QApplication application(argc, argv);
   tactus::workbench::theme::apply(application);
   tactus::workbench::installTranslations(application, QLocale(QLocale::English));

@@ -8,12 +8,11 @@
 
 #include "app/workbench/workbench.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/quiet.h"
 #include "tests/gui/sample_models.h"
 
 namespace tactus::tests {
-
-inline constexpr int kPatience = 10'000;  // ms, for a busy machine
 
 /// Until nothing in `window` is to be done any more and its picture stays the same.
 inline void settle(QWidget& window) {

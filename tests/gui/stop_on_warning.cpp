@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace tactus::workbench::tests {
+namespace tactus::tests {
 namespace {
 
 // The offscreen platform says this of every window with a size limit, and of every popup.
@@ -25,4 +25,4 @@ void stopOnWarning(QtMsgType type, const QMessageLogContext& /*context*/, const 
 
 void stopOnWarnings() { qInstallMessageHandler(stopOnWarning); }
 
-}  // namespace tactus::workbench::tests
+}  // namespace tactus::tests

@@ -720,11 +720,102 @@
         <source>%1: without it the averaged force moves by at most %2 (%3 just-noticeable differences), at %4; %5 rms.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>less than 0.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt; 0.001 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 JND)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: without it the averaged force moves by less than 0.001 N everywhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>LabCaption</name>
     <message>
         <source>SIMULATED: data of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabSearch</name>
+    <message>
+        <source>Table 1: insertion speed of each participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table 2: votes for each force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table 3: answers to the usability scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 3d: terms of the speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 3e: words of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 4: way of the tube on an image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 6: recordings of the strokes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 7: clusters of each participant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig. 8: speed terms of each participant, and their average</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insertion length of a person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Judgements of the forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rules of all experts, and the conflict map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings about the experts&apos; rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Agreement of the experts (Krippendorff, Kendall, Fleiss)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights, and leaving one expert out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Does a choice of the method matter?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fig.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure · %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2170,19 +2261,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>rule given directly</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>item %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, corrected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 (%2 JND)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2231,6 +2314,10 @@
     </message>
     <message>
         <source>If all said %1, the mean would move by %2, and %3 % of the disagreement would vanish.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>given directly</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2981,6 +3068,10 @@
     </message>
     <message>
         <source>%1 holds %2 images. Which one?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The study has a copy of %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5598,10 +5689,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 (%2 JND)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>How far the averaged force moves without this record, at most, and in just-noticeable differences.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7169,15 +7256,15 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This finding is about more than one cell; it is in no single place of the grids.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Looking at the rules…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Nothing is odd in the rules.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (in no single cell)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -10,9 +10,9 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
-json agreementOf(const std::string& text, const std::vector<std::string>& more = {}) {
+Json agreementOf(const std::string& text, const std::vector<std::string>& more = {}) {
   const support::TempFolder folder;
   const std::string file = folder.file("table.csv");
   writeText(file, text);
@@ -21,7 +21,7 @@ json agreementOf(const std::string& text, const std::vector<std::string>& more =
   const ProgramRun run(arguments);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  return run.status == 0 ? json::parse(run.out) : json();
+  return run.status == 0 ? Json::parse(run.out) : Json();
 }
 
 std::string errorOf(const std::string& text, const std::vector<std::string>& more = {}) {
@@ -49,7 +49,7 @@ const std::string kAnswers =
     "A,ngt-force-v1,2,small,answered\nB,ngt-force-v1,2,,cant_tell\nA,other,1,small,answered\n";
 
 TEST(AgreementCommand, Table2HasItsPublishedAgreement) {
-  const json result = agreementOf(std::string(experiments::table2Csv()));
+  const Json result = agreementOf(std::string(experiments::table2Csv()));
   // Digits of statsmodels and nltk, tests/golden/agreement.
   EXPECT_NEAR(result.at("fleiss_kappa"), 0.09318996415770603, 1e-14);
   EXPECT_NEAR(result.at("krippendorff_alpha").at("nominal"), 0.11379928315412202, 1e-14);
@@ -66,14 +66,14 @@ TEST(AgreementCommand, Table2HasItsPublishedAgreement) {
 }
 
 TEST(AgreementCommand, JudgementsOfOneSeries) {
-  const json result = agreementOf(kJudgements);
+  const Json result = agreementOf(kJudgements);
   // Both rank the three forces alike.
   EXPECT_EQ(result.at("kendall_w"), 1);
   EXPECT_EQ(result.at("units"), 3);
-  EXPECT_EQ(result.at("raters"), json({"A", "B"}));
-  EXPECT_EQ(result.at("items").at(1).at("votes"), json({0, 1, 1, 0, 0}));
-  EXPECT_EQ(result.at("notes"), json({"Left out, because no participant chose a term: 0.4 N."}));
-  const json random = agreementOf(kJudgements, {"--series", "random"});
+  EXPECT_EQ(result.at("raters"), Json({"A", "B"}));
+  EXPECT_EQ(result.at("items").at(1).at("votes"), Json({0, 1, 1, 0, 0}));
+  EXPECT_EQ(result.at("notes"), Json({"Left out, because no participant chose a term: 0.4 N."}));
+  const Json random = agreementOf(kJudgements, {"--series", "random"});
   EXPECT_EQ(random.at("units"), 1);
   EXPECT_TRUE(random.at("fleiss_kappa").is_null());
   EXPECT_TRUE(random.at("krippendorff_alpha").at("ordinal").is_null());
@@ -82,7 +82,7 @@ TEST(AgreementCommand, JudgementsOfOneSeries) {
 }
 
 TEST(AgreementCommand, AnswersToTheFormAnsweredMost) {
-  const json result = agreementOf(kAnswers);
+  const Json result = agreementOf(kAnswers);
   EXPECT_EQ(result.at("form"), "ngt-force-v1");
   EXPECT_EQ(result.at("ratings"), 3);
   EXPECT_EQ(result.at("items").at(0).at("item"), 1);
@@ -118,9 +118,9 @@ TEST(VoteCommand, SetsTheFrequencyCurveBesideTheVote) {
   writeText(file, kJudgements);
   const ProgramRun run({"vote", file, "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
-  const json frequency = json::parse(run.out).at("frequency");
+  const Json frequency = Json::parse(run.out).at("frequency");
   ASSERT_EQ(frequency.at("shares").size(), 4);
-  EXPECT_EQ(frequency.at("shares").at(1).at("shares"), json({0, 0.5, 0.5, 0, 0}));
+  EXPECT_EQ(frequency.at("shares").at(1).at("shares"), Json({0, 0.5, 0.5, 0, 0}));
   EXPECT_TRUE(frequency.at("shares").at(3).at("shares").is_null()) << "no term was chosen at 0.4 N";
   EXPECT_EQ(frequency.at("terms").at(0).at("id"), "very_small");
   EXPECT_EQ(frequency.at("terms").at(0).at("points").size(), 4);

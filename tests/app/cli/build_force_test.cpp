@@ -9,7 +9,7 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 /// Three nurses whose answers are one letter for each force from 0.1 N on: v s m l V, b beyond practice.
 class BuildForce : public testing::Test {
@@ -40,7 +40,7 @@ class BuildForce : public testing::Test {
     more.insert(more.begin(), {"build", folder_.file(""), "--out", out_});
     return ProgramRun(more);
   }
-  json model() const { return json::parse(readText(out_)); }
+  Json model() const { return Json::parse(readText(out_)); }
 
   support::TempFolder folder_;
   support::TempFolder out_folder_;
@@ -54,16 +54,16 @@ TEST_F(BuildForce, EverybodySaysBeyondWhereVeryLargeWouldStand) {
     const ProgramRun run = build({"--force-terms", way});
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_NE(run.out.find("force terms from the " + std::string(way) + ": "), std::string::npos) << run.out;
-    const json built = model();
+    const Json built = model();
     EXPECT_EQ(built.at("provenance").at("settings").at("force_terms"), way);
     EXPECT_EQ(built.at("output").at("max"), 0.8);  // 0.7 N and a step
-    const json terms = built.at("output").at("terms");
+    const Json terms = built.at("output").at("terms");
     ASSERT_EQ(terms.size(), 5U);
     EXPECT_EQ(terms[4].at("id"), "very_large");
     EXPECT_EQ(terms[4].at("points").back(), 0.8);
   }
   const ProgramRun run = build();
-  EXPECT_EQ(model().at("output").at("terms")[4].at("points"), json::parse("[0.7, 0.8, 0.8, 0.8]"));
+  EXPECT_EQ(model().at("output").at("terms")[4].at("points"), Json::parse("[0.7, 0.8, 0.8, 0.8]"));
   EXPECT_NE(unwrapped(run.out).find("note: No force up to 0.7 N was given 'very_large': its term is placed one step "
                                     "above, at 0.8 N."),
             std::string::npos)
@@ -78,10 +78,10 @@ TEST_F(BuildForce, TheEndCanBeAskedFor) {
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(model().at("output").at("max"), 0.8);
   EXPECT_EQ(model().at("provenance").at("settings").at("force_end_n"), 0.8);
-  const json force = json::parse(run.out).at("force");
+  const Json force = Json::parse(run.out).at("force");
   EXPECT_EQ(force.at("terms_from"), "vote");
   EXPECT_EQ(force.at("end_n"), 0.8);
-  EXPECT_EQ(force.at("terms")[4], json::parse(R"({"id": "very_large", "points": [0.4, 0.5, 0.8, 0.8]})"));
+  EXPECT_EQ(force.at("terms")[4], Json::parse(R"({"id": "very_large", "points": [0.4, 0.5, 0.8, 0.8]})"));
 }
 
 /// `vote` and `build` have the same options and give the same terms.
@@ -96,8 +96,8 @@ TEST_F(BuildForce, VoteGivesTheTermsThatBuildBuildsOf) {
       options.insert(options.begin(), {"vote", folder_.file("judgements.csv"), "--json"});
       const ProgramRun run(options);
       ASSERT_EQ(run.status, 0) << run.err;
-      const json result = json::parse(run.out);
-      const json output = model().at("output");
+      const Json result = Json::parse(run.out);
+      const Json output = model().at("output");
       EXPECT_EQ(result.at("terms_from"), way);
       EXPECT_EQ(result.at("end_n"), output.at("max"));
       ASSERT_EQ(result.at("terms").size(), output.at("terms").size());

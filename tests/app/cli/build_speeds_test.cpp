@@ -9,7 +9,7 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 /// A study of the strokes of tests/golden/fcm/S4_600.csv: levels that hardly differ.
 class BuildSpeeds : public testing::Test {
@@ -42,14 +42,14 @@ class BuildSpeeds : public testing::Test {
     return ProgramRun(more);
   }
 
-  json jsonOf(std::vector<std::string> more = {}) const {
+  Json jsonOf(std::vector<std::string> more = {}) const {
     more.emplace_back("--json");
     const ProgramRun run = build(more);
     EXPECT_EQ(run.status, 0) << run.err;
-    return json::parse(run.out);
+    return Json::parse(run.out);
   }
 
-  json settings() const { return json::parse(readText(out_)).at("provenance").at("settings"); }
+  Json settings() const { return Json::parse(readText(out_)).at("provenance").at("settings"); }
 
   support::TempFolder folder_;
   support::TempFolder out_folder_;
@@ -70,12 +70,12 @@ TEST_F(BuildSpeeds, ShowsLevelsOrderAndIntervals) {
 }
 
 TEST_F(BuildSpeeds, JsonHasTheNumbers) {
-  const json speeds = jsonOf().at("speeds");
+  const Json speeds = jsonOf().at("speeds");
   EXPECT_EQ(speeds.at("replicates"), 2000);
-  const json& one = speeds.at("participants").at(0);
+  const Json& one = speeds.at("participants").at(0);
   EXPECT_EQ(one.at("participant"), "S4");
   EXPECT_EQ(one.at("simulated"), true);
-  EXPECT_EQ(one.at("confusion"), json::parse("[[31, 168, 1], [33, 77, 90], [33, 31, 136]]"));
+  EXPECT_EQ(one.at("confusion"), Json::parse("[[31, 168, 1], [33, 77, 90], [33, 31, 136]]"));
   EXPECT_DOUBLE_EQ(one.at("jonckheere_terpstra").at("p").get<double>(), 8.0 / 34650);
   EXPECT_EQ(one.at("levels").size(), 3U);
   EXPECT_EQ(one.at("separations").size(), 2U);
@@ -89,9 +89,9 @@ TEST_F(BuildSpeeds, JsonHasTheNumbers) {
 }
 
 TEST_F(BuildSpeeds, LevelMeansAreCentresWhereAskedForAndTheModelSaysSo) {
-  const json one = jsonOf({"--centres", "level_means", "--alpha", "1", "--replicates", "0"}).at("speeds");
+  const Json one = jsonOf({"--centres", "level_means", "--alpha", "1", "--replicates", "0"}).at("speeds");
   EXPECT_EQ(one.at("replicates"), 0);
-  const json& participant = one.at("participants").at(0);
+  const Json& participant = one.at("participants").at(0);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(participant.at("centres")[k].get<double>(), participant.at("levels")[k].at("mean_mm_s").get<double>(),
                 1e-12);

@@ -13,7 +13,7 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 class DataFirst : public testing::Test {
  protected:
@@ -47,7 +47,7 @@ TEST_F(DataFirst, NothingIsSaidOfWellMadeTables) {
   const ProgramRun checked({"study", "check", study_});
   EXPECT_EQ(checked.status, 0);
   EXPECT_EQ(checked.out, study_ + ": findings 0\n");
-  EXPECT_EQ(json::parse(build({"--json"}).out).at("data"), json::array());
+  EXPECT_EQ(Json::parse(build({"--json"}).out).at("data"), Json::array());
 }
 
 TEST_F(DataFirst, WhatIsDoubtfulStandsBeforeTheNumbers) {
@@ -66,7 +66,7 @@ TEST_F(DataFirst, WhatIsDoubtfulStandsBeforeTheNumbers) {
       << built.out;
   EXPECT_EQ(built.out.find("0.0 ± 0.0"), std::string::npos) << "a level without strokes has no mean";
   EXPECT_NE(built.out.find("  fast no strokes; center "), std::string::npos) << built.out;
-  const json data = json::parse(build({"--json"}).out).at("data");
+  const Json data = Json::parse(build({"--json"}).out).at("data");
   ASSERT_EQ(data.size(), 2U);
   EXPECT_EQ(data.at(1).at("kind"), "one_answer");
   EXPECT_EQ(data.at(1).at("severity"), "warning");
@@ -116,10 +116,10 @@ TEST_F(DataFirst, WhatWasRefusedWronglyCanBeAcceptedAndIsRecorded) {
   EXPECT_NE(text.find("note: Accepted as it is: speed_unit of N1, N5; years_unlikely of N4."), std::string::npos)
       << text;
   EXPECT_NE(text.find("note: Nothing was refused for force_unit: --accept has no effect."), std::string::npos) << text;
-  EXPECT_EQ(json::parse(readText(out_)).at("provenance").at("settings").at("accepted_data"),
-            json::parse(R"({"speed_unit": ["N1", "N5"], "years_unlikely": ["N4"]})"));
-  const json result = json::parse(build({"--accept", "speed_unit", "--accept", "years_unlikely", "--json"}).out);
-  EXPECT_EQ(result.at("accepted"), json({"speed_unit", "years_unlikely"}));
+  EXPECT_EQ(Json::parse(readText(out_)).at("provenance").at("settings").at("accepted_data"),
+            Json::parse(R"({"speed_unit": ["N1", "N5"], "years_unlikely": ["N4"]})"));
+  const Json result = Json::parse(build({"--accept", "speed_unit", "--accept", "years_unlikely", "--json"}).out);
+  EXPECT_EQ(result.at("accepted"), Json({"speed_unit", "years_unlikely"}));
   EXPECT_EQ(result.at("data").size(), 3U);
 
   const ProgramRun imported({"study", "import", file_, study_, "--accept", "speed_unit", "--accept", "years_unlikely"});
@@ -136,7 +136,7 @@ TEST_F(DataFirst, AWordThatIsNoKindToAcceptIsNamedWithTheKnownOnes) {
       << run.err;
   EXPECT_EQ(build({"--accept", "unknown_level"}).status, 2) << "no model can be built of it";
   EXPECT_EQ(build().status, 0);
-  EXPECT_FALSE(json::parse(readText(out_)).at("provenance").at("settings").contains("accepted_data"));
+  EXPECT_FALSE(Json::parse(readText(out_)).at("provenance").at("settings").contains("accepted_data"));
 }
 
 TEST_F(DataFirst, AStudyFileIsLookedAtToo) {
@@ -151,7 +151,7 @@ TEST_F(DataFirst, AStudyFileIsLookedAtToo) {
   const ProgramRun checked({"study", "check", file_});
   EXPECT_EQ(checked.status, 0);
   EXPECT_NE(checked.out.find("look at the data first: 1\n  N6 calls all "), std::string::npos) << checked.out;
-  const json data = json::parse(ProgramRun({"study", "check", file_, "--json"}).out).at("data");
+  const Json data = Json::parse(ProgramRun({"study", "check", file_, "--json"}).out).at("data");
   ASSERT_EQ(data.size(), 1U);
   EXPECT_EQ(data.at(0).at("line"), nullptr);
   EXPECT_EQ(data.at(0).at("table"), nullptr);

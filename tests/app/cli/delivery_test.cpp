@@ -12,7 +12,7 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 class DeliveryTest : public testing::Test {
  protected:
@@ -33,9 +33,9 @@ TEST_F(DeliveryTest, ABundleIsWrittenAndVerified) {
   EXPECT_NE(made.out.find("experts/S4.fis  linspace:101, largest error"), std::string::npos) << made.out;
   const ProgramRun verified({"verify", out, "--json"});
   ASSERT_EQ(verified.status, 0) << verified.err;
-  const json result = json::parse(verified.out);
+  const Json result = Json::parse(verified.out);
   EXPECT_EQ(result["ok"], true);
-  for (const json& file : result["files"]) {
+  for (const Json& file : result["files"]) {
     EXPECT_EQ(file["ok"], true) << file;
     EXPECT_TRUE(file.contains("path") && file.contains("largest_error_n") && file.contains("tolerance_n"));
     if (!file["tolerance_n"].is_null()) {
@@ -51,7 +51,7 @@ TEST_F(DeliveryTest, AnAlteredFileIsExitOneWithItsName) {
   const ProgramRun verified({"verify", out, "--json"});
   EXPECT_EQ(verified.status, 1);
   EXPECT_NE(verified.err.find("experts/S4.fll"), std::string::npos) << verified.err;
-  EXPECT_EQ(json::parse(verified.out)["ok"], false);
+  EXPECT_EQ(Json::parse(verified.out)["ok"], false);
   const ProgramRun none({"verify", folder_.file("nowhere")});
   EXPECT_EQ(none.status, 1);
   EXPECT_NE(none.err.find("manifest.json"), std::string::npos);
@@ -115,7 +115,7 @@ TEST_F(DeliveryTest, DiffNamesTermsRulesAndNewtons) {
   EXPECT_NE(same.out.find("no term, rule or setting differs"), std::string::npos);
   const ProgramRun differ({"diff", a, b, "--json"});
   EXPECT_EQ(differ.status, 0) << differ.err;  // differences are results, not failures
-  const json result = json::parse(differ.out);
+  const Json result = Json::parse(differ.out);
   EXPECT_EQ(result["changes"].size(), 2U);
   EXPECT_GT(result["force"]["largest_n"], 0.1);
   EXPECT_EQ(result["force"]["at"].size(), 4U);

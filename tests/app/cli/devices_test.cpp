@@ -19,7 +19,7 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 class Devices : public testing::Test {
  protected:
@@ -54,7 +54,7 @@ class Devices : public testing::Test {
 };
 
 /// The entry of the device with this id; null where there is none.
-json entryOf(const json& list, const std::string& id) {
+Json entryOf(const Json& list, const std::string& id) {
   for (const auto& device : list.at("devices")) {
     if (device.at("id") == id) return device;
   }
@@ -71,8 +71,8 @@ TEST_F(Devices, TheListAsJsonHasWhatAProgramNeeds) {
   useStandIn();
   stand_in_->calibration = 0x5002;
   ASSERT_EQ(runWith({"devices", "--json"}), 0) << err_;
-  const json list = json::parse(out_);
-  const json entry = entryOf(list, "openhaptics");
+  const Json list = Json::parse(out_);
+  const Json entry = entryOf(list, "openhaptics");
   ASSERT_TRUE(entry.is_object()) << out_;
   EXPECT_EQ(entry.at("name"), "Stand-in (simulated)");
   EXPECT_EQ(entry.at("serial"), "S-0042");
@@ -86,7 +86,7 @@ TEST_F(Devices, TheListAsJsonHasWhatAProgramNeeds) {
 TEST_F(Devices, ADamagedFileOfCalibrationsIsANote) {
   writeText(folder_.file("calibrations.json"), "{");
   ASSERT_EQ(runWith({"devices", "--json"}), 0) << err_;
-  EXPECT_NE(json::parse(out_).at("notes").dump().find("calibrations.json"), std::string::npos) << out_;
+  EXPECT_NE(Json::parse(out_).at("notes").dump().find("calibrations.json"), std::string::npos) << out_;
 }
 
 TEST_F(Devices, TheSelfTestOfTheVirtualOneRunsByItself) {
@@ -97,7 +97,7 @@ TEST_F(Devices, TheSelfTestOfTheVirtualOneRunsByItself) {
 
 TEST_F(Devices, ItsResultsAsJsonStandAlone) {
   ASSERT_EQ(runWith({"devices", "test", "virtual", "--json"}), 0) << err_;
-  const json result = json::parse(out_);
+  const Json result = Json::parse(out_);
   EXPECT_EQ(result.at("simulated"), true);
   EXPECT_EQ(result.at("passed"), true);
   EXPECT_EQ(result.at("checks").size(), 7u);
@@ -108,7 +108,7 @@ TEST_F(Devices, ASelfTestThatFailsIsAnErrorWithTheAdvice) {
   useStandIn();
   stand_in_->calibration = 0x5002;
   EXPECT_EQ(runWith({"devices", "test", "openhaptics", "--json"}), 1);
-  EXPECT_EQ(json::parse(out_).at("passed"), false);
+  EXPECT_EQ(Json::parse(out_).at("passed"), false);
   EXPECT_NE(
       err_.find("tactus: openhaptics: calibrated: found the device is not calibrated, wanted a check that passes: "
                 "put the stylus into the inkwell"),

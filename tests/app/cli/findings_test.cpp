@@ -15,7 +15,7 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 class Findings : public testing::Test {
  protected:
@@ -60,7 +60,7 @@ TEST_F(Findings, BuildListsAFewOfEachKind) {
 TEST_F(Findings, BuildHasAllOfThemAndTheModelUnderEachWeightAsJson) {
   const ProgramRun run = build({"--json"});
   ASSERT_EQ(run.status, 0) << run.err;
-  const json result = json::parse(run.out);
+  const Json result = Json::parse(run.out);
   const auto model = model_io::readModel(out_);
   ASSERT_TRUE(model);
   const auto compiled = fuzzy::compile(model->model).value();
@@ -74,7 +74,7 @@ TEST_F(Findings, BuildHasAllOfThemAndTheModelUnderEachWeightAsJson) {
       EXPECT_GT(finding.at("sources").at(0).at("line"), 46);
     }
     if (finding.at("kind") == "experts_apart") {
-      EXPECT_EQ(finding.at("experts"), json({"A", "B"}));
+      EXPECT_EQ(finding.at("experts"), Json({"A", "B"}));
       const auto at = finding.at("from").get<std::vector<double>>();
       // The file holds the shortest numbers that read back, so the forces are the same.
       EXPECT_NEAR(finding.at("newtons"),
@@ -87,7 +87,7 @@ TEST_F(Findings, BuildHasAllOfThemAndTheModelUnderEachWeightAsJson) {
   ASSERT_EQ(weights.size(), 4U);
   EXPECT_EQ(weights.at(0).at("policy"), "equal");
   EXPECT_EQ(weights.at(0).at("largest_n"), 0);
-  EXPECT_EQ(weights.at(1).at("weights"), json({12, 4}));
+  EXPECT_EQ(weights.at(1).at("weights"), Json({12, 4}));
   // small .35 N and large .7 N, each symmetric: (12 · .35 + 4 · .7)/16 = .4375 N against .525 N.
   EXPECT_NEAR(weights.at(1).at("largest_n"), 0.0875, 1e-12);
   EXPECT_EQ(weights.at(2).at("available"), false);
@@ -99,7 +99,7 @@ TEST_F(Findings, ATableOfWeightsIsComparedToo) {
   writeText(table, "participant,weight\nA,0\nB,1\n");
   const ProgramRun run = build({"--weights", table, "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
-  const json result = json::parse(run.out);
+  const Json result = Json::parse(run.out);
   const auto& last = result.at("weights").back();
   EXPECT_EQ(last.at("policy"), "file");
   EXPECT_EQ(last.at("table"), table);
@@ -124,7 +124,7 @@ TEST(FindingsOfAModel, CheckKnowsTheDeclarationsOfTheKnownInputs) {
   }
   // Poor lubrication is three levels above medium in the nasal cavity, the nasopharynx and the laryngopharynx.
   const ProgramRun as_json({"check", file, "--json"});
-  const json result = json::parse(as_json.out);
+  const Json result = Json::parse(as_json.out);
   int jumps = 0;
   for (const auto& finding : result.at("findings")) jumps += finding.at("kind") == "level_jump" ? 1 : 0;
   EXPECT_EQ(jumps, 3);

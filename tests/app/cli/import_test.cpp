@@ -13,7 +13,7 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 class ImportTest : public testing::Test {
  protected:
@@ -54,9 +54,9 @@ TEST_F(ImportTest, WritesAModelFileWithChecks) {
 TEST_F(ImportTest, JsonNamesWhatWasRead) {
   const ProgramRun made({"import", file("pump.txt", small_), "--out", folder_.file("m.json"), "--json"});
   ASSERT_EQ(made.status, 0) << made.err;
-  const json result = json::parse(made.out);
+  const Json result = Json::parse(made.out);
   EXPECT_EQ(result["format"], "fll");
-  EXPECT_EQ(result["inputs"], json::parse("[\"speed\"]"));
+  EXPECT_EQ(result["inputs"], Json::parse("[\"speed\"]"));
   EXPECT_EQ(result["output"], "force");
   EXPECT_EQ(result["rules"], 2);
   EXPECT_EQ(result["warnings"].size(), 1U);

@@ -12,21 +12,21 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
-json jsonOf(std::vector<std::string> arguments) {
+Json jsonOf(std::vector<std::string> arguments) {
   arguments.emplace_back("--json");
   const ProgramRun run(arguments);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  return json::parse(run.out);
+  return Json::parse(run.out);
 }
 
 TEST(Check, FindingsAreResultsAndNotFailures) {
   const support::TempFolder folder;
   const std::string file = folder.file("s4.tactus.json");
   ASSERT_TRUE(model_io::writeModel(support::s4AsPrinted(), file).has_value());
-  const json result = jsonOf({"check", file});
+  const Json result = jsonOf({"check", file});
   EXPECT_EQ(result.at("valid"), true);
   EXPECT_EQ(result.at("findings").at(0).at("kind"), "hole");
   EXPECT_EQ(result.at("findings").at(0).at("expert"), nullptr);
@@ -48,7 +48,7 @@ TEST(Check, FindingsAreResultsAndNotFailures) {
 }
 
 TEST(Cluster, HasTheKeysOfItsContract) {
-  const json result = jsonOf({"cluster", TACTUS_GOLDEN_DIR "/fcm/S4_600.csv"});
+  const Json result = jsonOf({"cluster", TACTUS_GOLDEN_DIR "/fcm/S4_600.csv"});
   // Reference centres computed with 40 digits.
   const std::vector<double> centres = {9.504205448296123, 36.11239250449684, 52.011079026036754};
   for (std::size_t k = 0; k < centres.size(); ++k) EXPECT_NEAR(result.at("centres").at(k), centres[k], 7.7e-11);
@@ -63,7 +63,7 @@ TEST(Cluster, AnObjectiveOutsideTheRangeOfDoubleComesAsALogarithm) {
   const support::TempFolder folder;
   const std::string file = folder.file("speeds.csv");
   writeText(file, "other,speed_mm_s\n0,1e160\n0,2e160\n0,4e160\n0,9e160\n");
-  const json result = jsonOf({"cluster", file, "-c", "2"});
+  const Json result = jsonOf({"cluster", file, "-c", "2"});
   EXPECT_EQ(result.at("objective"), nullptr);
   EXPECT_GT(result.at("objective_log10"), 308);
   EXPECT_TRUE(result.at("warnings").empty());
@@ -73,7 +73,7 @@ TEST(Vote, Table2GivesItsElevenWinners) {
   const support::TempFolder folder;
   const std::string file = folder.file("table2.csv");
   writeText(file, std::string(experiments::table2Csv()));
-  const json result = jsonOf({"vote", file});
+  const Json result = jsonOf({"vote", file});
   const std::vector<std::string> winners = {"very_small", "very_small", "small",     "small",
                                             "medium",     "medium",     "large",     "very_large",
                                             "very_large", "very_large", "very_large"};
@@ -82,7 +82,7 @@ TEST(Vote, Table2GivesItsElevenWinners) {
   EXPECT_EQ(result.at("steps").at(2).at("reason"), "next_level");
   EXPECT_EQ(result.at("steps").at(8).at("reason"), "tie_higher");
   EXPECT_EQ(result.at("terms").at(3).at("id"), "large");
-  EXPECT_EQ(result.at("terms").at(3).at("points"), json({0.6, 0.7, 0.7, 0.8}));
+  EXPECT_EQ(result.at("terms").at(3).at("points"), Json({0.6, 0.7, 0.7, 0.8}));
   EXPECT_EQ(result.at("terms_from"), "vote");
   EXPECT_EQ(result.at("end_n"), 1.1);
 }

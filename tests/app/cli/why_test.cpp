@@ -12,7 +12,7 @@
 namespace tactus::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 constexpr const char* kPoint = "lubrication=1,neck_flexion=60,depth=200,speed=50";
 
@@ -39,7 +39,7 @@ class WhyTest : public testing::Test {
 TEST_F(WhyTest, OneExpert) {
   const ProgramRun run({"why", s4_, "--at", kPoint, "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
-  const json why = json::parse(run.out);
+  const Json why = Json::parse(run.out);
   EXPECT_NEAR(why["force_n"].get<double>(), .589444, 5e-7);
   ASSERT_EQ(why["words"].size(), 4U);
   EXPECT_EQ(why["words"][0]["term"], "small");
@@ -54,7 +54,7 @@ TEST_F(WhyTest, OneExpert) {
       "and very_large (+0.086 N: Neck flexion large, Depth esophagus) and large (+0.010 N) pull it up. It would be "))
       << sentence;
   bool felt = false;
-  for (const json& one : why["counterfactuals"]) {
+  for (const Json& one : why["counterfactuals"]) {
     if (one["input"] != "neck_flexion" || one["what"] != "one just-noticeable difference") continue;
     felt = true;
     EXPECT_NEAR(one["value"].get<double>(), 56.6623, 5e-5);
@@ -64,12 +64,12 @@ TEST_F(WhyTest, OneExpert) {
 }
 
 TEST_F(WhyTest, TheMeanAndOneOfItsExperts) {
-  const json mean = json::parse(ProgramRun({"why", four_, "--at", kPoint, "--json"}).out);
+  const Json mean = Json::parse(ProgramRun({"why", four_, "--at", kPoint, "--json"}).out);
   EXPECT_NEAR(mean["force_n"].get<double>(), .534861, 5e-7);
   ASSERT_EQ(mean["experts"].size(), 4U);
   EXPECT_EQ(mean["experts"][3]["id"], "S4");
   EXPECT_NEAR(mean["experts"][3]["leave_one_out_n"].get<double>(), .018194, 5e-7);
-  const json alone = json::parse(ProgramRun({"why", four_, "--at", kPoint, "--expert", "S4", "--json"}).out);
+  const Json alone = Json::parse(ProgramRun({"why", four_, "--at", kPoint, "--expert", "S4", "--json"}).out);
   EXPECT_NEAR(alone["force_n"].get<double>(), .589444, 5e-7);
   ASSERT_EQ(alone["words"].size(), 4U);
   EXPECT_NEAR(alone["words"][3]["pull_n"].get<double>(), .086185, 5e-7);

@@ -49,14 +49,14 @@ study::Study smallStudy(std::uint64_t seed) {
         }
       }
     }
-    using Kind = study::ForceJudgement::Kind;
+    using JudgedAs = study::ForceJudgement::Kind;
     for (int step = 1; step <= 5; ++step) {
       study::ForceJudgement judgement;
       judgement.participant = code;
       judgement.series = "ascending";
       judgement.step = step;
       judgement.force_n = 0.1 * step;
-      judgement.kind = step < 5 ? Kind::kTerm : Kind::kBeyondPractice;
+      judgement.kind = step < 5 ? JudgedAs::kTerm : JudgedAs::kBeyondPractice;
       if (step < 5) judgement.term = random.below(2) == 0 ? "small" : "large";
       study.judgements.push_back(judgement);
     }

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   qputenv("XDG_RUNTIME_DIR", runtime_folder.path().toUtf8());
   const QByteArray platform = qgetenv("TACTUS_TEST_PLATFORM");
   qputenv("QT_QPA_PLATFORM", platform.isEmpty() ? "offscreen" : platform);
-  tactus::workbench::tests::stopOnWarnings();
+  tactus::tests::stopOnWarnings();
   QApplication application(argc, argv);
   QApplication::setCursorFlashTime(0);
   tactus::workbench::theme::apply(application);

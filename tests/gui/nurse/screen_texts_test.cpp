@@ -14,11 +14,13 @@
 
 #include "tests/gui/nurse/text_recorder.h"
 
-namespace tactus::workbench::tests {
+namespace tactus::workbench {
 namespace {
 
 using nurse::Language;
 using nurse::Look;
+using tests::textsOf;
+using tests::WrittenText;
 
 constexpr double kDotsPerInch = 96;
 constexpr double kSlack = 2;  // px, of rounding
@@ -152,4 +154,4 @@ INSTANTIATE_TEST_SUITE_P(Sizes, NurseScreens, testing::ValuesIn(settings()),
                          [](const testing::TestParamInfo<Setting>& setting) { return nameOf(setting.param); });
 
 }  // namespace
-}  // namespace tactus::workbench::tests
+}  // namespace tactus::workbench

@@ -5,7 +5,7 @@
 #include <QPainterPath>
 #include <QWidget>
 
-namespace tactus::workbench::tests {
+namespace tactus::tests {
 namespace {
 
 class Engine : public QPaintEngine {
@@ -81,4 +81,4 @@ std::vector<WrittenText> textsOf(QWidget& widget) {
   return texts;
 }
 
-}  // namespace tactus::workbench::tests
+}  // namespace tactus::tests

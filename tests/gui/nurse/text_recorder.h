@@ -11,7 +11,7 @@
 
 class QWidget;
 
-namespace tactus::workbench::tests {
+namespace tactus::tests {
 
 struct WrittenText {
   QString text;
@@ -23,4 +23,4 @@ struct WrittenText {
 /// Everything that `widget` and its children write when they are painted.
 std::vector<WrittenText> textsOf(QWidget& widget);
 
-}  // namespace tactus::workbench::tests
+}  // namespace tactus::tests

@@ -11,11 +11,10 @@
 #include "app/workbench/tune/rules/rule_grids.h"
 #include "app/workbench/tune/rules/rule_list_model.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/s4_rules.h"
 
 namespace tactus::tests {
-
-inline constexpr int kPatience = 10'000;  // ms, for a busy machine
 
 class RuleEditorFixture : public S4Rules {
  protected:

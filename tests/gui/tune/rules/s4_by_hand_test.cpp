@@ -41,17 +41,17 @@ constexpr const char* kAnswers[9] = {
     "35-554",  // fast
 };
 
-struct Reading {
+struct GivenReading {
   double depth_mm;
   double force_n;
 };
 
 // Force of S4 at lubrication 1, neck flexion 60 deg, speed 50 mm/s: exact integration in a program of another author,
 // to five digits.
-constexpr Reading kPublished[] = {{0, .12667},   {30, .12667},  {60, .12667},  {70, .33765},  {80, .45},
-                                  {120, .45},    {139, .5},     {145, .49428}, {150, .47875}, {160, .46882},
-                                  {170, .46797}, {185, .46797}, {200, .58944}, {215, .54365}, {420, .54365},
-                                  {440, .46445}, {460, .25657}, {600, .25657}};
+constexpr GivenReading kPublished[] = {{0, .12667},   {30, .12667},  {60, .12667},  {70, .33765},  {80, .45},
+                                       {120, .45},    {139, .5},     {145, .49428}, {150, .47875}, {160, .46882},
+                                       {170, .46797}, {185, .46797}, {200, .58944}, {215, .54365}, {420, .54365},
+                                       {440, .46445}, {460, .25657}, {600, .25657}};
 
 fuzzy::ForceModel withoutRules() {
   fuzzy::ForceModel model = support::s4AsPrinted();
@@ -145,7 +145,7 @@ TEST_F(S4ByHand, TheCurvesAreThoseOfTableA2BitForBit) {
 TEST_F(S4ByHand, TheForcesAreThePublishedOnes) {
   fillIn();
   const auto compiled = fuzzy::compile(edits.model()).value();
-  for (const Reading& reading : kPublished) {
+  for (const GivenReading& reading : kPublished) {
     const auto force = compiled.evaluate(std::vector<double>{1, 60, reading.depth_mm, 50});
     EXPECT_TRUE(force.fired);
     EXPECT_NEAR(force.force_n, reading.force_n, 5.1e-6) << reading.depth_mm << " mm";  // half a unit of the last digit
