@@ -1,10 +1,10 @@
 #include "core/store/entry_tables.h"
 
-#include <nlohmann/json.hpp>
+#include <utility>
 
-#include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/store/pair_list.h"
 #include "core/store/words.h"
 
 namespace tactus::store {
@@ -13,24 +13,16 @@ namespace {
 using base::ErrorCode;
 
 std::string conditionsText(const std::vector<study::ItemCondition>& conditions) {
-  base::JsonWriter json;
-  json.beginArray(base::JsonWriter::Layout::kInline);
-  for (const auto& condition : conditions) json.values(std::array{condition.input, condition.term});
-  std::string text = json.endArray().text();
-  text.pop_back();  // the newline of a whole file
-  return text;
+  PairList pairs;
+  for (const auto& condition : conditions) pairs.emplace_back(condition.input, condition.term);
+  return pairListText(pairs);
 }
 
 std::vector<study::ItemCondition> parseConditions(const std::string& text) {
+  auto pairs = pairListIn(text);
+  if (!pairs) refuse(ErrorCode::kSchema, "rule", base::quoted(text), "a list of [input, term]");
   std::vector<study::ItemCondition> conditions;
-  const auto json = nlohmann::json::parse(text, nullptr, false);
-  bool fits = json.is_array();
-  for (std::size_t i = 0; fits && i < json.size(); ++i) {
-    const auto& pair = json[i];
-    fits = pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string();
-    if (fits) conditions.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
-  }
-  if (!fits) refuse(ErrorCode::kSchema, "rule", base::quoted(text), "a list of [input, term]");
+  for (auto& [input, term] : *pairs) conditions.push_back({std::move(input), std::move(term)});
   return conditions;
 }
 

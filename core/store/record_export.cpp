@@ -6,9 +6,9 @@
 
 #include "core/base/files/file.h"
 #include "core/base/files/sha256.h"
-#include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/store/pair_list.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
@@ -24,12 +24,9 @@ using base::Result;
 using study::RecordId;
 
 std::string channelList(const study::Recording& recording) {
-  base::JsonWriter json;
-  json.beginArray(base::JsonWriter::Layout::kInline);
-  for (const auto& channel : recording.channels) json.values(std::vector{channel.name, channel.unit});
-  std::string text = json.endArray().text();
-  text.pop_back();  // the newline of a whole file
-  return text;
+  PairList pairs;
+  for (const auto& channel : recording.channels) pairs.emplace_back(channel.name, channel.unit);
+  return pairListText(pairs);
 }
 
 /// `depth_mm`, `speed_mm_s`: what people and programs can use as the name of a column, each once.

@@ -15,6 +15,7 @@
 #include "core/base/files/file.h"
 #include "core/base/files/sha256.h"
 #include "core/base/text.h"
+#include "core/store/pair_list.h"
 #include "core/store/record_checksum.h"
 #include "core/store/recording_codec.h"
 
@@ -71,15 +72,10 @@ bool names(const std::string& text, std::string_view column) {
 }
 
 std::vector<study::Channel> channelsIn(const std::string& text) {
+  auto pairs = pairListIn(text);
+  if (!pairs) refuse(ErrorCode::kSchema, {}, base::quoted(text), "a list of [name, unit]");
   std::vector<study::Channel> channels;
-  const auto json = nlohmann::json::parse(text, nullptr, false);
-  bool fits = json.is_array();
-  for (std::size_t i = 0; fits && i < json.size(); ++i) {
-    const auto& pair = json[i];
-    fits = pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string();
-    if (fits) channels.push_back({pair[0].get<std::string>(), pair[1].get<std::string>(), {}});
-  }
-  if (!fits) refuse(ErrorCode::kSchema, {}, base::quoted(text), "a list of [name, unit]");
+  for (auto& [name, unit] : *pairs) channels.push_back({std::move(name), std::move(unit), {}});
   return channels;
 }
 
