@@ -247,17 +247,17 @@ class Checker {
   }
 
   void findThresholds() {
-    std::vector<TermAtForce> points;
+    std::vector<study::TermAtForce> points;
     for (const auto& judged : judged_) {
       if (judged.record->commanded_n > 0) points.push_back({judged.record->commanded_n, judged.term});
     }
-    result_.thresholds = termThresholds(points, terms_.size());
+    result_.thresholds = study::termThresholds(points, terms_.size());
     if (points.empty()) return;
     std::vector<std::string> places;
     for (const auto& threshold_n : result_.thresholds.threshold_n) {
       places.push_back(threshold_n ? base::formatFixed(*threshold_n, 2) : "?");
     }
-    const bool probit = result_.thresholds.method == TermThresholds::Method::kOrderedProbit;
+    const bool probit = result_.thresholds.method == study::TermThresholds::Method::kOrderedProbit;
     say("thresholds", false,
         "The terms change at " + base::joined(places, ", ") + " N (" +
             (probit ? "ordered probit, spread " + base::formatFixed(*result_.thresholds.sigma_n, 2) + " N"

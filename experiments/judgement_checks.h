@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/study/ordered_probit.h"
 #include "core/study/session_records.h"
-#include "experiments/ordered_probit.h"
 
 namespace tactus::experiments {
 
@@ -74,7 +74,7 @@ struct JudgementChecks {
   BlankCheck blanks;
   ResponseTimeCheck response_time;
   MotionCheck motion;
-  TermThresholds thresholds;  ///< from the scored judgements with a term, of all series, without blanks
+  study::TermThresholds thresholds;  ///< from the scored judgements with a term, of all series, without blanks
   std::vector<JudgementFinding> findings;
 };
 

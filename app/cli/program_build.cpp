@@ -30,10 +30,12 @@ void addForceTerms(CLI::App& command, Options& o) {
           "--force-terms",
           [&o](const std::string& word) {
             using enum elicitation::ForceTermsFrom;
-            o.force_terms = word == name(kFrequency) ? kFrequency : word == name(kThresholds) ? kThresholds : kVote;
+            for (const auto from : {kVote, kFrequency, kThresholds, kProbit}) {
+              if (word == name(from)) o.force_terms = from;
+            }
           },
           "Terms of the force from the judgements")
-      ->check(oneOf({"vote", "frequency", "thresholds"}))
+      ->check(oneOf({"vote", "frequency", "thresholds", "probit"}))
       ->default_str("vote");
   command
       .add_option(

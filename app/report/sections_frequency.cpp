@@ -59,6 +59,8 @@ std::string_view modelTermsFrom(const ReportContext& context) {
       return "frequency curve";
     case elicitation::ForceTermsFrom::kThresholds:
       return "participants’ thresholds";
+    case elicitation::ForceTermsFrom::kProbit:
+      return "ordered probit";
     case elicitation::ForceTermsFrom::kVote:
       break;
   }

@@ -73,6 +73,10 @@ std::string termsOrigin(const ReportContext& context) {
       return " From the shares of all answers: the trapezoids that sum to 1 and are closest to them.";
     case elicitation::ForceTermsFrom::kThresholds:
       return " From each participant’s thresholds between the words, averaged.";
+    case elicitation::ForceTermsFrom::kProbit:
+      return " From one ordered probit over all answers: a ramp around each force at which the words change, as wide "
+             "as "
+             "their spread.";
     case elicitation::ForceTermsFrom::kVote:
       break;
   }

@@ -1,12 +1,43 @@
 #include "elicitation/force/force_term_parts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/base/rounded_number.h"
 
 namespace tactus::elicitation {
+namespace {
+
+constexpr double kPerMicronewton = 1e6;
+
+}  // namespace
+
+double toMicronewton(double force_n) { return std::round(force_n * kPerMicronewton) / kPerMicronewton; }
+
+std::vector<TermRamp> rampsAround(std::span<const double> threshold_n, double half_n, double last_half_n) {
+  std::vector<TermRamp> ramps;
+  for (std::size_t first = 0; first < threshold_n.size();) {
+    std::size_t last = first;
+    while (last + 1 < threshold_n.size() && threshold_n[last + 1] == threshold_n[first]) ++last;
+    const bool highest = last + 1 == threshold_n.size();
+    double side_n = std::min(highest ? last_half_n : half_n, threshold_n[first]);
+    if (first > 0) side_n = std::min(side_n, (threshold_n[first] - threshold_n[first - 1]) / 2);
+    if (!highest) side_n = std::min(side_n, (threshold_n[last + 1] - threshold_n[first]) / 2);
+    const auto parts = static_cast<double>(last - first + 1);
+    const auto end = [&](std::size_t part) {
+      return toMicronewton(threshold_n[first] + side_n * (2 * static_cast<double>(part) / parts - 1));
+    };
+    for (std::size_t part = 0; part <= last - first; ++part) {
+      // Ramps that touch may round to either side of half a micronewton.
+      const double begin_n = ramps.empty() ? end(part) : std::max(end(part), ramps.back().end_n);
+      ramps.push_back({begin_n, std::max(begin_n, end(part + 1))});
+    }
+    first = last + 1;
+  }
+  return ramps;
+}
 
 ForceTerms emptyForceTerms(const fuzzy::Variable& output, const ForceEnd& end) {
   ForceTerms out;

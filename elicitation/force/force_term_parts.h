@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/fuzzy/force_model.h"
 #include "elicitation/force/force_end.h"
@@ -28,5 +29,12 @@ void addInterpolated(ForceTerms& out, const fuzzy::Term& term, const ForceEnd& e
 /// Sets the terms of `output`, with one ramp between two neighbors, ascending. The lowest and the highest have
 /// shoulders. Terms without width in the universe of `out` become absent.
 void placeBetween(const fuzzy::Variable& output, std::span<const TermRamp> ramps, ForceTerms& out);
+
+/// A ramp of up to `half_n` to both sides of each threshold (ascending or equal), of up to `last_half_n` around the
+/// last one; narrower if a neighbor is nearer. Equal thresholds share the width.
+std::vector<TermRamp> rampsAround(std::span<const double> threshold_n, double half_n, double last_half_n);
+
+/// `force_n`, rounded to a micronewton.
+double toMicronewton(double force_n);
 
 }  // namespace tactus::elicitation

@@ -79,6 +79,8 @@ std::string_view name(ForceTermsFrom from) noexcept {
       return "frequency";
     case ForceTermsFrom::kThresholds:
       return "thresholds";
+    case ForceTermsFrom::kProbit:
+      return "probit";
   }
   return "";
 }

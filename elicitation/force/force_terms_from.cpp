@@ -2,6 +2,7 @@
 
 #include "core/base/check.h"
 #include "elicitation/force/force_frequency.h"
+#include "elicitation/force/force_probit.h"
 #include "elicitation/force/force_thresholds.h"
 
 namespace tactus::elicitation {
@@ -16,6 +17,8 @@ base::Result<ForceTerms> forceTermsFrom(ForceTermsFrom from, const fuzzy::Variab
       return frequencyTerms(output, steps, end_n);
     case ForceTermsFrom::kThresholds:
       return thresholdTerms(output, judgements, series, steps, end_n);
+    case ForceTermsFrom::kProbit:
+      return probitTerms(output, judgements, series, steps, end_n);
   }
   TACTUS_CHECK(false);
 }

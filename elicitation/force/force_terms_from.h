@@ -13,9 +13,9 @@
 
 namespace tactus::elicitation {
 
-/// The terms of `output` by the way `from`: forceTerms, frequencyTerms or thresholdTerms, with their arguments and
-/// errors. `judgements` of `series` are those that `countVotes` counted into the `steps` of `vote`; only kThresholds
-/// looks at them.
+/// The terms of `output` by the way `from`: forceTerms, frequencyTerms, thresholdTerms or probitTerms, with their
+/// arguments and errors. `judgements` of `series` are those that `countVotes` counted into the `steps` of `vote`; only
+/// kThresholds and kProbit look at them.
 base::Result<ForceTerms> forceTermsFrom(ForceTermsFrom from, const fuzzy::Variable& output,
                                         std::span<const study::ForceJudgement> judgements, std::string_view series,
                                         std::span<const VoteStep> steps, std::optional<double> end_n = std::nullopt);

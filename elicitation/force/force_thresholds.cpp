@@ -1,7 +1,6 @@
 #include "elicitation/force/force_thresholds.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/base/check.h"
@@ -12,10 +11,6 @@ namespace tactus::elicitation {
 namespace {
 
 using study::ForceJudgement;
-
-constexpr double kPerMicronewton = 1e6;  // thresholds are rounded to a micronewton, as the ends of the frequency curve
-
-double rounded(double force_n) { return std::round(force_n * kPerMicronewton) / kPerMicronewton; }
 
 /// A judged force and its place on the scale: 0 for "not felt", k + 1 for term k, one more than all terms for "beyond".
 struct Answer {
@@ -93,32 +88,9 @@ std::vector<double> meanThresholds(const std::vector<ForceThresholds>& participa
   std::vector<double> mean_n(count);
   for (std::size_t k = 0; k < count; ++k) {
     for (const auto& one : participants) mean_n[k] += one.threshold_n[k];
-    mean_n[k] = rounded(mean_n[k] / static_cast<double>(participants.size()));
+    mean_n[k] = toMicronewton(mean_n[k] / static_cast<double>(participants.size()));
   }
   return mean_n;
-}
-
-/// Ramps of up to `half_n` to both sides of each mean; equal means share the width.
-std::vector<TermRamp> rampsAround(const std::vector<double>& mean_n, double half_n) {
-  std::vector<TermRamp> ramps;
-  for (std::size_t first = 0; first < mean_n.size();) {
-    std::size_t last = first;
-    while (last + 1 < mean_n.size() && mean_n[last + 1] == mean_n[first]) ++last;
-    double side_n = std::min(half_n, mean_n[first]);
-    if (first > 0) side_n = std::min(side_n, (mean_n[first] - mean_n[first - 1]) / 2);
-    if (last + 1 < mean_n.size()) side_n = std::min(side_n, (mean_n[last + 1] - mean_n[first]) / 2);
-    const auto parts = static_cast<double>(last - first + 1);
-    const auto end = [&](std::size_t part) {
-      return rounded(mean_n[first] + side_n * (2 * static_cast<double>(part) / parts - 1));
-    };
-    for (std::size_t part = 0; part <= last - first; ++part) {
-      // Ramps that touch may round to either side of half a micronewton.
-      const double begin_n = ramps.empty() ? end(part) : std::max(end(part), ramps.back().end_n);
-      ramps.push_back({begin_n, std::max(begin_n, end(part + 1))});
-    }
-    first = last + 1;
-  }
-  return ramps;
 }
 
 std::string outsideNote(const std::vector<ForceThresholds>& participants) {
@@ -150,7 +122,7 @@ base::Result<ThresholdTerms> thresholdTerms(const fuzzy::Variable& output, std::
   }
   TACTUS_CHECK(!out.participants.empty());
   out.mean_n = meanThresholds(out.participants, terms - 1);
-  const auto ramps = rampsAround(out.mean_n, half_n);
+  const auto ramps = rampsAround(out.mean_n, half_n, half_n);
   if (!ramps.empty() && ramps.back().end_n > end->last_n) endAbove(out, *end, 1, ramps.back().end_n);
   placeBetween(output, ramps, out);
   if (auto note = outsideNote(out.participants); !note.empty()) out.notes.push_back(std::move(note));

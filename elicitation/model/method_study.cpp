@@ -73,7 +73,8 @@ class Choices {
     }
     if (!built_.speeds.empty()) addSpeedChoices();
     if (built_.force_terms) {
-      for (const auto from : {ForceTermsFrom::kVote, ForceTermsFrom::kFrequency, ForceTermsFrom::kThresholds}) {
+      for (const auto from :
+           {ForceTermsFrom::kVote, ForceTermsFrom::kFrequency, ForceTermsFrom::kThresholds, ForceTermsFrom::kProbit}) {
         if (from != settings_.force_terms) {
           rebuilt("force_terms", std::string(name(from)), [from](BuildSettings& s) { s.force_terms = from; });
         }

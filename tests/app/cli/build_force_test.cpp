@@ -49,7 +49,7 @@ class BuildForce : public testing::Test {
 
 TEST_F(BuildForce, EverybodySaysBeyondWhereVeryLargeWouldStand) {
   judge({"vvssmmlb", "vssmmllb", "vvsmmllb"});
-  for (const char* way : {"vote", "frequency", "thresholds"}) {
+  for (const char* way : {"vote", "frequency", "thresholds", "probit"}) {
     SCOPED_TRACE(way);
     const ProgramRun run = build({"--force-terms", way});
     ASSERT_EQ(run.status, 0) << run.err;
@@ -87,7 +87,7 @@ TEST_F(BuildForce, TheEndCanBeAskedFor) {
 /// `vote` and `build` have the same options and give the same terms.
 TEST_F(BuildForce, VoteGivesTheTermsThatBuildBuildsOf) {
   judge({"vvssmmlVVV", "vssmmlVb", "vvssmlVVVVV"});
-  for (const char* way : {"vote", "frequency", "thresholds"}) {
+  for (const char* way : {"vote", "frequency", "thresholds", "probit"}) {
     for (const char* end : {"", "0.8", "1.4"}) {
       SCOPED_TRACE(std::string(way) + ", end " + end);
       std::vector<std::string> options = {"--force-terms", way};

@@ -52,7 +52,8 @@ study::Study table2() {
 
 TEST(RecordInfluence, WithoutAJudgementTheModelIsThatOfAStudyWithoutIt) {
   const study::Study data = table2();
-  for (const auto from : {ForceTermsFrom::kVote, ForceTermsFrom::kFrequency, ForceTermsFrom::kThresholds}) {
+  for (const auto from :
+       {ForceTermsFrom::kVote, ForceTermsFrom::kFrequency, ForceTermsFrom::kThresholds, ForceTermsFrom::kProbit}) {
     BuildSettings settings;
     settings.force_terms = from;
     const auto built = buildModel(data, std::vector{form45()}, settings);

@@ -69,7 +69,7 @@ TEST_F(ForceLabTest, Table2WithItsWinnersAndReasons) {
   EXPECT_TRUE(table.index(2, VoteTable::kFirstWord + 1).data(VoteTable::kWinsRole).toBool());
 }
 
-TEST_F(ForceLabTest, TheThreeWaysSideBySide) {
+TEST_F(ForceLabTest, TheFourWaysSideBySide) {
   for (const ForceMethod& method : lab.votes().methods) {
     EXPECT_TRUE(method.terms) << method.refusal.toStdString();
     EXPECT_TRUE(method.refusal.isEmpty());

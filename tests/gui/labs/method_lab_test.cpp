@@ -60,7 +60,7 @@ TEST_F(MethodLabTest, ComparesOnRequestAndDrawsTheCurvesWhereTheyDifferMost) {
   }
   VariantTable variants;
   variants.setFactor(*lab.found(), "force_terms", lab.model());
-  ASSERT_EQ(variants.rowCount(), 2) << "frequency and thresholds beside the vote";
+  ASSERT_EQ(variants.rowCount(), 3) << "frequency, thresholds and probit beside the vote";
 
   const std::size_t thresholds = variant("force_terms", "thresholds");
   EXPECT_EQ(variants.variantAt(variants.rowOf(thresholds)), thresholds);

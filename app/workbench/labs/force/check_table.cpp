@@ -54,7 +54,7 @@ QString repeats(const experiments::RepeatCheck& check) {
   return kappa.isEmpty() || near.isEmpty() ? kappa + near : kappa + QStringLiteral(" · ") + near;
 }
 
-QString thresholds(const experiments::TermThresholds& found) {
+QString thresholds(const study::TermThresholds& found) {
   QStringList parts;
   for (const auto& one : found.threshold_n) parts << (one ? numberText(*one) : kNone);
   QString out = parts.join(QStringLiteral(" · ")) + QStringLiteral(" N");

@@ -14,9 +14,9 @@
 
 namespace tactus::workbench {
 
-inline constexpr std::array kForceMethods = {elicitation::ForceTermsFrom::kVote,
-                                             elicitation::ForceTermsFrom::kFrequency,
-                                             elicitation::ForceTermsFrom::kThresholds};
+inline constexpr std::array kForceMethods = {
+    elicitation::ForceTermsFrom::kVote, elicitation::ForceTermsFrom::kFrequency,
+    elicitation::ForceTermsFrom::kThresholds, elicitation::ForceTermsFrom::kProbit};
 
 /// One way from the judgements to the terms.
 struct ForceMethod {

@@ -25,7 +25,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kVotesWidth = 560;  // px: all columns of Table 2
+constexpr int kVotesWidth = 500;  // px: all columns of Table 2
+constexpr int kWordsWidth = 620;  // px
 
 }  // namespace
 
@@ -49,7 +50,7 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   series_->setToolTip(tr("The series that votes for the words of the force."));
   auto* table = new LabCard(tr("Votes for each force (Table 2)"), votes_);
   table->addTool(series_);
-  auto* words = new LabCard(tr("Words of the force (Fig. 3e), three ways"), terms_);
+  auto* words = new LabCard(tr("Words of the force (Fig. 3e), four ways"), terms_);
   for (const auto from : kForceMethods) {
     terms_->addTool(from, new PlotMenu(
                               terms_->plot(from), [this, from] { return forceTermsTable(lab_, from); }, terms_));
@@ -57,9 +58,9 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   auto* top = new QSplitter(Qt::Horizontal);
   top->addWidget(table);
   top->addWidget(words);
-  top->setStretchFactor(0, 5);
-  top->setStretchFactor(1, 6);
-  top->setSizes({kVotesWidth, kVotesWidth * 6 / 5});
+  top->setStretchFactor(0, 0);
+  top->setStretchFactor(1, 1);
+  top->setSizes({kVotesWidth, kWordsWidth});
   details_->setDocumentMode(true);
   details_->addTab(judgements_, tr("Judgements"));
   details_->addTab(checks_, tr("Checks"));

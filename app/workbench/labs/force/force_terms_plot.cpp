@@ -27,7 +27,7 @@ ForceTermsPlot::ForceTermsPlot(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
-  setMinimumSize(160, 120);
+  setMinimumSize(120, 120);
   setAccessibleName(tr("Words of the force"));
 }
 

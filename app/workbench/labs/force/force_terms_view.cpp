@@ -18,11 +18,18 @@
 namespace tactus::workbench {
 namespace {
 
-// `S 0.2 · 0.3 · 0.4 · 0.5`: the corners of a word on one line, however narrow the column is.
-QString cornersOf(const fuzzy::Term& term) {
-  QStringList points;
-  for (const double point : term.points) points << numberText(point, 3);
-  return QStringLiteral("%1  %2").arg(initialsOf(labelOf(term)), points.join(QStringLiteral(" · ")));
+constexpr int kDecimals = 3;
+constexpr int kFewDecimals = 2;  // in a narrow column; the hint has all
+
+// `S 0.2 · 0.3 · 0.4 · 0.5`: the corners of each word on a line.
+QString cornersOf(const std::vector<fuzzy::Term>& terms, int decimals, const QString& between) {
+  QStringList lines;
+  for (const fuzzy::Term& term : terms) {
+    QStringList points;
+    for (const double point : term.points) points << numberText(point, decimals);
+    lines << initialsOf(labelOf(term)) + QStringLiteral("  ") + points.join(between);
+  }
+  return lines.join(QLatin1Char('\n'));
 }
 
 // The axes of all methods end at the same force, so that the pictures can be compared.
@@ -39,7 +46,7 @@ double commonEnd(const ForceVotes& votes) {
 ForceTermsView::ForceTermsView(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  row->setSpacing(2 * theme::kGrid);
+  row->setSpacing(theme::kGrid + 4);
   auto* group = new QButtonGroup(this);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     row->addWidget(makeColumn(i), 1);
@@ -96,23 +103,38 @@ void ForceTermsView::setVotes(const ForceVotes& votes) {
   const double end_n = commonEnd(votes);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const ForceMethod& method = votes.methods[i];
-    const Column& column = columns_[i];
+    Column& column = columns_[i];
     column.choice->setEnabled(method.terms.has_value());
     column.plot->setTerms(votes.words, method.terms ? method.terms->output.terms : std::vector<fuzzy::Term>(),
                           votes.steps, end_n);
-    QStringList lines;
+    column.terms = method.terms ? method.terms->output.terms : std::vector<fuzzy::Term>();
     if (method.terms) {
-      for (const fuzzy::Term& term : method.terms->output.terms) lines << cornersOf(term);
-      QStringList notes;
-      for (const std::string& note : method.terms->notes) notes << text(note);
-      column.corners->setToolTip(notes.join(QLatin1Char('\n')));
+      tellCorners(column);
+      QStringList hint(cornersOf(column.terms, kDecimals, QStringLiteral(" · ")));
+      for (const std::string& note : method.terms->notes) hint << text(note);
+      column.corners->setToolTip(hint.join(QLatin1Char('\n')));
     } else {
-      lines << method.refusal;
+      column.corners->setText(method.refusal);
+      column.corners->setToolTip({});
     }
-    column.corners->setText(lines.join(QLatin1Char('\n')));
     column.corners->setMinimumHeight(QFontMetrics(column.corners->font()).lineSpacing() *
                                      static_cast<int>(votes.words.terms.size()));
   }
+}
+
+// On one line each, however narrow the column is.
+void ForceTermsView::tellCorners(const Column& column) {
+  if (column.terms.empty()) return;
+  const QString whole = cornersOf(column.terms, kDecimals, QStringLiteral(" · "));
+  const bool fits = QFontMetrics(column.corners->font()).size(0, whole).width() <= column.plot->width();
+  column.corners->setText(fits ? whole : cornersOf(column.terms, kFewDecimals, QStringLiteral(" ")));
+}
+
+void ForceTermsView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  // The layout gives the columns their width at once.
+  layout()->activate();
+  for (const Column& column : columns_) tellCorners(column);
 }
 
 void ForceTermsView::setChosen(elicitation::ForceTermsFrom from) {

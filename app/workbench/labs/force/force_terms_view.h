@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "app/workbench/labs/force/force_data.h"
 
@@ -28,6 +29,9 @@ class ForceTermsView : public QWidget {
   /// Adds `tool` beside the name of a method.
   void addTool(elicitation::ForceTermsFrom from, QWidget* tool);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  signals:
   void chosen(tactus::elicitation::ForceTermsFrom from);
   /// The user clicked a corner of a word of the model's method.
@@ -39,9 +43,11 @@ class ForceTermsView : public QWidget {
     QRadioButton* choice = nullptr;
     ForceTermsPlot* plot = nullptr;
     QLabel* corners = nullptr;
+    std::vector<fuzzy::Term> terms;
   };
   QWidget* makeColumn(std::size_t index);
   Column& columnOf(elicitation::ForceTermsFrom from);
+  void tellCorners(const Column& column);
 
   std::array<Column, kForceMethods.size()> columns_;
 };

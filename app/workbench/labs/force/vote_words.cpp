@@ -74,9 +74,11 @@ QString methodName(ForceTermsFrom from) {
     case ForceTermsFrom::kVote:
       return VoteWords::tr("Vote");
     case ForceTermsFrom::kFrequency:
-      return VoteWords::tr("Frequency curve");
+      return VoteWords::tr("Frequency");
     case ForceTermsFrom::kThresholds:
       return VoteWords::tr("Thresholds");
+    case ForceTermsFrom::kProbit:
+      return VoteWords::tr("Probit");
   }
   return {};
 }
@@ -89,6 +91,8 @@ QString methodRule(ForceTermsFrom from) {
       return VoteWords::tr("The trapezoids closest to the shares of all answers.");
     case ForceTermsFrom::kThresholds:
       return VoteWords::tr("The mean of the participants' own limits.");
+    case ForceTermsFrom::kProbit:
+      return VoteWords::tr("Ordered probit: one normal curve behind all answers.");
   }
   return {};
 }

@@ -13,7 +13,7 @@ QString reasonText(const elicitation::VoteStep& step);
 /// The rule behind it, one sentence.
 QString reasonRule(const elicitation::VoteStep& step);
 
-/// `Vote`, `Frequency curve`, `Thresholds`.
+/// `Vote`, `Frequency`, `Thresholds`, `Probit`.
 QString methodName(elicitation::ForceTermsFrom from);
 /// How the method comes to its terms, one sentence.
 QString methodRule(elicitation::ForceTermsFrom from);

@@ -1,8 +1,8 @@
-#include "experiments/ordered_probit.h"
+#include "core/study/ordered_probit.h"
 
 #include <gtest/gtest.h>
 
-namespace tactus::experiments {
+namespace tactus::study {
 namespace {
 
 using Method = TermThresholds::Method;
@@ -70,4 +70,4 @@ TEST(OrderedProbit, WithoutJudgementsThereAreNoThresholds) {
 }
 
 }  // namespace
-}  // namespace tactus::experiments
+}  // namespace tactus::study

@@ -1,4 +1,5 @@
-// The term boundaries of one participant: thresholds on the force axis, estimated from judgements.
+// The boundaries between the terms of the force: thresholds on the force axis, estimated from judgements of one
+// participant or of several together.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +8,13 @@
 #include <string_view>
 #include <vector>
 
-namespace tactus::experiments {
+namespace tactus::study {
 
-/// One judgement: a force and the index of its term, from the smallest force.
+/// Equal judgements: a force, the index of its term, from the smallest force, and how many there are, above 0.
 struct TermAtForce {
   double force_n = 0;
   std::size_t term = 0;
+  double count = 1;
 };
 
 struct TermThresholds {
@@ -29,7 +31,7 @@ struct TermThresholds {
 /// `ordered_probit`, `midpoints`.
 std::string_view name(TermThresholds::Method method) noexcept;
 
-/// The thresholds of one participant for `term_count` >= 2 terms.
+/// The thresholds for `term_count` >= 2 terms.
 ///
 /// Ordered probit (McKelvey and Zavoina 1975): a force F is felt as F + N(0, sigma²), and the term is the interval
 /// between two thresholds that contains the percept. The likelihood is concave in (threshold / sigma, 1 / sigma) (Pratt
@@ -39,4 +41,4 @@ std::string_view name(TermThresholds::Method method) noexcept;
 /// If several are equal, it is the middle of the lowest and the highest.
 TermThresholds termThresholds(std::span<const TermAtForce> judgements, std::size_t term_count);
 
-}  // namespace tactus::experiments
+}  // namespace tactus::study

@@ -1,4 +1,4 @@
-#include "experiments/ordered_probit.h"
+#include "core/study/ordered_probit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "core/base/check.h"
 
-namespace tactus::experiments {
+namespace tactus::study {
 namespace {
 
 constexpr double kLeastSigmaN = 1e-3;
@@ -35,7 +35,7 @@ Used usedTerms(std::span<const TermAtForce> judgements, std::size_t term_count) 
                                      [term](const TermAtForce& judgement) { return judgement.term == term; });
     if (!appears) continue;
     for (const auto& judgement : judgements) {
-      if (judgement.term == term) used.judgements.push_back({judgement.force_n, used.terms.size()});
+      if (judgement.term == term) used.judgements.push_back({judgement.force_n, used.terms.size(), judgement.count});
     }
     used.terms.push_back(term);
   }
@@ -70,7 +70,7 @@ struct Likelihood {
 Likelihood likelihoodAt(const Vector& parameters, const Used& used) {
   const std::size_t cuts = used.terms.size() - 1;
   Likelihood l{0, Vector(cuts + 1), std::vector<Vector>(cuts + 1, Vector(cuts + 1))};
-  for (const auto& [force_n, term] : used.judgements) {
+  for (const auto& [force_n, term, count] : used.judgements) {
     const double shift = parameters[cuts] * force_n;
     const double low = term == 0 ? -kInfinity : parameters[term - 1] - shift;
     const double high = term == cuts ? kInfinity : parameters[term] - shift;
@@ -79,7 +79,7 @@ Likelihood likelihoodAt(const Vector& parameters, const Used& used) {
       l.log = -kInfinity;
       return l;
     }
-    l.log += std::log(probability);
+    l.log += count * std::log(probability);
     // First and second derivatives of log P by the two bounds.
     const double by_high = density(high) / probability;
     const double by_low = -density(low) / probability;
@@ -92,10 +92,10 @@ Likelihood likelihoodAt(const Vector& parameters, const Used& used) {
     if (term > 0) d_low[term - 1] = 1;
     d_high[cuts] = d_low[cuts] = -force_n;
     for (std::size_t r = 0; r <= cuts; ++r) {
-      l.gradient[r] += by_high * d_high[r] + by_low * d_low[r];
+      l.gradient[r] += count * (by_high * d_high[r] + by_low * d_low[r]);
       for (std::size_t c = 0; c <= cuts; ++c) {
-        l.information[r][c] -= high_high * d_high[r] * d_high[c] + low_low * d_low[r] * d_low[c] +
-                               high_low * (d_high[r] * d_low[c] + d_low[r] * d_high[c]);
+        l.information[r][c] -= count * (high_high * d_high[r] * d_high[c] + low_low * d_low[r] * d_low[c] +
+                                        high_low * (d_high[r] * d_low[c] + d_low[r] * d_high[c]));
       }
     }
   }
@@ -129,10 +129,11 @@ Vector solved(std::vector<Vector> a, Vector b) {
 /// Ordered cuts at the shares of the terms, as if the force told nothing.
 Vector startOf(const Used& used) {
   Vector start(used.terms.size());
-  const double count = static_cast<double>(used.judgements.size());
+  double count = 0;
+  for (const auto& judgement : used.judgements) count += judgement.count;
   double below = 0;
   for (std::size_t cut = 0; cut + 1 < used.terms.size(); ++cut) {
-    for (const auto& judgement : used.judgements) below += judgement.term == cut ? 1 : 0;
+    for (const auto& judgement : used.judgements) below += judgement.term == cut ? judgement.count : 0;
     double low = -10;
     double high = 10;
     for (int i = 0; i < 60; ++i) {
@@ -181,15 +182,15 @@ std::optional<double> midpoint(std::span<const TermAtForce> judgements, std::siz
   if (!lower || !higher) return std::nullopt;
   std::sort(forces.begin(), forces.end());
   forces.erase(std::unique(forces.begin(), forces.end()), forces.end());
-  std::size_t fewest = judgements.size() + 1;
+  double fewest = kInfinity;
   double first = forces.front();
   double last = forces.front();
   for (std::size_t i = 0; i + 1 < forces.size(); ++i) {
     const double place = (forces[i] + forces[i + 1]) / 2;
-    const auto wrong =
-        static_cast<std::size_t>(std::count_if(judgements.begin(), judgements.end(), [&](const TermAtForce& judgement) {
-          return (judgement.term <= term) != (judgement.force_n < place);
-        }));
+    double wrong = 0;
+    for (const auto& judgement : judgements) {
+      if ((judgement.term <= term) != (judgement.force_n < place)) wrong += judgement.count;
+    }
     if (wrong < fewest) first = place;
     if (wrong <= fewest) last = place;
     fewest = std::min(fewest, wrong);
@@ -226,4 +227,4 @@ TermThresholds termThresholds(std::span<const TermAtForce> judgements, std::size
   return result;
 }
 
-}  // namespace tactus::experiments
+}  // namespace tactus::study
