@@ -1,10 +1,10 @@
 #include "elicitation/model/speed_bootstrap.h"
 
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 
 #include "core/base/statistics.h"
+#include "elicitation/speed/participant_samples.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -20,7 +20,8 @@ std::vector<double> valuesOf(std::span<const std::vector<Ramp>> replicates, std:
 }  // namespace
 
 base::Result<SpeedBootstrap> SpeedBootstrap::of(const study::Study& study, const BuiltModel& built,
-                                                const BuildSettings& settings, std::uint64_t seed) {
+                                                const BuildSettings& settings, std::uint64_t seed,
+                                                const std::function<bool()>& keep_going) {
   if (built.speeds.empty()) {
     return base::fail(base::ErrorCode::kData, "speeds", "none", "speeds of at least one participant");
   }
@@ -28,12 +29,15 @@ base::Result<SpeedBootstrap> SpeedBootstrap::of(const study::Study& study, const
                                   [](const fuzzy::Variable& input) { return input.id == "speed"; });
   std::vector<std::string> levels;
   for (const auto& term : speed->terms) levels.push_back(term.id);
-  std::unordered_map<std::string, std::vector<study::SpeedSample>> samples;
-  for (const auto& sample : study.speeds) samples[sample.participant].push_back(sample);
+  const ParticipantSamples samples(study.speeds);
 
   std::vector<StrokeBootstrap> participants;
   for (const auto& one : built.speeds) {
-    const auto kept = trimStrokes(samples[one.participant], settings.speed.trim);
+    if (keep_going && !keep_going()) {
+      return base::fail(base::ErrorCode::kCancelled, "intervals of the speeds", "a request to stop", "time to end");
+    }
+    std::vector<study::SpeedSample> room;
+    const auto kept = keptSamples(samples.of(one.participant), settings.speed.trim, room);
     auto bootstrap = StrokeBootstrap::of(kept, levels, one.centres, settings.speed, seed + participants.size());
     if (!bootstrap) return tl::unexpected(bootstrap.error());
     participants.push_back(std::move(*bootstrap));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,9 +29,12 @@ struct StudySpeedIntervals {
 class SpeedBootstrap {
  public:
   /// The speeds of `built`, made by buildModel from `study` with `settings`. The same seed gives the same replicates.
+  /// `keep_going`: asked before each participant; false ends with an error of kind kCancelled. The samples are only
+  /// read here; none is kept.
   /// Returns an error for no speeds, or a participant's level with fewer than two strokes.
   static base::Result<SpeedBootstrap> of(const study::Study& study, const BuiltModel& built,
-                                         const BuildSettings& settings, std::uint64_t seed = 1);
+                                         const BuildSettings& settings, std::uint64_t seed = 1,
+                                         const std::function<bool()>& keep_going = {});
 
   /// Adds replicates. With small batches a caller can report, refine and stop.
   void add(std::size_t replicates);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <unordered_map>
 #include <utility>
 
 #include "core/base/rounded_number.h"
 #include "core/base/text.h"
+#include "elicitation/speed/participant_samples.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -82,7 +82,8 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
   std::vector<std::string> levels;
   for (const auto& term : speed.terms) levels.push_back(term.id);
   if (auto ok = checkLevels(samples, levels); !ok) return tl::unexpected(ok.error());
-  const auto kept = trimStrokes(samples, settings.trim);
+  std::vector<study::SpeedSample> room;
+  const auto kept = keptSamples(samples, settings.trim, room);
   out.kept = kept.size();
   std::vector<double> speeds_mm_s;
   speeds_mm_s.reserve(kept.size());
@@ -121,14 +122,12 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
 Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
                                                      const SpeedTermSettings& settings) {
   if (auto ok = checkSettings(speed, settings); !ok) return tl::unexpected(ok.error());
-  std::unordered_map<std::string, std::vector<study::SpeedSample>> samples;
-  for (const auto& sample : study.speeds) samples[sample.participant].push_back(sample);
-
+  const ParticipantSamples samples(study.speeds);
   std::vector<ParticipantSpeeds> out;
   for (const auto& participant : study.participants) {
-    const auto own = samples.find(participant.code);
-    if (own == samples.end()) continue;
-    auto one = clusterOne(participant, own->second, speed, settings);
+    const auto own = samples.of(participant.code);
+    if (own.empty()) continue;
+    auto one = clusterOne(participant, own, speed, settings);
     if (!one) return tl::unexpected(one.error());
     out.push_back(std::move(*one));
   }

@@ -11,6 +11,7 @@
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_thresholds.h"
 #include "elicitation/force/noticeable_force.h"
+#include "elicitation/speed/participant_samples.h"
 #include "elicitation/speed/student_t.h"
 #include "elicitation/variables/ngt_variables.h"
 
@@ -89,17 +90,15 @@ void ForceBands::prepareStrokes(const study::Study& study, const BuiltModel& bui
   std::vector<std::string> levels;
   for (const auto& term : speed->terms) levels.push_back(term.id);
   strokes_.resize(study_.people());
+  const ParticipantSamples samples(study.speeds);
   std::vector<DrawSpread> spreads;
   for (std::size_t who = 0; who < study_.people(); ++who) {
     const auto speeds = std::find_if(built.speeds.begin(), built.speeds.end(),
                                      [&](const auto& one) { return one.participant == study_.codes()[who]; });
     if (speeds == built.speeds.end()) continue;
-    std::vector<study::SpeedSample> samples;
-    for (const auto& sample : study.speeds) {
-      if (sample.participant == study_.codes()[who]) samples.push_back(sample);
-    }
-    auto drawn = StrokeBootstrap::of(trimStrokes(samples, study_.settings().speed.trim), levels, speeds->centres,
-                                     study_.settings().speed, settings_.seed + who);
+    std::vector<study::SpeedSample> room;
+    const auto kept = keptSamples(samples.of(study_.codes()[who]), study_.settings().speed.trim, room);
+    auto drawn = StrokeBootstrap::of(kept, levels, speeds->centres, study_.settings().speed, settings_.seed + who);
     if (!drawn) {
       no_strokes_ = drawn.error().message();
       return;

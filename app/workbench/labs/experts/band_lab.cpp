@@ -13,9 +13,9 @@ namespace {
 using elicitation::BandKind;
 using elicitation::BandPoint;
 
-constexpr std::size_t kBandPoints = 121;  // every 5 mm of the depth
-constexpr std::size_t kFirstShown = 200;  // replicates: fewer would only jump
-constexpr std::size_t kBatch = 25;
+constexpr std::size_t kBandPoints = 121;   // every 5 mm of the depth
+constexpr std::size_t kFirstShown = 200;   // replicates: fewer would only jump
+constexpr std::size_t kBatchPeople = 100;  // replicates times participants between two looks whether to stop
 
 ShownBand bandOf(const elicitation::ForceBands& bands, BandKind kind, const std::vector<double>& x) {
   return {kind, x, bands.band(kind), bands.done(), bands.planned()};
@@ -43,12 +43,14 @@ LabWork::Deliver BandLab::compute(const LabWork::Run& run) {
   TACTUS_CHECK(inputs.size() == curve.values.size());
   auto bands = elicitation::ForceBands::of(curve.study->study, *curve.built, curve.settings, std::move(settings));
   if (!bands) return [this, why = text(bands.error().message())] { take(nullptr, why); };
+  const std::size_t batch =
+      std::clamp<std::size_t>(kBatchPeople / std::max<std::size_t>(1, curve.built->model.experts.size()), 1, 25);
   while (!run.stop.stop_requested()) {
-    const bool more = bands->add(kBatch);
+    const bool more = bands->add(batch);
     run.progress(bands->planned() == 0 ? 1
                                        : static_cast<double>(bands->done()) / static_cast<double>(bands->planned()));
     if (!more) break;
-    if (bands->done() < kFirstShown || bands->done() % kFirstShown >= kBatch) continue;
+    if (bands->done() < kFirstShown || bands->done() % kFirstShown >= batch) continue;
     auto so_far = std::make_shared<ShownBand>(bandOf(*bands, order->kind, x));
     run.hand([this, so_far] { take(so_far, {}); });
   }
