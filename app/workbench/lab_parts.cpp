@@ -62,7 +62,9 @@ LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study
   connect(&data_, &LabData::settingsChanged, clock, [this, clock] {
     if (speed_view_->isVisible()) clock->begin();
   });
-  connect(&speed_, &SpeedLab::resultChanged, clock, &FrameClock::sent);
+  connect(&speed_, &SpeedLab::resultChanged, clock, [this, clock] {
+    if (speed_.isCurrent()) clock->sent();
+  });
   connect(&window, &MainWindow::entered, shown_time, [shown_time](Stage stage) {
     if (stage != Stage::kAgree) shown_time->hide();
   });

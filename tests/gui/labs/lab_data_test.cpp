@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <gtest/gtest.h>
 #include <semaphore>
 
@@ -111,6 +112,48 @@ TEST_F(LabDataTest, ACanceledRunDeliversNothingAndTheNextChangeStartsAgain) {
   // The first result and the last one of the last run.
   ASSERT_GE(delivered.size(), 2U);
   EXPECT_EQ(delivered.back(), delivered[delivered.size() - 2]);
+}
+
+TEST_F(LabDataTest, WhatIsShownComesEvenIfASettingHasMovedButNotAfterACancel) {
+  open();
+  std::binary_semaphore started{0};
+  std::binary_semaphore may_show{0};
+  std::vector<std::pair<double, bool>> shown;  // alpha of the run, and whether that is still the setting
+  std::vector<double> ended;
+  LabWork work(data, [&](const LabWork::Run& run) -> LabWork::Deliver {
+    const double alpha = run.settings.speed.alpha;
+    if (alpha == 0.6) {
+      started.release();
+      may_show.acquire();
+      EXPECT_TRUE(run.stop.stop_requested());
+      if (run.given_up()) return {};
+    }
+    run.show([&shown, alpha](bool current) { shown.emplace_back(alpha, current); });
+    return [&ended, alpha] { ended.push_back(alpha); };
+  });
+  const auto set = [this](double alpha) {
+    auto settings = data.settings();
+    settings.speed.alpha = alpha;
+    data.setSettings(settings);
+  };
+  work.setWanted(true);
+  ASSERT_TRUE(comesTrue([&] { return !ended.empty() && !work.isBusy() && !data.isReading(); }));
+  const auto moveAway = [&](const std::function<void()>& move) {
+    shown.clear();
+    ended.clear();
+    set(0.6);
+    EXPECT_TRUE(comesTrue([&] { return started.try_acquire(); }));
+    move();
+    may_show.release();
+  };
+  moveAway([&] { set(0.7); });
+  ASSERT_TRUE(comesTrue([&] { return !ended.empty() && !work.isBusy(); }));
+  EXPECT_EQ(shown, (std::vector<std::pair<double, bool>>{{0.6, false}, {0.7, true}}));
+  EXPECT_EQ(ended, std::vector<double>{0.7});
+  moveAway([&] { work.cancel(); });
+  set(0.7);
+  ASSERT_TRUE(comesTrue([&] { return !ended.empty() && !work.isBusy(); }));
+  EXPECT_EQ(shown, (std::vector<std::pair<double, bool>>{{0.7, true}}));
 }
 
 TEST_F(LabDataTest, TheModelIsBuiltWithTheSettingsAndSaysThem) {

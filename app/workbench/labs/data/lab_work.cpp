@@ -20,7 +20,7 @@ void LabWork::setWanted(bool wanted) {
     if (stale_ && !canceled_) begin();
   } else if (isBusy()) {
     background_.drop();
-    ++newest_;
+    oldest_ = ++newest_;
     stale_ = true;
     emit changed();
   }
@@ -35,15 +35,15 @@ void LabWork::restart() {
 void LabWork::cancel() {
   if (!isBusy()) return;
   background_.drop();
-  ++newest_;
+  oldest_ = ++newest_;
   canceled_ = true;
   stale_ = true;
   emit changed();
 }
 
 void LabWork::begin() {
-  of_ = data_.study();
   ++newest_;
+  if (std::exchange(of_, data_.study()) != data_.study()) oldest_ = newest_;
   progress_ = 0;
   if (of_ == nullptr) {
     background_.drop();
@@ -67,6 +67,12 @@ Background::Deliver LabWork::perform(Run& run, std::uint64_t number, const std::
       if (number == newest_ && deliver) deliver();
     });
   };
+  run.show = [this, number](std::function<void(bool)> deliver) {
+    answers_.post([this, number, deliver = std::move(deliver)] {
+      if (number >= oldest_) deliver(number == newest_);
+    });
+  };
+  run.given_up = [this, number] { return number < oldest_; };
   run.progress = [this, number](double share) {
     answers_.post([this, number, share] {
       if (number != newest_) return;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -30,6 +31,11 @@ class LabWork : public QObject {
     std::function<void(double)> progress;
     /// Hands over a first or better result before the end. Thread: any.
     std::function<void(Deliver)> hand;
+    /// The same for what is worth seeing even if a setting has moved meanwhile, so that plots follow a slider that is
+    /// faster than they are; `current`: none has. Not after another study or a cancel. Thread: any.
+    std::function<void(std::function<void(bool current)>)> show;
+    /// Whether not even `show` would deliver. Thread: any.
+    std::function<bool()> given_up;
   };
   /// Reads nothing but its run and what it owns. Returns the last result.
   using Work = std::function<Deliver(const Run&)>;
@@ -65,8 +71,9 @@ class LabWork : public QObject {
   bool stale_ = true;
   bool canceled_ = false;
   double progress_ = 0;
-  std::uint64_t newest_ = 0;            ///< the number of the run that counts
-  std::shared_ptr<const LabStudy> of_;  ///< the study of that run
+  std::uint64_t newest_ = 0;               ///< the number of the run that counts
+  std::atomic<std::uint64_t> oldest_ = 0;  ///< of the first run that may still `show` something
+  std::shared_ptr<const LabStudy> of_;     ///< the study of that run
   CallQueue answers_;
   Background background_;  ///< last: its end waits for the work, which answers to all above
 };

@@ -1,16 +1,15 @@
 #include "app/workbench/labs/speed/speed_clusters.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <map>
-#include <optional>
-#include <set>
-#include <span>
+#include <thread>
 #include <tuple>
 #include <utility>
 
 #include "app/figures/colors.h"
-#include "core/base/statistics.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
@@ -20,7 +19,7 @@ using elicitation::SpeedCentres;
 
 constexpr std::size_t kBins = 36;
 constexpr std::size_t kFirstReplicates = 100;  // about as long as a blink
-constexpr std::size_t kBatch = 20;             // between two looks whether to stop: some milliseconds
+constexpr std::size_t kBatchDraws = 80;  // of all participants, between two looks whether to stop: some milliseconds
 
 fuzzy::Variable defaultSpeed() {
   const auto inputs = elicitation::ngtInputs();
@@ -43,6 +42,10 @@ struct ClusterKey {
   bool operator==(const ClusterKey&) const = default;
 };
 
+ClusterKey keyOf(const elicitation::BuildSettings& settings, std::size_t clusters) {
+  return {settings.speed.trim, settings.speed.fcm.m, clusters, settings.speed.centres};
+}
+
 void fillHistogram(SpeedSubject& out, std::span<const double> kept_mm_s, double highest_mm_s) {
   out.end_mm_s = std::max(10.0, std::ceil(highest_mm_s / 10) * 10);
   out.histogram.assign(kBins, 0.0);
@@ -60,36 +63,38 @@ void fillHistogram(SpeedSubject& out, std::span<const double> kept_mm_s, double 
 /// The samples of one participant, and what was computed from them last.
 struct SpeedClusters::Subject {
   const study::Participant* participant = nullptr;
-  std::vector<study::SpeedSample> own;  ///< only if the participant's samples are not side by side in the study
   std::span<const study::SpeedSample> samples;
   std::vector<double> all_mm_s;
-  std::vector<std::size_t> stroke_of;
-  std::vector<double> peaks_mm_s;  ///< of each stroke
+  std::vector<std::uint32_t> stroke_of;  ///< a study of 200 participants has millions of samples
+  std::vector<double> peaks_mm_s;        ///< of each stroke
   double highest_mm_s = 0;
 
-  std::optional<double> trim;  ///< of the next two
-  std::vector<double> kept_mm_s;
-  std::vector<std::size_t> kept;  ///< places in `samples`
+  std::optional<double> trim;     ///< of the next one
+  std::vector<double> kept_mm_s;  ///< only if some are left out
   std::optional<ClusterKey> key;  ///< of `result`, but for its ramps
   std::shared_ptr<const SpeedSubject> result;
 
   void prepare();
   void keep(double share);
+  std::span<const double> kept() const { return *trim > 0 ? kept_mm_s : all_mm_s; }
+  std::span<const study::SpeedSample> keptSamples(std::vector<study::SpeedSample>& room) const {
+    return elicitation::keptSamples(samples, *trim, room);
+  }
   /// The mean of each level, as LevelSpeeds has it.
   base::Result<std::vector<double>> levelMeans(const std::vector<std::string>& levels) const;
-  std::vector<study::SpeedSample> keptSamples() const;
 };
 
 void SpeedClusters::Subject::prepare() {
-  std::map<std::tuple<std::string_view, int>, std::size_t> strokes;
+  std::map<std::tuple<std::string_view, int>, std::uint32_t> strokes;
   all_mm_s.reserve(samples.size());
   stroke_of.reserve(samples.size());
   for (const auto& sample : samples) {
     // Most samples belong to the stroke of the one before.
     const bool same = !all_mm_s.empty() && samples[all_mm_s.size() - 1].stroke == sample.stroke &&
                       samples[all_mm_s.size() - 1].level == sample.level;
-    const std::size_t stroke =
-        same ? stroke_of.back() : strokes.try_emplace({sample.level, sample.stroke}, peaks_mm_s.size()).first->second;
+    const auto next = static_cast<std::uint32_t>(peaks_mm_s.size());
+    const std::uint32_t stroke =
+        same ? stroke_of.back() : strokes.try_emplace({sample.level, sample.stroke}, next).first->second;
     if (stroke == peaks_mm_s.size()) peaks_mm_s.push_back(sample.speed_mm_s);
     peaks_mm_s[stroke] = std::max(peaks_mm_s[stroke], sample.speed_mm_s);
     all_mm_s.push_back(sample.speed_mm_s);
@@ -102,27 +107,22 @@ void SpeedClusters::Subject::prepare() {
 void SpeedClusters::Subject::keep(double share) {
   if (trim == share) return;
   trim = share;
-  kept.clear();
   kept_mm_s.clear();
+  if (share <= 0) return;
   for (std::size_t i = 0; i < all_mm_s.size(); ++i) {
-    if (share > 0 && all_mm_s[i] < share * peaks_mm_s[stroke_of[i]]) continue;
-    kept.push_back(i);
-    kept_mm_s.push_back(all_mm_s[i]);
+    if (all_mm_s[i] >= share * peaks_mm_s[stroke_of[i]]) kept_mm_s.push_back(all_mm_s[i]);
   }
 }
 
 base::Result<std::vector<double>> SpeedClusters::Subject::levelMeans(const std::vector<std::string>& levels) const {
+  std::vector<study::SpeedSample> room;
   std::vector<double> means;
-  for (const auto& level : levels) {
-    std::vector<double> own_mm_s;
-    for (const std::size_t place : kept) {
-      if (samples[place].level == level) own_mm_s.push_back(all_mm_s[place]);
-    }
-    if (own_mm_s.empty()) {
-      return base::fail(base::ErrorCode::kData, "level " + level, "no samples",
+  for (const auto& level : elicitation::levelSpeeds(keptSamples(room), levels)) {
+    if (level.samples == 0) {
+      return base::fail(base::ErrorCode::kData, "level " + level.level, "no samples",
                         "samples of each level for level means");
     }
-    means.push_back(base::mean(own_mm_s));
+    means.push_back(level.mean_mm_s);
   }
   if (std::adjacent_find(means.begin(), means.end(), std::greater_equal<>()) != means.end()) {
     return base::fail(base::ErrorCode::kData, "level means", "means that do not rise with the level",
@@ -131,52 +131,31 @@ base::Result<std::vector<double>> SpeedClusters::Subject::levelMeans(const std::
   return means;
 }
 
-std::vector<study::SpeedSample> SpeedClusters::Subject::keptSamples() const {
-  std::vector<study::SpeedSample> out;
-  out.reserve(kept.size());
-  for (const std::size_t place : kept) out.push_back(samples[place]);
-  return out;
-}
-
 SpeedClusters::SpeedClusters() : speed_(defaultSpeed()) {}
 SpeedClusters::~SpeedClusters() = default;
 
-void SpeedClusters::take(const std::shared_ptr<const LabStudy>& study) {
-  if (study == study_) return;
+// Returns whether it came to the end.
+bool SpeedClusters::take(const std::shared_ptr<const LabStudy>& study, const KeepGoing& keep_going) {
+  if (study == study_) return true;
   subjects_.clear();
-  study_ = study;
-  struct Run {
-    std::size_t begin = 0, end = 0;
-    bool apart = false;
-  };
-  std::map<std::string_view, Run> runs;
-  const auto& speeds = study->study.speeds;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    auto [it, is_new] = runs.try_emplace(speeds[i].participant, Run{i, i, false});
-    it->second.apart = it->second.apart || it->second.end != i;
-    it->second.end = i + 1;
-  }
-  subjects_.reserve(runs.size());
+  study_ = nullptr;
+  samples_.emplace(study->study.speeds);
   for (const auto& participant : study->study.participants) {
-    const auto run = runs.find(participant.code);
-    if (run == runs.end()) continue;
+    const auto samples = samples_->of(participant.code);
+    if (samples.empty()) continue;
+    if (!keep_going(0)) return false;
     Subject& subject = subjects_.emplace_back();
     subject.participant = &participant;
-    if (run->second.apart) {
-      for (const auto& sample : speeds) {
-        if (sample.participant == participant.code) subject.own.push_back(sample);
-      }
-      subject.samples = subject.own;
-    } else {
-      subject.samples = std::span(speeds).subspan(run->second.begin, run->second.end - run->second.begin);
-    }
+    subject.samples = samples;
     subject.prepare();
   }
+  study_ = study;
+  return true;
 }
 
 void SpeedClusters::clusterOne(Subject& subject, const elicitation::BuildSettings& settings,
                                std::size_t clusters) const {
-  const ClusterKey key{settings.speed.trim, settings.speed.fcm.m, clusters, settings.speed.centres};
+  const ClusterKey key = keyOf(settings, clusters);
   subject.keep(settings.speed.trim);
   const bool same = subject.key == key && subject.result->failure.empty();
   auto next = same ? std::make_shared<SpeedSubject>(*subject.result) : std::make_shared<SpeedSubject>();
@@ -185,9 +164,9 @@ void SpeedClusters::clusterOne(Subject& subject, const elicitation::BuildSetting
     out.participant = subject.participant->code;
     out.simulated = subject.participant->simulated;
     out.samples = subject.all_mm_s.size();
-    out.kept = subject.kept.size();
+    out.kept = subject.kept().size();
     out.m = settings.speed.fcm.m;
-    fillHistogram(*next, subject.kept_mm_s, subject.highest_mm_s);
+    fillHistogram(*next, subject.kept(), subject.highest_mm_s);
     if (settings.speed.centres == SpeedCentres::kLevelMeans) {
       auto means = subject.levelMeans(levelsOf(speed_));
       if (means) {
@@ -198,7 +177,7 @@ void SpeedClusters::clusterOne(Subject& subject, const elicitation::BuildSetting
     } else {
       elicitation::FcmSettings fcm = settings.speed.fcm;
       fcm.clusters = clusters;
-      auto found = elicitation::fuzzyCMeans(subject.kept_mm_s, fcm);
+      auto found = elicitation::fuzzyCMeans(subject.kept(), fcm);
       if (found) {
         out.centres = found->centres;
         out.clusters = std::move(*found);
@@ -219,21 +198,38 @@ void SpeedClusters::clusterOne(Subject& subject, const elicitation::BuildSetting
   subject.result = std::move(next);
 }
 
+// On two processors: the window waits for it, so one is free. Returns whether it came to the end.
+bool SpeedClusters::clusterAll(const elicitation::BuildSettings& settings, std::size_t clusters,
+                               const KeepGoing& keep_going) {
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> stopped = !keep_going(0);
+  const auto work = [&](const KeepGoing& tell) {
+    for (std::size_t i = next++; i < subjects_.size() && !stopped; i = next++) {
+      clusterOne(subjects_[i], settings, clusters);
+      if (tell && !tell(static_cast<double>(i + 1) / static_cast<double>(subjects_.size()))) stopped = true;
+    }
+  };
+  const auto is_kept = [&](const Subject& subject) { return subject.key == keyOf(settings, clusters); };
+  std::jthread other;
+  if (std::thread::hardware_concurrency() > 1 && !std::all_of(subjects_.begin(), subjects_.end(), is_kept)) {
+    other = std::jthread([&work] { work({}); });
+  }
+  work(keep_going);
+  if (other.joinable()) other.join();
+  return !stopped && keep_going(1);
+}
+
 std::shared_ptr<const SpeedResult> SpeedClusters::cluster(const std::shared_ptr<const LabStudy>& study,
                                                           const elicitation::BuildSettings& settings,
                                                           std::size_t clusters, const KeepGoing& keep_going) {
-  take(study);
+  if (!take(study, keep_going)) return nullptr;
   settings_ = settings;
   if (settings.speed.centres == SpeedCentres::kLevelMeans) clusters = speed_.terms.size();
   result_ = {};
   result_.clusters = clusters;
   result_.speed = speed_;
-  for (std::size_t i = 0; i < subjects_.size(); ++i) {
-    if (!keep_going(static_cast<double>(i) / static_cast<double>(subjects_.size()))) return nullptr;
-    clusterOne(subjects_[i], settings, clusters);
-    if (!keep_going(static_cast<double>(i + 1) / static_cast<double>(subjects_.size()))) return nullptr;
-    result_.subjects.push_back(subjects_[i].result);
-  }
+  if (!clusterAll(settings, clusters, keep_going)) return nullptr;
+  for (const Subject& subject : subjects_) result_.subjects.push_back(subject.result);
   average(settings);
   return std::make_shared<const SpeedResult>(result_);
 }
@@ -281,13 +277,15 @@ std::shared_ptr<const SpeedResult> SpeedClusters::check(const KeepGoing& keep_go
     if (!subject.result->checked) {
       auto next = std::make_shared<SpeedSubject>(*subject.result);
       elicitation::ParticipantSpeeds& out = next->speeds;
-      out.validity = elicitation::fcmValidity(subject.kept_mm_s, out.centres, out.m);
+      out.validity = elicitation::fcmValidity(subject.kept(), out.centres, out.m);
       if (!keep_going(static_cast<double>(i) / static_cast<double>(subjects_.size()))) return nullptr;
+      std::vector<study::SpeedSample> room;
+      const auto kept = subject.keptSamples(room);
       // Clusters are compared with the levels only if there are as many.
       if (result_.clusters == levels.size()) {
-        out.diagnostics = elicitation::levelDiagnostics(subject.keptSamples(), levels, out.centres, out.participant);
+        out.diagnostics = elicitation::levelDiagnostics(kept, levels, out.centres, out.participant);
       } else {
-        out.diagnostics.levels = elicitation::levelSpeeds(subject.keptSamples(), levels);
+        out.diagnostics.levels = elicitation::levelSpeeds(kept, levels);
       }
       next->checked = true;
       subject.result = std::move(next);
@@ -318,13 +316,14 @@ void SpeedClusters::bootstrap(const KeepGoing& keep_going,
   if (settings_.averaging == elicitation::Averaging::kWeightedMean) {
     if (auto weights = elicitation::expertWeights(people, settings_.weights)) built.speed_weights = *weights;
   }
-  auto replicates = elicitation::SpeedBootstrap::of(study_->study, built, settings_);
+  auto replicates = elicitation::SpeedBootstrap::of(study_->study, built, settings_, 1, [&] { return keep_going(0); });
   if (!replicates) return;
+  const std::size_t batch = std::max<std::size_t>(1, kBatchDraws / subjects_.size());
   std::size_t told = 0;
   while (replicates->replicates() < elicitation::kBootstrapReplicates) {
     const double share = static_cast<double>(replicates->replicates()) / elicitation::kBootstrapReplicates;
     if (!keep_going(share)) return;
-    replicates->add(kBatch);
+    replicates->add(batch);
     const std::size_t done = replicates->replicates();
     if (done < kFirstReplicates || (done < 2 * told && done < elicitation::kBootstrapReplicates)) continue;
     told = done;
@@ -333,9 +332,9 @@ void SpeedClusters::bootstrap(const KeepGoing& keep_going,
   }
 }
 
-std::vector<double> SpeedClusters::speedsOf(const std::string& participant) const {
+std::span<const double> SpeedClusters::speedsOf(const std::string& participant) const {
   for (const Subject& subject : subjects_) {
-    if (subject.participant->code == participant) return subject.kept_mm_s;
+    if (subject.participant->code == participant) return subject.kept();
   }
   return {};
 }

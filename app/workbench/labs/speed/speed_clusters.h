@@ -5,18 +5,22 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "app/workbench/labs/data/lab_study.h"
 #include "app/workbench/labs/speed/speed_result.h"
 #include "elicitation/model/model_builder.h"
+#include "elicitation/speed/participant_samples.h"
 
 namespace tactus::workbench {
 
 /// Thread: any, one at a time.
 class SpeedClusters {
  public:
-  /// Called between participants with the share that is done. False stops: the last result stays.
+  /// Called between participants with the share that is done, in the caller's thread. False stops: the last result
+  /// stays.
   using KeepGoing = std::function<bool(double share)>;
 
   SpeedClusters();
@@ -34,17 +38,19 @@ class SpeedClusters {
   /// The same result with 95 % intervals (SpeedBootstrap), which `more` gets again and again. After `cluster`. Nothing
   /// where the intervals cannot be computed.
   void bootstrap(const KeepGoing& keep_going, const std::function<void(std::shared_ptr<const SpeedResult>)>& more);
-  /// The kept speeds of a participant, mm/s. After `cluster`.
-  std::vector<double> speedsOf(const std::string& participant) const;
+  /// The kept speeds of a participant, mm/s, until the next call of `cluster`. After `cluster`.
+  std::span<const double> speedsOf(const std::string& participant) const;
 
  private:
   struct Subject;
-  void take(const std::shared_ptr<const LabStudy>& study);
+  bool take(const std::shared_ptr<const LabStudy>& study, const KeepGoing& keep_going);
+  bool clusterAll(const elicitation::BuildSettings& settings, std::size_t clusters, const KeepGoing& keep_going);
   void clusterOne(Subject& subject, const elicitation::BuildSettings& settings, std::size_t clusters) const;
   void average(const elicitation::BuildSettings& settings);
 
   std::shared_ptr<const LabStudy> study_;
-  fuzzy::Variable speed_;  ///< with the default terms
+  std::optional<elicitation::ParticipantSamples> samples_;  ///< of `study_`
+  fuzzy::Variable speed_;                                   ///< with the default terms
   std::vector<Subject> subjects_;
   elicitation::BuildSettings settings_;
   SpeedResult result_;

@@ -34,7 +34,7 @@ SpeedLab::SpeedLab(LabData& data, QObject* parent)
     page_ = 0;
     wanted_page_ = 0;
     objectives_.clear();
-    take(nullptr);
+    take(nullptr, false);
   });
 }
 
@@ -101,8 +101,9 @@ std::pair<std::size_t, std::size_t> SpeedLab::shown() const {
   return {std::min(count, page_ * kPerPage), std::min(count, (page_ + 1) * kPerPage)};
 }
 
-void SpeedLab::take(std::shared_ptr<const SpeedResult> result) {
+void SpeedLab::take(std::shared_ptr<const SpeedResult> result, bool current) {
   result_ = std::move(result);
+  current_ = current;
   if (page_ >= pages()) {
     page_ = pages() - 1;
     wanted_page_ = page_;
@@ -111,14 +112,14 @@ void SpeedLab::take(std::shared_ptr<const SpeedResult> result) {
   emit resultChanged();
 }
 
-// Runs in the thread of the work. First what the plots show. What takes longer, and would make the next step of a
-// slider wait, begins when the settings stand still.
+// Runs in the thread of the work. First what the plots show: it comes to its end even if the slider has moved on, so
+// that a drag shows something. What takes longer, and would make the next step of a slider wait, begins when the
+// settings stand still.
 LabWork::Deliver SpeedLab::compute(const LabWork::Run& run) {
   double from = 0;
   double to = kClustered;
   auto told = std::chrono::steady_clock::now();
-  const auto go_on = [&](double share) {
-    if (run.stop.stop_requested()) return false;
+  const auto tell = [&](double share) {
     const auto now = std::chrono::steady_clock::now();
     if (now - told > kTell) {
       told = now;
@@ -126,12 +127,16 @@ LabWork::Deliver SpeedLab::compute(const LabWork::Run& run) {
     }
     return true;
   };
+  const auto go_on = [&](double share) { return !run.stop.stop_requested() && tell(share); };
   const auto hand = [&](std::shared_ptr<const SpeedResult> result) {
-    run.hand([this, result = std::move(result)] { take(result); });
+    run.hand([this, result = std::move(result)] { take(result, true); });
   };
-  const auto clustered = calculation_.cluster(run.study, run.settings, wanted_clusters_, go_on);
+  elicitation::BuildSettings settings = run.settings;
+  settings.speed.fcm.keep_going = [given_up = run.given_up](const auto&) { return !given_up(); };
+  const auto clustered = calculation_.cluster(run.study, settings, wanted_clusters_,
+                                              [&](double share) { return !run.given_up() && tell(share); });
   if (!clustered) return {};
-  hand(clustered);
+  run.show([this, clustered](bool current) { take(clustered, current); });
   if (!staysCalm(run.stop)) return {};
   from = kClustered;
   to = kChecked;

@@ -28,6 +28,8 @@ class SpeedLab : public QObject {
   void setSeen(bool seen) { work_.setWanted(seen); }
   /// The newest result; null before the first one, and without a study.
   const std::shared_ptr<const SpeedResult>& result() const { return result_; }
+  /// `result` has the settings of now. While a slider moves faster than the clusters, those of a moment ago are shown.
+  bool isCurrent() const { return current_; }
   /// J against the iteration for the participants on the page, in their order; may be shorter while it is computed.
   const std::vector<ObjectiveTrace>& objectives() const { return objectives_; }
   LabWork& work() { return work_; }
@@ -59,13 +61,14 @@ class SpeedLab : public QObject {
 
  private:
   LabWork::Deliver compute(const LabWork::Run& run);
-  void take(std::shared_ptr<const SpeedResult> result);
+  void take(std::shared_ptr<const SpeedResult> result, bool current);
   template <class Change>
   void change(Change apply);
 
   LabData& data_;
   std::shared_ptr<const SpeedResult> result_;
   std::vector<ObjectiveTrace> objectives_;
+  bool current_ = false;
   std::size_t clusters_ = 3;
   std::size_t page_ = 0;
   std::atomic<std::size_t> wanted_clusters_{3};  ///< read by the work, as the next one
