@@ -82,6 +82,18 @@ TEST(SpeedBootstrap, WeightsAreThoseOfTheBuild) {
   EXPECT_DOUBLE_EQ(found.averaged[1].p.low, found.participants[1].ramps[1].p.low);
 }
 
+TEST(SpeedBootstrap, CanBeStoppedBeforeEachParticipant) {
+  const auto study = studyOf({"S1_600.csv", "S3_600.csv", "S4_600.csv"});
+  const BuildSettings settings;
+  const auto model = built(study, settings);
+  int asked = 0;
+  const auto stopped = SpeedBootstrap::of(study, model, settings, 1, [&asked] { return ++asked < 2; });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, base::ErrorCode::kCancelled);
+  EXPECT_EQ(asked, 2) << "nothing is prepared after the answer to stop";
+  EXPECT_TRUE(SpeedBootstrap::of(study, model, settings, 1, [] { return true; }));
+}
+
 TEST(SpeedBootstrap, NoSpeedsAreRefused) {
   auto study = studyOf({"S1_600.csv"});
   study.speeds.clear();

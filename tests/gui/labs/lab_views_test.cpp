@@ -1,5 +1,6 @@
 // The labs' widgets with the demo's study: what the user clicks becomes a setting or a record.
 #include <QComboBox>
+#include <QLabel>
 #include <QMenu>
 #include <QRadioButton>
 #include <QSignalSpy>
@@ -13,6 +14,7 @@
 #include "app/workbench/labs/experts/weight_table.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/labs/force/force_terms_view.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/force/judgement_view.h"
 #include "app/workbench/labs/force/vote_table.h"
@@ -91,10 +93,35 @@ TEST_F(LabViews, TheRoundButtonChoosesTheWayOfTheModel) {
   show(view);
   ASSERT_TRUE(comesTrue([&] { return !lab.votes().steps.empty(); }));
   const auto choices = view.findChildren<QRadioButton*>();
-  ASSERT_EQ(choices.size(), 3);
-  ASSERT_TRUE(comesTrue([&] { return choices[0]->isChecked() && choices[1]->isEnabled(); }));
+  ASSERT_EQ(choices.size(), 4);
+  ASSERT_TRUE(comesTrue([&] { return choices[0]->isChecked() && choices[3]->isEnabled(); }));
   choices[1]->click();
   EXPECT_EQ(data.settings().force_terms, elicitation::ForceTermsFrom::kFrequency);
+  choices[3]->click();
+  EXPECT_EQ(data.settings().force_terms, elicitation::ForceTermsFrom::kProbit);
+}
+
+TEST_F(LabViews, TheCornersOfTheWordsFitWhereTheLabIsNarrow) {
+  ForceLab lab(data, model, corrections);
+  ForceLabView view(lab);
+  show(view);
+  const auto corners = [&view] {
+    QList<QLabel*> out;
+    for (QLabel* label : view.terms().findChildren<QLabel*>()) {
+      if (label->text().startsWith(QStringLiteral("VS "))) out << label;
+    }
+    return out;
+  };
+  ASSERT_TRUE(comesTrue([&] { return corners().size() == 4; }));
+  for (const int width : {1700, 1100}) {
+    view.resize(width, 560);
+    QCoreApplication::processEvents();
+    for (const QLabel* label : corners()) {
+      EXPECT_LE(label->fontMetrics().size(0, label->text()).width(), label->width()) << width;
+    }
+  }
+  // The hint has all decimals of the vote's first ramp.
+  EXPECT_TRUE(corners().front()->toolTip().startsWith(QStringLiteral("VS  0 · 0 · 0.2 · 0.3")));
 }
 
 TEST_F(LabViews, AHiddenLabComputesNothing) {
