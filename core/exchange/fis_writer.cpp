@@ -52,15 +52,18 @@ std::string fisRuleText(const ExpertView& view, const IndexedRule& rule) {
 }  // namespace
 
 std::string fisText(const ExpertView& view) {
+  // Octave's toolkit (0.4.6) takes the maximum over one rule along the universe. Twice it has the same meaning.
+  std::vector<IndexedRule> rules = view.rules;
+  if (rules.size() == 1) rules.push_back(rules.front());
   std::string out = "[System]\nName='" + view.name +
                     "'\nType='mamdani'\nVersion=2.0\nNumInputs=" + std::to_string(view.inputs.size()) +
-                    "\nNumOutputs=1\nNumRules=" + std::to_string(view.rules.size()) +
+                    "\nNumOutputs=1\nNumRules=" + std::to_string(rules.size()) +
                     "\nAndMethod='min'\nOrMethod='max'\nImpMethod='";
   out += view.model->implication == fuzzy::Implication::kScale ? "prod" : "min";
   out += "'\nAggMethod='max'\nDefuzzMethod='centroid'\n";
   for (std::size_t i = 0; i < view.inputs.size(); ++i) out += section("Input" + std::to_string(i + 1), view.inputs[i]);
   out += section("Output1", view.output) + "\n[Rules]\n";
-  for (const IndexedRule& rule : view.rules) out += fisRuleText(view, rule);
+  for (const IndexedRule& rule : rules) out += fisRuleText(view, rule);
   return out;
 }
 

@@ -81,6 +81,14 @@ TEST(Dialect, FisMovesShouldersOut) {
                "1, 2 (0.5) : 1", "MF2='Very_Small_2':'trimf',[0.6 0.7 0.8]", "ImpMethod='min'"});
 }
 
+TEST(Dialect, FisHasAnOnlyRuleTwice) {
+  auto model = small();
+  model.experts[0].rules.resize(1);
+  const auto fis = format(model, 0, Dialect::kFis);
+  ASSERT_TRUE(fis);
+  expectLines(*fis, {"NumRules=2", "3, 1 (1) : 1\n3, 1 (1) : 1"});
+}
+
 TEST(Dialect, FmlIsWellFormedAndItsNamesAreUnique) {
   const std::string fml = text(Dialect::kFml);
   EXPECT_NE(fml.find("<fuzzyTerm name=\"lubrication__poor\"><trapezoidShape param1=\"0\" param2=\"0\" param3=\"0.2\" "
