@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
+#include "app/workbench/labs/rules/grid_places.h"
 #include "core/store/entries.h"
 
 #include "tests/gui/labs/lab_study_file.h"
@@ -163,6 +164,15 @@ TEST_F(RulesLabTest, EachWordOfTheChosenCellSaysWhatItMoves) {
   }
   EXPECT_GT(moved, 0);
   EXPECT_FALSE(lab.influenceOf(4));
+}
+
+// 24 px of the block's head, 90 of the columns' heads, two gaps of 8 and nine rows of 26 px: 364 px.
+TEST(GridPlaces, HigherRoomGivesHigherCellsAsFarAsTheyStayCells) {
+  const auto placesIn = [](int height_px) { return GridPlaces(9, 6, 4, {3, 6}, 100, 90, {1200, height_px}); };
+  EXPECT_EQ(placesIn(200).height(), 364);
+  EXPECT_EQ(placesIn(454).height(), 364 + 9 * 10);
+  EXPECT_EQ(placesIn(454).leastHeight(), 364);
+  EXPECT_EQ(placesIn(2000).cell(0, {0, 0}, 0).height(), 40);
 }
 
 TEST_F(RulesLabTest, AgreementLeadsWithTheOrdinalAlphaAndItsInterval) {

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kCm = 10;          // mm
 constexpr double kExampleMm = 500;  // before a length is typed
+constexpr int kHighestPlot = 400;   // px: bars that are higher say no more
 
 fuzzy::Variable lengthRange(const QString& name) {
   fuzzy::Variable out;
@@ -73,6 +74,7 @@ LengthPage::LengthPage(DepthLab& lab, QWidget* parent)
   layout->setSpacing(theme::kGrid);
   layout->addLayout(pageHead(tr("&Nose – ear – xiphoid of a person"), length_, menu));
   layout->addWidget(example_);
+  plot_->setMaximumHeight(kHighestPlot);
   layout->addWidget(plot_, 1);
   layout->addWidget(makeTable());
   layout->addWidget(target_);
@@ -82,6 +84,7 @@ LengthPage::LengthPage(DepthLab& lab, QWidget* parent)
                     "gauged by the tip (Chen 2014, PMC3919749). Target: Boeykens 2023, Crit Care 27:317. The "
                     "tilt of the head can change the needed length by up to 5 cm."),
                  this));
+  layout->addStretch();
   connect(length_, &QDoubleSpinBox::valueChanged, this, [this] {
     auto wanted = lab_.measurement();
     wanted.nose_ear_xiphoid_mm = length_->exact() * kCm;

@@ -4,6 +4,7 @@
 
 #include <QPoint>
 #include <QRectF>
+#include <QSize>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -16,12 +17,15 @@ class GridPlaces {
  public:
   /// `rows`, `columns`: of each block. `blocks`: besides the one that stands still. `breaks`: rows before which a gap
   /// parts the inputs. `names_px`: width of the names of the rows; `heads_px`: height of the heads of the columns.
+  /// `room_px`: what the cells fill, as far as it keeps them readable.
   GridPlaces(std::size_t rows, std::size_t columns, std::size_t blocks, std::vector<std::size_t> breaks, int names_px,
-             int heads_px, int width_px);
+             int heads_px, const QSize& room_px);
   GridPlaces() = default;
 
   int width() const;
   int height() const;
+  /// The height with the lowest cells.
+  int leastHeight() const;
   /// Where the blocks that scroll begin.
   int scrollEdge() const { return blockLeft(0) + blockWidth() + kBlockGap; }
 
@@ -37,7 +41,6 @@ class GridPlaces {
   };
   std::optional<Hit> hit(const QPoint& point, int scrolled_px) const;
 
-  static constexpr int kCellHeight = 26;  // px
   static constexpr int kBlockHead = 24;
   static constexpr int kBlockGap = 16;
 
@@ -53,6 +56,7 @@ class GridPlaces {
   int names_px_ = 0;
   int heads_px_ = 0;
   int cell_width_ = 40;
+  int cell_height_ = 26;
 };
 
 }  // namespace tactus::workbench

@@ -67,7 +67,7 @@ GridsView::GridsView(RulesLab& lab, QWidget* parent) : QAbstractScrollArea(paren
   connect(&lab_, &RulesLab::chosenChanged, viewport(), qOverload<>(&QWidget::update));
 }
 
-QSize GridsView::sizeHint() const { return {960, std::max(places_.height(), 320)}; }
+QSize GridsView::sizeHint() const { return {960, std::max(places_.leastHeight(), 320)}; }
 
 int GridsView::scrolled() const { return horizontalScrollBar()->value(); }
 
@@ -81,11 +81,11 @@ void GridsView::layOut() {
   const QFontMetrics metrics(font());
   places_ = GridPlaces(grids.rows.size(), grids.columns.size(), grids.experts.size(), breaksOf(grids.rows),
                        inputsWidth(grids, metrics) + namesWidth(grids, metrics) + kNamesPad,
-                       headsHeight(grids, metrics), viewport()->width());
+                       headsHeight(grids, metrics), viewport()->size());
   horizontalScrollBar()->setRange(0, std::max(0, places_.width() - viewport()->width()));
   horizontalScrollBar()->setPageStep(std::max(1, viewport()->width() - places_.scrollEdge()));
   verticalScrollBar()->setRange(0, 0);
-  setMinimumHeight(places_.height() + horizontalScrollBar()->sizeHint().height());
+  setMinimumHeight(places_.leastHeight() + horizontalScrollBar()->sizeHint().height());
   brief_ = std::any_of(grids.output.terms.begin(), grids.output.terms.end(), [&](const fuzzy::Term& word) {
     return brokenWidth(labelOf(word), QFontMetricsF(font())) > places_.cell(0, {}, 0).width() - kWordPad;
   });
