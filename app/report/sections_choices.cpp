@@ -7,7 +7,7 @@ namespace tactus::report {
 
 namespace {
 
-// Twenty models are built: about as long as everything else takes, at 200 participants some ten seconds.
+// Twenty models are built: about as long as everything else takes, at 200 participants 24 of 52 s of a slow build.
 constexpr std::size_t kMostCompared = 200;
 
 std::vector<Cell> choiceRow(const ReportContext& context, const elicitation::MethodVariant& one, bool first) {
