@@ -2,24 +2,23 @@
 // Each line of a table is the source under one compiler. 80,000 random points in chunks of 2,000; each chunk's time is
 // the least of 40 rounds, and all other chunks come between two rounds, so that no branch predictor has learned the
 // points.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <dlfcn.h>
 #include <functional>
 #include <string>
 #include <tactus/tactus.hpp>
 #include <vector>
 
 #include "core/base/check.h"
-#include "core/base/files/file.h"
 #include "core/base/random.h"
 #include "core/exchange/c_source.h"
 #include "core/model_io/model_file.h"
 
-#include "tests/support/temp_folder.h"
+#include "tests/bench/loaded_source.h"
 
 namespace tactus::bench {
 namespace {
@@ -30,9 +29,6 @@ constexpr std::size_t kPoints = kChunk * kChunks;
 constexpr int kRounds = 40;
 constexpr const char* kCompilers[] = {"gcc -O2", "gcc -O3 -march=x86-64-v3", "gcc -O3 -march=native", "clang -O2",
                                       "clang -O2 -march=native"};
-
-using Force = double (*)(const double*, int*);
-using Batch = void (*)(const double*, std::size_t, double*, unsigned char*);
 
 /// Forces of `count` points from `first` on.
 using Work = std::function<void(std::size_t first, double* force_n)>;
@@ -50,35 +46,20 @@ double nowNs() {
   return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
 }
 
-/// The source under `compiler`, unless that is missing. The library stays loaded.
+/// The source under `compiler`, unless that is missing.
 bool addSource(const exchange::CSource& source, const std::string& compiler, const std::vector<double>& points,
                std::size_t inputs, std::vector<Contender>& contenders) {
-  const support::TempFolder folder;
-  const auto write = [&](const char* name, const std::string& text) {
-    TACTUS_CHECK(base::writeFileAtomically(folder.file(name), text).has_value());
+  const auto loaded = loadSource(source, compiler);
+  if (!loaded) return false;
+  const auto force = [force = loaded->force, &points, inputs](std::size_t first, double* out) {
+    int fired = 0;
+    for (std::size_t p = 0; p < kChunk; ++p) out[p] = force(points.data() + (first + p) * inputs, &fired);
   };
-  write("force_model.h", source.header);
-  write("force_model.c", source.source);
-  const std::string library = folder.file("force_model.so");
-  const std::string command = compiler + " -std=c99 -pedantic -Wall -Wextra -Werror -shared -fPIC " +
-                              folder.file("force_model.c") + " -o " + library + " -lm";
-  if (std::system(command.c_str()) != 0) return false;
-  void* const loaded = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  TACTUS_CHECK(loaded != nullptr);
-  const auto force = reinterpret_cast<Force>(dlsym(loaded, "force_model"));
-  const auto batch = reinterpret_cast<Batch>(dlsym(loaded, "force_model_batch"));
-  TACTUS_CHECK(force != nullptr && batch != nullptr);
-  contenders.push_back(
-      {compiler,
-       {[force, &points, inputs](std::size_t first, double* out) {
-          int fired = 0;
-          for (std::size_t p = 0; p < kChunk; ++p) out[p] = force(points.data() + (first + p) * inputs, &fired);
-        },
-        [batch, &points, inputs, fired = std::vector<unsigned char>(kChunk)](std::size_t first, double* out) mutable {
-          batch(points.data() + first * inputs, kChunk, out, fired.data());
-        }},
-       {},
-       {}});
+  const auto batch = [batch = loaded->batch, &points, inputs, fired = std::vector<unsigned char>(kChunk)](
+                         std::size_t first, double* out) mutable {
+    batch(points.data() + first * inputs, kChunk, out, fired.data());
+  };
+  contenders.push_back({compiler, {force, batch}, {}, {}});
   return true;
 }
 

@@ -114,8 +114,10 @@ class Chart {
   LogAxis error_;
 };
 
-/// The chart shows one implication, the fastest instruction set, and fuzzylite on one set of points.
+/// The chart shows one implication, the fastest instruction set, and fuzzylite on one set of points. The C source would
+/// cover our own evaluators.
 bool isShown(const ContenderResult& result) {
+  if (result.family.starts_with("C source")) return false;
   if (result.family.starts_with("exact, one point, ")) return false;
   if (result.model.find("scale") != std::string::npos) return false;
   return result.family != "fuzzylite" || result.model.find("scene") == std::string::npos;

@@ -30,6 +30,10 @@ Contender batch(const Case& about);
 Contender sceneOnePoint(const Case& about);
 Contender sceneBatch(const Case& about);
 
+/// The C source, compiled with `cc -O2`: a point at a time, and a batch. Of the scene where the case fixes inputs. None
+/// where there is no C compiler.
+std::vector<Contender> cSource(const Case& about);
+
 /// Our firing strengths, then the centroid from `samples` midpoints of equal cells, as well as it can be done: the
 /// terms are tabulated at the samples beforehand, and the loops over the samples are vectorised. One expert.
 Contender sampledCentroid(const Case& about, int samples);

@@ -54,6 +54,9 @@ std::vector<Contender> contendersOf(const Cases& cases) {
     out.push_back(batch(*all));
     out.push_back(sceneOnePoint(*scene));
     out.push_back(sceneBatch(*scene));
+    for (const Case* about : {all, scene}) {
+      for (Contender& contender : cSource(*about)) out.push_back(std::move(contender));
+    }
   }
   // AVX-512 has the same kernel for one point as AVX2.
   for (const fuzzy::Kernels& kernels : fuzzy::supportedKernels()) {
