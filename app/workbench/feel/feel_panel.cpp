@@ -1,8 +1,6 @@
 #include "app/workbench/feel/feel_panel.h"
 
-#include <QApplication>
 #include <QCheckBox>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -15,6 +13,7 @@
 #include "app/workbench/feel/depth_regions.h"
 #include "app/workbench/feel/device_bar.h"
 #include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/feel_keys.h"
 #include "app/workbench/feel/force_bar.h"
 #include "app/workbench/feel/force_trace_plot.h"
 #include "app/workbench/feel/patient_controls.h"
@@ -36,7 +35,6 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr auto kStopKey = Qt::Key_F12;
 constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other
 constexpr int kRoomyWidth = 820;  // px: from this size on all steps of the procedure are listed
 constexpr int kRoomyHeight = 360;
@@ -59,19 +57,13 @@ QString swatch(const QColor& color, const QString& name) {
   return QStringLiteral("<span style=\"color:%1\">■</span> %2").arg(color.name(), name.toHtmlEscaped());
 }
 
-// Space is a letter there, or chooses something. In a number there is no space.
-bool wantsSpace() {
-  const QWidget* focus = QApplication::focusWidget();
-  return QApplication::activePopupWidget() || QApplication::activeModalWidget() ||
-         (focus && (focus->inherits("QLineEdit") || focus->inherits("QTextEdit")));
-}
-
 }  // namespace
 
 FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* parent)
     : QWidget(parent),
       scene_(scene),
       feel_(feel),
+      keys_(new FeelKeys(feel, this)),
       search_(new DeviceSearch(this)),
       device_(new DeviceBar(feel, *search_, this)),
       patient_(new PatientControls(scene, feel, this)),
@@ -282,14 +274,7 @@ void FeelPanel::showState() {
   const bool running = feel_.isRunning();
   if (const auto device = feel_.device()) traced_on_ = device;
   // Nothing listens to the keys of the program while there is no force to stop.
-  if (running != filtering_) {
-    if (running) {
-      qApp->installEventFilter(this);
-    } else {
-      qApp->removeEventFilter(this);
-    }
-    filtering_ = running;
-  }
+  keys_->setOn(running);
   placement_->setRunning(running);
   trace_->setHistory(feel_.history());
   showLegend();
@@ -356,43 +341,6 @@ QString FeelPanel::limitText() const {
     if ((limited & limit.bit) != 0) return limit.text;
   }
   return {};
-}
-
-bool FeelPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ApplicationDeactivate && !feel_.session().grip().latch) feel_.session().setHeld(false);
-  const bool asks = event->type() == QEvent::ShortcutOverride;
-  const bool press = event->type() == QEvent::KeyPress || asks;
-  if (asking_ || (!press && event->type() != QEvent::KeyRelease)) return QWidget::eventFilter(watched, event);
-  auto* key = static_cast<QKeyEvent*>(event);
-  if (press && key->key() == kStopKey) {
-    feel_.stop();
-    event->accept();
-    return true;
-  }
-  if (press && key->key() == Qt::Key_Escape) return escape(*watched, *key, asks);
-  if (key->key() != Qt::Key_Space) return QWidget::eventFilter(watched, event);
-  // Whatever has opened since the press, the hand lets go.
-  if (!press && !key->isAutoRepeat()) feel_.session().setHeld(false);
-  if (wantsSpace()) return QWidget::eventFilter(watched, event);
-  if (press && !key->isAutoRepeat()) feel_.session().setHeld(true);
-  event->accept();
-  return true;
-}
-
-bool FeelPanel::escape(QObject& watched, QKeyEvent& key, bool asks) {
-  if (asks) {
-    // Whoever drags something says now that Escape is his.
-    asking_ = true;
-    key.ignore();
-    QCoreApplication::sendEvent(&watched, &key);
-    asking_ = false;
-    escape_taken_ = key.isAccepted();
-    if (escape_taken_) return true;
-  }
-  if (escape_taken_) return false;
-  feel_.stop();
-  key.accept();
-  return true;
 }
 
 void FeelPanel::resizeEvent(QResizeEvent* event) {

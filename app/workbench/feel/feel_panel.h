@@ -19,6 +19,7 @@ class DeviceSearch;
 class DrawerButton;
 class ElidedLabel;
 class FeelController;
+class FeelKeys;
 class ForceBar;
 class ForceTracePlot;
 class PatientControls;
@@ -48,9 +49,6 @@ class FeelPanel : public QWidget {
   void roomChanged(bool roomy);
 
  protected:
-  /// While a model is felt, Space holds the tube and F12 stops, wherever the keyboard focus is. Escape stops, too,
-  /// unless a drag is in progress; then it cancels the drag.
-  bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
@@ -61,7 +59,6 @@ class FeelPanel : public QWidget {
   void setOpen(bool open);
   void setLow(bool low);
   void showLegend();
-  bool escape(QObject& watched, QKeyEvent& key, bool asks);
   void connectAll();
   void adoptModel();
   void showRegions();
@@ -72,6 +69,7 @@ class FeelPanel : public QWidget {
 
   SceneController& scene_;
   FeelController& feel_;
+  FeelKeys* keys_;
   DeviceSearch* search_;
   DeviceBar* device_;
   PatientControls* patient_;
@@ -98,10 +96,7 @@ class FeelPanel : public QWidget {
   QBoxLayout* foot_ = nullptr;     ///< below the path of the tube
   QList<DrawerButton*> drawers_;
   std::optional<fuzzy::Variable> depth_;  ///< the variable whose regions are visible
-  bool filtering_ = false;
-  bool asking_ = false;        ///< the focused widget is being asked whether it uses Escape
-  bool escape_taken_ = false;  ///< it uses Escape
-  bool trace_due_ = false;     ///< the trace is drawn at every second beat
+  bool trace_due_ = false;                ///< the trace is drawn at every second beat
 };
 
 }  // namespace tactus::workbench

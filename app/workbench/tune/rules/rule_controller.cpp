@@ -25,7 +25,7 @@ std::optional<std::size_t> indexIn(const std::vector<std::string>& ids, const st
 }  // namespace
 
 RuleController::RuleController(EditController& edits, SceneController& scene, Selection& selection, QObject* parent)
-    : QObject(parent), edits_(edits), scene_(scene), selection_(selection) {
+    : QObject(parent), edits_(edits), scene_(scene), selection_(selection), here_(edits, scene, selection) {
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);
   connect(&rest_, &QTimer::timeout, this, &RuleController::endWeighing);
@@ -107,51 +107,8 @@ std::optional<RuleCell> RuleController::selected() const {
   return std::nullopt;
 }
 
-double RuleController::strength(std::size_t rule) const {
-  const analysis::ExplainedExpert* const explained = here();
-  return explained != nullptr && rule < explained->rules.size() ? explained->rules[rule].strength : 0;
-}
-
-double RuleController::membership(const std::string& input_id, std::size_t term) const {
-  const analysis::ExplainedExpert* const explained = here();
-  const auto& inputs = model().inputs;
-  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& v) { return v.id == input_id; });
-  if (explained == nullptr || found == inputs.end()) return 0;
-  const auto& memberships = explained->memberships[static_cast<std::size_t>(found - inputs.begin())];
-  return term < memberships.size() ? memberships[term].membership : 0;
-}
-
-double RuleController::valueHere(const std::string& input_id) const {
-  const auto& inputs = scene_.model()->model.inputs;
-  const std::vector<double> point = scene_.readingPoint();
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (inputs[i].id == input_id) return point[i];
-  }
-  return 0;
-}
-
-const analysis::ExplainedExpert* RuleController::here() const {
-  if (scene_.model() == nullptr) return nullptr;
-  for (const analysis::ExplainedExpert& explained : explanation().experts) {
-    if (explained.id == selection_.expert()) return &explained;
-  }
-  return nullptr;
-}
-
-const analysis::Explanation& RuleController::explanation() const {
-  if (!scene_.showsAnother()) return scene_.explanation();
-  // What is edited is the open model, also while another one is looked at.
-  if (!own_explanation_) {
-    auto explained = analysis::explain(model(), edits_.history().compiled(), scene_.readingPoint());
-    TACTUS_CHECK(explained.has_value());
-    own_explanation_ = std::move(*explained);
-    scene_.countEvaluations(1 + own_explanation_->experts.size());
-  }
-  return *own_explanation_;
-}
-
 void RuleController::readAnew() {
-  own_explanation_.reset();
+  here_.forget();
   emit hereChanged();
 }
 
@@ -399,7 +356,7 @@ void RuleController::follow() {
 
 void RuleController::dropGrids() {
   grids_.reset();
-  own_explanation_.reset();
+  here_.forget();
 }
 
 }  // namespace tactus::workbench

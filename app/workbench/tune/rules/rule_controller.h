@@ -14,6 +14,7 @@
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/selection.h"
 #include "app/workbench/tune/rules/rule_cell.h"
+#include "app/workbench/tune/rules/rules_here.h"
 
 namespace tactus::workbench {
 
@@ -61,11 +62,11 @@ class RuleController : public QObject {
 
   /// The strength of rule `rule` at the reading place, in [0, 1]. It belongs to the open model, also while a comparison
   /// shows another one.
-  double strength(std::size_t rule) const;
+  double strength(std::size_t rule) const { return here_.strength(rule); }
   /// The membership of term `term` of an input there, in [0, 1].
-  double membership(const std::string& input_id, std::size_t term) const;
+  double membership(const std::string& input_id, std::size_t term) const { return here_.membership(input_id, term); }
   /// The value of an input at the reading place.
-  double valueHere(const std::string& input_id) const;
+  double valueHere(const std::string& input_id) const { return here_.value(input_id); }
 
   base::Result<void> add(fuzzy::Rule rule);
   base::Result<void> replace(std::size_t rule, fuzzy::Rule with);
@@ -132,18 +133,16 @@ class RuleController : public QObject {
   void selectRuleOfCell();
   void dropGrids();
   RuleGridSizes sizes() const;
-  const analysis::ExplainedExpert* here() const;
-  const analysis::Explanation& explanation() const;
   void readAnew();
   base::Result<void> apply(base::Result<editing::Edit> edit);
 
   EditController& edits_;
   SceneController& scene_;
   Selection& selection_;
+  RulesHere here_;
   std::string region_;
   std::optional<Selected> selected_;
   mutable std::optional<std::vector<Grid>> grids_;
-  mutable std::optional<analysis::Explanation> own_explanation_;  ///< while another model is shown
   std::optional<std::size_t> weighing_;
   QTimer rest_;
 };
