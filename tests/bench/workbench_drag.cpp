@@ -41,6 +41,17 @@ qint64 threadCpuNs() {
   return now.tv_sec * 1'000'000'000LL + now.tv_nsec;
 }
 
+// Calls `then` with the time of each edit that is painted, also while further edits come.
+template <class Clock, class Then>
+void onPainted(const Clock& clock, Then then) {
+  const auto tell = [&clock, then] { then(clock.painted()->last_ms); };
+  if constexpr (requires { &Clock::shown; }) {
+    QObject::connect(&clock, &Clock::shown, &clock, tell);
+  } else {  // earlier versions tell only of the last edit
+    QObject::connect(&clock, &Clock::measured, &clock, tell);
+  }
+}
+
 // Never twice the same place.
 double place(int edit) { return kAmplitudeMm * std::sin(0.37 * (edit + 0.5)); }
 
@@ -124,8 +135,7 @@ DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& mod
 #endif
   }
 #ifdef TACTUS_FRAME_CLOCK
-  QObject::connect(strip, &workbench::FrameClock::measured, strip,
-                   [&] { out.drag_ms.push_back(strip->finest()->last_ms); });
+  onPainted(*strip, [&out](double ms) { out.drag_ms.push_back(ms); });
   for (int i = 0; i < edits; ++i) {
     bench.terms.moveBy(place(edits + i));
     runFor(kFrameMs);

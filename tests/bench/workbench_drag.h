@@ -55,7 +55,7 @@ struct DragTimes {
   std::vector<double> shown_ms;    ///< until the last panel is painted
   std::vector<double> cpu_ms;      ///< of this, on a processor
   std::vector<double> strip_ms;    ///< the same as the strip of the window says
-  std::vector<double> drag_ms;     ///< the strip again, while edits come with every frame
+  std::vector<double> drag_ms;     ///< until all is painted, coarsely or not, while edits come with every frame
   std::vector<double> felt_ticks;  ///< of a drag while the tube is felt: from the edit to the first tick that uses it
   std::map<std::string, std::vector<double>> panel_ms;  ///< work and painting of each edit, on a processor
 };

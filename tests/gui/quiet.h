@@ -4,12 +4,18 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "app/workbench/base/refresh.h"
+
 namespace tactus::tests {
 
 /// Whether no object below `root` is about to work: no timer of a frame, of a slice of work, or of a rest is running.
 /// Longer ones, such as that of a message, only take something away.
 inline bool isQuiet(const QObject& root) {
   constexpr int kLongest = 500;  // ms
+  // What another thread computes for a panel comes too.
+  for (const auto* refresh : root.findChildren<workbench::Refresh*>()) {
+    if (refresh->isRefining()) return false;
+  }
   const QList<QTimer*> timers = root.findChildren<QTimer*>();
   return std::none_of(timers.begin(), timers.end(), [](const QTimer* timer) {
     const bool ends = timer->isSingleShot() || timer->interval() == 0;

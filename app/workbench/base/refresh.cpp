@@ -25,7 +25,7 @@ void Refresh::setRefining(bool refining) {
 bool Refresh::isSeen() const { return panel_->isVisible() && !panel_->window()->isMinimized(); }
 
 void Refresh::request() {
-  stale_ = true;
+  if (!std::exchange(stale_, true)) due_since_ = std::chrono::steady_clock::now();
   if (!isSeen() || timer_.isActive()) return;
   const auto wait = static_cast<int>(std::clamp<qint64>(next_.remainingTime(), 0, kFrameMs));
   // Frames count from the request and not from the work, which comes late where others work before it.

@@ -4,6 +4,7 @@
 #include <QDeadlineTimer>
 #include <QObject>
 #include <QTimer>
+#include <chrono>
 #include <functional>
 
 class QWidget;
@@ -25,16 +26,18 @@ class Refresh : public QObject {
 
   /// Whether the panel is shown and its work is still to be done.
   bool isDue() const;
-  /// Whether `work` is in progress in slices, so that the panel shows a coarse picture.
+  /// Since when it is due: the first request after the last work.
+  std::chrono::steady_clock::time_point dueSince() const { return due_since_; }
+  /// Whether `work` is in progress in slices or on another thread, so that the panel shows a coarse picture.
   bool isRefining() const { return refining_ && isSeen(); }
-  /// `work` calls this with true if it has more slices to do, and with false after the last slice.
+  /// `work` calls this with true if more is to come, and with false in the end.
   void setRefining(bool refining);
 
  public slots:
   void request();
 
  signals:
-  /// The work, or its last slice, is done.
+  /// The work, or its last part, is done.
   void done();
 
  protected:
@@ -50,6 +53,7 @@ class Refresh : public QObject {
   QTimer timer_;
   QDeadlineTimer next_;  ///< when the next frame begins
   bool stale_ = false;
+  std::chrono::steady_clock::time_point due_since_;
   bool refining_ = false;
 };
 

@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QWidget>
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "app/workbench/base/refresh.h"
@@ -29,21 +28,23 @@ FrameClock::Now FrameClock::steadyTime() {
   return [] { return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count(); };
 }
 
-void FrameClock::begin() {
-  if (!begun_ns_ || coarse_ || !isWaiting()) begun_ns_ = now_();
-  coarse_ = false;
-}
-
-bool FrameClock::isWaiting() const {
-  return std::any_of(watched_.begin(), watched_.end(),
-                     [](const QPointer<Refresh>& refresh) { return refresh && refresh->isDue(); });
-}
+void FrameClock::begin() { sending_ = Edit{now_(), std::chrono::steady_clock::now(), {}}; }
 
 void FrameClock::sent() {
-  if (!begun_ns_) return;
+  if (!sending_) return;
+  sending_->sent = std::chrono::steady_clock::now();
+  edits_.push_back(*sending_);
+  sending_.reset();
+  coarse_ns_.reset();
   watched_.clear();
   for (Refresh* refresh : root_.findChildren<Refresh*>()) watched_ << refresh;
   lookLater();
+}
+
+// Work that only a newer edit asked for is no part of this one.
+bool FrameClock::isFor(const Refresh& due, std::size_t edit) const {
+  return std::none_of(edits_.begin() + static_cast<std::ptrdiff_t>(edit) + 1, edits_.end(),
+                      [&](const Edit& newer) { return newer.begun <= due.dueSince() && due.dueSince() <= newer.sent; });
 }
 
 void FrameClock::lookLater() {
@@ -55,7 +56,7 @@ void FrameClock::lookLater() {
 bool FrameClock::event(QEvent* event) {
   if (event->type() != lookEvent()) return QObject::event(event);
   looking_ = false;
-  if (begun_ns_) look();
+  if (!edits_.empty() || coarse_ns_) look();
   return true;
 }
 
@@ -64,30 +65,36 @@ void FrameClock::look() {
     stop();
     return;
   }
-  bool due = false;
+  std::vector<const Refresh*> due;
   bool refining = false;
   for (const QPointer<Refresh>& refresh : std::as_const(watched_)) {
-    if (!refresh) continue;
-    if (!refresh->isDue() && !refresh->isRefining()) continue;
-    due = due || refresh->isDue();
+    if (!refresh || (!refresh->isDue() && !refresh->isRefining())) continue;
+    if (refresh->isDue()) due.push_back(refresh);
     refining = true;
     connect(refresh.data(), &Refresh::done, this, &FrameClock::lookLater, Qt::UniqueConnection);
   }
-  if (due) return;
-  const double passed_ms = static_cast<double>(now_() - *begun_ns_) / 1e6;
-  if (!coarse_) painted_ms_.push_back(passed_ms);
-  if (refining) {
-    coarse_ = true;
-    return;
+  std::size_t painted = 0;
+  while (painted < edits_.size() &&
+         std::none_of(due.begin(), due.end(), [&](const Refresh* one) { return isFor(*one, painted); })) {
+    ++painted;
   }
-  finest_ms_.push_back(passed_ms);
+  if (painted > 0) {
+    coarse_ns_ = edits_.front().begun_ns;
+    edits_.erase(edits_.begin(), edits_.begin() + static_cast<std::ptrdiff_t>(painted));
+    painted_ms_.push_back(msSince(*coarse_ns_));
+    emit shown();
+  }
+  if (refining || !coarse_ns_) return;
+  finest_ms_.push_back(msSince(*coarse_ns_));
   stop();
   emit measured();
 }
 
+double FrameClock::msSince(std::int64_t begun_ns) const { return static_cast<double>(now_() - begun_ns) / 1e6; }
+
 void FrameClock::stop() {
-  begun_ns_.reset();
-  coarse_ = false;
+  edits_.clear();
+  coarse_ns_.reset();
   for (const QPointer<Refresh>& refresh : std::as_const(watched_)) {
     if (refresh) disconnect(refresh.data(), nullptr, this, nullptr);
   }

@@ -4,6 +4,7 @@
 #include <QList>
 #include <QObject>
 #include <QPointer>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -18,7 +19,8 @@ class Refresh;
 
 /// Measures from the sending of an edit until every visible plot has been painted with it. That includes the work of
 /// panels through a Refresh, and the paint event after it. Hidden panels do not count. If a second edit is sent before
-/// the first is on the screen, both are shown together, and the time of the first counts. Costs nothing between edits.
+/// the panels worked for the first, both are shown together, and the time of the first counts; what the first lacks of
+/// its finest picture then is of no account. Costs nothing between edits.
 /// Thread: gui.
 class FrameClock : public QObject {
   Q_OBJECT
@@ -51,24 +53,37 @@ class FrameClock : public QObject {
   void sent();
 
  signals:
+  /// An edit is painted at its finest.
   void measured();
+  /// An edit is painted, finely or coarsely.
+  void shown();
 
  protected:
   bool event(QEvent* event) override;
 
  private:
-  bool isWaiting() const;
+  using Time = std::chrono::steady_clock::time_point;
+  /// An edit that is not painted yet.
+  struct Edit {
+    std::int64_t begun_ns = 0;  ///< of `now_`
+    Time begun;                 ///< what asks for work between these two, the edit itself asked for
+    Time sent;
+  };
+
+  bool isFor(const Refresh& due, std::size_t edit) const;
   void lookLater();
   void look();
   void stop();
+  double msSince(std::int64_t begun_ns) const;
   static Now steadyTime();
   static std::optional<Times> timesOf(const std::vector<double>& all_ms);
 
   const QWidget& root_;
   Now now_;
-  std::optional<std::int64_t> begun_ns_;  ///< when an edit began that is not on the screen yet
-  QList<QPointer<Refresh>> watched_;      ///< of the panels, while an edit is not on the screen yet
-  bool coarse_ = false;                   ///< painted coarsely; panels still refine
+  std::optional<Edit> sending_;            ///< the edit that is being sent
+  std::vector<Edit> edits_;                ///< sent and not painted yet, oldest first
+  std::optional<std::int64_t> coarse_ns_;  ///< when the edit began that is painted coarsely; panels still refine
+  QList<QPointer<Refresh>> watched_;       ///< of the panels, while an edit is not on the screen yet
   bool looking_ = false;
   std::vector<double> painted_ms_;
   std::vector<double> finest_ms_;

@@ -148,5 +148,25 @@ TEST(RefreshTest, AThousandRequestsAreOnePieceOfWorkPerFrame) {
   EXPECT_LE(done, clock.elapsed() / Refresh::kFrameMs + 2);
 }
 
+TEST_F(FrameClockTest, InADragEachEditCountsFromItsOwnBeginning) {
+  // Each edit comes while the panel works for the one before, so that something is always still to be done.
+  int left = 4;
+  Refresh* panel = nullptr;
+  panel = new Refresh(first, [&] {
+    first->update();
+    now_ns += 20'000'000;
+    if (left-- == 0) return;
+    clock.begin();
+    panel->request();
+    clock.sent();
+  });
+  clock.begin();
+  panel->request();
+  clock.sent();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  EXPECT_EQ(clock.painted()->edits, 5U);
+  EXPECT_EQ(clock.painted()->largest_ms, 20);
+}
+
 }  // namespace
 }  // namespace tactus::workbench

@@ -1,9 +1,9 @@
 #include "app/workbench/understand/map/force_map.h"
 
-#include <QElapsedTimer>
 #include <algorithm>
-#include <cmath>
+#include <ctime>
 #include <utility>
+#include <vector>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/scene_controller.h"
@@ -13,19 +13,18 @@
 namespace tactus::workbench {
 namespace {
 
-std::vector<double> evenly(const figures::Interval& part, std::size_t count) {
-  std::vector<double> places(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    places[i] = std::lerp(part.low, part.high, static_cast<double>(i) / static_cast<double>(count - 1));
-  }
-  return places;
+constexpr double kNsPerMs = 1e6;
+
+// What else runs on the machine does not count.
+double threadCpuNs() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace
 
 ForceMapController::ForceMapController(const SceneController& scene, QObject* parent) : QObject(parent), scene_(scene) {
-  slices_.setInterval(0);
-  connect(&slices_, &QTimer::timeout, this, &ForceMapController::work);
   connect(&scene_, &SceneController::modelChanged, this, &ForceMapController::adoptModel);
   connect(&scene_, &SceneController::modelEdited, this, [this] {
     stale_ = true;
@@ -87,6 +86,7 @@ void ForceMapController::setAxes(std::size_t x_input, std::size_t y_input) {
 void ForceMapController::setExpert(std::optional<std::size_t> expert) {
   if (expert == expert_) return;
   stop();
+  place_ns_ = 0;
   expert_ = expert;
   expert_id_ = expert ? scene_.model()->model.experts[*expert].id : std::string();
   map_.reset();
@@ -106,7 +106,23 @@ void ForceMapController::applyPreset(const FigurePreset& preset) {
 void ForceMapController::update() {
   if (!stale_ || !scene_.model() || x_input_ == y_input_) return;
   stale_ = false;
-  compute();
+  stop();
+  const std::vector<fuzzy::Variable>& inputs = scene_.model()->model.inputs;
+  const auto axis = [&](std::size_t input) { return MapRequest::Axis{input, scene_.ranges().of(inputs[input])}; };
+  request_ =
+      std::make_shared<const MapRequest>(scene_.shared(), scene_.values(), axis(x_input_), axis(y_input_), expert_);
+  level_ = 0;
+  const double until_ns = threadCpuNs() + kSliceMs * kNsPerMs;
+  const auto in_slice = [until_ns] { return threadCpuNs() < until_ns; };
+  bool computed = false;
+  if (place_ns_ == 0) computed = computeNow(0, in_slice);
+  // Only what will be finished is begun.
+  const double rest_ms = (until_ns - threadCpuNs()) / kNsPerMs;
+  if (const auto level = finestWithin(rest_ms); level && *level >= level_) {
+    computed = computeNow(*level, [] { return true; }) || computed;
+  }
+  if (!isFinest()) computeBehind();
+  if (computed) emit mapChanged();
 }
 
 void ForceMapController::dropPoint(std::size_t input) {
@@ -120,44 +136,62 @@ void ForceMapController::dropPart(const std::string& input_id) {
   if (input_id == inputs[x_input_].id || input_id == inputs[y_input_].id) stale_ = true;
 }
 
-void ForceMapController::compute() {
-  stop();
-  model_ = scene_.shared();
-  std::vector<std::optional<double>> fixed;
-  point_.clear();
-  for (std::size_t i = 0; i < model_->model.inputs.size(); ++i) {
-    point_.push_back(scene_.value(i));
-    fixed.push_back(i == x_input_ || i == y_input_ ? std::nullopt : std::optional(point_[i]));
-  }
-  auto order = fuzzy::Scene::specialise(model_->compiled, fixed);
-  TACTUS_CHECK(order.has_value());
-  order_ = std::move(*order);
-  x_part_ = scene_.ranges().of(model_->model.inputs[x_input_]);
-  y_part_ = scene_.ranges().of(model_->model.inputs[y_input_]);
-  level_ = firstLevel();
-  beginLevel();
-  work();
-}
-
 void ForceMapController::finish() {
   update();
-  while (!isFinest()) work();
+  if (isFinest()) return;
+  worker_.drop();
+  computeNow(kSides.size() - 1, [] { return true; });
+  emit mapChanged();
 }
 
-std::size_t ForceMapController::firstLevel() const {
-  std::size_t level = 0;
-  const auto takes_ms = [this](std::size_t side) { return static_cast<double>(side * side) * place_ns_ / 1e6; };
-  while (place_ns_ > 0 && level + 1 < kSides.size() && takes_ms(kSides[level + 1]) < kSliceMs) ++level;
+std::optional<std::size_t> ForceMapController::finestWithin(double ms) const {
+  std::optional<std::size_t> level;
+  if (place_ns_ == 0) return level;
+  for (std::size_t i = 0; i < kSides.size(); ++i) {
+    if (static_cast<double>(kSides[i] * kSides[i]) * place_ns_ <= ms * kNsPerMs) level = i;
+  }
   return level;
 }
 
+bool ForceMapController::computeNow(std::size_t level, const std::function<bool()>& goes_on) {
+  const double begun_ns = threadCpuNs();
+  ForceMap map = request_->begin(kSides[level]);
+  if (request_->compute(map, goes_on) < map.side) return false;
+  take(std::move(map), level, threadCpuNs() - begun_ns);
+  return true;
+}
+
+void ForceMapController::computeBehind() {
+  const std::size_t level = std::max(level_, finestWithin(kStepMs).value_or(0));
+  worker_.run([this, level, request = request_](const std::stop_token& stop) -> Background::Deliver {
+    const double begun_ns = threadCpuNs();
+    auto map = std::make_shared<ForceMap>(request->begin(kSides[level]));
+    if (request->compute(*map, [&stop] { return !stop.stop_requested(); }) < map->side) return {};
+    const double cpu_ns = threadCpuNs() - begun_ns;
+    return [this, level, cpu_ns, map = std::move(map)] {
+      take(std::move(*map), level, cpu_ns);
+      if (!isFinest()) computeBehind();
+      emit mapChanged();
+    };
+  });
+}
+
+void ForceMapController::take(ForceMap map, std::size_t level, double cpu_ns) {
+  const std::size_t places = map.side * map.side;
+  place_ns_ = cpu_ns / static_cast<double>(places);
+  scene_.countEvaluations(places * request_->forcesOfAPlace());
+  map_ = std::move(map);
+  level_ = level + 1;
+}
+
 void ForceMapController::stop() {
-  slices_.stop();
+  worker_.drop();
   level_ = kSides.size();
 }
 
 void ForceMapController::adoptModel() {
   stop();
+  place_ns_ = 0;
   map_.reset();
   here_.reset();
   stale_ = true;
@@ -175,66 +209,6 @@ void ForceMapController::adoptModel() {
   }
   expert_ = expertNamed(model, expert_id_);
   emit choiceChanged();
-}
-
-void ForceMapController::work() {
-  QElapsedTimer clock;
-  clock.start();
-  bool finished_one = false;
-  std::size_t places = 0;
-  while (level_ < kSides.size() && clock.elapsed() < kSliceMs) {
-    computeRow();
-    places += growing_.side;
-    if (row_ < growing_.side) continue;
-    finished_one = true;
-    map_ = std::move(growing_);
-    ++level_;
-    if (level_ < kSides.size()) beginLevel();
-  }
-  place_ns_ = static_cast<double>(clock.nsecsElapsed()) / static_cast<double>(places);
-  if (level_ == kSides.size()) {
-    slices_.stop();
-  } else if (!slices_.isActive()) {
-    slices_.start();
-  }
-  if (finished_one) emit mapChanged();
-}
-
-void ForceMapController::beginLevel() {
-  growing_ = {};
-  growing_.x_input = x_input_;
-  growing_.y_input = y_input_;
-  growing_.side = kSides[level_];
-  growing_.force_n.resize(growing_.side * growing_.side);
-  growing_.fired.resize(growing_.side * growing_.side);
-  growing_.x_part = x_part_;
-  growing_.y_part = y_part_;
-  xs_ = evenly(x_part_, growing_.side);
-  ys_ = evenly(y_part_, growing_.side);
-  row_ = 0;
-}
-
-void ForceMapController::computeRow() {
-  const std::size_t side = growing_.side;
-  const std::span<double> forces = std::span(growing_.force_n).subspan(row_ * side, side);
-  const std::span<std::uint8_t> fired = std::span(growing_.fired).subspan(row_ * side, side);
-  if (expert_) {
-    point_[y_input_] = ys_[row_];
-    for (std::size_t i = 0; i < side; ++i) {
-      point_[x_input_] = xs_[i];
-      const fuzzy::Evaluation here = model_->compiled.evaluateExpert(*expert_, point_);
-      forces[i] = here.force_n;
-      fired[i] = here.fired ? 1 : 0;
-    }
-  } else {
-    const std::vector<double> same_y(side, ys_[row_]);
-    // The varying inputs stand in the order of the model.
-    std::array<std::span<const double>, 2> inputs = {xs_, same_y};
-    if (y_input_ < x_input_) std::swap(inputs[0], inputs[1]);
-    order_->evaluateBatch(inputs, {forces, fired});
-  }
-  scene_.countEvaluations(side * (expert_ ? 1 : 1 + model_->compiled.expertCount()));
-  ++row_;
 }
 
 }  // namespace tactus::workbench

@@ -1,48 +1,33 @@
-// Force over two inputs while the other inputs stay fixed: the numbers behind the color map and the surface.
+// Keeps the force map of the scene up to date for all views: what of it is computed, when, and on which thread.
 #pragma once
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <array>
-#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "app/figures/force_curves.h"
-#include "app/workbench/model/open_model.h"
-#include "core/fuzzy/scene.h"
+#include "app/workbench/base/background.h"
+#include "app/workbench/understand/map/map_request.h"
 
 namespace tactus::workbench {
 
 class SceneController;
 struct FigurePreset;
 
-/// Forces on a grid over the parts of two inputs that are shown, including the ends.
-struct ForceMap {
-  std::size_t x_input = 0;
-  std::size_t y_input = 0;
-  figures::Interval x_part;  ///< of the universe
-  figures::Interval y_part;
-  std::size_t side = 0;             ///< points along each input
-  std::vector<double> force_n;      ///< side * side values, row by row from the lowest y
-  std::vector<std::uint8_t> fired;  ///< 1 if a rule fires
-
-  double force(std::size_t x, std::size_t y) const { return force_n[y * side + x]; }
-  bool isFired(std::size_t x, std::size_t y) const { return fired[y * side + x] != 0; }
-};
-
-/// Computes the map of a scene once for all views, in slices so that the window stays responsive. It starts with coarse
-/// maps, unless a finer one is ready within the first slice. A new request replaces an older one. Of an input that is
-/// zoomed only the part that is shown is computed, as finely as otherwise the whole.
+/// Computes the map of a scene once for all views. As fine a map as a slice of a frame has time for is computed at
+/// once, so that an edit shows it in its frame; finer ones, of models with many experts, on another thread, and they
+/// follow. A new request replaces an older one. Of an input that is zoomed only the part that is shown is computed, as
+/// finely as otherwise the whole.
 class ForceMapController : public QObject {
   Q_OBJECT
 
  public:
   static constexpr std::array<std::size_t, 4> kSides = {26, 51, 101, 201};  ///< each has all points of the one before
-  static constexpr int kSliceMs = 6;                                        ///< less than half a frame at 60 Hz
+  static constexpr int kSliceMs = 6;   ///< of the window's thread: less than half a frame at 60 Hz
+  static constexpr int kStepMs = 100;  ///< of the other thread: after this time at the latest a finer map should follow
 
   explicit ForceMapController(const SceneController& scene, QObject* parent = nullptr);
 
@@ -70,7 +55,7 @@ class ForceMapController : public QObject {
   /// them, too.
   void setAxes(std::size_t x_input, std::size_t y_input);
   void setExpert(std::optional<std::size_t> expert);
-  /// Brings the map up to date with the scene: computes the first slice now, the others from the event loop. Returns at
+  /// Brings the map up to date with the scene: computes the first map now, finer ones on another thread. Returns at
   /// once if the map is current or in progress.
   void update();
   /// The same, but finishes the map now: some milliseconds for a few experts. For files and pictures, which need the
@@ -88,12 +73,11 @@ class ForceMapController : public QObject {
   void applyPreset(const FigurePreset& preset);
   void dropPoint(std::size_t input);
   void dropPart(const std::string& input_id);
-  void compute();
   void stop();
-  void work();
-  std::size_t firstLevel() const;
-  void beginLevel();
-  void computeRow();
+  std::optional<std::size_t> finestWithin(double ms) const;
+  bool computeNow(std::size_t level, const std::function<bool()>& goes_on);
+  void computeBehind();
+  void take(ForceMap map, std::size_t level, double cpu_ns);
 
   const SceneController& scene_;
   std::size_t x_input_ = 0;
@@ -108,19 +92,10 @@ class ForceMapController : public QObject {
   int viewers_ = 0;
   bool stale_ = true;  ///< the map is neither current nor in progress
 
-  // The request in progress.
-  std::shared_ptr<const OpenModel> model_;
-  std::optional<fuzzy::Scene> order_;
-  std::vector<double> point_;
-  figures::Interval x_part_;
-  figures::Interval y_part_;
-  std::size_t level_ = kSides.size();  ///< index in kSides; past the end if none is in progress
-  std::size_t row_ = 0;
-  double place_ns_ = 0;  ///< time of one point in the last map; 0 before the first map
-  ForceMap growing_;
-  std::vector<double> xs_;
-  std::vector<double> ys_;
-  QTimer slices_{this};
+  std::shared_ptr<const MapRequest> request_;  ///< the newest one
+  std::size_t level_ = kSides.size();          ///< index in kSides of the next map; past the end if none is to come
+  double place_ns_ = 0;                        ///< time of one place on a processor; 0 before the first map of a model
+  Background worker_;
 };
 
 }  // namespace tactus::workbench

@@ -25,7 +25,11 @@ MapViewPanel::MapViewPanel(const SceneController& scene, ForceMapController& map
       menu_(new PlotMenu(
           *content.view, [this] { return table(); }, this)),
       missing_(new QLabel(content.missing, this)),
-      compute_(new Refresh(this, [this] { map_.update(); })),
+      compute_(new Refresh(this,
+                           [this] {
+                             map_.update();
+                             compute_->setRefining(!map_.isFinest());
+                           })),
       draw_map_(new Refresh(this, [this] { showMap(); })),
       draw_point_(new Refresh(this, [this] { showPoint(); })) {
   missing_->setAlignment(Qt::AlignCenter);

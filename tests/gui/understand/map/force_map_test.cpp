@@ -4,6 +4,7 @@
 #include <QTest>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <gtest/gtest.h>
 #include <utility>
 
@@ -163,6 +164,47 @@ TEST_F(ForceMapTest, TheForceAtThePointIsThatOfTheScene) {
   EXPECT_NEAR(map.forceAtPoint().force_n, 0.75, kBatchRounding);
   scene.setValue(kDepth, 5.5);
   EXPECT_FALSE(map.forceAtPoint().fired);
+}
+
+double cpuMsOfThisThread() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+TEST_F(ForceMapTest, OfManyExpertsTheFineMapIsComputedBesideTheWindow) {
+  fuzzy::ForceModel model = tests::twoExperts();
+  constexpr std::size_t kExperts = 900;
+  while (model.experts.size() < kExperts) {
+    fuzzy::Expert next = model.experts[model.experts.size() % 2];
+    next.id = "X" + std::to_string(model.experts.size());
+    next.label.clear();
+    model.experts.push_back(std::move(next));
+  }
+  models.open(folder.write(model));
+  const double before_ms = cpuMsOfThisThread();
+  map.finish();
+  const double whole_ms = cpuMsOfThisThread() - before_ms;
+  model.experts[0].rules[0].then = "high";
+  ASSERT_TRUE(models.edit(model));
+  map.update();
+  ASSERT_FALSE(map.isFinest());
+  ASSERT_NE(map.map(), nullptr);
+  EXPECT_LT(map.map()->side, ForceMapController::kSides.back());
+  const double begun_ms = cpuMsOfThisThread();
+  QSignalSpy changed(&map, &ForceMapController::mapChanged);
+  while (!map.isFinest()) ASSERT_TRUE(changed.wait(60'000));
+  // The time on a processor, whatever else the machine does: this thread only waits.
+  EXPECT_LT(cpuMsOfThisThread() - begun_ms, whole_ms / 4);
+  const std::array point = {20.0, 4.0};
+  EXPECT_NEAR(map.map()->force(80, 40), models.current()->compiled.evaluate(point).force_n, 1e-12);
+}
+
+TEST_F(ForceMapTest, AFileGetsTheWholeMapAlsoWhileItIsComputed) {
+  map.update();
+  map.finish();
+  EXPECT_TRUE(map.isFinest());
+  EXPECT_EQ(map.map()->side, ForceMapController::kSides.back());
 }
 
 }  // namespace
