@@ -17,6 +17,11 @@ void ElidedLabel::setFullText(const QString& text, const QString& brief) {
   updateGeometry();
 }
 
+void ElidedLabel::setHint(const QString& hint) {
+  hint_ = hint;
+  elide();
+}
+
 QSize ElidedLabel::minimumSizeHint() const { return {1, QLabel::sizeHint().height()}; }
 
 QSize ElidedLabel::sizeHint() const {
@@ -34,7 +39,10 @@ void ElidedLabel::elide() {
   const QString& text = fits || brief_.isEmpty() ? full_ : brief_;
   const QString shown = fontMetrics().elidedText(text, Qt::ElideRight, room);
   setText(shown);
-  setToolTip(shown == full_ ? QString() : full_);
+  QStringList tip;
+  if (shown != full_) tip << full_;
+  if (!hint_.isEmpty()) tip << hint_;
+  setToolTip(tip.join(QLatin1Char('\n')));
 }
 
 }  // namespace tactus::workbench

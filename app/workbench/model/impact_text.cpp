@@ -36,14 +36,6 @@ QString briefChangeText(double change_n, const std::string& unit, Scope scope) {
                                    : ImpactText::tr("%1 on this curve").arg(change);
 }
 
-QString noticeableExplained() {
-  return ImpactText::tr("JND: just-noticeable difference. A change below 1 JND is too small to feel.");
-}
-
-QString rmsExplained() {
-  return ImpactText::tr("RMS: the root of the mean squared difference. Large differences count more than in a mean.");
-}
-
 QString impactText(const editing::EditImpact& impact, const std::string& unit) {
   QStringList parts;
   // Less is rounding.

@@ -24,12 +24,6 @@ QString largestChangeText(double change_n, const std::string& unit, Scope scope)
 /// The same where room is scarce: `ΔF ≥ 0.032 N anywhere`, `ΔF ≥ 0.032 N on this curve`.
 QString briefChangeText(double change_n, const std::string& unit, Scope scope);
 
-/// What JND means, in one sentence for the place where the number stands.
-QString noticeableExplained();
-
-/// What RMS means, likewise.
-QString rmsExplained();
-
 /// `max ΔF anywhere at least 0.032 N (0.4 JND)`. Just-noticeable differences appear only if `unit`, the unit of the
 /// force, is newtons. `no change of the force` if the sample has no difference.
 QString impactText(const editing::EditImpact& impact, const std::string& unit);

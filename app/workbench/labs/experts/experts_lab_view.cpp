@@ -15,6 +15,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/statistic_help.h"
 #include "app/workbench/kit/wrapped_label.h"
 #include "app/workbench/labs/experts/band_lab.h"
 #include "app/workbench/labs/experts/experts_lab.h"
@@ -91,6 +92,7 @@ QWidget* ExpertsLabView::makeLeft() {
       tr("Weights, and leaving one expert out"),
       makeLabTable(*weights_, WeightTable::kWhere, tr("Weights and what leaving one expert out changes"), nullptr));
   weights->addTool(policy_);
+  weights->addTool(new StatisticHelp({Statistic::kRms, Statistic::kNoticeable}));
   auto* details = new QTabWidget;
   details->setDocumentMode(true);
   auto* policies = makeLabTable(*policies_, PolicyTable::kWhere, tr("Weight policies beside equal weights"), nullptr);
@@ -142,6 +144,7 @@ QWidget* ExpertsLabView::makeRight() {
   card->addTool(new PlotMenu(
       *plot_, [this] { return pullTable(lab_); }, card));
   card->addTool(band_);
+  card->addTool(new StatisticHelp({Statistic::kInterval, Statistic::kNoticeable}));
   card->addTool(open_);
   return card;
 }

@@ -10,6 +10,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/statistic_help.h"
 #include "app/workbench/labs/force/check_view.h"
 #include "app/workbench/labs/force/delivered_plot.h"
 #include "app/workbench/labs/force/force_lab.h"
@@ -65,6 +66,7 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   details_->addTab(judgements_, tr("Judgements"));
   details_->addTab(checks_, tr("Checks"));
   details_->addTab(delivered_, tr("Delivered force"));
+  details_->setCornerWidget(new StatisticHelp({Statistic::kWeightedKappa, Statistic::kInterval}));
   delivered_->addTool(new PlotMenu(
       *delivered_, [this] { return deliveredTable(lab_); }, delivered_));
   auto* below = new Card;

@@ -15,6 +15,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/statistic_help.h"
 #include "app/workbench/kit/wrapped_label.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/frame/lab_table.h"
@@ -107,7 +108,9 @@ QWidget* MethodLabView::makeLeft() {
   column->setChildrenCollapsible(false);
   column->setHandleWidth(theme::kGrid);
   column->addWidget(new LabCard(tr("Does the choice matter here?"), factor_view_));
-  column->addWidget(new LabCard(tr("Every value of this choice"), variant_view_));
+  auto* values = new LabCard(tr("Every value of this choice"), variant_view_);
+  values->addTool(new StatisticHelp({Statistic::kRms, Statistic::kNoticeable}));
+  column->addWidget(values);
   column->setStretchFactor(0, 5);
   column->setStretchFactor(1, 2);
   column->setSizes({kUpperShare, kLowerShare});

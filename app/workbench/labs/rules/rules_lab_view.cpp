@@ -15,6 +15,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/statistic_help.h"
 #include "app/workbench/kit/wrapped_label.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/frame/lab_table.h"
@@ -70,6 +71,8 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
   auto* agreement = makeLabTable(*agreement_, AgreementTable::kRatings, tr("Measures of agreement"), nullptr);
   agreement->setObjectName(QStringLiteral("agreement"));
   details_->addTab(agreement, tr("Agreement"));
+  details_->setCornerWidget(new StatisticHelp({Statistic::kAlpha, Statistic::kInterval, Statistic::kConsensus,
+                                               Statistic::kKendallW, Statistic::kKappa, Statistic::kNoticeable}));
   details_->addTab(makeUsability(), tr("Usability (Table 3)"));
   auto* below = new Card;
   auto* inside = new QVBoxLayout(below);

@@ -10,6 +10,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/card.h"
+#include "app/workbench/kit/statistic_help.h"
 #include "app/workbench/labs/speed/cluster_plot.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/labs/speed/speed_term_plot.h"
@@ -34,6 +35,7 @@ ClusterPage::ClusterPage(SpeedLab& lab, QWidget* parent)
   head->addWidget(title);
   head->addSpacing(theme::kGrid);
   head->addWidget(key_, 1);
+  head->addWidget(new StatisticHelp({Statistic::kInterval}, clusters));
   head->addWidget(new PlotMenu(
       *this, [this] { return clusterTable(); }, clusters));
   auto* grid = new QGridLayout;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/statistic_words.h"
 #include "app/workbench/model/impact_text.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
@@ -54,7 +55,7 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::ToolTipRole) {
     QStringList lines = {shown.sentence};
     if (shown.finding.at_least) lines << tr("≥: the largest force of the tested settings");
-    if (shown.noticeable) lines << noticeableExplained();
+    if (shown.noticeable) lines << explained(Statistic::kNoticeable);
     return lines.join(QLatin1Char('\n'));
   }
   // What a screen reader says.

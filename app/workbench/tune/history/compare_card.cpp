@@ -10,6 +10,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/statistic_help.h"
 #include "app/workbench/model/impact_text.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/tune/history/compare_controller.h"
@@ -56,6 +57,7 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
       a_(choiceBox(tr("A: the reference version"), this)),
       b_(choiceBox(tr("B: the version to compare"), this)),
       result_(new QLabel(this)),
+      help_(new StatisticHelp({Statistic::kNoticeable, Statistic::kRms}, this)),
       place_(new QLabel(this)),
       go_(new QPushButton(tr("Go there"), this)),
       changes_(new QLabel(this)),
@@ -83,7 +85,8 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
   layout->addWidget(a_, 1, 1, 1, 2);
   layout->addWidget(new QLabel(QStringLiteral("B"), this), 2, 0);
   layout->addWidget(b_, 2, 1, 1, 2);
-  layout->addWidget(result_, 3, 0, 1, 3);
+  layout->addWidget(result_, 3, 0, 1, 2);
+  layout->addWidget(help_, 3, 2, Qt::AlignRight | Qt::AlignTop);
   layout->addWidget(place_, 4, 0, 1, 3);
   layout->addWidget(go_, 5, 0, 1, 3, Qt::AlignRight);
   layout->addWidget(changes_, 6, 0, 1, 3);
@@ -133,6 +136,7 @@ void CompareCard::showResult() {
   go_->setVisible(place_->isVisibleTo(this));
   showChanges();
   if (!result) {
+    help_->hide();
     result_->setText(scene_.model() != nullptr ? tr("Comparing…") : QString());
     return;
   }
@@ -143,7 +147,7 @@ void CompareCard::showResult() {
     if (unit == "N") sentence += tr(" (%1 JND from A)").arg(numberText(result->noticeable, 1));
     sentence += tr(" · RMS %1").arg(forceText(result->rms_n, unit));
   }
-  result_->setToolTip(result->at.empty() ? QString() : noticeableExplained() + QLatin1Char('\n') + rmsExplained());
+  help_->setVisible(!result->at.empty());
   if (result->only_one > 0) sentence += QLatin1Char(' ') + tr("In places only one of the two has a force.");
   result_->setText(sentence);
   if (result->at.empty()) return;

@@ -12,6 +12,7 @@ namespace tactus::workbench {
 class CompareController;
 class Refresh;
 class SceneController;
+class StatisticHelp;
 enum class CompareSide;
 
 class CompareCard : public QWidget {
@@ -33,6 +34,7 @@ class CompareCard : public QWidget {
   QComboBox* a_;
   QComboBox* b_;
   QLabel* result_;
+  StatisticHelp* help_;
   QLabel* place_;
   QPushButton* go_;
   QLabel* changes_;  ///< what differs between the models, a line each

@@ -3,6 +3,7 @@
 #include <QDateTime>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/statistic_words.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/impact_text.h"
 
@@ -98,7 +99,7 @@ QString HistoryModel::tipOf(const editing::HistoryRow& row) const {
       break;
   }
   const bool newtons = edits_.model().output.unit == "N";
-  if (newtons && edits_.impactOf(row.state)) lines.append(noticeableExplained());
+  if (newtons && edits_.impactOf(row.state)) lines.append(explained(Statistic::kNoticeable));
   return lines.join(QLatin1Char('\n'));
 }
 

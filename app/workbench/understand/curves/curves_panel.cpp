@@ -18,9 +18,9 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/refresh.h"
+#include "app/workbench/base/statistic_words.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/say.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -86,6 +86,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   step_->setFont(theme::smallFont());
   setInk(*step_, theme::errorInk());
   step_->hide();
+  for (ElidedLabel* label : {difference_, step_}) label->setHint(explained(Statistic::kNoticeable));
 
   auto* head = new QHBoxLayout;
   head->setSpacing(theme::kGrid);
@@ -126,8 +127,6 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
     if (const auto there = ghost_.elsewhere()) scene_.goTo(there->at);
   });
   connect(&references_, &ReferenceController::changed, draw_references_, &Refresh::request);
-  connect(&references_, &ReferenceController::refused, this,
-          [this](const QString& sentence) { sayError(*this, sentence); });
   draw_ghost_->request();
 }
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/statistic_words.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/model/impact_text.h"
@@ -51,7 +52,7 @@ void ReferenceBar::build() {
     const int row = grid->rowCount();
     auto* name = new QLabel(QStringLiteral("● ") + reference.name, rows_);
     name->setTextFormat(Qt::PlainText);
-    name->setToolTip(rmsExplained());
+    name->setToolTip(explained(Statistic::kRms));
     names_ << name;
     auto* difference = new ElidedLabel(rows_);
     auto* remove = new QToolButton(rows_);
