@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QSettings>
 
+#include "app/workbench/kit/message_banner.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/model_controller.h"
@@ -52,6 +53,10 @@ void CurveParts::addActions() {
   QAction* const picture =
       menus.addAction(MenuSlot::kFilePictures, tr("Save &picture of the curves…"), Qt::CTRL | Qt::Key_E);
   connect(reference, &QAction::triggered, this, &CurveParts::chooseReference);
+  connect(&references_, &ReferenceController::refused, this, [this](const QString& sentence) {
+    window_.banner().showRemedy(tr("The reference curve is not shown. %1").arg(sentence),
+                                {tr("Open another curve…"), [this] { chooseReference(); }});
+  });
   connect(picture, &QAction::triggered, &curves_->plotMenu(), &PlotMenu::choosePicture);
   for (QAction* action : {reference, picture}) {
     action->setEnabled(false);

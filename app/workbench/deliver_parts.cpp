@@ -90,6 +90,7 @@ DeliverParts::DeliverParts(MainWindow& window, const ModelController& models, Fi
   connect(live, &LinkRow::asked, &link_parts, &LinkParts::showDialog);
   connect(lines, &ReadinessPanel::asked, this, &DeliverParts::lead);
   connect(bundle, &BundlePanel::wanted, this, &DeliverParts::make);
+  connect(bundle, &BundlePanel::readBackWanted, this, &DeliverParts::readBack);
   connect(&findings_, &FindingsController::changed, &readiness,
           [this, &readiness] { readiness.setFindings(summary(findings_)); });
   readiness.setFindings(summary(findings_));

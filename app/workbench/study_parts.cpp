@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/documents.h"
@@ -89,10 +90,14 @@ void StudyParts::connectAll() {
   const auto note = [this](const QString& sentence) { window_.banner().showNote(sentence); };
   connect(&study_, &StudyConnection::said, this, note);
   connect(&study_models_, &StudyModels::failed, this, &StudyParts::onFailed);
-  connect(&study_models_, &StudyModels::said, this, note);
-  connect(&study_models_, &StudyModels::buildOffered, this, [this](const QString& sentence) {
-    window_.banner().showOffer(sentence, {tr("Build the averaged model"), [this] { buildModel(); }});
+  connect(&study_models_, &StudyModels::said, this, [this, note](const QString& sentence) {
+    study_.isReadOnly() && !study_models_.hasModel() ? showReadOnly({sentence, {}}) : note(sentence);
   });
+  connect(&study_models_, &StudyModels::buildOffered, this, [this](const QString& sentence) {
+    const MessageAct build{tr("Build the averaged model"), [this] { buildModel(); }};
+    study_.isReadOnly() ? showReadOnly({sentence, build}) : window_.banner().showOffer(sentence, build);
+  });
+  connect(&study_, &StudyConnection::leaving, this, [this] { beside_ = {}; });
   connect(&store_, &FeelStore::said, this, [this](const QString& sentence) { window_.say(sentence); });
   connect(&store_, &FeelStore::failed, this, [this](const QString& sentence) { window_.banner().showError(sentence); });
 }
@@ -129,11 +134,17 @@ void StudyParts::showState() {
 void StudyParts::onOpened() {
   recent_.add(study_.path());
   showState();
-  if (!study_.isReadOnly()) return;
-  window_.banner().showOffer(
+  if (study_.isReadOnly()) showReadOnly(beside_);
+}
+
+// What else is said of such a study does not take the place of the copy.
+void StudyParts::showReadOnly(Beside beside) {
+  beside_ = std::move(beside);
+  const QString locked =
       tr("%1 is open for reading only, because %2. Nothing can be stored in it; a copy can be changed.")
-          .arg(study_.fileName(), study_.readOnlyReason()),
-      {tr("Save a copy…"), [this] { chooseCopy(); }});
+          .arg(study_.fileName(), study_.readOnlyReason());
+  window_.banner().showOffer(beside_.sentence.isEmpty() ? locked : locked + QLatin1Char(' ') + beside_.sentence,
+                             {tr("Save a copy…"), [this] { chooseCopy(); }}, beside_.act);
 }
 
 void StudyParts::chooseCopy() {

@@ -4,6 +4,8 @@
 
 #include <QObject>
 
+#include "app/workbench/kit/say.h"
+
 class QAction;
 
 namespace tactus::workbench {
@@ -34,7 +36,14 @@ class StudyParts : public QObject {
   void addRecordings(FeelPanel& panel);
   void connectAll();
   void showState();
+  /// What is said of a study beside that it is open for reading only.
+  struct Beside {
+    QString sentence;
+    MessageAct act;
+  };
+
   void onOpened();
+  void showReadOnly(Beside beside);
   void chooseCopy();
   void buildModel();
   void onFailed(const QString& path, const QString& sentence);
@@ -55,6 +64,7 @@ class StudyParts : public QObject {
   QAction* build_ = nullptr;
   QAction* copy_ = nullptr;
   QAction* close_ = nullptr;
+  Beside beside_;
   bool ending_ = false;  ///< the window closes as soon as everything is written
 };
 

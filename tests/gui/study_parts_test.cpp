@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editing/membership_edits.h"
+#include "app/workbench/collect/study_home.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
 #include "app/workbench/feel/tube_pad.h"
 #include "app/workbench/kit/message_banner.h"
@@ -186,6 +187,11 @@ TEST_F(StudyPartsTest, AStudyThatMayNotBeWrittenIsShownLockedAndACopyTakesChange
     EXPECT_FALSE(action("Put the open model")->isEnabled());
     EXPECT_TRUE(action("Put the open model")->statusTip().contains(QStringLiteral("reading only")));
     EXPECT_TRUE(action("Save a copy of the study")->isEnabled());
+    for (const QPushButton* one : window.findChild<StudyHome*>()->findChildren<QPushButton*>()) {
+      if (!one->text().contains(QLatin1String("usability"))) continue;
+      EXPECT_FALSE(one->isEnabled());
+      EXPECT_TRUE(one->toolTip().contains(bench.study.readOnlyReason())) << one->toolTip().toStdString();
+    }
     const auto* recordings = window.findChild<RecordingsCard*>();
     EXPECT_FALSE(button(*recordings, QStringLiteral("Record"))->isEnabled());
     const QList<QLabel*> said = recordings->findChildren<QLabel*>();
@@ -197,6 +203,28 @@ TEST_F(StudyPartsTest, AStudyThatMayNotBeWrittenIsShownLockedAndACopyTakesChange
     ASSERT_TRUE(comesTrue([&] { return bench.study.isOpen() && bench.study.path() == copy; }));
     EXPECT_FALSE(bench.study.isReadOnly());
     EXPECT_FALSE(lock->isVisible());
+    bench.study.close();
+    ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
+  }
+  ASSERT_TRUE(QFile::setPermissions(folder.path({}), look | enter | QFile::WriteOwner));
+}
+
+TEST_F(StudyPartsTest, ALockedStudyWithoutAModelOffersItsCopyAndSaysWhatItHolds) {
+  const auto look = QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther;
+  const auto enter = QFile::ExeOwner | QFile::ExeGroup | QFile::ExeOther;
+  ASSERT_TRUE(QFile::setPermissions(path, look));
+  ASSERT_TRUE(QFile::setPermissions(folder.path({}), look | enter));
+  {
+    const support::AsNobody nobody;
+    ASSERT_TRUE(open());
+    const QString said = window.banner().message();
+    EXPECT_TRUE(said.contains(bench.study.readOnlyReason())) << said.toStdString();
+    EXPECT_TRUE(said.contains(QStringLiteral("sample.tactus holds "))) << said.toStdString();
+    QStringList acts;
+    for (const QPushButton* one : window.banner().findChildren<QPushButton*>()) {
+      if (one->isVisible()) acts << one->text();
+    }
+    EXPECT_TRUE(acts.contains(QStringLiteral("Save a copy…"))) << acts.join(QLatin1Char('|')).toStdString();
     bench.study.close();
     ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
   }

@@ -72,9 +72,9 @@ StudyHome::StudyHome(CollectController& collect, QWidget* parent)
       name_(new ElidedLabel(this)),
       summary_(new QLabel(this)),
       data_(new NotesButton(this)),
-      protocol_(new QPushButton(tr("&Protocol…"), this)),
+      protocol_(new QPushButton(tr("Open the &protocol…"), this)),
       add_(new QPushButton(tr("&Add participant"), this)),
-      usability_(new QPushButton(tr("&Usability form"), this)),
+      usability_(new QPushButton(tr("Fill in the &usability form"), this)),
       start_(new PrimaryButton(tr("S&tart a session"), this)),
       hint_(new Card(this)),
       hint_text_(new QLabel(hint_)),
@@ -113,7 +113,6 @@ StudyHome::StudyHome(CollectController& collect, QWidget* parent)
 QWidget* StudyHome::makeHead() {
   auto* head = new QWidget(this);
   name_->setFont(theme::titleFont());
-  usability_->setToolTip(tr("Six questions for a clinical teacher who tried the model, with a code of their own"));
   setInk(*summary_, theme::mutedInk());
   summary_->setTextFormat(Qt::PlainText);
   auto* titles = new QVBoxLayout;
@@ -251,6 +250,9 @@ void StudyHome::follow() {
     button->setEnabled(study.takesOrders() && !collect_.isSessionRunning());
   }
   for (QPushButton* button : {add_, static_cast<QPushButton*>(start_), withdraw_}) button->setToolTip(locked);
+  usability_->setToolTip(
+      !locked.isEmpty() ? locked
+                        : tr("Six questions for a clinical teacher who tried the model, with a code of their own"));
   if (newest_ && collect_.row(*newest_) != nullptr && selected() != newest_) select(*newest_);
   showSelection();
   showHints();

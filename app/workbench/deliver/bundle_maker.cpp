@@ -56,7 +56,7 @@ void BundleMaker::compare() {
 
 BundleMaker::End BundleMaker::readBackIn(const QString& folder) {
   auto check = bundle::verifyBundle(folder.toStdString(), kGenerator);
-  if (!check) return {std::nullopt, text(check.error().message())};
+  if (!check) return {std::nullopt, tr("The bundle was not read. %1").arg(text(check.error().message()))};
   Delivered out{folder, false, check->ok(), {}, {}, {}};
   for (const model_io::FileCheck& file : check->files) out.files.push_back(shown(file));
   out.model = std::move(check->model);
@@ -65,6 +65,7 @@ BundleMaker::End BundleMaker::readBackIn(const QString& folder) {
 
 void BundleMaker::begin(Doing doing, const QString& folder) {
   stop_ = std::stop_source();
+  asked_ = doing;
   folder_ = folder;
   delivered_.reset();
   failure_.clear();
@@ -91,8 +92,9 @@ void BundleMaker::make(const QString& folder) {
       return [this, what = std::make_shared<End>(std::move(what))] { take(std::move(*what)); };
     };
     const auto failed = [&end](const base::Error& error) {
-      return end({std::nullopt, error.code == base::ErrorCode::kCancelled ? tr("Canceled: nothing was written.")
-                                                                          : text(error.message())});
+      return end({std::nullopt, error.code == base::ErrorCode::kCancelled
+                                    ? tr("Canceled: nothing was written.")
+                                    : tr("The bundle was not made. %1").arg(text(error.message()))});
     };
     const bundle::BundleSettings settings{
         {},

@@ -42,6 +42,8 @@ class BundleMaker : public QObject {
   /// Of the files to be made.
   std::size_t done() const { return done_; }
   std::size_t all() const { return all_; }
+  /// What the work in progress, or the last one, was begun for: kMaking, or kReadingBack alone.
+  Doing asked() const { return asked_; }
   /// Where the work in progress goes.
   const QString& folder() const { return folder_; }
   /// Nothing is written yet, and `cancel` has not been called.
@@ -78,6 +80,7 @@ class BundleMaker : public QObject {
 
   EditController& edits_;
   Doing doing_ = Doing::kNothing;
+  Doing asked_ = Doing::kNothing;
   std::size_t done_ = 0;
   std::size_t all_ = 0;
   QString folder_;

@@ -1,7 +1,9 @@
 #include "app/workbench/deliver/bundle_panel.h"
 
+#include <QClipboard>
 #include <QDesktopServices>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -122,6 +124,8 @@ QWidget* BundlePanel::makeResult() {
   setMuted(*folder_);
   notes_ = wrapped({}, page);
   open_ = new QPushButton(tr("Open folder"), page);
+  act_ = new QPushButton(page);
+  act_->setObjectName(QStringLiteral("bundle_act"));
   table_ = new QTableView(page);
   table_->setModel(&files_);
   table_->setObjectName(QStringLiteral("bundle_files"));
@@ -147,10 +151,12 @@ QWidget* BundlePanel::makeResult() {
   layout->addWidget(said_, 0, 1);
   layout->addWidget(folder_, 1, 1);
   layout->addWidget(open_, 0, 2, 2, 1, Qt::AlignVCenter);
-  layout->addWidget(notes_, 2, 1, 1, 2);
-  layout->addWidget(table_, 3, 0, 1, 3);
+  layout->addWidget(act_, 0, 3, 2, 1, Qt::AlignVCenter);
+  layout->addWidget(notes_, 2, 1, 1, 3);
+  layout->addWidget(table_, 3, 0, 1, 4);
   layout->setRowStretch(3, 1);
   connect(open_, &QPushButton::clicked, this, &BundlePanel::openFolder);
+  connect(act_, &QPushButton::clicked, this, &BundlePanel::act);
   return page;
 }
 
@@ -204,6 +210,9 @@ void BundlePanel::showResult() {
   table_->setVisible(delivered.has_value());
   open_->setVisible(delivered.has_value());
   folder_->setVisible(delivered.has_value());
+  act_->setVisible(!delivered || !delivered->ok);
+  act_->setText(delivered && maker_.asked() == BundleMaker::Doing::kMaking ? tr("Make it again…")
+                                                                           : tr("Choose another folder…"));
   QStringList notes;
   if (!delivered) {
     sign_->setState(Readiness::kBlocks);
@@ -231,7 +240,11 @@ void BundlePanel::openFolder() {
   if (!delivered) return;
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(delivered->folder)))
     sayError(*this,
-             tr("No program of this computer shows folders. The bundle is in %1").arg(harmless(delivered->folder)));
+             tr("The folder was not opened, because no program of this computer shows folders. The bundle is in %1")
+                 .arg(harmless(delivered->folder)),
+             {tr("Copy its path"), [path = delivered->folder] { QGuiApplication::clipboard()->setText(path); }});
 }
+
+void BundlePanel::act() { maker_.asked() == BundleMaker::Doing::kMaking ? emit wanted() : emit readBackWanted(); }
 
 }  // namespace tactus::workbench

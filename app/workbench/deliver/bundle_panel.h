@@ -29,6 +29,8 @@ class BundlePanel : public Card {
  signals:
   /// The user wants a bundle; the receiver asks for the folder.
   void wanted();
+  /// The user wants to read another bundle back; the receiver asks for its folder.
+  void readBackWanted();
 
  private:
   QWidget* makeContents();
@@ -39,6 +41,7 @@ class BundlePanel : public Card {
   QString waitsFor() const;
   QString workText() const;
   void openFolder();
+  void act();
 
   BundleMaker& maker_;
   const ReadinessController& readiness_;
@@ -57,6 +60,7 @@ class BundlePanel : public Card {
   ElidedLabel* folder_ = nullptr;
   QLabel* notes_ = nullptr;
   QPushButton* open_ = nullptr;
+  QPushButton* act_ = nullptr;  ///< what helps where something went wrong
   QTableView* table_ = nullptr;
 };
 

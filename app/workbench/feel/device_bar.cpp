@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
@@ -45,9 +46,12 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
       state_(new ElidedLabel(this)),
       message_card_(new Card(this)),
       message_(new WrappedLabel(message_card_)),
-      rearm_(new QPushButton(tr("Arm again"), message_card_)) {
+      rearm_(new QPushButton(tr("Arm again"), message_card_)),
+      again_(new QPushButton(tr("Try again"), message_card_)) {
   devices_->setAccessibleName(tr("Device"));
   devices_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  // With large text in a small panel its end gives way.
+  devices_->setMinimumWidth(12 * theme::kGrid);
   look_->setText(tr("Search"));
   look_->setToolTip(tr("Look for haptic devices on this computer"));
   chip_->setCheckable(true);
@@ -79,6 +83,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   message_row->setContentsMargins(theme::kGrid, 4, theme::kGrid, 4);
   message_row->addWidget(message_, 1);
   message_row->addWidget(rearm_);
+  message_row->addWidget(again_);
   auto* choice = new QHBoxLayout;
   choice->setSpacing(theme::kGrid);
   for (QWidget* part : std::initializer_list<QWidget*>{chip_, devices_, look_, start_, grip_, zone_})
@@ -102,6 +107,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   connect(look_, &QToolButton::clicked, &search_, &DeviceSearch::search);
   connect(start_, &QPushButton::clicked, this, &DeviceBar::toggle);
   connect(rearm_, &QPushButton::clicked, &feel_.session(), &DeviceSession::rearm);
+  connect(again_, &QPushButton::clicked, this, &DeviceBar::toggle);
   connect(grip_, &QComboBox::activated, this, &DeviceBar::chooseGrip);
   connect(zone_, &NumberBox::valueChanged, this, &DeviceBar::chooseGrip);
   connect(&search_, &DeviceSearch::searching, this, &DeviceBar::showState);
@@ -142,7 +148,7 @@ void DeviceBar::showChoice() {
 }
 
 void DeviceBar::showFailure(const QString& sentence) {
-  failure_ = sentence;
+  failure_ = std::exchange(starting_, false) ? tr("The device did not start. %1").arg(sentence) : sentence;
   showState();
 }
 
@@ -173,6 +179,7 @@ void DeviceBar::listDevices() {
 
 void DeviceBar::showState() {
   const bool running = feel_.isRunning();
+  if (running) starting_ = false;
   const bool opening = feel_.state() == FeelController::State::kOpening;
   const bool stopping = feel_.state() == FeelController::State::kStopping;
   const bool busy = running || opening || stopping;
@@ -202,6 +209,7 @@ void DeviceBar::showMessage() {
   advises_ = false;
   rearm_->setVisible(running && feel_.session().trip());
   rearm_->setEnabled(feel_.state() == FeelController::State::kTripped);
+  again_->setVisible(!failure_.isEmpty() && feel_.state() == FeelController::State::kStopped && model_open_);
   if (const auto trip = feel_.session().trip()) {
     // Of a run that has ended the cause stays said.
     const QString what = running ? tr("%1 (%2). No force until you arm again.") : tr("%1 (%2).");
@@ -219,8 +227,10 @@ void DeviceBar::showMessage() {
 }
 
 void DeviceBar::fitMessage() {
-  const int room =
-      width() - 2 * theme::kGrid - (rearm_->isVisibleTo(this) ? rearm_->sizeHint().width() + theme::kGrid : 0);
+  int room = width() - 2 * theme::kGrid;
+  for (const QPushButton* button : {rearm_, again_}) {
+    if (button->isVisibleTo(message_card_)) room -= button->sizeHint().width() + theme::kGrid;
+  }
   message_->setFixedHeight(std::max(message_->heightForWidth(std::max(100, room)), message_->fontMetrics().height()));
 }
 
@@ -281,8 +291,10 @@ QString DeviceBar::stateText() const {
 void DeviceBar::toggle() {
   failure_.clear();
   if (feel_.state() == FeelController::State::kStopped) {
+    starting_ = true;
     feel_.start(devices_->currentData().toString());
   } else {
+    starting_ = false;
     feel_.stop();
   }
 }

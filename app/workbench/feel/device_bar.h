@@ -64,8 +64,10 @@ class DeviceBar : public QWidget {
   Card* message_card_;
   QLabel* message_;
   QPushButton* rearm_;
+  QPushButton* again_;  ///< starts once more after a failure
   QBoxLayout* line_ = nullptr;
   QString failure_;
+  bool starting_ = false;  ///< by `toggle`, and not running yet
   bool model_open_ = false;
   bool foldable_ = false;
   bool advises_ = false;  ///< the message asks the user to push

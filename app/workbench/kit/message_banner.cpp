@@ -13,7 +13,10 @@
 namespace tactus::workbench {
 
 MessageBanner::MessageBanner(QWidget* parent)
-    : Card(parent), label_(new QLabel(this)), act_button_(new QPushButton(this)), close_(new QToolButton(this)) {
+    : Card(parent),
+      label_(new QLabel(this)),
+      buttons_{new QPushButton(this), new QPushButton(this)},
+      close_(new QToolButton(this)) {
   label_->setWordWrap(true);
   label_->setTextFormat(Qt::PlainText);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -26,16 +29,18 @@ MessageBanner::MessageBanner(QWidget* parent)
   layout->setContentsMargins(2 * theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
   layout->setSpacing(theme::kGrid);
   layout->addWidget(label_, 1);
-  layout->addWidget(act_button_, 0, Qt::AlignVCenter);
+  for (QPushButton* button : buttons_) layout->addWidget(button, 0, Qt::AlignVCenter);
   layout->addWidget(close_, 0, Qt::AlignVCenter);
   hide();
 
   connect(close_, &QToolButton::clicked, this, &QWidget::hide);
-  connect(act_button_, &QPushButton::clicked, this, [this] {
-    hide();
-    // The act may show the next message.
-    if (const auto run = act_.run) run();
-  });
+  for (int i = 0; i < 2; ++i) {
+    connect(buttons_[i], &QPushButton::clicked, this, [this, i] {
+      hide();
+      // The act may show the next message.
+      if (const auto run = acts_[i].run) run();
+    });
+  }
 }
 
 void MessageBanner::showError(const QString& sentence) { show(sentence, theme::errorInk(), theme::errorFill()); }
@@ -44,23 +49,27 @@ void MessageBanner::showRemedy(const QString& sentence, MessageAct act) {
   show(sentence, theme::errorInk(), theme::errorFill(), std::move(act));
 }
 
-void MessageBanner::showOffer(const QString& sentence, MessageAct act) {
-  show(sentence, theme::warningInk(), theme::warningFill(), std::move(act));
+void MessageBanner::showOffer(const QString& sentence, MessageAct act, MessageAct other) {
+  show(sentence, theme::warningInk(), theme::warningFill(), std::move(act), std::move(other));
 }
 
 void MessageBanner::showNote(const QString& sentence) { show(sentence, theme::warningInk(), theme::warningFill()); }
 
 QString MessageBanner::message() const { return label_->text(); }
 
-void MessageBanner::show(const QString& sentence, const QColor& ink, const QColor& fill, MessageAct act) {
+void MessageBanner::show(const QString& sentence, const QColor& ink, const QColor& fill, MessageAct act,
+                         MessageAct other) {
   QPalette colors = label_->palette();
   colors.setColor(QPalette::WindowText, ink);
   label_->setPalette(colors);
   close_->setPalette(colors);
   label_->setText(text(base::plainLines(sentence.toStdString())));
-  act_ = std::move(act);
-  act_button_->setText(act_.text);
-  act_button_->setVisible(!act_.text.isEmpty());
+  acts_[0] = std::move(act);
+  acts_[1] = std::move(other);
+  for (int i = 0; i < 2; ++i) {
+    buttons_[i]->setText(acts_[i].text);
+    buttons_[i]->setVisible(!acts_[i].text.isEmpty());
+  }
   setColors(fill, fill);
   setVisible(true);
 }

@@ -2,21 +2,14 @@
 // close button.
 #pragma once
 
-#include <functional>
-
 #include "app/workbench/kit/card.h"
+#include "app/workbench/kit/say.h"
 
 class QLabel;
 class QPushButton;
 class QToolButton;
 
 namespace tactus::workbench {
-
-/// What a message offers to do about it.
-struct MessageAct {
-  QString text;  ///< of the button: a verb, as in "Save elsewhere…"
-  std::function<void()> run;
-};
 
 class MessageBanner : public Card {
   Q_OBJECT
@@ -28,17 +21,17 @@ class MessageBanner : public Card {
   /// An error with a button for what helps, which ends the message.
   void showRemedy(const QString& sentence, MessageAct act);
   void showNote(const QString& sentence);
-  /// A note with a button for what can be done.
-  void showOffer(const QString& sentence, MessageAct act);
+  /// A note with a button for what can be done, or two.
+  void showOffer(const QString& sentence, MessageAct act, MessageAct other = {});
   QString message() const;
 
  private:
-  void show(const QString& sentence, const QColor& ink, const QColor& fill, MessageAct act = {});
+  void show(const QString& sentence, const QColor& ink, const QColor& fill, MessageAct act = {}, MessageAct other = {});
 
   QLabel* label_;
-  QPushButton* act_button_;
+  QPushButton* buttons_[2];
   QToolButton* close_;
-  MessageAct act_;
+  MessageAct acts_[2];  ///< of the buttons
 };
 
 }  // namespace tactus::workbench

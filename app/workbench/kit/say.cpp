@@ -1,6 +1,7 @@
 #include "app/workbench/kit/say.h"
 
 #include <QWidget>
+#include <utility>
 
 namespace tactus::workbench {
 namespace {
@@ -15,8 +16,8 @@ MessagePlace* placeAround(QWidget& view) {
 
 }  // namespace
 
-void sayError(QWidget& from, const QString& sentence) {
-  if (MessagePlace* place = placeAround(from)) place->showError(sentence);
+void sayError(QWidget& from, const QString& sentence, MessageAct act) {
+  if (MessagePlace* place = placeAround(from)) place->showError(sentence, std::move(act));
 }
 
 void sayDone(QWidget& from, const QString& sentence) {

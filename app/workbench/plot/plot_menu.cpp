@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPainterPath>
+#include <QPointer>
 #include <QStyleOptionToolButton>
 #include <QStylePainter>
 #include <algorithm>
@@ -90,7 +91,7 @@ void PlotMenu::choosePicture() {
   if (path.isEmpty()) return;
   // The filter names one ending: `… (*.svg)`.
   if (QFileInfo(path).suffix().isEmpty()) path += filter.section(QLatin1Char('*'), 1).remove(QLatin1Char(')'));
-  tell(savePicture(path), path);
+  tell(savePicture(path), path, &PlotMenu::choosePicture);
 }
 
 void PlotMenu::chooseTable() {
@@ -98,14 +99,17 @@ void PlotMenu::chooseTable() {
                                               tr("Tables (*.csv)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".csv");
-  tell(saveTable(path), path);
+  tell(saveTable(path), path, &PlotMenu::chooseTable);
 }
 
-void PlotMenu::tell(const base::Result<void>& saved, const QString& path) {
+void PlotMenu::tell(const base::Result<void>& saved, const QString& path, void (PlotMenu::*again)()) {
   if (saved) {
     sayDone(*this, tr("Saved: %1").arg(path));
   } else {
-    sayError(*this, tr("%1 was not saved. %2").arg(shownFileName(path), workbench::text(saved.error().message())));
+    sayError(*this, tr("%1 was not saved. %2").arg(shownFileName(path), workbench::text(saved.error().message())),
+             {tr("Save elsewhere…"), [menu = QPointer(this), again] {
+                if (menu) (menu->*again)();
+              }});
   }
 }
 

@@ -39,7 +39,7 @@ class PlotMenu : public QToolButton {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void tell(const base::Result<void>& saved, const QString& path);
+  void tell(const base::Result<void>& saved, const QString& path, void (PlotMenu::*again)());
 
   PlotSource& plot_;
   std::function<PlotTable()> table_;

@@ -130,7 +130,7 @@ void MainWindow::addStrip(QWidget* strip) { column_->insertWidget(column_->index
 
 void MainWindow::addCloseGuard(std::function<bool()> may_close) { close_guards_.push_back(std::move(may_close)); }
 
-void MainWindow::showError(const QString& sentence) { banner_->showError(sentence); }
+void MainWindow::showError(const QString& sentence, MessageAct act) { banner_->showRemedy(sentence, std::move(act)); }
 
 void MainWindow::say(const QString& sentence) { strip_->showMessage(harmless(sentence)); }
 
@@ -156,6 +156,7 @@ void MainWindow::enterLayout(const QString& id) {
   if (!models_.current() || id == layout_beside_) return;
   screens_->setCurrentWidget(bench_);
   panels().enterLayout(id);
+  rail_->setStage(std::nullopt);
   strip_->showPoint(true);
   setLayoutBeside(id);
 }

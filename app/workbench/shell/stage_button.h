@@ -15,6 +15,8 @@ class StageButton : public QAbstractButton {
  public:
   explicit StageButton(Stage stage, QWidget* parent = nullptr);
 
+  Stage stage() const { return stage_; }
+
   /// True: the name stands below the picture, and the task is the tool tip.
   void setCompact(bool compact);
 

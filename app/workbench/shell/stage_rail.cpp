@@ -28,7 +28,13 @@ void StageRail::show(Stage stage) { buttons_.value(stage)->show(); }
 
 void StageRail::setReady(Stage stage, bool ready) { buttons_.value(stage)->setEnabled(ready); }
 
-void StageRail::setStage(Stage stage) { buttons_.value(stage)->setChecked(true); }
+void StageRail::setStage(std::optional<Stage> stage) {
+  for (StageButton* button : buttons_) {
+    // Among exclusive buttons the checked one cannot be unchecked.
+    button->setAutoExclusive(stage.has_value());
+    button->setChecked(stage == button->stage());
+  }
+}
 
 void StageRail::setCompact(bool compact) {
   if (compact == compact_) return;

@@ -3,6 +3,7 @@
 
 #include <QMap>
 #include <QWidget>
+#include <optional>
 
 #include "app/workbench/shell/stage.h"
 
@@ -20,7 +21,8 @@ class StageRail : public QWidget {
   void show(Stage stage);
   /// Whether `stage` can be entered now.
   void setReady(Stage stage, bool ready);
-  void setStage(Stage stage);
+  /// Marks the stage on the screen; nothing: none is, as in the Feel layout.
+  void setStage(std::optional<Stage> stage);
   /// True: a narrow rail.
   void setCompact(bool compact);
 

@@ -155,7 +155,7 @@ TEST_F(CollectViewTest, AWithdrawalNeedsTheCodeTyped) {
 
 TEST_F(CollectViewTest, TheProtocolIsStoredFromItsPage) {
   openStudy();
-  QTest::mouseClick(button(home(), "Protocol…"), Qt::LeftButton);
+  QTest::mouseClick(button(home(), "Open the protocol…"), Qt::LeftButton);
   ProtocolView& page = bench.collect_parts.view().protocolPage();
   ASSERT_TRUE(page.isVisible());
   auto* store = button<PrimaryButton>(page, "Store");

@@ -1,7 +1,9 @@
 #include "app/workbench/deliver_parts.h"
 
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 #include <gtest/gtest.h>
@@ -91,6 +93,24 @@ TEST_F(DeliverPartsTest, ABundleShowsTheErrorOfEachFile) {
   EXPECT_EQ(table->model()->index(0, DeliveredModel::kError).data().toString(), QStringLiteral("0 N"));
   EXPECT_EQ(line(ReadinessTopic::kChecks).state, Readiness::kReady);
   EXPECT_NE(button(*bench.window.findChild<BundlePanel*>(), QStringLiteral("Open folder")), nullptr);
+}
+
+TEST_F(DeliverPartsTest, ABundleThatIsNotMadeSaysWhyAndOffersAnotherFolder) {
+  waitForLint();
+  bench.readiness.acceptHole("depth 5 to 6 mm");
+  QFile other(folder.path(QStringLiteral("other.txt")));
+  ASSERT_TRUE(other.open(QIODevice::WriteOnly));
+  bench.bundles.make(folder.path({}));  // not empty
+  ASSERT_TRUE(QTest::qWaitFor([this] { return bench.bundles.doing() == BundleMaker::Doing::kNothing; }, 60'000));
+  settle();
+  auto* const panel = bench.window.findChild<BundlePanel*>();
+  auto* const act = button(*panel, QStringLiteral("Choose another folder…"));
+  ASSERT_NE(act, nullptr);
+  EXPECT_TRUE(bench.bundles.failure().startsWith(QStringLiteral("The bundle was not made. ")));
+  QObject::disconnect(panel, &BundlePanel::wanted, nullptr, nullptr);  // no dialog of files here
+  const QSignalSpy wanted(panel, &BundlePanel::wanted);
+  act->click();
+  EXPECT_EQ(wanted.count(), 1);
 }
 
 }  // namespace

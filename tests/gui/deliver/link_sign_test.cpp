@@ -4,12 +4,14 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTest>
 #include <gtest/gtest.h>
 #include <optional>
 
 #include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/deliver/link/link_row.h"
+#include "app/workbench/kit/message_banner.h"
 #include "app/workbench/shell/operating_strip.h"
 
 #include "tests/app/link/test_client.h"
@@ -96,6 +98,31 @@ TEST_F(LinkSignTest, IsShorterWhereThereIsNoRoom) {
   EXPECT_EQ(one.text(), QStringLiteral("Serving · 0"));
   one.resize(one.sizeHint());
   EXPECT_EQ(one.text(), serving("none connected"));
+}
+
+TEST_F(LinkSignTest, APortThatIsTakenIsSaidAndAFreeOneIsOffered) {
+  ModelController others;
+  others.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
+  LinkController other(others);
+  other.start();
+  ASSERT_TRUE(other.isServing());
+  LinkDialog dialog(bench.link);
+  dialog.show();
+  dialog.findChild<QSpinBox*>()->setValue(other.address().section(QLatin1Char(':'), 1).toInt());
+  bench.link.start();
+  const auto* const banner = dialog.findChild<MessageBanner*>();
+  ASSERT_TRUE(banner->isVisible());
+  EXPECT_TRUE(banner->message().startsWith(QStringLiteral("No simulator is served. ")))
+      << banner->message().toStdString();
+  QPushButton* act = nullptr;
+  for (QPushButton* one : banner->findChildren<QPushButton*>()) {
+    if (one->isVisible() && one->text() == QLatin1String("Take any free port")) act = one;
+  }
+  ASSERT_NE(act, nullptr);
+  act->click();
+  EXPECT_TRUE(bench.link.isServing());
+  EXPECT_FALSE(banner->isVisible());
+  bench.link.stop();
 }
 
 }  // namespace

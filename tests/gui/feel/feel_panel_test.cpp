@@ -216,13 +216,20 @@ TEST_F(FeelPanelTest, TheForceCanBeSplit) {
   EXPECT_NE(saying<QLabel>("fuzzy force"), nullptr);
 }
 
-TEST_F(FeelPanelTest, AFailureIsSaidInTheDeviceCard) {
+TEST_F(FeelPanelTest, AFailureIsSaidInTheDeviceCardAndOfferedAgain) {
   fuzzy::ForceModel inches = tests::twoExperts();
   inches.inputs[1].unit = "in";
   models.open(folder.write(inches, QStringLiteral("inches.tactus.json")));
   click("Start");
+  EXPECT_NE(saying<QLabel>("The device did not start. "), nullptr);
   EXPECT_NE(saying<QLabel>("'in'"), nullptr);
   EXPECT_FALSE(feel.isRunning());
+  models.open(folder.write(tests::twoExperts()));
+  ASSERT_NE(saying<QPushButton>("Try again"), nullptr);
+  click("Try again");
+  EXPECT_TRUE(feel.isRunning());
+  EXPECT_EQ(saying<QLabel>("did not start"), nullptr);
+  EXPECT_EQ(saying<QPushButton>("Try again"), nullptr);
 }
 
 }  // namespace

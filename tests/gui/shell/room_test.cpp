@@ -167,5 +167,25 @@ TEST_F(RoomTest, ALastingSignStandsInTheStrip) {
   EXPECT_EQ(sign->parentWidget(), &bench.window.strip());
 }
 
+TEST_F(RoomTest, InTheFeelLayoutNoStageIsMarked) {
+  const auto marked = [this] {
+    QStringList names;
+    for (const StageButton* button : bench.window.findChildren<StageButton*>()) {
+      if (button->isChecked()) names << button->text();
+    }
+    return names;
+  };
+  enter(Stage::kTune);
+  EXPECT_EQ(marked(), QStringList{stageName(Stage::kTune)});
+  const QStringList before = marked();
+  bench.window.enterLayout(FeelParts::layoutId());
+  EXPECT_EQ(marked(), QStringList());
+  bench.window.leaveLayout();
+  EXPECT_EQ(marked(), before);
+  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enter(Stage::kDeliver);
+  EXPECT_EQ(marked(), QStringList{stageName(Stage::kDeliver)});
+}
+
 }  // namespace
 }  // namespace tactus::workbench

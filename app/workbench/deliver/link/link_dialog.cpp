@@ -16,6 +16,7 @@
 #include "app/workbench/deliver/link/link_controller.h"
 #include "app/workbench/deliver/link/link_text.h"
 #include "app/workbench/kit/card.h"
+#include "app/workbench/kit/message_banner.h"
 #include "app/workbench/kit/wrapped_label.h"
 
 namespace tactus::workbench {
@@ -47,7 +48,7 @@ LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
     : QDialog(parent),
       link_(link),
       state_(new QLabel(this)),
-      failure_(new WrappedLabel(this)),
+      failure_(new MessageBanner(this)),
       toggle_(new QPushButton(this)),
       port_(new QSpinBox(this)),
       address_(makeReadOut(tr("Address"), this)),
@@ -63,8 +64,6 @@ LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
   what->setText(
       tr("Programs of yours on this computer get the model that is shown, and each edit of it at once. They also get "
          "what the hand feels, while you feel the model. The program starts with this switched off."));
-  setInk(*failure_, theme::errorInk());
-  failure_->hide();
   state_->setFont(theme::headingFont());
   toggle_->setDefault(true);
   connect(toggle_, &QPushButton::clicked, &link_, [this] {
@@ -149,9 +148,13 @@ void LinkDialog::showState() {
 }
 
 void LinkDialog::showFailure(const QString& sentence) {
-  failure_->setText(sentence);
-  failure_->setMinimumHeight(2 * failure_->fontMetrics().lineSpacing());
-  failure_->show();
+  // Another program may have the chosen port.
+  const bool chosen = port_->value() != 0;
+  failure_->showRemedy(tr("No simulator is served. %1").arg(sentence),
+                       {chosen ? tr("Take any free port") : tr("Try again"), [this] {
+                          port_->setValue(0);
+                          link_.start();
+                        }});
 }
 
 }  // namespace tactus::workbench

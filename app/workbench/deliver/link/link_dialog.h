@@ -12,6 +12,7 @@ class QToolButton;
 namespace tactus::workbench {
 
 class LinkController;
+class MessageBanner;
 class WrappedLabel;
 
 /// Not modal: the model is edited while it is served.
@@ -27,7 +28,7 @@ class LinkDialog : public QDialog {
 
   LinkController& link_;
   QLabel* state_;
-  WrappedLabel* failure_;
+  MessageBanner* failure_;
   QPushButton* toggle_;
   QSpinBox* port_;
   QLineEdit* address_;

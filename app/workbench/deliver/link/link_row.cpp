@@ -36,7 +36,7 @@ void LinkRow::showState() {
   const bool serving = link_.isServing();
   state_->setText(serving ? servingText(link_) : tr("Off. A running simulator can follow each edit."));
   setInk(*state_, serving ? theme::accent() : theme::ink());
-  open_->setText(serving ? tr("Who is connected…") : tr("Serve to a simulator…"));
+  open_->setText(serving ? tr("Show who is connected…") : tr("Serve to a simulator…"));
 }
 
 }  // namespace tactus::workbench
