@@ -213,5 +213,43 @@ TEST_F(ReadingOrder, ARowIsOneStopAndTheArrowsGoAlongIt) {
   EXPECT_TRUE(row[0]->hasFocus());
 }
 
+TEST_F(ReadingOrder, ARowKeepsAStopWhileAnyPartOfItCanBeUsed) {
+  QList<QWidget*> row{button("a", {0, 0, 50, 20}, &window), button("b", {60, 0, 50, 20}, &window),
+                      button("c", {120, 0, 50, 20}, &window)};
+  row[0]->setEnabled(false);
+  new RowStop(row, &window);
+  button("z", {0, 40, 50, 20}, &window);
+  show();
+  EXPECT_EQ(lettersOf(readingOrder(window)), "bz");
+  row[1]->setEnabled(false);
+  EXPECT_EQ(lettersOf(readingOrder(window)), "cz");
+  row[2]->hide();
+  EXPECT_EQ(lettersOf(readingOrder(window)), "z");
+  row[0]->setEnabled(true);
+  EXPECT_EQ(lettersOf(readingOrder(window)), "az");
+  delete row[1];
+  row[2]->show();
+  row[0]->setFocus();
+  QTest::keyClick(row[0], Qt::Key_Right);
+  EXPECT_TRUE(row[2]->hasFocus());
+}
+
+TEST_F(ReadingOrder, AColumnOfButtonsIsOneStopAndAClickTakesTheKeyboardNoMoreThanBefore) {
+  QList<QWidget*> column{button("a", {0, 0, 50, 20}, &window), button("b", {0, 30, 50, 20}, &window)};
+  column[0]->setFocusPolicy(Qt::TabFocus);
+  column[1]->setFocusPolicy(Qt::StrongFocus);
+  new RowStop(column, &window, Qt::Vertical);
+  show();
+  EXPECT_EQ(lettersOf(readingOrder(window)), "a");
+  EXPECT_EQ(column[0]->focusPolicy(), Qt::TabFocus);
+  EXPECT_EQ(column[1]->focusPolicy(), Qt::ClickFocus);
+  column[0]->setFocus();
+  QTest::keyClick(column[0], Qt::Key_Right);
+  EXPECT_TRUE(column[0]->hasFocus());
+  QTest::keyClick(column[0], Qt::Key_Down);
+  EXPECT_TRUE(column[1]->hasFocus());
+  EXPECT_EQ(column[0]->focusPolicy(), Qt::NoFocus);
+}
+
 }  // namespace
 }  // namespace tactus::workbench

@@ -15,6 +15,7 @@
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/row_stop.h"
 #include "app/workbench/model/finding_words.h"
 #include "app/workbench/tune/findings/finding_delegate.h"
 #include "app/workbench/tune/findings/findings_controller.h"
@@ -43,12 +44,12 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
   kind_->setAccessibleName(tr("Which findings are listed"));
   who_->setAccessibleName(tr("Whose findings are listed"));
   order_->setAccessibleName(tr("Order of the findings"));
-  order_->addItem(tr("Most newtons first"), static_cast<int>(FindingOrder::kNewtons));
+  order_->addItem(tr("By newtons"), static_cast<int>(FindingOrder::kNewtons));
   order_->addItem(tr("By expert"), static_cast<int>(FindingOrder::kExpert));
   order_->addItem(tr("By place"), static_cast<int>(FindingOrder::kPlace));
   for (QComboBox* choice : {kind_, who_, order_}) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    choice->setMinimumContentsLength(10);
+    choice->setMinimumContentsLength(6);
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     choice->setMaximumWidth(220);
   }
@@ -82,6 +83,7 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
   layout->addWidget(body_, 1);
   layout->addWidget(new FixCard(findings_, this));
   layout->addWidget(range_);
+  new RowStop({kind_, who_, order_}, this);
 
   connect(kind_, &QComboBox::activated, this, [this] {
     const int kind = kind_->currentData().toInt();

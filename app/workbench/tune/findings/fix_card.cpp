@@ -12,6 +12,7 @@
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/row_stop.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {
@@ -75,6 +76,8 @@ FixCard::FixCard(FindingsController& findings, QWidget* parent)
   showFinding();
 }
 
+FixCard::~FixCard() = default;
+
 void FixCard::showFinding() {
   const auto chosen = findings_.chosen();
   setVisible(chosen.has_value());
@@ -90,6 +93,7 @@ void FixCard::showFinding() {
 
 void FixCard::showRules() {
   clear(*rules_);
+  QList<QWidget*> places{other_end_, here_};
   const auto& named = findings_.findings()[*findings_.chosen()].rules;
   const bool one_expert = std::all_of(named.begin(), named.end(),
                                       [&](const RuleOfExpert& rule) { return rule.expert == named.front().expert; });
@@ -100,14 +104,17 @@ void FixCard::showRules() {
     button->setToolTip(tr("Select this rule in the rule editor"));
     button->setObjectName(QStringLiteral("rule_%1").arg(r));
     rules_->addWidget(button);
+    places << button;
     connect(button, &QToolButton::clicked, this, [this, r] { findings_.pointAt(r); });
   }
+  places_stop_ = std::make_unique<RowStop>(places, nullptr);
 }
 
 void FixCard::showFixes() {
   if (!findings_.chosen()) return;
   clear(*grid_);
   const auto& fixes = findings_.fixes();
+  QList<QWidget*> buttons;
   for (std::size_t i = 0; i < fixes.size(); ++i) {
     // An ampersand of a label is no shortcut.
     auto* button = new QPushButton(QString(fixes[i].text).replace(QLatin1Char('&'), QLatin1String("&&")), fixes_);
@@ -121,7 +128,9 @@ void FixCard::showFixes() {
     grid_->addWidget(button, static_cast<int>(i), 0);
     grid_->addWidget(effect, static_cast<int>(i), 1);
     connect(button, &QPushButton::clicked, this, [this, i] { findings_.apply(i); });
+    buttons << button;
   }
+  fixes_stop_ = std::make_unique<RowStop>(buttons, nullptr, Qt::Vertical);
   fixes_->setVisible(!fixes.empty());
   note_->setVisible(fixes.empty());
   if (!findings_.isCurrent()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFrame>
+#include <memory>
 
 class QGridLayout;
 class QHBoxLayout;
@@ -11,12 +12,14 @@ class QToolButton;
 namespace tactus::workbench {
 
 class FindingsController;
+class RowStop;
 
 class FixCard : public QFrame {
   Q_OBJECT
 
  public:
   explicit FixCard(FindingsController& findings, QWidget* parent = nullptr);
+  ~FixCard() override;
 
  private:
   void showFinding();
@@ -31,6 +34,8 @@ class FixCard : public QFrame {
   QLabel* note_;
   QWidget* fixes_;
   QGridLayout* grid_;
+  std::unique_ptr<RowStop> places_stop_;  ///< the buttons that lead to a place or a rule
+  std::unique_ptr<RowStop> fixes_stop_;
 };
 
 }  // namespace tactus::workbench

@@ -15,6 +15,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/row_stop.h"
 #include "app/workbench/model/author_name.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/tune/history/compare_card.h"
@@ -82,6 +83,7 @@ HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, Sc
   layout->setSpacing(4);
   layout->addWidget(switch_, 0, Qt::AlignRight);
   layout->addLayout(both, 1);
+  new RowStop({snapshot_, name_it_}, this);
 
   connect(&edits_, &EditController::historyChanged, refresh_, &Refresh::request);
   connect(&edits_, &EditController::effectsChanged, refresh_, &Refresh::request);
@@ -113,7 +115,7 @@ void HistoryPanel::resizeEvent(QResizeEvent* event) {
 void HistoryPanel::showParts() {
   const bool narrow = width() < kRoomForBoth;
   switch_->setVisible(narrow);
-  switch_->setText(side_asked_ ? tr("‹ Versions") : tr("Compare, sign off ›"));
+  switch_->setText(side_asked_ ? tr("‹ Show versions") : tr("Compare, sign off ›"));
   versions_->setVisible(!narrow || !side_asked_);
   side_->setVisible(!narrow || side_asked_);
   // Alone it takes all there is.
@@ -142,6 +144,7 @@ QWidget* HistoryPanel::makeSide(CompareController& compare, SceneController& sce
   signing->setSpacing(theme::kGrid);
   signing->addWidget(expert_, 1);
   signing->addWidget(sign_off_);
+  new RowStop({expert_, sign_off_}, this);
   auto* form = new QFormLayout;
   form->setSpacing(theme::kGrid);
   form->addRow(tr("Sign-off"), signing);

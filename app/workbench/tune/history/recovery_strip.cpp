@@ -17,7 +17,7 @@ RecoveryStrip::RecoveryStrip(RecoveryController& recovery, QWidget* parent)
       label_(new QLabel(this)),
       restore_(new QPushButton(tr("Restore"), this)),
       discard_(new QPushButton(tr("Discard"), this)),
-      later_(new QPushButton(tr("Later"), this)) {
+      later_(new QPushButton(tr("Decide later"), this)) {
   label_->setWordWrap(true);
   label_->setTextFormat(Qt::PlainText);
   restore_->setToolTip(tr("Shows the last state of the model. Every edit can be undone"));

@@ -17,6 +17,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/flash.h"
+#include "app/workbench/kit/row_stop.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_form.h"
 #include "app/workbench/tune/rules/rule_list_delegate.h"
@@ -130,6 +131,8 @@ void RuleListPane::buildPlace() {
   layout->addWidget(table_, 1);
   layout->addLayout(actions);
   layout->addWidget(form_);
+  new RowStop({text_, only_}, this);
+  new RowStop({add_, edit_, go_, enable_, disable_, remove_}, this);
   setFocusProxy(table_);
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/workbench/kit/reading_order.h"
 #include "app/workbench/shell/panel_area.h"
 
 #include "tests/gui/shown_bench.h"
@@ -157,6 +158,24 @@ TEST_F(FindingsPanelTest, AListThatWasHiddenWhileAnotherModelWasOpenedIsPainted)
   }
   look();
   EXPECT_GT(list().model()->rowCount(), 3);
+}
+
+TEST_F(FindingsPanelTest, EachRowIsOneStopOfTab) {
+  look();
+  clickRow(rowOf(QStringLiteral("No rule of any expert fires")));
+  settle();
+  // The filters, the list, the ways to the place, the fixes; where the message can be scrolled or copied it takes none.
+  QStringList stops;
+  for (const QWidget* stop : readingOrder(panel())) stops << QString::fromLatin1(stop->metaObject()->className());
+  EXPECT_EQ(stops, (QStringList{QStringLiteral("QComboBox"), QStringLiteral("QListView"), QStringLiteral("QToolButton"),
+                                QStringLiteral("QPushButton")}));
+  auto* first = panel().findChild<QPushButton*>(QStringLiteral("fix_0"));
+  auto* second = panel().findChild<QPushButton*>(QStringLiteral("fix_1"));
+  ASSERT_NE(second, nullptr);
+  bench.window.activateWindow();
+  first->setFocus();
+  QTest::keyClick(first, Qt::Key_Down);
+  EXPECT_EQ(bench.window.focusWidget(), second);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editing/membership_edits.h"
+#include "app/workbench/kit/reading_order.h"
 #include "app/workbench/tune/history/compare_strip.h"
 #include "app/workbench/tune/history/history_model.h"
 
@@ -220,6 +221,25 @@ TEST_F(HistoryPanelTest, StatesOfAnotherHistoryAreGoneAtOnce) {
   bench.compare.choose(CompareSide::kB, {CompareChoice::Kind::kState, 3, {}});
   EXPECT_NE(bench.compare.choice(CompareSide::kB).kind, CompareChoice::Kind::kState);
   EXPECT_TRUE(waitForRows(1));
+}
+
+TEST_F(HistoryPanelTest, ANameAndItsButtonAreOneStopOfTab) {
+  reveal();
+  edit(3);
+  ASSERT_TRUE(waitForRows(2));
+  auto* name = named<QLineEdit>(QStringLiteral("Name of a snapshot"));
+  name->setText(QStringLiteral("soft"));
+  settle();
+  const QList<QWidget*> stops = readingOrder(*panel);
+  EXPECT_TRUE(stops.contains(view));
+  EXPECT_TRUE(stops.contains(name));
+  name->setFocus();
+  name->setCursorPosition(4);
+  QTest::keyClick(name, Qt::Key_Right);
+  auto* button = qobject_cast<QPushButton*>(bench.window.focusWidget());
+  ASSERT_NE(button, nullptr);
+  EXPECT_EQ(button->text(), QStringLiteral("Name it"));
+  EXPECT_FALSE(stops.contains(button));
 }
 
 }  // namespace

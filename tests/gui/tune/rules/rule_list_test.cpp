@@ -12,6 +12,7 @@
 #include "app/editing/same_bits.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/number_box.h"
+#include "app/workbench/kit/reading_order.h"
 #include "app/workbench/tune/rules/rule_form.h"
 #include "app/workbench/tune/rules/rule_list_pane.h"
 
@@ -250,6 +251,26 @@ TEST_F(RuleListTest, TheColorOfARefusalFollowsTheLook) {
   EXPECT_EQ(color(), theme::errorInk());
   theme::changeLook(*qApp, theme::Look::kLight);
   EXPECT_EQ(color(), theme::errorInk());
+}
+
+TEST_F(RuleListTest, TheRowsAroundTheListAreOneStopEach) {
+  QTableView* table = openList();
+  auto* pane = qobject_cast<RuleListPane*>(table->parentWidget());
+  ASSERT_NE(pane, nullptr);
+  // The filter, the list, the acts.
+  const QList<QWidget*> stops = readingOrder(*pane);
+  ASSERT_EQ(stops.size(), 3);
+  EXPECT_EQ(stops[0], named<QLineEdit>("Filter by words of the rule"));
+  EXPECT_EQ(stops[1], table);
+  auto* add = qobject_cast<QToolButton*>(stops[2]);
+  ASSERT_NE(add, nullptr);
+  EXPECT_EQ(add->text(), QStringLiteral("Add rule…"));
+  // Without a rule to edit, the arrow passes over what cannot be pressed.
+  selection.selectRules({2});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->selectionModel()->selectedRows().size() == 1; }, kPatience));
+  add->setFocus();
+  QTest::keyClick(add, Qt::Key_Right);
+  EXPECT_EQ(qobject_cast<QToolButton*>(QApplication::focusWidget())->text(), QStringLiteral("Edit…"));
 }
 
 }  // namespace
