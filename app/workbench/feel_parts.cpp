@@ -39,7 +39,7 @@ void FeelParts::buildMenu() {
   stop_ = menus.addAction(MenuSlot::kFeelDevice, tr("S&top: no force"), Qt::Key_F12);
   flex_ = menus.addAction(MenuSlot::kFeelPatient, tr("&Flex the neck, or raise the head"), Qt::Key_F8);
   new_placement_ = menus.addAction(MenuSlot::kFeelPatient, tr("&New placement"));
-  layout_ = menus.addAction(MenuSlot::kFeelDevice, tr("Feel &layout"), Qt::Key_F10);
+  layout_ = menus.addAction(MenuSlot::kFeelDevice, tr("Show the Feel &layout"), Qt::Key_F10);
   layout_->setCheckable(true);
   connect(layout_, &QAction::triggered, &window_, [this](bool on) {
     if (on) {

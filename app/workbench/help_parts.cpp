@@ -15,8 +15,8 @@ namespace tactus::workbench {
 HelpParts::HelpParts(MainWindow& window, const ModelController& models, StartParts& start, const ToldPanels& panels)
     : window_(window), models_(models), start_(start), guide_(new GuideWindow(&window)), tour_(window, steps(panels)) {
   WindowMenus& menus = window_.menus();
-  QAction* const guide = menus.addAction(MenuSlot::kHelp, tr("&Guide"), QKeySequence(Qt::Key_F1));
-  QAction* const tour = menus.addAction(MenuSlot::kHelp, tr("Five-minute &tour"));
+  QAction* const guide = menus.addAction(MenuSlot::kHelp, tr("Read the &guide"), QKeySequence(Qt::Key_F1));
+  QAction* const tour = menus.addAction(MenuSlot::kHelp, tr("Take the five-minute &tour"));
   connect(guide, &QAction::triggered, guide_, &GuideWindow::open);
   connect(tour, &QAction::triggered, this, &HelpParts::startTour);
   connect(&start_, &StartParts::guideRequested, guide_, &GuideWindow::open);

@@ -56,7 +56,7 @@ void HistoryParts::buildMenu() {
   compare_sides_ =
       menus.addAction(MenuSlot::kEditCompare, tr("&Compare: switch between A and B"), Qt::CTRL | Qt::Key_B);
   end_ = menus.addAction(MenuSlot::kEditCompare, tr("&End the comparison"), Qt::CTRL | Qt::SHIFT | Qt::Key_B);
-  author_ = menus.addAction(MenuSlot::kEditAuthor, tr("&Your name…"));
+  author_ = menus.addAction(MenuSlot::kEditAuthor, tr("Enter &your name…"));
   connect(snapshot_, &QAction::triggered, this, [this] { reveal(&HistoryPanel::askSnapshot); });
   connect(sign_off_, &QAction::triggered, this, &HistoryParts::askSignOff);
   connect(author_, &QAction::triggered, this, [this] { reveal(&HistoryPanel::askAuthor); });

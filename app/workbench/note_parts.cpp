@@ -22,9 +22,9 @@ NoteParts::NoteParts(MainWindow& window, StudyConnection& study, StudyModels& st
       strip_(new StudyNoticeStrip(study, &window)) {
   window_.addStrip(strip_);
   WindowMenus& menus = window_.menus();
-  notices_ = menus.addAction(MenuSlot::kStudyNotes, tr("What &happened to the study"));
+  notices_ = menus.addAction(MenuSlot::kStudyNotes, tr("Show what &happened to the study"));
   data_ = menus.addAction(MenuSlot::kStudyNotes, tr("&Look at the data first"));
-  build_ = menus.addAction(MenuSlot::kStudyNotes, tr("N&otes of the build"));
+  build_ = menus.addAction(MenuSlot::kStudyNotes, tr("Show the n&otes of the build"));
   connect(notices_, &QAction::triggered, this, [this] {
     strip_->showAll();
     if (!study_.notices().before.isEmpty()) popUp(noticeGroups(study_.notices()));

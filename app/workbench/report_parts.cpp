@@ -56,7 +56,7 @@ ReportParts::ReportParts(MainWindow& window, StudyConnection& study, const LabDa
     : window_(window),
       study_(study),
       labs_(labs),
-      action_(window.menus().addAction(MenuSlot::kFilePictures, tr("Repor&t of the study…"))) {
+      action_(window.menus().addAction(MenuSlot::kFilePictures, tr("Write the repor&t of the study…"))) {
   connect(action_, &QAction::triggered, this, &ReportParts::choose);
   connect(&study_, &StudyConnection::opened, this, &ReportParts::showState);
   connect(&study_, &StudyConnection::closed, this, [this] {

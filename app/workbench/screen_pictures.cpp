@@ -104,7 +104,9 @@ base::Result<void> addHelp(PictureAlbum& album, Workbench& bench) {
   guide.show();
   if (auto added = album.add(help, QStringLiteral("guide"), guide.windowTitle(), guide); !added) return added;
   guide.hide();
-  CommandSearch search(bench.search_parts.sources(), &bench.window);
+  CommandSearch search(
+      bench.search_parts.sources(), [&bench](const QString& typed) { return bench.search_parts.placesIn(typed); },
+      &bench.window);
   search.show();
   return album.add(help, QStringLiteral("search"), search.windowTitle(), search);
 }

@@ -6,6 +6,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/lab_search.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/typed_place.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/search_sources.h"
@@ -27,7 +28,23 @@ SearchParts::SearchParts(MainWindow& window, LabScreen& labs, const Controllers&
   connect(search, &QAction::triggered, this, &SearchParts::open);
 }
 
-void SearchParts::open() { CommandSearch(sources_, &window_).exec(); }
+void SearchParts::open() {
+  CommandSearch(
+      sources_, [this](const QString& typed) { return placesIn(typed); }, &window_)
+      .exec();
+}
+
+QList<SearchEntry> SearchParts::placesIn(const QString& typed) const {
+  if (on_.scene.model() == nullptr) return {};
+  const auto place = typedPlace(typed, on_.scene.model()->model, on_.scene.values());
+  if (!place) return {};
+  return {SearchEntry{tr("Go to %1").arg(place->words.join(QStringLiteral(" · "))), tr("Place: why this force"),
+                      [this, point = place->point] {
+                        on_.scene.goTo(point);
+                        window_.enter(Stage::kUnderstand);
+                        places_.rules_here.reveal();
+                      }}};
+}
 
 void SearchParts::reveal(Panel& panel) const {
   window_.enter(Stage::kTune);

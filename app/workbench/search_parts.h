@@ -1,5 +1,5 @@
-// Adds the search (Ctrl+K) to the window: menus, panels, tables and figures of the labs, and the experts, terms and
-// findings of the open model.
+// Adds the search (Ctrl+K) to the window: menus, panels, tables and figures of the labs, and the experts, terms, findings
+// and places of the open model.
 #pragma once
 
 #include <QObject>
@@ -27,15 +27,18 @@ class SearchParts : public QObject {
     RuleController& rules;
     FindingsController& findings;
   };
-  /// Where terms, rules and findings are shown.
+  /// Where terms, rules, findings and the reason of a force are shown.
   struct Places {
     Panel& membership_editor;
     Panel& rule_editor;
     Panel& findings;
+    Panel& rules_here;
   };
   SearchParts(MainWindow& window, LabScreen& labs, const Controllers& controllers, const Places& places);
 
   const std::vector<SearchSource>& sources() const { return sources_; }
+  /// What is typed as a place leads to it, and to why the force is as it is there.
+  QList<SearchEntry> placesIn(const QString& typed) const;
 
  private:
   void open();

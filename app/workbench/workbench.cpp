@@ -61,7 +61,7 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
                  {curve_parts.curves(), map_parts.map(), here_parts.rules(), edit_parts.panel(), finding_parts.panel(),
                   feel_parts.panel(), deliver_parts.readinessPanel()}),
       search_parts(window, lab_parts.screen(), {scene, terms, rules, findings},
-                   {edit_parts.panel(), rule_parts.panel(), finding_parts.panel()}),
+                   {edit_parts.panel(), rule_parts.panel(), finding_parts.panel(), here_parts.rules()}),
       help_menu(window) {}
 
 }  // namespace tactus::workbench

@@ -237,7 +237,7 @@ TEST_F(NotePartsTest, AMissingJournalIsSaidAndStaysReadable) {
   ASSERT_NE(stripButton(QStringLiteral("✕")), nullptr);
   stripButton(QStringLiteral("✕"))->click();
   EXPECT_TRUE(strip().isHidden());
-  QAction* again = action(QStringLiteral("What happened to the study"));
+  QAction* again = action(QStringLiteral("Show what happened to the study"));
   ASSERT_TRUE(again->isEnabled());
   again->trigger();
   EXPECT_EQ(strip().sentences(), QStringList{sentence});

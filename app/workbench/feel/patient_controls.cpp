@@ -8,16 +8,27 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/kit/elided_label.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 
 namespace tactus::workbench {
+namespace {
+
+// With large text in a small panel its end gives way to the buttons.
+QLabel* nameOf(const QString& name, QWidget* parent) {
+  auto* label = new ElidedLabel(parent);
+  label->setFullText(name);
+  return label;
+}
+
+}  // namespace
 
 PatientControls::PatientControls(SceneController& scene, FeelController& feel, QWidget* parent)
     : QWidget(parent),
       scene_(scene),
       feel_(feel),
-      lubrication_(new QLabel(tr("Lubrication"), this)),
+      lubrication_(nameOf(tr("Lubrication"), this)),
       terms_(new QWidget(this)),
       terms_layout_(new QHBoxLayout(terms_)),
       term_buttons_(new QButtonGroup(this)),
@@ -105,7 +116,7 @@ void PatientControls::showValues() {
   }
   const bool flexed = feel_.isNeckFlexed();
   neck_->setChecked(flexed);
-  neck_->setText(flexed ? tr("Head up") : tr("Flex the neck"));
+  neck_->setText(flexed ? tr("Raise head") : tr("Flex the neck"));
 }
 
 }  // namespace tactus::workbench

@@ -132,7 +132,9 @@ void TubePad::paintEvent(QPaintEvent* /*event*/) {
   if (low_) {
     // How to begin is the one hint that finds room, beside the hand that rests.
     const double left = hand_x + 2 * kHandRadius;
-    if (!lit) painter.drawText(QRectF(left, kTubeY - line / 2, width() - left, line), Qt::AlignLeft, hint());
+    const double room = width() - left;
+    const QString words = painter.fontMetrics().elidedText(hint(), Qt::ElideRight, static_cast<int>(room));
+    if (!lit) painter.drawText(QRectF(left, kTubeY - line / 2, room, line), Qt::AlignLeft, words);
     return;
   }
   painter.drawText(QRectF(kMargin, height() - line - 4, width() - 2 * kMargin, line), Qt::AlignLeft | Qt::AlignVCenter,

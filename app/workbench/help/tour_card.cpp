@@ -22,7 +22,7 @@ TourCard::TourCard(QWidget* parent)
       title_(new QLabel(this)),
       text_(new QLabel(this)),
       place_(new QLabel(this)),
-      back_(new QPushButton(tr("Back"), this)),
+      back_(new QPushButton(tr("Go back"), this)),
       next_(new PrimaryButton(tr("Next"), this)),
       end_(new QPushButton(tr("End the tour"), this)) {
   setFixedWidth(kCardWidth);

@@ -130,7 +130,7 @@ void AxisZoom::openMenu(const QPoint& global, QPointF place) {
   menu->addAction(tr("Zoom out"), this, [this, place] { zoom(place, kZoomPerNotch * kZoomPerNotch); });
   for (const Axis& axis : axes_) {
     if (!hasAirway(axis.input)) continue;
-    menu->addAction(tr("Airway, 0 to 250 mm"), this, [this, input = axis.input] {
+    menu->addAction(tr("Show the airway, 0 to 250 mm"), this, [this, input = axis.input] {
       ranges_.show(input, {0, kAirwayEndMm});
     });
   }

@@ -41,11 +41,11 @@ QList<SearchEntry> foundEntries(const QList<SearchEntry>& all, const QString& ty
   return found;
 }
 
-CommandSearch::CommandSearch(const std::vector<SearchSource>& sources, QWidget* parent)
-    : QDialog(parent), line_(new QLineEdit(this)), list_(new QListWidget(this)) {
+CommandSearch::CommandSearch(const std::vector<SearchSource>& sources, SearchReading reading, QWidget* parent)
+    : QDialog(parent), reading_(std::move(reading)), line_(new QLineEdit(this)), list_(new QListWidget(this)) {
   setWindowTitle(tr("Search"));
   for (const SearchSource& source : sources) all_ << source();
-  line_->setPlaceholderText(tr("A command, panel, expert, term or finding"));
+  line_->setPlaceholderText(tr("A command, panel, expert, term or finding; or a place: 130 mm poor fast"));
   line_->setAccessibleName(tr("Search for"));
   line_->setClearButtonEnabled(true);
   line_->installEventFilter(this);
@@ -69,7 +69,7 @@ CommandSearch::CommandSearch(const std::vector<SearchSource>& sources, QWidget* 
 }
 
 void CommandSearch::find(const QString& typed) {
-  found_ = foundEntries(all_, typed).mid(0, kMostShown);
+  found_ = (reading_(typed) << foundEntries(all_, typed)).mid(0, kMostShown);
   list_->clear();
   for (const SearchEntry& entry : found_) {
     list_->addItem(entry.kind.isEmpty() ? entry.text : entry.text + QStringLiteral("   –   ") + entry.kind);

@@ -22,6 +22,9 @@ struct SearchEntry {
 /// Gives what can be found at the moment at which the search opens.
 using SearchSource = std::function<QList<SearchEntry>()>;
 
+/// Gives what is meant by what is typed, where that is no name: it stands before what is found.
+using SearchReading = std::function<QList<SearchEntry>(const QString& typed)>;
+
 /// The entries that hold each word of `typed`, wherever it stands in text or kind; those whose text begins with it
 /// first, otherwise in their order. Without words all of them.
 QList<SearchEntry> foundEntries(const QList<SearchEntry>& all, const QString& typed);
@@ -30,7 +33,7 @@ class CommandSearch : public QDialog {
   Q_OBJECT
 
  public:
-  CommandSearch(const std::vector<SearchSource>& sources, QWidget* parent);
+  CommandSearch(const std::vector<SearchSource>& sources, SearchReading reading, QWidget* parent);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -40,6 +43,7 @@ class CommandSearch : public QDialog {
   void choose();
 
   QList<SearchEntry> all_;
+  SearchReading reading_;
   QList<SearchEntry> found_;
   QLineEdit* line_;
   QListWidget* list_;

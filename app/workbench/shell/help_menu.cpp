@@ -12,7 +12,7 @@ namespace tactus::workbench {
 
 HelpMenu::HelpMenu(MainWindow& window) {
   QAction* const shortcuts =
-      window.menus().addAction(MenuSlot::kHelp, tr("&Keyboard shortcuts"), Qt::CTRL | Qt::Key_Slash);
+      window.menus().addAction(MenuSlot::kHelp, tr("Show the &keyboard shortcuts"), Qt::CTRL | Qt::Key_Slash);
   QAction* const about = window.menus().addAction(MenuSlot::kHelp, tr("&About Tactus Workbench"));
   QObject::connect(shortcuts, &QAction::triggered, &window, [&window] { showShortcuts(window); });
   QObject::connect(about, &QAction::triggered, &window, [&window] { showAbout(window); });

@@ -38,7 +38,7 @@ void ModelFiles::buildMenu() {
   open_ = menus.addAction(MenuSlot::kFileOpen, tr("&Open…"), QKeySequence::Open);
   recent_menu_ = menus.addMenu(MenuSlot::kFileOpen, tr("Open &recent"));
   reopen_ = menus.addAction(MenuSlot::kFileOpen, tr("Reop&en"), Qt::Key_F5);
-  notes_ = menus.addAction(MenuSlot::kFileOpen, tr("&Notes of the file"));
+  notes_ = menus.addAction(MenuSlot::kFileOpen, tr("Show the &notes of the file"));
   save_ = menus.addAction(MenuSlot::kFileSave, tr("&Save"), QKeySequence::Save);
   save_as_ = menus.addAction(MenuSlot::kFileSave, tr("Save &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S);
   for (QAction* action : {reopen_, save_, save_as_, notes_}) action->setEnabled(false);
@@ -177,7 +177,7 @@ void ModelFiles::showModel() {
   } else if (isUnnamed()) {
     const QString more = open.warnings.size() == 1
                              ? QString()
-                             : QLatin1Char(' ') + tr("File, Notes of the file, lists %n more.", nullptr,
+                             : QLatin1Char(' ') + tr("File, Show the notes of the file, lists %n more.", nullptr,
                                                      static_cast<int>(open.warnings.size()) - 1);
     window_.banner().showNote(tr("The model was imported. %1.").arg(harmless(open.warnings.first())) + more);
   } else {

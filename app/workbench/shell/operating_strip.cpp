@@ -108,6 +108,8 @@ void OperatingStrip::build() {
     label->setFont(theme::smallFont());
     setInk(*label, theme::mutedInk());
     auto* number = new NumberBox(inputs[i], stepOf(inputs[i]), point_);
+    // Findings lead to places with two decimals.
+    number->setFixedWidth(number->maximumWidth() + number->fontMetrics().horizontalAdvance(QLatin1Char('0')));
     number->setAccessibleName(tr("%1 of the operating point").arg(labelOf(inputs[i])));
     number->setToolTip(tr("%1: type a value, or use the arrow keys").arg(labelOf(inputs[i])));
     connect(number, &NumberBox::valueChanged, &scene_, [this, i](double value) { scene_.setValue(i, value); });

@@ -24,9 +24,10 @@ ViewMenu::ViewMenu(MainWindow& window, const ModelController& models, QSettings&
   new LayoutMenu(window_, *layouts);
   addLooks();
   addTextSizes();
-  QAction* const next = window_.menus().addAction(MenuSlot::kView, tr("Next p&art of the window"), Qt::Key_F6);
+  QAction* const next =
+      window_.menus().addAction(MenuSlot::kView, tr("Go to the next p&art of the window"), Qt::Key_F6);
   QAction* const before =
-      window_.menus().addAction(MenuSlot::kView, tr("Part &before of the window"), Qt::SHIFT | Qt::Key_F6);
+      window_.menus().addAction(MenuSlot::kView, tr("Go to the part &before"), Qt::SHIFT | Qt::Key_F6);
   connect(next, &QAction::triggered, &window_, [this] { window_.focusNextPart(true); });
   connect(before, &QAction::triggered, &window_, [this] { window_.focusNextPart(false); });
   QAction* const reset =

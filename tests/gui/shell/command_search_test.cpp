@@ -43,7 +43,9 @@ class SearchTest : public tests::ShownBench {
   SearchTest() : ShownBench(Stage::kUnderstand) {}
   // Types into the search and takes the first that is found.
   void searchFor(const QString& typed) {
-    CommandSearch search(bench.search_parts.sources(), &bench.window);
+    CommandSearch search(
+        bench.search_parts.sources(), [this](const QString& words) { return bench.search_parts.placesIn(words); },
+        &bench.window);
     search.show();
     auto* line = search.findChild<QLineEdit*>();
     QTest::keyClicks(line, typed);
@@ -64,6 +66,17 @@ TEST_F(SearchTest, LeadsToCommandsPanelsTermsAndExperts) {
   EXPECT_EQ(bench.rules.expert().id, expert.id);
   searchFor(QStringLiteral("feel layout"));
   EXPECT_EQ(bench.window.layoutBeside(), FeelParts::layoutId());
+}
+
+TEST_F(SearchTest, APlaceLeadsToTheForceThere) {
+  bench.window.enter(Stage::kTune);
+  searchFor(QStringLiteral("8 mm speed 20"));
+  EXPECT_EQ(bench.window.stage(), Stage::kUnderstand);
+  EXPECT_EQ(bench.scene.value(0), 20);
+  EXPECT_EQ(bench.scene.value(1), 8);
+  EXPECT_TRUE(bench.here_parts.rules().isVisible());
+  // A says 0.75 N, B 0.25 N.
+  EXPECT_NEAR(bench.scene.reading().mean.force_n, 0.5, 1e-12);
 }
 
 TEST_F(SearchTest, F6GoesThroughThePartsOfTheWindowAndBack) {

@@ -271,7 +271,7 @@ TEST_F(MainWindowTest, AModelOfAnotherProgramIsOpenedWithoutAFile) {
   bench.models.saveAs(folder.path(QStringLiteral("mine.tactus.json")));
   EXPECT_FALSE(bench.models.isModified());
   EXPECT_TRUE(named("Reopen")->isEnabled());
-  EXPECT_TRUE(named("Notes of the file")->isEnabled());
+  EXPECT_TRUE(named("Show the notes of the file")->isEnabled());
   EXPECT_EQ(bench.models.current()->warnings.size(), 2);
 }
 
