@@ -14,7 +14,8 @@ using Topic = ReadinessTopic;
 
 ReadinessLine holes(const ReadinessFacts& facts) {
   const DeliverFindings& found = facts.findings;
-  ReadinessLine line{Topic::kHoles, Readiness::kReady, ReadinessText::tr("Holes"), {}, ReadinessText::tr("Findings")};
+  ReadinessLine line{
+      Topic::kHoles, Readiness::kReady, ReadinessText::tr("Holes"), {}, ReadinessText::tr("Show findings")};
   const auto open =
       std::count_if(found.holes.begin(), found.holes.end(), [](const auto& hole) { return !hole.accepted; });
   if (!found.current) {
@@ -40,7 +41,7 @@ ReadinessLine holes(const ReadinessFacts& facts) {
 
 ReadinessLine conflicts(const ReadinessFacts& facts) {
   ReadinessLine line{
-      Topic::kConflicts, Readiness::kReady, ReadinessText::tr("Conflicts"), {}, ReadinessText::tr("Findings")};
+      Topic::kConflicts, Readiness::kReady, ReadinessText::tr("Conflicts"), {}, ReadinessText::tr("Show findings")};
   if (!facts.findings.current) {
     line.state = Readiness::kUnknown;
     line.sentence = ReadinessText::tr("Looking for rules that contradict each other…");
@@ -55,8 +56,11 @@ ReadinessLine conflicts(const ReadinessFacts& facts) {
 }
 
 ReadinessLine apart(const ReadinessFacts& facts) {
-  ReadinessLine line{
-      Topic::kExpertsApart, Readiness::kReady, ReadinessText::tr("Experts apart"), {}, ReadinessText::tr("Findings")};
+  ReadinessLine line{Topic::kExpertsApart,
+                     Readiness::kReady,
+                     ReadinessText::tr("Experts apart"),
+                     {},
+                     ReadinessText::tr("Show findings")};
   if (facts.experts < 2) {
     line.sentence = ReadinessText::tr("The model is of one expert.");
   } else if (!facts.findings.current) {
@@ -93,8 +97,11 @@ ReadinessLine signOff(const ReadinessFacts& facts) {
 }
 
 ReadinessLine simulated(const ReadinessFacts& facts) {
-  ReadinessLine line{
-      Topic::kSimulated, Readiness::kReady, ReadinessText::tr("Origin of the data"), {}, ReadinessText::tr("Origin")};
+  ReadinessLine line{Topic::kSimulated,
+                     Readiness::kReady,
+                     ReadinessText::tr("Origin of the data"),
+                     {},
+                     ReadinessText::tr("Show origin")};
   if (facts.simulated) {
     line.state = Readiness::kLook;
     line.sentence = ReadinessText::tr("Some data are simulated: the model and the report of the bundle say so.");

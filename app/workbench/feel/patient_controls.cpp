@@ -8,27 +8,16 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
-#include "app/workbench/kit/elided_label.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 
 namespace tactus::workbench {
-namespace {
-
-// With large text in a small panel its end gives way to the buttons.
-QLabel* nameOf(const QString& name, QWidget* parent) {
-  auto* label = new ElidedLabel(parent);
-  label->setFullText(name);
-  return label;
-}
-
-}  // namespace
 
 PatientControls::PatientControls(SceneController& scene, FeelController& feel, QWidget* parent)
     : QWidget(parent),
       scene_(scene),
       feel_(feel),
-      lubrication_(nameOf(tr("Lubrication"), this)),
+      lubrication_(new QLabel(tr("Lubrication"), this)),
       terms_(new QWidget(this)),
       terms_layout_(new QHBoxLayout(terms_)),
       term_buttons_(new QButtonGroup(this)),

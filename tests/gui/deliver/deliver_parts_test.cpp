@@ -64,7 +64,7 @@ TEST_F(DeliverPartsTest, EachLineLeadsToItsPlace) {
   // Two experts at far: 0.75 N and 0.25 N.
   EXPECT_TRUE(line(ReadinessTopic::kExpertsApart).sentence.endsWith(QStringLiteral("by up to 0.500 N.")))
       << line(ReadinessTopic::kExpertsApart).sentence.toStdString();
-  QTest::mouseClick(button(row(ReadinessTopic::kExpertsApart), QStringLiteral("Findings")), Qt::LeftButton);
+  QTest::mouseClick(button(row(ReadinessTopic::kExpertsApart), QStringLiteral("Show findings")), Qt::LeftButton);
   EXPECT_EQ(bench.window.stage(), Stage::kTune);
   EXPECT_TRUE(bench.finding_parts.panel().isVisible());
   ASSERT_TRUE(bench.findings.chosen());
