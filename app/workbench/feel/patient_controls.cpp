@@ -29,14 +29,14 @@ PatientControls::PatientControls(SceneController& scene, FeelController& feel, Q
   neck_->setCheckable(true);
   neck_->setFont(theme::smallFont());
   // Both texts have their place.
-  neck_->setMinimumWidth(QFontMetrics(theme::smallFont()).horizontalAdvance(tr("Flex the neck")) + 3 * theme::kGrid);
+  neck_->setMinimumWidth(QFontMetrics(theme::smallFont()).horizontalAdvance(tr("Flex the neck")) + 2 * theme::kGrid);
   lubrication_->setFont(theme::smallFont());
   neck_->setFocusPolicy(Qt::TabFocus);
   neck_->setToolTip(tr("The head moves within a second, and the force with it"));
 
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
+  layout->setSpacing(theme::kGrid / 2);
   layout->addWidget(lubrication_);
   layout->addWidget(terms_);
   layout->addWidget(neck_);

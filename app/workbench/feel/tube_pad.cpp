@@ -96,7 +96,12 @@ void TubePad::paintEvent(QPaintEvent* /*event*/) {
     painter.drawLine(QPointF(xOf(mm), scale_y), QPointF(xOf(mm), scale_y + 4));
     painter.setPen(theme::mutedInk());
     const QString number = mm == kLastMm ? quantityText(mm, "mm") : numberText(mm);
-    const QRectF place(xOf(mm) - 40, scale_y + 5, mm == kLastMm ? 40 + kMargin - 8 : 80, line);
+    const QRectF place(xOf(mm) - 60, scale_y + 5, mm == kLastMm ? 60 + kMargin - 8 : 120, line);
+    // With large text the last number, which has the unit, takes the place of the one before.
+    const double last = painter.fontMetrics().horizontalAdvance(quantityText(kLastMm, "mm"));
+    const bool covered =
+        xOf(mm) + painter.fontMetrics().horizontalAdvance(number) / 2.0 > xOf(kLastMm) + kMargin - 8 - last;
+    if (mm < kLastMm && covered) continue;
     painter.drawText(place, (mm == kLastMm ? Qt::AlignRight : Qt::AlignHCenter) | Qt::AlignTop, number);
   }
 
