@@ -6,7 +6,7 @@
 
 namespace tactus::experiments {
 
-double BorderedMatrix::factorise() {
+double BorderedMatrix::factorize() {
   double log_determinant = 0;
   for (std::size_t j = 0; j < size_; ++j) {
     for (std::size_t i = j; i < size_; i = nextRow(i, j)) {

@@ -21,8 +21,8 @@ class BorderedMatrix {
 
   /// Replaces the matrix by its factor. Returns the logarithm of its determinant, or infinity if it is not positive
   /// definite.
-  double factorise();
-  /// Solves the equations for the right side `right`. Call after `factorise`.
+  double factorize();
+  /// Solves the equations for the right side `right`. Call after `factorize`.
   std::vector<double> solve(std::vector<double> right) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace tactus::experiments {
 namespace {
 
-// Exponents of 10 of the penalty of squared third differences, per squared millimetre of misfit.
+// Exponents of 10 of the penalty of squared third differences, per squared millimeter of misfit.
 constexpr int kLeastPenalty = -2;
 constexpr int kMostPenalty = 7;
 constexpr std::size_t kNearFrequencies = 2;
@@ -15,12 +15,12 @@ constexpr int kNearPenalties = 2;
 constexpr double kTremorMm = 0.2;         // usual amplitude of tremor
 constexpr double kTremorDriftMm = 0.06;   // and of its change within the stretch
 constexpr double kLeastMisfitMm2 = 1e-9;  // simulated hands may be exact; real positions are rounded to counts
-constexpr std::size_t kAround = 2;        // neighbours (24 ms) on each side that roughness is averaged over
+constexpr std::size_t kAround = 2;        // neighbors (24 ms) on each side that roughness is averaged over
 constexpr double kLeastRoughness = 1e-4;
 constexpr std::array<double, 4> kThird = {-1, 3, -3, 1};
 
 /// Adds the squared third differences of the spline's coefficients, each times its penalty.
-void penalise(BorderedMatrix& matrix, std::span<const double> penalties) {
+void penalize(BorderedMatrix& matrix, std::span<const double> penalties) {
   for (std::size_t start = 0; start < penalties.size(); ++start) {
     for (std::size_t r = 0; r < kThird.size(); ++r) {
       for (std::size_t c = 0; c <= r; ++c) matrix.at(start + r, start + c) += penalties[start] * kThird[r] * kThird[c];
@@ -87,11 +87,11 @@ MotionFit likeliestMotion(std::span<const MotionEquations> equations, std::span<
     for (int exponent = least_penalty; exponent <= most_penalty; ++exponent) {
       const double penalty = std::pow(10.0, exponent);
       for (std::size_t i = 0; i < rough.size(); ++i) penalties[i] = penalty / rough[i];
-      BorderedMatrix penalised = matrix;
-      penalise(penalised, penalties);
-      const double log_determinant = penalised.factorise();
+      BorderedMatrix penalized = matrix;
+      penalize(penalized, penalties);
+      const double log_determinant = penalized.factorize();
       if (!std::isfinite(log_determinant)) continue;
-      auto solution = penalised.solve(right);
+      auto solution = penalized.solve(right);
       double misfit = squares_mm2;
       for (std::size_t k = 0; k < solution.size(); ++k) misfit -= solution[k] * right[k];
       misfit = std::max(misfit, kLeastMisfitMm2 * positions);

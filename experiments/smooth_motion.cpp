@@ -36,7 +36,7 @@ double noiseMm(std::span<const double> y) {
   return std::max(kLeastNoiseMm, kMedianToDeviation * base::median(std::move(sizes)) / std::sqrt(20.0));
 }
 
-/// The positions at the knots without tremor and without detail: straight lines through weighted neighbours.
+/// The positions at the knots without tremor and without detail: straight lines through weighted neighbors.
 std::vector<double> pilotAtKnots(std::span<const double> y, double step_s, std::size_t knots, double pilot_s) {
   std::vector<double> pilot(knots);
   for (std::size_t knot = 0; knot < knots; ++knot) {

@@ -29,7 +29,7 @@ Group& groupOf(std::vector<Group>& groups, std::size_t& last, const study::Speed
 
 }  // namespace
 
-std::vector<SpeedSummary> summariseSpeeds(std::span<const study::SpeedSample> samples) {
+std::vector<SpeedSummary> summarizeSpeeds(std::span<const study::SpeedSample> samples) {
   std::vector<Group> groups;
   std::size_t last = 0;
   for (const auto& sample : samples) {

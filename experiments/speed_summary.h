@@ -20,6 +20,6 @@ struct SpeedSummary {
 
 /// One summary per participant and level, over all samples of their strokes (paper, Table 1), in the order of first
 /// appearance in `samples`.
-std::vector<SpeedSummary> summariseSpeeds(std::span<const study::SpeedSample> samples);
+std::vector<SpeedSummary> summarizeSpeeds(std::span<const study::SpeedSample> samples);
 
 }  // namespace tactus::experiments

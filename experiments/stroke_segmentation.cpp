@@ -9,7 +9,7 @@
 namespace tactus::experiments {
 namespace {
 
-constexpr double kFurthestMm = 1e6;  // no device reaches a kilometre: such a number is an error of transmission
+constexpr double kFurthestMm = 1e6;  // no device reaches a kilometer: such a number is an error of transmission
 // How far to both sides an edge is measured from, in steps: 0.6 s where the movement is quick, because tremor shows
 // only before and after it; 0.3 s where it is slow, because the tremor's strength changes over a longer time.
 constexpr std::size_t kLongReach = 150;

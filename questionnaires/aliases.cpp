@@ -16,7 +16,7 @@ using base::JsonValue;
 using base::required;
 
 /// Lower case, runs of spaces as one space.
-std::string normalised(std::string_view text) {
+std::string normalized(std::string_view text) {
   std::string out;
   for (const char c : base::lowered(base::trimmed(text))) {
     const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
@@ -37,7 +37,7 @@ NamedId readWords(JsonMembers& json, std::string_view key, std::string id, std::
   texts.push_back(id);
   NamedId named{std::move(id), {}};
   for (const auto& text : texts) {
-    const std::string word = normalised(text);
+    const std::string word = normalized(text);
     if (isCalled(named, word)) continue;
     if (!taken.insert(word).second) json.refuse(key, base::quoted(text) + " for two ids", "one id for each word");
     named.words.push_back(word);
@@ -76,7 +76,7 @@ AliasTable readAliases(JsonMembers& json, std::optional<base::Error>& error) {
 }  // namespace
 
 std::optional<std::string> VariableWords::term(std::string_view word) const {
-  const std::string wanted = normalised(word);
+  const std::string wanted = normalized(word);
   for (const auto& named : terms) {
     if (isCalled(named, wanted)) return named.id;
   }
@@ -84,7 +84,7 @@ std::optional<std::string> VariableWords::term(std::string_view word) const {
 }
 
 std::optional<std::size_t> AliasTable::input(std::string_view word) const {
-  const std::string wanted = normalised(word);
+  const std::string wanted = normalized(word);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (isCalled(inputs[i].name, wanted)) return i;
   }

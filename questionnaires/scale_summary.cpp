@@ -38,7 +38,7 @@ class Search {
 
 }  // namespace
 
-std::vector<ScaleSummary> summarise(const ScaleForm& form, std::span<const study::AnswerRecord> answers) {
+std::vector<ScaleSummary> summarize(const ScaleForm& form, std::span<const study::AnswerRecord> answers) {
   std::set<study::RecordId> superseded;
   for (const auto& answer : answers) {
     if (answer.entry.supersedes) superseded.insert(*answer.entry.supersedes);

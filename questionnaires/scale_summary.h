@@ -25,7 +25,7 @@ struct ScaleSummary {
 
 /// One row per item of `form`, over the answers without a later correction. Skipped, unknown and cleared answers do not
 /// count, nor do answers to other forms or versions.
-std::vector<ScaleSummary> summarise(const ScaleForm& form, std::span<const study::AnswerRecord> answers);
+std::vector<ScaleSummary> summarize(const ScaleForm& form, std::span<const study::AnswerRecord> answers);
 
 /// Table 3 as printed, for nine clinical teachers. Item 3 is impossible as printed: no nine answers from 1 to 7 have
 /// mean 4.44, deviation 0.88 and maximum 7.

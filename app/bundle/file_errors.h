@@ -12,8 +12,8 @@
 
 namespace tactus::bundle {
 
-/// What a program gets that reads expert `expert` from a file of this dialect, compared with the model at `points`.
-/// The tolerance is the dialect's, or above the error found where that is larger.
+/// The error of a program that reads expert `expert` from a file of this dialect: its forces against those of the model
+/// at `points`. The promised tolerance is that of the dialect; if the error is larger, a tolerance above the error.
 model_io::Promise promiseOf(exchange::Dialect dialect, const fuzzy::CompiledModel& model, std::size_t expert,
                             const std::vector<std::vector<double>>& points);
 
@@ -24,8 +24,8 @@ model_io::Promise promiseOf(const ForceTable& table, const fuzzy::CompiledModel&
 /// A file that holds the exact forces: 1e-12 of the output's range is left for rounding.
 model_io::Promise exactPromise(const fuzzy::ForceModel& model);
 
-/// The C source, compiled and run at `points` where a C compiler is there. Otherwise the bound that its tests hold
-/// stands for the error, with `measured` false.
+/// The error of the C source, compiled and run at `points`. Without a C compiler: the bound that the tests of the C
+/// source prove, with `measured` false.
 model_io::Promise promiseOf(const exchange::CSource& source, const fuzzy::CompiledModel& model,
                             const std::vector<std::vector<double>>& points, const std::stop_token& stop = {});
 

@@ -21,9 +21,9 @@ struct ForceTable {
 
 inline constexpr std::size_t kMostNodes = 100'000;
 
-/// The finest grid of at most `most_nodes` nodes that holds every vertex of the model's terms, with the same number of
-/// parts between neighbors. Coarser, without some vertices, where even these are too many. Where no rule fires: the
-/// default force.
+/// The finest grid of at most `most_nodes` nodes. Its lines are the ends of the universes, the vertices of the terms,
+/// and equally many further lines between any two neighbors. If the vertices alone need more nodes, some of them are
+/// left out. A node where no rule fires has the default force.
 ForceTable forceTable(const fuzzy::ForceModel& model, std::size_t most_nodes = kMostNodes);
 
 /// `id,…,force`, one row per node.

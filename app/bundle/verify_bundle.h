@@ -1,4 +1,4 @@
-// `tactus verify`: a bundle read back as far as this program can.
+// The work of `tactus verify`: reads a bundle back and compares each of its files with its model.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace tactus::bundle {
 
-/// model_io::checkBundle, and further: the look-up table is read and compared with the model, the errors of the files
-/// for other programs are measured again, and their texts and the C source must be those that this program writes for
-/// the model, if `generator` (this program and version) wrote the bundle. Texts of another version are compared by
+/// Calls model_io::checkBundle. Then reads the look-up table and compares it with the model, and measures the errors of
+/// the files for other programs again. If `generator` (this program and version) wrote the bundle, their texts and the
+/// C source must be equal to the ones that this program writes for the model. Texts of another version are compared by
 /// their checksums alone.
 base::Result<model_io::BundleCheck> verifyBundle(const std::string& folder, std::string_view generator);
 

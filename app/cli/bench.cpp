@@ -114,7 +114,7 @@ class Bench {
       fixed[i] = fixed_[i];
       for (auto& point : points) point[i] = fixed_[i];
     }
-    const auto scene = fuzzy::Scene::specialise(compiled_, fixed);
+    const auto scene = fuzzy::Scene::specialize(compiled_, fixed);
     if (!scene) return tl::unexpected(scene.error());
     const auto exact = exactAt(points);
     std::vector<BenchRow> rows;

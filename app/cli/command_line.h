@@ -47,10 +47,12 @@ std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<st
 
 inline void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
 
-/// `--accept KIND`, as often as there are kinds (accepted_data.h); `what` is what they do not stop.
+/// Adds `--accept KIND`, which may be repeated (accepted_data.h). `what`: the work that findings of these kinds do not
+/// stop, for the help text.
 void addAccept(CLI::App& command, std::vector<std::string>& kinds, const std::string& what);
 
-/// STUDY and the options of `build` for how a model is made; `stops`: what `--accept` lets go on.
+/// Adds STUDY and the options of `build` that say how the model is made. `stops`: the work that the findings named by
+/// `--accept` do not stop.
 void addBuildOptions(CLI::App& command, BuildOptions& options, const std::string& stops);
 
 /// `build`, `report`, `vote`.
@@ -62,7 +64,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen);
 /// `bundle`, `verify`, `convert`, `import`, `diff`.
 void addDeliveryCommands(CLI::App& app, Chosen& chosen);
 
-/// `serve`, which says on `out` and `err` what happens while it runs.
+/// `serve`. While it runs, it writes its address to `out` and its messages to `err`.
 void addServeCommand(CLI::App& app, Chosen& chosen, std::ostream& out, std::ostream& err);
 
 struct Terminal;

@@ -92,7 +92,7 @@ base::Result<Output> build(const BuildOptions& options);
 
 /// The options of `build`; `out` is the page.
 struct ReportOptions : BuildOptions {};
-/// Writes the report of a study (app/report/study_report.h). What the study lacks is said in it.
+/// Writes the report of a study (app/report/study_report.h). The report names what the study lacks.
 base::Result<Output> writeReport(const ReportOptions& options);
 
 struct WhyOptions {
@@ -180,8 +180,8 @@ struct ServeOptions {
   std::string token_file;  ///< empty: one in a private folder, removed at the end
   bool watch = false;      ///< serve the file again when it changes
 };
-/// Serves a model over the live link until SIGINT or SIGTERM. `out` gets the line that says where, `err` one sentence
-/// for each change of the file that is no model.
+/// Serves a model over the live link until SIGINT or SIGTERM. Writes one line with its address to `out`, and to `err`
+/// one sentence each time the file has changed and is no model.
 base::Result<Output> serve(const ServeOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace tactus::cli

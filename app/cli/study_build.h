@@ -1,4 +1,5 @@
-// From a study on disk to its built model: the first half of `tactus build`, shared by the commands that need one.
+// Reads a study from the disk and builds its model: the first half of `tactus build`. The commands that need a built
+// model share it.
 #pragma once
 
 #include <string>
@@ -21,7 +22,7 @@ struct StudyBuild {
   elicitation::BuildSettings settings;
   elicitation::BuiltModel built;
 
-  /// What a command says on standard error.
+  /// The lines for standard error.
   std::vector<std::string> warnings() const;
 };
 

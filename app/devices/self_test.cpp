@@ -13,7 +13,7 @@ using base::formatFixed;
 using base::formatNumber;
 using haptics::ForceSource;
 using haptics::Sample;
-using haptics::StimulusStage;
+using haptics::StimulusPhase;
 using haptics::TripCause;
 
 constexpr std::uint32_t kAnyButton = 0xFFFFFFFF;
@@ -188,12 +188,12 @@ void SelfTest::checkPulse(const Sample& sample) {
     ++pulse_;
     return order(ForceSource::kStimulus);
   }
-  if (sample.stimulus == StimulusStage::kFull) {
+  if (sample.stimulus == StimulusPhase::kFull) {
     largest_force_n_ = std::max(largest_force_n_, std::abs(sample.force_n));
     if (sample.since_full_s > kPulseHoldS - 1e-3 * kMeanTicks) held_.after.add(sample.position_mm);
   }
   const bool over =
-      sample.stimulus == StimulusStage::kEnded || (sample.stimulus == StimulusStage::kWaiting && !sample.enabled);
+      sample.stimulus == StimulusPhase::kEnded || (sample.stimulus == StimulusPhase::kWaiting && !sample.enabled);
   if (over) pulseEnded();
 }
 

@@ -76,7 +76,7 @@ class EditHistory {
   /// The same for a model that is compiled already.
   static EditHistory open(SharedModel model, const std::string& label, const Stamp& stamp, study::RecordIds ids);
 
-  /// What is felt and shown: the current state, or the edit of a gesture that is going on.
+  /// The model to feel and to show: that of the current state, or of the gesture in progress.
   const SharedModel& ready() const { return shown_ ? shown_->ready : ready_; }
   const fuzzy::ForceModel& model() const { return ready()->model; }
   const fuzzy::CompiledModel& compiled() const { return ready()->compiled; }
@@ -132,8 +132,8 @@ class EditHistory {
   /// How much the edit that made `state` changed the force, computed when first asked for (editImpact says how long
   /// that takes). Nothing for a model that was opened, or where a model is not in memory.
   std::optional<EditImpact> impact(StateId state);
-  /// Raises the impact of `state` to what a curve on the screen shows (model_ghost.h). Returns whether it grew; false
-  /// if there is no impact.
+  /// Raises the impact of `state` to the change that a curve on the screen shows (model_ghost.h). Returns whether it
+  /// grew; false if there is no impact.
   bool include(StateId state, const GhostCurve& curve, std::size_t input, std::span<const double> point);
   /// The difference between any two states.
   base::Result<EditImpact> compare(StateId before, StateId after) const;

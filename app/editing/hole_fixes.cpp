@@ -61,7 +61,7 @@ bool isUsed(const ForceModel& model, const Expert& expert, const fuzzy::Variable
 }
 
 /// Terms in use on both sides of a gap; null where there is none. A Gaussian has no edge that could be stretched.
-struct Neighbours {
+struct Neighbors {
   Term* left = nullptr;  ///< the nearest that can be stretched
   Term* right = nullptr;
   const Term* nearest_left = nullptr;  ///< of any shape
@@ -70,9 +70,9 @@ struct Neighbours {
 
 fuzzy::Support supportOf(const Term& term) { return fuzzy::supportOf(MembershipFunction::of(term)); }
 
-Neighbours neighboursOf(const ForceModel& model, const Expert& expert, const fuzzy::Variable& input,
-                        std::vector<Term>& terms, const InputRange& gap) {
-  Neighbours out;
+Neighbors neighborsOf(const ForceModel& model, const Expert& expert, const fuzzy::Variable& input,
+                      std::vector<Term>& terms, const InputRange& gap) {
+  Neighbors out;
   for (Term& term : terms) {
     if (!isUsed(model, expert, input, term.id)) continue;
     const auto [low, high] = supportOf(term);
@@ -108,9 +108,9 @@ std::optional<Result<Edit>> stretched(const ForceModel& model, std::size_t reade
   const TermListId list = listOf(expert, gap.input);
   const auto open = openList(out, list);
   if (!open) return std::nullopt;
-  const auto neighbours = neighboursOf(out, expert, input, *open->terms, gap);
-  Term* const term = to_the_right ? neighbours.left : neighbours.right;
-  const Term* const facing = to_the_right ? neighbours.nearest_right : neighbours.nearest_left;
+  const auto neighbors = neighborsOf(out, expert, input, *open->terms, gap);
+  Term* const term = to_the_right ? neighbors.left : neighbors.right;
+  const Term* const facing = to_the_right ? neighbors.nearest_right : neighbors.nearest_left;
   if (term == nullptr) return std::nullopt;
   const double end = to_the_right ? input.max : input.min;
   double from = end;

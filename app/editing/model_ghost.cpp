@@ -21,7 +21,7 @@ struct GhostForces {
 
 base::Result<GhostForces> along(const fuzzy::CompiledModel& model, const std::vector<std::optional<double>>& fixed,
                                 std::span<const double> places) {
-  const auto scene = fuzzy::Scene::specialise(model, fixed);
+  const auto scene = fuzzy::Scene::specialize(model, fixed);
   if (!scene) return tl::unexpected(scene.error());
   GhostForces out{std::vector<double>(places.size()), std::vector<std::uint8_t>(places.size())};
   scene->evaluateBatch(std::span(&places, 1), {out.force_n, out.fired});

@@ -35,7 +35,7 @@ TermOrder byMiddleOfCore(const std::vector<Term>& terms) {
   return order;
 }
 
-/// A ramp shared by two neighbours.
+/// A ramp shared by two neighbors.
 struct Ramp {
   double from;
   double to;

@@ -35,7 +35,7 @@ void openCore(Term& term) {
   term.points.insert(term.points.begin() + 1, term.points[1]);
 }
 
-/// The neighbours of term number `place` in `order` close the gap that it leaves.
+/// The neighbors of term number `place` in `order` close the gap that it leaves.
 void closeGap(std::vector<Term>& terms, const TermOrder& order, std::size_t place) {
   const auto removed = MembershipFunction::of(terms[order[place]]);
   const bool first = place == 0;

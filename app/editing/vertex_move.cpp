@@ -72,7 +72,7 @@ void VertexMove::add(const Vertex& vertex) {
   for (const Vertex& other : liesOn(vertex)) add(other);
 }
 
-void VertexMove::boundByNeighbours(const Vertex& vertex, Bounds& bounds) const {
+void VertexMove::boundByNeighbors(const Vertex& vertex, Bounds& bounds) const {
   const Term& term = termOf(vertex);
   const std::size_t last = lastPoint(term);
   const auto gap = [&](std::size_t left) {
@@ -122,7 +122,7 @@ void VertexMove::bound(const Vertex& vertex, Bounds& bounds) const {
       return;
     }
   } else {
-    boundByNeighbours(vertex, bounds);
+    boundByNeighbors(vertex, bounds);
     boundByPartition(vertex, bounds);
     boundByOutput(vertex, bounds);
   }

@@ -54,7 +54,7 @@ class VertexMove {
   /// The range of the vertex. It always contains the current place.
   Bounds boundsOf(const Vertex& vertex) const;
   void bound(const Vertex& vertex, Bounds& bounds) const;
-  void boundByNeighbours(const Vertex& vertex, Bounds& bounds) const;
+  void boundByNeighbors(const Vertex& vertex, Bounds& bounds) const;
   void boundByPartition(const Vertex& vertex, Bounds& bounds) const;
   void boundByOutput(const Vertex& vertex, Bounds& bounds) const;
   bool inOrder() const;

@@ -48,7 +48,7 @@ struct LinkClient {
 class LinkServer {
  public:
   static constexpr std::size_t kMostClients = 16;
-  /// Connections that have not said hello yet, or are about to end. The oldest of more is closed.
+  /// The most connections that have not said hello yet or are about to end. One more closes the oldest of them.
   static constexpr std::size_t kMostStrangers = 16;
 
   /// Listens, and serves `model` from now on. `clients_changed` is called by the server's thread; may be empty.
@@ -62,10 +62,10 @@ class LinkServer {
   std::uint16_t port() const { return sockets_.port(); }
   const std::string& socketPath() const { return sockets_.socketPath(); }
 
-  /// Serves `model` in the place of the one before; its serial rises unless its text is the same. Waits for nothing: a
-  /// model that the server has not taken yet is replaced. Thread: the one that called `start`.
+  /// Serves `model` from now on. Its serial number rises, unless its text is that of the model before. Does not wait:
+  /// it replaces a model that the server's thread has not taken yet. Thread: the one that called `start`.
   void publish(LinkModel model);
-  /// Tells what the hand feels to the clients that want it. Waits for nothing. Thread: the one that called `start`.
+  /// Sends what the hand feels to the clients that asked for it. Does not wait. Thread: the one that called `start`.
   void publish(LinkStates states);
   /// Whether a client wants to know what the hand feels. Thread: any.
   bool wantsStates() const noexcept { return wants_states_.load(std::memory_order_relaxed); }

@@ -9,7 +9,7 @@
 
 namespace tactus::link {
 
-/// What stays the same for many moments. Immutable.
+/// What is the same at many moments. Immutable.
 struct LinkSetting {
   struct Region {
     double from_mm = 0;

@@ -83,7 +83,7 @@ Table table1(const ReportContext& context) {
                 numberCell("strokes", true),
                 numberCell("samples")}},
       .body = {}};
-  const auto summaries = experiments::summariseSpeeds(context.in.study.speeds);
+  const auto summaries = experiments::summarizeSpeeds(context.in.study.speeds);
   double worst = 0;
   std::string last;
   for (const experiments::PublishedSpeed& cell : context.demo->published_speeds) {
@@ -126,7 +126,7 @@ Table levelSpeeds(const ReportContext& context) {
                         numberCell("Samples")}},
               .body = {}};
   std::string last;
-  for (const auto& one : experiments::summariseSpeeds(context.in.study.speeds)) {
+  for (const auto& one : experiments::summarizeSpeeds(context.in.study.speeds)) {
     table.body.push_back({headingCell(one.participant == last ? "" : one.participant),
                           {.text = one.level},
                           numberCell(base::formatFixed(one.mean_mm_s, 1), true),

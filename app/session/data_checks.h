@@ -9,10 +9,10 @@
 
 namespace tactus::session {
 
-/// What to look at in `study`, participant after participant in the order of the study, what is refused before what is
-/// doubtful. At most one finding of a kind for a participant; none for a study without ordinary mistakes. Terms and
-/// items are those of the nasogastric tube study (elicitation/variables/ngt_variables.h, known_forms.h).
-/// 200 participants with 12 strokes of 730 rows each take 0.8 s (tests/app/session/data_counts.cpp). Thread: any.
+/// The findings about the data of `study`: refused data first, then doubtful data, both in the order of the
+/// participants. A participant has at most one finding of each kind. A study without common mistakes has none. Terms
+/// and items are those of the nasogastric tube study (elicitation/variables/ngt_variables.h, known_forms.h). 200
+/// participants with 12 strokes of 730 rows each take 0.8 s (tests/app/session/data_counts.cpp). Thread: any.
 std::vector<study::DataFinding> dataFindings(const study::Study& study);
 
 }  // namespace tactus::session

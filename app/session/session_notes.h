@@ -67,7 +67,7 @@ inline constexpr double kLateS = 30;   ///< more: she was interrupted
 
 /// `soon`, `late`.
 std::string_view name(ResponseMark mark) noexcept;
-/// Of a response time, s; nothing between the limits. The answer counts all the same.
+/// The mark of a response time, s; nothing between the limits. A marked answer still counts.
 std::optional<ResponseMark> responseMark(double response_s) noexcept;
 /// `record`: the judgement or the answer.
 Note responseMarked(const study::RecordId& record, ResponseMark mark);

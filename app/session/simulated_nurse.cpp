@@ -32,7 +32,7 @@ experiments::ForwardMotion motionOf(double speed_mm_s, double length_s, double l
 }
 
 /// The choice beside `value`.
-std::string neighbour(const questionnaires::Questionnaire& form, const std::string& value) {
+std::string neighbor(const questionnaires::Questionnaire& form, const std::string& value) {
   const auto at = std::find_if(form.choices.begin(), form.choices.end(),
                                [&](const questionnaires::Choice& choice) { return choice.value == value; });
   TACTUS_CHECK(at != form.choices.end() && form.choices.size() > 1);
@@ -179,7 +179,7 @@ Result<void> SimulatedNurse::doAnswer(Session& session) const {
   auto reply = replyTo(item);
   const bool otherwise = random.uniform() < traits_.second_thoughts;
   if (otherwise && page->last_answer == nullptr && reply.status == study::Answer::Status::kAnswered) {
-    reply.value = neighbour(session.form()->form(), reply.value);
+    reply.value = neighbor(session.form()->form(), reply.value);
   }
   pass_time_(response_s);
   return session.reply(reply, response_s);

@@ -37,7 +37,7 @@ struct StrokePlan {
 };
 
 /// Four numbers with mean 0 and standard deviation 1.
-std::array<double, kStrokes> standardisedNormals(base::Random& random) {
+std::array<double, kStrokes> standardizedNormals(base::Random& random) {
   std::array<double, kStrokes> values{};
   std::generate(values.begin(), values.end(), [&random] { return random.normal(); });
   const double mean = base::mean(values);
@@ -71,7 +71,7 @@ StrokePlan planStroke(std::size_t stroke_ticks, base::Random& random) {
 std::vector<StrokePlan> planStrokes(const experiments::PublishedSpeed& target, double all_s, base::Random& random) {
   const double between = kBetweenStrokes * target.sd_mm_s / target.mean_mm_s;
   std::array<double, kStrokes> share{};
-  const auto normals = standardisedNormals(random);
+  const auto normals = standardizedNormals(random);
   std::transform(normals.begin(), normals.end(), share.begin(), [between](double z) { return 1 / (1 + between * z); });
   const double total = std::accumulate(share.begin(), share.end(), 0.0);
   std::vector<StrokePlan> plans;

@@ -20,7 +20,7 @@ base::Result<StudyAside> asideOf(const store::StudyFile& file) {
   }
   const auto answers = store::answers(file);
   if (!answers) return tl::unexpected(answers.error());
-  auto rows = questionnaires::summarise(questionnaires::usabilityForm(), *answers);
+  auto rows = questionnaires::summarize(questionnaires::usabilityForm(), *answers);
   if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.n > 0; })) out.usability = std::move(rows);
   return out;
 }

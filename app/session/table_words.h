@@ -11,9 +11,9 @@
 namespace tactus::session {
 
 /// Writes levels, series, terms and conditions of `study` as the ids of the nasogastric tube study where they differ
-/// only in capitals, spaces, dashes and underscores, `not felt` and `beyond practice` among them; `up`, `asc` and the
-/// like as series; `NA`, a dash and the like in the place of a term as no answer. Returns one sentence for each word
-/// that was changed: `speeds.csv: 'Slow' is read as slow in 240 rows.` Other words stay as they are.
+/// only in capitals, spaces, dashes and underscores; so also `not felt` and `beyond practice`. Reads `up`, `asc` and
+/// similar words as series, and `NA`, a dash or a similar word instead of a term as no answer. Returns one sentence for
+/// each word that was changed: `speeds.csv: 'Slow' is read as slow in 240 rows.` Other words stay as they are.
 std::vector<std::string> readWords(study::Study& study);
 
 /// The judgements, or the answers, of one table, with the same replacements; appends the sentences of readWords to

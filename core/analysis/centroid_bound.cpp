@@ -61,7 +61,7 @@ double weightForClip(const BoundedTerm& term, double about, double width) {
     const double strength = cuts.heightAt(level);
     if (strength > 0) weight = std::max(weight, momentsOf(term, strength, about, width).ratio());
   };
-  // Strengths towards 0: the whole support, and of a Gaussian also the whole universe.
+  // Strengths toward 0: the whole support, and of a Gaussian also the whole universe.
   const auto consider_cut = [&](double left, double right) {
     const double ratio =
         right > about ? std::max(0.0, about - left) / (right - about) : std::numeric_limits<double>::infinity();

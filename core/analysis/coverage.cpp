@@ -82,7 +82,7 @@ std::vector<Cell> cellsOf(const fuzzy::Variable& variable, std::size_t input, co
   for (std::size_t k = 0; k < ends.size(); ++k) {
     if (k > 0) {
       const Cell between{ends[k - 1], ends[k], false};
-      // Between neighbouring doubles there is no point.
+      // Between neighboring doubles there is no point.
       if (between.representative() > between.low && between.representative() < between.high) cells.push_back(between);
     }
     cells.push_back({ends[k], ends[k], true});

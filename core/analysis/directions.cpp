@@ -32,9 +32,9 @@ std::vector<std::vector<double>> valuesFor(const ForceProbe& probe, const fuzzy:
 }  // namespace
 
 ExpertDirection direction(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, std::size_t input) {
-  std::vector<NeighbourStep> up;
-  std::vector<NeighbourStep> down;
-  for (const auto& step : neighbourSteps(model, expert, input)) {
+  std::vector<NeighborStep> up;
+  std::vector<NeighborStep> down;
+  for (const auto& step : neighborSteps(model, expert, input)) {
     if (step.levels != 0) (step.levels > 0 ? up : down).push_back(step);
   }
   const std::size_t steps = up.size() + down.size();
@@ -43,7 +43,7 @@ ExpertDirection direction(const fuzzy::ForceModel& model, const fuzzy::Expert& e
   return {};
 }
 
-std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, const NeighbourStep& step,
+std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, const NeighborStep& step,
                                        std::size_t samples) {
   if (!probe.affords()) return std::nullopt;
   const auto& who = probe.model().experts[expert];

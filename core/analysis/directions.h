@@ -14,11 +14,11 @@ enum class Direction { kFalls = -1, kMixed = 0, kRises = 1 };
 
 struct ExpertDirection {
   Direction prevailing = Direction::kMixed;  ///< direction of at least three quarters of the steps
-  std::vector<NeighbourStep> steps_with;     ///< steps in this direction; none if kMixed
-  std::vector<NeighbourStep> steps_against;  ///< steps in the other direction; none if kMixed
+  std::vector<NeighborStep> steps_with;      ///< steps in this direction; none if kMixed
+  std::vector<NeighborStep> steps_against;   ///< steps in the other direction; none if kMixed
 };
 
-/// The direction of `expert` along input number `input`: it counts the steps between neighboring rules (neighbourSteps)
+/// The direction of `expert` along input number `input`: it counts the steps between neighboring rules (neighborSteps)
 /// that change the consequent, up or down. kMixed if there are none. `model` must be valid.
 ExpertDirection direction(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, std::size_t input);
 
@@ -34,7 +34,7 @@ struct ForceChange {
 /// Returns the largest change over at most `samples` settings of the inputs that the rules do not mention, and as many
 /// near the best of them. 0 if the other rules outweigh the step everywhere. Nothing if the expert abstains at one of
 /// the ends.
-std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, const NeighbourStep& step,
+std::optional<ForceChange> changeAlong(ForceProbe& probe, std::size_t expert, const NeighborStep& step,
                                        std::size_t samples);
 
 /// For each expert: the largest difference in N between its own change of force from the lower to the upper end of

@@ -32,7 +32,7 @@ struct TermPlace {
 /// A step between two rules of an expert.
 struct StepPlace {
   std::size_t expert = 0;  ///< index
-  NeighbourStep step;
+  NeighborStep step;
 
   bool operator==(const StepPlace&) const = default;
 };

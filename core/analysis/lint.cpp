@@ -206,7 +206,7 @@ class Linter {
   }
 
   /// In ascending order, each once.
-  static std::vector<std::size_t> rulesOf(const std::vector<NeighbourStep>& steps) {
+  static std::vector<std::size_t> rulesOf(const std::vector<NeighborStep>& steps) {
     std::set<std::size_t> rules;
     for (const auto& step : steps) rules.insert({step.before, step.after});
     return {rules.begin(), rules.end()};

@@ -171,7 +171,7 @@ std::optional<double> OrderedSets::centroidOf(const Strengths& strength, std::ui
     const double s_after = strength[next];
     const TwoRamps foot = lane.foot - origin;
     const double top = clip ? s : 1;
-    // Where the two neighbours do not reach each other any strength covers their overlap.
+    // Where the two neighbors do not reach each other any strength covers their overlap.
     if (s < lane.cover) known = known && s >= kSmallestStrength && (s_before == 0 || s_after == 0);
 
     // The ramps show from these heights on.
@@ -196,12 +196,12 @@ std::optional<double> OrderedSets::centroidOf(const Strengths& strength, std::ui
     double left_end = shoulder[0];
     double right_end = shoulder[1];
     if constexpr (clip) {
-      // A higher neighbour covers an end of the plateau; of equal ones the first in the model counts.
-      const double neighbour_right = before->foot[1] - origin - s * before->width[1];
-      const double neighbour_left = after.foot[0] - origin + s * after.width[0];
+      // A higher neighbor covers an end of the plateau; of equal ones the first in the model counts.
+      const double neighbor_right = before->foot[1] - origin - s * before->width[1];
+      const double neighbor_left = after.foot[0] - origin + s * after.width[0];
       const bool right_covered = s_after > s * pair_after.least_ratio;
-      left_end = std::max(left_end, neighbour_right - kAway[left_covered]);
-      right_end = std::min(right_end, neighbour_left + kAway[right_covered]);
+      left_end = std::max(left_end, neighbor_right - kAway[left_covered]);
+      right_end = std::min(right_end, neighbor_left + kAway[right_covered]);
       left_covered = !right_covered;
     }
     const double width = std::max(0.0, right_end - left_end);

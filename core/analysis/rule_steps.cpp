@@ -30,8 +30,8 @@ std::vector<int> places(const std::vector<fuzzy::Term>& terms) {
 
 }  // namespace
 
-std::vector<NeighbourStep> neighbourSteps(const fuzzy::ForceModel& model, const fuzzy::Expert& expert,
-                                          std::size_t input) {
+std::vector<NeighborStep> neighborSteps(const fuzzy::ForceModel& model, const fuzzy::Expert& expert,
+                                        std::size_t input) {
   const auto along = places(termsFor(expert, model.inputs[input]));
   const auto levels = places(termsFor(expert, model.output));
   // By the other conditions, then by the place of the term along the input.
@@ -43,7 +43,7 @@ std::vector<NeighbourStep> neighbourSteps(const fuzzy::ForceModel& model, const 
     const std::uint64_t others = rule.conditions & ~(std::uint64_t{0x7F} << (7 * input));
     sequences[others][along[static_cast<std::size_t>(term)]].push_back(&rule);
   }
-  std::vector<NeighbourStep> steps;
+  std::vector<NeighborStep> steps;
   for (const auto& [others, sequence] : sequences) {
     for (auto here = sequence.begin(); here != sequence.end(); ++here) {
       const auto next = std::next(here);
@@ -59,7 +59,7 @@ std::vector<NeighbourStep> neighbourSteps(const fuzzy::ForceModel& model, const 
   return steps;
 }
 
-std::string describe(const NeighbourStep& step, const fuzzy::ForceModel& model, const fuzzy::Expert& expert) {
+std::string describe(const NeighborStep& step, const fuzzy::ForceModel& model, const fuzzy::Expert& expert) {
   const auto& before = expert.rules[step.before];
   const auto& after = expert.rules[step.after];
   std::vector<fuzzy::Condition> others = before.conditions;

@@ -41,7 +41,7 @@ std::size_t corners(const ImpliedSet& set, double share, Position* out) noexcept
   return count;
 }
 
-/// What `set` is between the neighbouring corners `from` and `to`, in positions from `from` on; nothing where it is 0.
+/// What `set` is between the neighboring corners `from` and `to`, in positions from `from` on; nothing where it is 0.
 std::optional<CurvePiece> pieceOf(const ImpliedSet& set, const Position& from, const Position& to) noexcept {
   const auto& f = *set.function;
   const double length = to.minus(from);

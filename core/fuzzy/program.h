@@ -1,4 +1,4 @@
-// The fast form of a model: flat tables for the kernels (kernels.h). `compile` and `specialised` make it; nothing edits
+// The fast form of a model: flat tables for the kernels (kernels.h). `compile` and `specialized` make it; nothing edits
 // it.
 //
 // Words of this folder, with the rule IF depth is deep AND speed is fast THEN force is high:
@@ -256,7 +256,7 @@ void makeProgram(const ModelTables& tables, Program& program);
 /// A program for many points with some inputs fixed. `fixed`: one entry per input, a value inside its universe, or
 /// empty if the input varies. Computes everything that depends on fixed inputs only, and drops the rules that cannot
 /// fire.
-BatchProgram specialised(const BatchProgram& program, std::span<const std::optional<double>> fixed,
+BatchProgram specialized(const BatchProgram& program, std::span<const std::optional<double>> fixed,
                          std::pmr::memory_resource* memory);
 
 }  // namespace tactus::fuzzy

@@ -16,7 +16,7 @@ namespace {
 /// A program and the memory of its tables.
 struct OwnedProgram {
   OwnedProgram(const BatchProgram& from, std::span<const std::optional<double>> fixed)
-      : program(specialised(from, fixed, &memory)) {}
+      : program(specialized(from, fixed, &memory)) {}
 
   std::pmr::monotonic_buffer_resource memory{8192};  // enough for some experts with some dozens of rules; it grows
   BatchProgram program;
@@ -24,7 +24,7 @@ struct OwnedProgram {
 
 }  // namespace
 
-base::Result<Scene> Scene::specialise(const CompiledModel& model, std::span<const std::optional<double>> fixed,
+base::Result<Scene> Scene::specialize(const CompiledModel& model, std::span<const std::optional<double>> fixed,
                                       SceneUse use) {
   TACTUS_CHECK(fixed.size() == model.inputCount());
   Scene scene;

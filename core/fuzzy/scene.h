@@ -18,7 +18,7 @@ struct BatchProgram;
 /// What a scene is made for. One point of a scene costs no less than a point of the model: its cost is the centroids,
 /// not the rules that a scene could leave out (docs/numerics.md). Only a batch gains from tables of its own.
 enum class SceneUse {
-  kPoints,   ///< `evaluate` alone: nothing is specialised
+  kPoints,   ///< `evaluate` alone: nothing is specialized
   kBatches,  ///< `evaluateBatch` too: rules and memberships of the fixed inputs are folded
 };
 
@@ -28,7 +28,7 @@ class Scene {
  public:
   /// `fixed`: one entry per input of the model, a value where it is fixed, nothing where it varies. Any subset may be
   /// fixed, all or none included. Refused: a fixed value that is not finite.
-  static base::Result<Scene> specialise(const CompiledModel& model, std::span<const std::optional<double>> fixed,
+  static base::Result<Scene> specialize(const CompiledModel& model, std::span<const std::optional<double>> fixed,
                                         SceneUse use = SceneUse::kBatches);
 
   std::size_t freeInputCount() const noexcept { return free_.size(); }

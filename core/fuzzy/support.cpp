@@ -21,7 +21,7 @@ double lastAbove0(const MembershipFunction& gaussian, double outside) noexcept {
 
 Support supportOf(const MembershipFunction& function) noexcept {
   if (!function.gaussian) return {function.a, function.d};
-  constexpr double kFar = 80;  // sigma, with one digit more where sigma is below the distance of neighbouring numbers
+  constexpr double kFar = 80;  // sigma, with one digit more where sigma is below the distance of neighboring numbers
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {lastAbove0(function, std::nextafter(function.mean - kFar * function.sigma, -kInfinity)),
           lastAbove0(function, std::nextafter(function.mean + kFar * function.sigma, kInfinity))};

@@ -104,9 +104,9 @@ tactus_status tactus_scene_make(const tactus_model* model, const size_t* fixed, 
   return guarded(said, [&] {
     const auto inputs = fixedInputs(loaded, {fixed, fixed_count}, values);
     if (!inputs) return said.fail(TACTUS_BAD_ARGUMENT, inputs.error());
-    auto specialised = fuzzy::Scene::specialise(loaded.compiled, *inputs);
-    if (!specialised) return said.fail(TACTUS_BAD_ARGUMENT, specialised.error().message());
-    auto made = std::make_unique<tactus_scene>(tactus_scene{std::move(*specialised), nullptr, {}});
+    auto specialized = fuzzy::Scene::specialize(loaded.compiled, *inputs);
+    if (!specialized) return said.fail(TACTUS_BAD_ARGUMENT, specialized.error().message());
+    auto made = std::make_unique<tactus_scene>(tactus_scene{std::move(*specialized), nullptr, {}});
     addTube(loaded, *inputs, *made);
     const std::string clamped = clampedValues(loaded, *inputs);
     said.say(clamped);

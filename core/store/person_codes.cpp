@@ -38,7 +38,7 @@ PersonCodes::PersonCodes(std::uint64_t seed)
 }
 
 std::string_view PersonCodes::draw(const std::vector<std::string_view>& words) {
-  // 64 random bits against a few hundred words: the rest of the division favours no word by more than 1e-16.
+  // 64 random bits against a few hundred words: the rest of the division favors no word by more than 1e-16.
   return words[static_cast<std::size_t>(engine_() % words.size())];
 }
 

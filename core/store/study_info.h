@@ -33,7 +33,7 @@ struct StudyInfo {
 
 base::Result<StudyInfo> studyInfo(const StudyFile& file);
 
-/// Something that lost records or may have, as it was noted at the opening that found it.
+/// An incident that lost records, or may have lost some. The opening of the file that found it has noted it.
 struct PastIncident {
   std::int64_t utc_ms = 0;
   std::string sentence;  ///< as that of a Notice
@@ -41,15 +41,21 @@ struct PastIncident {
   bool operator==(const PastIncident&) const = default;
 };
 
-/// What happened to the study so far, the oldest first; that of this opening too where the study is open for writing.
+/// All incidents of the study, the oldest first. Those of the current opening are among them if the study is open for
+/// writing.
 base::Result<std::vector<PastIncident>> pastIncidents(const StudyFile& file);
 
-/// Looks for anything that is not as it should be, one sentence each; empty when all is well: the integrity of the file
-/// and of its references, numbers missing in the order of a session (a lost record) or given twice (a session that went
-/// on in two copies of the file), strokes without recording, recordings and model texts that do not fit their
-/// checksums, records that do not fit their CRC-32, incidents (a journal that was missing, cut or damaged), codes of
-/// two persons, records with two corrections or corrections in a circle, placements and recordings of feeling a model
-/// that do not fit (feel_records.h). Reads the whole file.
+/// Checks the whole file. Returns one sentence for each fault; empty if there is none. The faults:
+///   file        damaged pages, references to records that are not there
+///   sessions    numbers missing in the order of a session (a lost record), or given twice (the session continued in
+///   two
+///               copies of the file)
+///   bytes       recordings and model texts that differ from their checksums, records that differ from their CRC-32
+///   strokes     without a recording
+///   incidents   a journal that was missing, cut or damaged
+///   codes       one code for two persons
+///   corrections two of one record, or corrections in a circle
+///   feeling     placements and recordings that contradict each other (feel_records.h)
 base::Result<std::vector<std::string>> checkStudy(const StudyFile& file);
 
 }  // namespace tactus::store

@@ -146,7 +146,7 @@ Vector startOf(const Used& used) {
 }
 
 /// The maximum of the likelihood, or nothing.
-std::optional<Vector> maximise(const Used& used) {
+std::optional<Vector> maximize(const Used& used) {
   Vector at = startOf(used);
   Likelihood here = likelihoodAt(at, used);
   for (int round = 0; round < kMostIterations; ++round) {
@@ -210,7 +210,7 @@ TermThresholds termThresholds(std::span<const TermAtForce> judgements, std::size
   result.threshold_n.resize(term_count - 1);
   const Used used = usedTerms(judgements, term_count);
   if (used.terms.size() >= 2 && overlaps(used)) {
-    const auto maximum = maximise(used);
+    const auto maximum = maximize(used);
     const double precision = maximum ? maximum->back() : 0;
     if (precision > 0 && 1 / precision >= kLeastSigmaN) {
       result.method = TermThresholds::Method::kOrderedProbit;

@@ -11,7 +11,7 @@ namespace tactus::study {
 /// What each participant is asked. Append-only: a change is a further record.
 struct ProtocolRecord {
   RecordId id;
-  int version = 1;  ///< from 1; the records of one version are drafts, of which the latest counts
+  int version = 1;  ///< from 1; several records may have one version: its drafts, of which the latest counts
   std::int64_t utc_ms = 0;
   std::string author;
   std::string reason;  ///< of the change; empty for the first version

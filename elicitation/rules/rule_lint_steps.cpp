@@ -8,7 +8,7 @@
 namespace tactus::elicitation {
 namespace {
 
-bool isAgainst(const RuleContext& context, const analysis::NeighbourStep& step) {
+bool isAgainst(const RuleContext& context, const analysis::NeighborStep& step) {
   return std::any_of(context.settings.directions.begin(), context.settings.directions.end(),
                      [&](const DeclaredDirection& declared) {
                        return declared.input == context.model.inputs[step.input].id &&
@@ -16,21 +16,21 @@ bool isAgainst(const RuleContext& context, const analysis::NeighbourStep& step) 
                      });
 }
 
-bool isJump(const RuleContext& context, const analysis::NeighbourStep& step) {
+bool isJump(const RuleContext& context, const analysis::NeighborStep& step) {
   return step.adjacent && step.levels != 0 && std::abs(step.levels) >= context.settings.jump_levels;
 }
 
 /// A step that is worth a finding.
 struct ExpertStep {
   std::size_t expert;
-  analysis::NeighbourStep step;
+  analysis::NeighborStep step;
 };
 
 std::vector<ExpertStep> stepsToTell(const RuleContext& context) {
   std::vector<ExpertStep> out;
   for (std::size_t e = 0; e < context.model.experts.size(); ++e) {
     for (std::size_t i = 0; i < context.model.inputs.size(); ++i) {
-      for (const auto& step : analysis::neighbourSteps(context.model, context.model.experts[e], i)) {
+      for (const auto& step : analysis::neighborSteps(context.model, context.model.experts[e], i)) {
         if (isAgainst(context, step) || isJump(context, step)) out.push_back({e, step});
       }
     }

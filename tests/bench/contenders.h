@@ -26,7 +26,7 @@ Contender onePoint(const Case& about);
 Contender onePoint(const Case& about, const fuzzy::Kernels& kernels);
 /// evaluateBatch over arrays.
 Contender batch(const Case& about);
-/// Scene::evaluate and Scene::evaluateBatch, specialised to the fixed inputs of the case.
+/// Scene::evaluate and Scene::evaluateBatch, specialized to the fixed inputs of the case.
 Contender sceneOnePoint(const Case& about);
 Contender sceneBatch(const Case& about);
 

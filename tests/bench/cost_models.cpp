@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20261122;
 
-/// Equal trapezoids from 0 to 1, neighbours overlapping, shoulders at the ends.
+/// Equal trapezoids from 0 to 1, neighbors overlapping, shoulders at the ends.
 fuzzy::Variable evenVariable(const std::string& id, int terms) {
   fuzzy::Variable variable{id, id, "1", 0, 1, {}};
   const double pitch = 1.0 / terms;

@@ -25,8 +25,8 @@ CompiledModel compiledOf(const ForceModel& model) {
   return std::move(*compiled);
 }
 
-fuzzy::Scene specialised(const CompiledModel& model, std::span<const std::optional<double>> fixed) {
-  auto scene = fuzzy::Scene::specialise(model, fixed);
+fuzzy::Scene specialized(const CompiledModel& model, std::span<const std::optional<double>> fixed) {
+  auto scene = fuzzy::Scene::specialize(model, fixed);
   TACTUS_CHECK(scene.has_value());
   return std::move(*scene);
 }
@@ -84,7 +84,7 @@ void addModel(std::vector<CostJob>& jobs, const std::string& part, int value, Fo
   }
 }
 
-/// Specialising to the fixed inputs, and the forces over a grid of the inputs that vary.
+/// Specializing to the fixed inputs, and the forces over a grid of the inputs that vary.
 class Grid {
  public:
   Grid(const ForceModel& model, std::vector<std::optional<double>> fixed, std::size_t steps)
@@ -112,7 +112,7 @@ class Grid {
 
   double compute() {
     const std::vector<std::span<const double>> columns(columns_.begin(), columns_.end());
-    specialised(compiled_, fixed_).evaluateBatch(columns, {forces_n_, fired_});
+    specialized(compiled_, fixed_).evaluateBatch(columns, {forces_n_, fired_});
     return forces_n_.back();
   }
 
@@ -131,10 +131,10 @@ Job gridJob(const ForceModel& model, std::vector<std::optional<double>> fixed, s
           }};
 }
 
-Job specialiseJob(const ForceModel& model) {
-  return {"specialise", kRepetitions,
+Job specializeJob(const ForceModel& model) {
+  return {"specialize", kRepetitions,
           [compiled = compiledOf(model), fixed = sceneOfNgt()](std::size_t /*first*/, std::span<double> out) {
-            for (double& result : out) result = static_cast<double>(specialised(compiled, fixed).freeInputCount());
+            for (double& result : out) result = static_cast<double>(specialized(compiled, fixed).freeInputCount());
           }};
 }
 
@@ -144,8 +144,8 @@ void addSetUpAndTasks(std::vector<CostJob>& jobs) {
   const std::string what = "time";
   jobs.push_back({"set-up", "compile one expert", what, compileJob(std::make_shared<Subject>(one))});
   jobs.push_back({"set-up", "compile four experts", what, compileJob(std::make_shared<Subject>(four))});
-  jobs.push_back({"set-up", "specialise one expert", what, specialiseJob(one)});
-  jobs.push_back({"set-up", "specialise four experts", what, specialiseJob(four)});
+  jobs.push_back({"set-up", "specialize one expert", what, specializeJob(one)});
+  jobs.push_back({"set-up", "specialize four experts", what, specializeJob(four)});
   if (fuzzylitePeer(one, 100)) {
     jobs.push_back({"set-up",
                     "fuzzylite: build the engine",
@@ -155,11 +155,11 @@ void addSetUpAndTasks(std::vector<CostJob>& jobs) {
                      }}});
   }
   jobs.push_back(
-      {"task", "256 x 256 surface, four experts, specialising included", what, gridJob(four, sceneOfNgt(), 256)});
+      {"task", "256 x 256 surface, four experts, specializing included", what, gridJob(four, sceneOfNgt(), 256)});
   auto along_depth = sceneOfNgt();
   along_depth.back() = 50;
   jobs.push_back(
-      {"task", "500-point depth curve, four experts, specialising included", what, gridJob(four, along_depth, 500)});
+      {"task", "500-point depth curve, four experts, specializing included", what, gridJob(four, along_depth, 500)});
 }
 
 }  // namespace

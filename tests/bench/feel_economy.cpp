@@ -103,11 +103,11 @@ render::SceneCounters replay(const Placement& placement, Each each) {
 struct Way {
   const char* name;
   bool only_when_needed;
-  bool specialised;
+  bool specialized;
 };
-constexpr Way kWays[] = {{"asked when needed, specialised", true, true},
+constexpr Way kWays[] = {{"asked when needed, specialized", true, true},
                          {"asked when needed, whole model", true, false},
-                         {"asked at each tick, specialised", false, true},
+                         {"asked at each tick, specialized", false, true},
                          {"asked at each tick, whole model", false, false}};
 
 /// The renderer on the recorded positions, without hand-over; `each` gets every resistance.
@@ -128,7 +128,7 @@ void replayRenderer(const Placement& placement, const Way& way, Each each) {
       where = render::ForcePoint{state.depth_mm + settings.friction.depth_offset_mm,
                                  in ? std::max(0.0, state.slip_speed_mm_s.value) : 0};
     }
-    if (where && way.specialised) {
+    if (where && way.specialized) {
       input.force = scene.force(*where);
     } else if (where) {
       point = {conditions.at("lubrication"), conditions.at("neck_flexion"), where->depth_mm, where->speed_mm_s};

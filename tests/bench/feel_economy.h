@@ -1,4 +1,4 @@
-// What the scene economy saves in a whole placement: asking only when needed, and a model specialised to what is fixed.
+// What the scene economy saves in a whole placement: asking only when needed, and a model specialized to what is fixed.
 #pragma once
 
 #include "tests/bench/feel_results.h"

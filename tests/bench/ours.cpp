@@ -20,7 +20,7 @@ Columns stretchOf(const Columns& columns, std::size_t first, std::size_t count) 
 }
 
 fuzzy::Scene sceneOf(const Case& about) {
-  auto scene = fuzzy::Scene::specialise(about.compiled, about.fixed);
+  auto scene = fuzzy::Scene::specialize(about.compiled, about.fixed);
   TACTUS_CHECK(scene.has_value());
   return std::move(*scene);
 }

@@ -41,7 +41,7 @@ double medianUs(int rounds, const std::function<void()>& work) {
 
 // As the map's controller computes it: the scene, then row by row.
 workbench::ForceMap mapOf(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled) {
-  auto scene = fuzzy::Scene::specialise(compiled, sceneOfNgt());
+  auto scene = fuzzy::Scene::specialize(compiled, sceneOfNgt());
   TACTUS_CHECK(scene.has_value());
   workbench::ForceMap map{
       kDepth, kSpeed, {}, {}, kSide, std::vector<double>(kSide * kSide), std::vector<std::uint8_t>(kSide * kSide)};

@@ -26,7 +26,7 @@ BorderedMatrix example() {
 TEST(BorderedMatrix, DeterminantAndSolutionByHand) {
   auto matrix = example();
   // Elimination leaves the pivots 4, 4, 3 - 1/4 = 11/4 and 6 - 1/4 - 1/16 - (17/8)^2 / (11/4) = 89/22; their product:
-  EXPECT_NEAR(matrix.factorise(), std::log(178.0), 1e-12);
+  EXPECT_NEAR(matrix.factorize(), std::log(178.0), 1e-12);
   // x = (1, -2, 3, 0.5): the rows give 0.5, -5, 8, 10.
   const auto x = matrix.solve({0.5, -5, 8, 10});
   const double wanted[] = {1, -2, 3, 0.5};
@@ -36,7 +36,7 @@ TEST(BorderedMatrix, DeterminantAndSolutionByHand) {
 TEST(BorderedMatrix, WhatIsNotPositiveDefiniteHasNoFactor) {
   auto matrix = example();
   matrix.at(2, 2) = 0.1;
-  EXPECT_TRUE(std::isinf(matrix.factorise()));
+  EXPECT_TRUE(std::isinf(matrix.factorize()));
 }
 
 }  // namespace

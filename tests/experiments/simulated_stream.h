@@ -1,4 +1,4 @@
-// Simulated streams of hand positions whose strokes are known: commanded motion, tremor, noise, quantisation.
+// Simulated streams of hand positions whose strokes are known: commanded motion, tremor, noise, quantization.
 #pragma once
 
 #include <cstdint>

@@ -33,7 +33,7 @@ std::vector<double> ticks(int count, double start_s = 0) {
 Motion motionOf(const Recording& recording) { return speedFromPositions(recording.time_s, recording.depth_mm).value(); }
 
 constexpr double kQuantumMm = 0.055;
-double quantised(double depth_mm) { return std::round(depth_mm / kQuantumMm) * kQuantumMm; }
+double quantized(double depth_mm) { return std::round(depth_mm / kQuantumMm) * kQuantumMm; }
 
 TEST(SpeedFromPositions, IsExactOnParabolas) {
   // Up to both ends, from the shortest recording on; 1000 mm of depth cost no digits.
@@ -94,12 +94,12 @@ TEST(SpeedFromPositions, NoiseGainIsThatOfTheory) {
   EXPECT_NEAR(std::sqrt(squares / static_cast<double>(count)), theory, 0.05 * theory);
 }
 
-TEST(SpeedFromPositions, QuantisedPositionsMoveTheSpeedByAKnownBound) {
+TEST(SpeedFromPositions, QuantizedPositionsMoveTheSpeedByAKnownBound) {
   // Half a quantum everywhere with the worst signs: 0.0275 sum of |j| / (h sum of j^2) = 0.0275 * 240 / 2.48 mm/s.
   const double bound = 0.0275 * 240 / 2.48;
   EXPECT_LT(bound, kRestSpeedMmS);
   for (const double speed : {0.0, 0.3, 5.0, 31.1, 256.7}) {
-    const auto motion = motionOf(recorded(ticks(400), [speed](double t) { return quantised(0.02 + speed * t); }));
+    const auto motion = motionOf(recorded(ticks(400), [speed](double t) { return quantized(0.02 + speed * t); }));
     double worst = 0;
     double squares = 0;
     for (std::size_t i = 15; i + 15 < motion.samples.size(); ++i) {

@@ -10,7 +10,7 @@ TEST(SpeedSummary, MeanAndDeviationPerParticipantAndLevel) {
   const std::vector<study::SpeedSample> samples = {{"B", "slow", 1, 0, 0, 2},     {"B", "slow", 1, 0.001, 0, 4},
                                                    {"A", "fast", 1, 0, 0, 7},     {"B", "slow", 2, 0, 0, 4},
                                                    {"B", "slow", 2, 0.001, 0, 6}, {"B", "fast", 1, 0, 0, 1}};
-  const auto summaries = summariseSpeeds(samples);
+  const auto summaries = summarizeSpeeds(samples);
   ASSERT_EQ(summaries.size(), 3U);
   EXPECT_EQ(summaries[0].participant, "B");
   EXPECT_EQ(summaries[0].level, "slow");
@@ -25,7 +25,7 @@ TEST(SpeedSummary, MeanAndDeviationPerParticipantAndLevel) {
   EXPECT_EQ(summaries[2].participant, "B");
 }
 
-TEST(SpeedSummary, NoSamplesNoSummaries) { EXPECT_TRUE(summariseSpeeds({}).empty()); }
+TEST(SpeedSummary, NoSamplesNoSummaries) { EXPECT_TRUE(summarizeSpeeds({}).empty()); }
 
 }  // namespace
 }  // namespace tactus::experiments

@@ -80,7 +80,7 @@ void BenchGestures::watchMove(const std::function<void()>& move) {
   if (!(terms_.list() == list)) return;
   const std::vector<fuzzy::Term>& after = terms_.terms();
   const fuzzy::Variable& variable = terms_.variable();
-  // What lay on a neighbour within rounding may have been put onto it exactly.
+  // What lay on a neighbor within rounding may have been put onto it exactly.
   const double rounding = 1e-8 * (variable.max - variable.min);
   for (const fuzzy::Term& term : before) {
     const fuzzy::Term* const now = fuzzy::findTerm(after, term.id);
@@ -131,7 +131,7 @@ std::string BenchGestures::drag() {
   }
   if (oneIn(6)) {
     terms_.cancelMove();
-    return what + ", cancelled";
+    return what + ", canceled";
   }
   if (!oneIn(12)) terms_.endMove();  // otherwise the next gesture has to end it
   return what;

@@ -14,7 +14,7 @@
 
 namespace tactus::tests {
 
-/// Whole gestures of a hand that does not know what it does: drags with any number of moves that end, are cancelled or
+/// Whole gestures of a hand that does not know what it does: drags with any number of moves that end, are canceled or
 /// are broken into, typed numbers that are none, edits of terms, rules and lists that make no sense, answers in the
 /// grids, snapshots, sign-offs, ways back to any state, versions side by side, fixes of findings. After each one
 /// `check` finds whether everything still holds.

@@ -24,7 +24,7 @@ std::vector<study::AnswerRecord> answers(const std::vector<int>& points) {
 
 // Nine answers that give the mean and deviation of Table 3, item 3: sum 40, squares 184; (184 - 40²/9) / 8 = 0.7778.
 TEST(ScaleSummary, MeanDeviationAndRange) {
-  const auto rows = summarise(usabilityForm(), answers({3, 4, 4, 4, 4, 5, 5, 5, 6}));
+  const auto rows = summarize(usabilityForm(), answers({3, 4, 4, 4, 4, 5, 5, 5, 6}));
   ASSERT_EQ(rows.size(), 6U);
   EXPECT_EQ(rows[2].item, 3);
   EXPECT_EQ(rows[2].n, 9U);
@@ -41,7 +41,7 @@ TEST(ScaleSummary, OnlyTheLatestAnswersCount) {
   records[1].entry.supersedes = records[0].entry.id;  // 2 became 7
   records[2].status = study::Answer::Status::kCantTell;
   records[2].value.clear();
-  const auto rows = summarise(usabilityForm(), records);
+  const auto rows = summarize(usabilityForm(), records);
   EXPECT_EQ(rows[2].n, 1U);
   EXPECT_EQ(rows[2].mean, 7);
   EXPECT_EQ(rows[2].sd, 0);
@@ -51,7 +51,7 @@ TEST(ScaleSummary, OtherFormsAndVersionsDoNotCount) {
   auto records = answers({2, 7});
   records[0].form = "ngt-force-v1";
   records[1].form_version = 2;
-  EXPECT_EQ(summarise(usabilityForm(), records)[2].n, 0U);
+  EXPECT_EQ(summarize(usabilityForm(), records)[2].n, 0U);
 }
 
 TEST(PublishedUsability, IsTable3) {

@@ -70,9 +70,9 @@ class Checker {
       return found_;
     }
     const std::vector<Point> points = makePoints(count);
-    const auto scene = fuzzy::Scene::specialise(*compiled, fixed_);
+    const auto scene = fuzzy::Scene::specialize(*compiled, fixed_);
     if (!scene) {
-      found_.disagreement = "the model does not specialise: " + scene.error().message();
+      found_.disagreement = "the model does not specialize: " + scene.error().message();
       return found_;
     }
     std::vector<std::size_t> all(model_.inputs.size());

@@ -1,4 +1,4 @@
-// Random force models of the kind that people make: terms in their order, neighbours overlapping.
+// Random force models of the kind that people make: terms in their order, neighbors overlapping.
 #pragma once
 
 #include <vector>

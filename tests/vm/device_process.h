@@ -12,7 +12,7 @@ namespace tactus::vm {
 /// A change of the force as the device felt it.
 struct FeltForce {
   std::int64_t time_ns = 0;  ///< monotonic, the same clock for both processes
-  double x = 0;              ///< share of the device's largest force, positive towards larger counts
+  double x = 0;              ///< share of the device's largest force, positive toward larger counts
   double y = 0;
 };
 

@@ -34,7 +34,7 @@ struct TrueHandle {
   double newtons(const FeltForce& felt) const { return full_scale_n * (felt.x * inwards()[0] + felt.y * inwards()[1]); }
 };
 
-/// HID's X points right and Y towards the person (HID 1.11, 5.9), as x and z of the device's frame do.
+/// HID's X points right and Y toward the person (HID 1.11, 5.9), as x and z of the device's frame do.
 inline haptics::Vector3 inDeviceFrame(const std::array<double, 2>& counts) { return {counts[0], 0, counts[1]}; }
 
 }  // namespace tactus::vm

@@ -15,7 +15,7 @@ class CallQueue : public QObject {
 
   explicit CallQueue(QObject* parent = nullptr);
 
-  /// The event loop of the GUI thread makes `call`, after all calls posted earlier. It makes no call after the mailbox
+  /// The event loop of the GUI thread makes `call`, after all calls posted earlier. It makes no call after this queue
   /// is destroyed. The call sees everything that the poster had written. Thread: any.
   void post(Call call);
 

@@ -1,5 +1,5 @@
-// The Fusion style with edges of fields that are seen: Fusion derives them from the window and reaches a contrast of
-// 1.3 to a card, where 3 is wanted (WCAG 2.1, 1.4.11).
+// The Fusion style with visible edges of fields. Fusion derives the edges from the color of the window, which gives a
+// contrast of 1.3 to a card; 3 is wanted (WCAG 2.1, 1.4.11).
 #pragma once
 
 #include <QColor>

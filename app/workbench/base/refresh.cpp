@@ -34,7 +34,7 @@ void Refresh::request() {
 }
 
 bool Refresh::eventFilter(QObject* watched, QEvent* event) {
-  // Queued, because a panel that is being shown has no size yet. A window that was minimised only paints again.
+  // Queued, because a panel that is being shown has no size yet. A window that was minimized only paints again.
   const bool shown = event->type() == QEvent::Show || event->type() == QEvent::Paint;
   if (shown && stale_ && !timer_.isActive()) timer_.start(0);
   return QObject::eventFilter(watched, event);

@@ -1,4 +1,4 @@
-// What happened to a study, as the window says it.
+// What happened to a study, in the words of the window.
 #pragma once
 
 #include <QString>

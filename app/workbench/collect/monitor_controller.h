@@ -17,7 +17,7 @@
 
 namespace tactus::workbench {
 
-/// The participant's screens, as the monitor says it.
+/// The state of the participant's screens, in the words of the monitor.
 struct NurseView {
   QString code;    ///< empty: not known yet
   QString screen;  ///< `Forces`, `Questions`, …

@@ -1,4 +1,4 @@
-// The home of a study: everybody who takes part, how far each is, and what to do next.
+// The home of a study: its participants, how far each has come, and what to do next.
 #pragma once
 
 #include <QWidget>

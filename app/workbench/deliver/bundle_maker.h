@@ -35,7 +35,7 @@ class BundleMaker : public QObject {
   enum class Doing { kNothing, kMaking, kWriting, kReadingBack };
 
   explicit BundleMaker(EditController& edits, QObject* parent = nullptr);
-  /// A bundle that is being made is canceled.
+  /// Cancels a bundle in progress.
   ~BundleMaker() override;
 
   Doing doing() const { return doing_; }

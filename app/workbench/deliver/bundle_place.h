@@ -1,4 +1,4 @@
-// Where a bundle goes that the user makes in the window.
+// The folder of a bundle that the user makes in the window.
 #pragma once
 
 #include <QString>

@@ -1,5 +1,5 @@
 // Follows the look of the desktop while the program runs: light or dark, as the desktop's settings portal says
-// (org.freedesktop.portal.Settings, key color-scheme). Qt 6.4 tells the look at the start of the program alone.
+// (org.freedesktop.portal.Settings, key color-scheme). Qt 6.4 reports the look only at the start of the program.
 #pragma once
 
 #include <QDBusVariant>
@@ -15,7 +15,7 @@ class SystemLook : public QObject {
  public:
   using QObject::QObject;
 
-  /// Asks for the look, and listens to changes. Does nothing where there is no session bus or no portal.
+  /// Asks for the look, and listens to changes. Does nothing if there is no session bus or no portal.
   void follow();
 
  public slots:

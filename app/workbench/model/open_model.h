@@ -28,8 +28,8 @@ struct OpenModel {
   bool in_study = false;                 ///< the open study keeps it, version by version
   QStringList warnings;                  ///< of reading the file, one sentence each
   bool simulated = false;                ///< the model says that some of its data are simulated
-  /// Of a model that is shown in the place of the open one: the version that it is or was made from, and the expert who
-  /// alone counts in it; empty: all do.
+  /// For a model that a comparison shows instead of the open one: the version that it is or was made from, and the only
+  /// expert that counts in it; empty: all count.
   std::optional<study::RecordId> version = std::nullopt;
   std::string only_expert = {};
 };

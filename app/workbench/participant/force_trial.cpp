@@ -6,7 +6,7 @@
 
 namespace tactus::workbench {
 
-using haptics::StimulusStage;
+using haptics::StimulusPhase;
 
 void ForceTrial::begin(const experiments::ForcePlan& plan) {
   plan_ = plan;
@@ -78,12 +78,12 @@ void ForceTrial::take(const haptics::Sample& sample) {
   if (sample.orders < orders_) return;
   delivery_.add(sample);
   if (phase_ != Phase::kFelt) {
-    const bool began = sample.stimulus != StimulusStage::kWaiting;
-    if (sample.since_full_s > 0 || sample.stimulus == StimulusStage::kFull) {
+    const bool began = sample.stimulus != StimulusPhase::kWaiting;
+    if (sample.since_full_s > 0 || sample.stimulus == StimulusPhase::kFull) {
       phase_ = Phase::kFelt;
       felt_once_ = true;
       full_ns_ = sample.time_ns;
-    } else if (sample.stimulus == StimulusStage::kEnded) {
+    } else if (sample.stimulus == StimulusPhase::kEnded) {
       order();  // the hand let go too early: the same force waits for it again
       return;
     } else if (began) {

@@ -1,5 +1,5 @@
-// Words that the device's button lights one after another. From a fixed end the first word would be the cheapest
-// answer: it begins with one drawn by chance.
+// The answer word that the button of the device highlights. Each press highlights the next word. The first one is drawn
+// by chance: a fixed first word would need the fewest presses and would be chosen too often.
 #pragma once
 
 #include <QString>
@@ -15,7 +15,7 @@ namespace tactus::workbench {
 class LitWord {
  public:
   void reset() { presses_ = 0; }
-  /// Lights the next of `words`, which are the same until `reset` and not empty.
+  /// Highlights the next of `words`, which is not empty and stays the same until `reset`.
   void next(const std::vector<experiments::ForceAnswerOption>& words, std::mt19937_64& chance) {
     if (presses_ == 0) first_ = std::uniform_int_distribution<std::size_t>(0, words.size() - 1)(chance);
     first_word_ = words[first_].id;
@@ -23,10 +23,10 @@ class LitWord {
     ++presses_;
   }
 
-  /// Empty: none.
+  /// The highlighted word; empty: none.
   QString id() const { return presses_ > 0 ? id_ : QString(); }
   int presses() const { return presses_; }
-  /// What the first press lit.
+  /// The word that the first press highlighted.
   const std::string& firstWord() const { return first_word_; }
 
  private:

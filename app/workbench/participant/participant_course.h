@@ -1,5 +1,5 @@
-// Which of the nurse's screens is shown: it follows from what is stored of the session, and from what she has passed
-// since she sat down.
+// Decides which of the nurse's screens is shown. The decision follows from the stored records of the session and from
+// the screens that she has passed since she sat down.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ inline constexpr std::size_t kQuestionsToRest = 15;
 
 /// What she has passed since she sat down. Nothing of it is stored: after a crash she passes it again.
 struct CoursePassed {
-  bool code = false;            ///< her code is known, and she went on
+  bool code = false;            ///< her code is known, and she left its screen
   bool device = false;          ///< the device was checked, and is still running
   bool glossary = false;        ///< the words were explained
   bool own_model = false;       ///< she felt her own model, or there is none

@@ -1,4 +1,4 @@
-// Mouse, touch and keyboard in the place of a hand on the virtual device. A drag over the free area of the screen holds
+// Mouse, touch and keyboard instead of a hand on the virtual device. A drag over the free area of the screen holds
 // the handle and moves it, forward to the right; letting go takes it back to the start. Space holds, the arrows move.
 #pragma once
 

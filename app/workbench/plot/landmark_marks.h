@@ -25,7 +25,7 @@ class LandmarkMarks : public QCPLayerable {
   /// Shows the landmarks for the axis of `variable`; none if it is not the depth.
   void setVariable(const fuzzy::Variable& variable);
   enum class Text {
-    kNames,    ///< in a low plot numbers all the same, unless the place is kAbove
+    kNames,    ///< but numbers in a low plot, unless the place is kAbove
     kNumbers,  ///< for low plots
     kNone,     ///< for small plots
   };

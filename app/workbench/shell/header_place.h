@@ -18,7 +18,7 @@ class HeaderPlace : public QObject {
 
   /// True: beside the menus. A menu bar outside the window has no room for it.
   void setLow(bool low);
-  /// Whether the panels are on the screen: beside the menus of another screen the line is hidden.
+  /// Whether the panels are on the screen. While the window shows another screen, a line beside the menus is hidden.
   void setShown(bool shown);
 
  protected:

@@ -131,7 +131,7 @@ void CalibrationProcedure::failWith(std::string sentence) {
 }
 
 void CalibrationProcedure::cancel() {
-  if (step_ != Step::kDone && step_ != Step::kFailed) failWith("The measurement was cancelled; nothing was kept.");
+  if (step_ != Step::kDone && step_ != Step::kFailed) failWith("The measurement was canceled; nothing was kept.");
 }
 
 double CalibrationProcedure::movedFromStart() const { return length(difference(at_, start_)); }

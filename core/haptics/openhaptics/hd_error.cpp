@@ -38,7 +38,7 @@ const char* meaning(std::uint32_t code) noexcept {
     case hd::kSchedulerFull:
       return "the driver takes no further callback";
     case hd::kInvalidLicence:
-      return "the driver's licence is not valid";
+      return "the driver's license is not valid";
     default:
       return "the driver reports an error";
   }

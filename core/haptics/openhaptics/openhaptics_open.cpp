@@ -36,7 +36,7 @@ std::string whatToDo(std::uint32_t code) {
     case hd::kDeviceAlreadyInitiated:
       return "a device that no other program has open (Touch Setup, Touch Diagnostics, a simulator: only one can)";
     case hd::kInvalidLicence:
-      return "a valid OpenHaptics licence";
+      return "a valid OpenHaptics license";
     default:
       break;
   }

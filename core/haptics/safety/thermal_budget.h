@@ -24,10 +24,10 @@ class ThermalBudget {
   /// there.
   void refresh(double rating_n, double window_s) noexcept { advance(now_ns_, 0, rating_n, window_s); }
 
-  /// Reserve: the force could go on unchanged for this long and the budget would just be used up. Longer fades earlier
-  /// and more slowly; it must exceed the longest time that a force is held without a tick.
+  /// The reserve: an unchanged force would use up the budget in this time, s. A longer reserve makes the force fade
+  /// earlier and more slowly. It must exceed the longest time that a device holds a force without a tick.
   static constexpr double kReserveS = 2;
-  /// Whatever a device does without commands, its motors are not warmed by the last force for longer than this, s.
+  /// The longest time, s, for which the last force warms the motors of any device that gets no commands.
   static constexpr double kLongestHeldS = 2;
   /// How fast the ceiling comes back, N/s.
   static constexpr double kRecoveryNS = 0.5;

@@ -7,7 +7,7 @@
 
 namespace tactus::haptics {
 
-/// A force that is to be given without any limit by the motors' heat.
+/// A force that the servo is to give in full: the heat of the motors must not limit it.
 struct PlannedHold {
   double force_n = 0;  ///< >= 0
   double ramp_s = 0;   ///< from zero to the force, linearly; >= 0
@@ -23,7 +23,7 @@ struct PlannedHold {
 std::optional<double> restBeforeS(ThermalBudget budget, const PlannedHold& planned, double rating_n,
                                   double window_s) noexcept;
 
-/// The largest force that cold motors can hold so, N.
+/// The largest force, N, that cold motors can hold through `ramp_s` and `hold_s`.
 double largestHoldN(double ramp_s, double hold_s, double rating_n, double window_s) noexcept;
 
 }  // namespace tactus::haptics

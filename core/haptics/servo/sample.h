@@ -29,7 +29,7 @@ struct Sample {
   std::uint32_t buttons = 0;     ///< of the device
   std::uint32_t limited = 0;     ///< LimitBit
   ForceSource source = ForceSource::kOff;
-  StimulusStage stimulus = StimulusStage::kWaiting;
+  StimulusPhase stimulus = StimulusPhase::kWaiting;
   render::Phase phase = render::Phase::kReleased;
   TripCause trip = TripCause::kNone;
   bool enabled = false;  ///< the hand holds the device, debounced

@@ -110,7 +110,7 @@ Sample ServoCore::sampleOf(const ServoTick& tick) const noexcept {
   sample.buttons = tick.device.buttons;
   if (engaged && insertion_.stiffnessLimited()) sample.limited = kLimitedByStiffness;
   sample.source = tick.orders->source;
-  sample.stimulus = stimulus_.stage();
+  sample.stimulus = stimulus_.phase();
   sample.phase = tube.phase;
   sample.trip = safety_.tripped().cause;
   sample.enabled = safety_.enabled();

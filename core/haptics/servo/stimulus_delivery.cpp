@@ -25,19 +25,19 @@ std::optional<double> StimulusDelivery::leastShare() const noexcept {
 
 void StimulusDelivery::add(const Sample& sample) noexcept {
   if (over_) return;
-  const bool begun = sample.stimulus != StimulusStage::kWaiting;
+  const bool begun = sample.stimulus != StimulusPhase::kWaiting;
   if (begun && last_tick_ && sample.tick != *last_tick_ + 1) lost_samples_ = true;
   last_tick_ = sample.tick;
   if (!begun) return;
   limits_ |= sample.limited & kTakenBack;
-  if (sample.stimulus == StimulusStage::kFull) {
+  if (sample.stimulus == StimulusPhase::kFull) {
     limits_ |= sample.limited & kHeldDown;
     full_ = full_ || (sample.limited & kLimitedByFadeIn) == 0;
     if (full_) least_share_ = std::min(least_share_, shareOf(sample));
   } else if (full_ && (sample.limited & kTakenBack) != 0) {
     least_share_ = 0;
   }
-  over_ = sample.stimulus == StimulusStage::kFalling || sample.stimulus == StimulusStage::kEnded;
+  over_ = sample.stimulus == StimulusPhase::kFalling || sample.stimulus == StimulusPhase::kEnded;
 }
 
 }  // namespace tactus::haptics

@@ -1,6 +1,6 @@
 // The plan of a simulated hand: its wish at each moment. Strokes, pushes and tremor can be combined.
 //
-// Wish: the position that the hand pulls towards. Example: wish 10 mm, device held at 8 mm by a force: the hand's
+// Wish: the position that the hand pulls toward. Example: wish 10 mm, device held at 8 mm by a force: the hand's
 // spring is stretched by 2 mm.
 #pragma once
 

@@ -20,8 +20,8 @@ constexpr std::string_view name(ForceSource source) noexcept {
   return kNames[static_cast<int>(source)];
 }
 
-/// The stage of a stimulus.
-enum class StimulusStage : std::uint8_t {
+/// The phase of a stimulus.
+enum class StimulusPhase : std::uint8_t {
   kWaiting,  ///< until the hand holds the device inside the start zone
   kRising,
   kFull,

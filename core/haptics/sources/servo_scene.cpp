@@ -119,8 +119,8 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
   if (auto units = render::checkTubeUnits(depth, speed, model.output); !units) return tl::unexpected(units.error());
   const auto fixed = fixedInputs(model, conditions, depth, speed);
   if (!fixed) return tl::unexpected(fixed.error());
-  auto specialised = fuzzy::Scene::specialise(compiled, *fixed, fuzzy::SceneUse::kPoints);
-  if (!specialised) return tl::unexpected(specialised.error());
+  auto specialized = fuzzy::Scene::specialize(compiled, *fixed, fuzzy::SceneUse::kPoints);
+  if (!specialized) return tl::unexpected(specialized.error());
 
   render::TubeSettings tube;
   tube.renderer = model.renderer.value_or(fuzzy::RendererParameters{});
@@ -128,7 +128,7 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
   if (depth != nullptr) tube.depth = speed_first ? 1 : 0;
   if (speed != nullptr) tube.speed = depth != nullptr && !speed_first ? 1 : 0;
   if (depth != nullptr) tube.depth_end_mm = depth->max;
-  const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(*specialised), tube, settings.fade_s));
+  const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(*specialized), tube, settings.fade_s));
   if (settings.known_cost_s) {
     scene->cost_s_ = *settings.known_cost_s;
   } else if (std::isfinite(settings.largest_cost_s)) {

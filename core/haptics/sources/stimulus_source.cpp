@@ -28,17 +28,17 @@ double stepOfRamp(const Stimulus& stimulus, double dt_s) noexcept {
 double StimulusSource::tick(const StimulusTick& tick, const Stimulus& stimulus, const LimitSettings& limits) noexcept {
   if (stimulus_.number != stimulus.number) {
     letGo();
-    stage_ = StimulusStage::kWaiting;
+    phase_ = StimulusPhase::kWaiting;
     full_ = false;
     since_full_s_ = 0;
   } else if (full_) {
     since_full_s_ += tick.dt_s;
   }
-  const bool begun = stage_ != StimulusStage::kWaiting;
+  const bool begun = phase_ != StimulusPhase::kWaiting;
   if (!begun) stimulus_ = stimulus;
-  if (begun && stage_ != StimulusStage::kEnded && !(tick.active && tick.enabled)) {
+  if (begun && phase_ != StimulusPhase::kEnded && !(tick.active && tick.enabled)) {
     letGo();
-    stage_ = StimulusStage::kEnded;
+    phase_ = StimulusPhase::kEnded;
   }
   if (tick.active) advance(tick, limits);
 
@@ -58,22 +58,22 @@ void StimulusSource::letGo() noexcept {
 
 void StimulusSource::advance(const StimulusTick& tick, const LimitSettings& limits) noexcept {
   const bool in_zone = !stimulus_.start_zone_mm || std::abs(tick.position_mm) <= *stimulus_.start_zone_mm;
-  if (stage_ == StimulusStage::kWaiting && tick.enabled && in_zone) stage_ = StimulusStage::kRising;
-  if (stage_ == StimulusStage::kRising) {
+  if (phase_ == StimulusPhase::kWaiting && tick.enabled && in_zone) phase_ = StimulusPhase::kRising;
+  if (phase_ == StimulusPhase::kRising) {
     level_ = std::min(1.0, level_ + stepOfRamp(stimulus_, tick.dt_s));
     if (level_ > 1 - kRoundingS) {
       level_ = 1;
       full_ = true;
-      stage_ = StimulusStage::kFull;
+      phase_ = StimulusPhase::kFull;
     }
-  } else if (stage_ == StimulusStage::kFull && since_full_s_ > holdLimitS(stimulus_, limits) - kRoundingS) {
-    stage_ = StimulusStage::kFalling;
+  } else if (phase_ == StimulusPhase::kFull && since_full_s_ > holdLimitS(stimulus_, limits) - kRoundingS) {
+    phase_ = StimulusPhase::kFalling;
   }
-  if (stage_ == StimulusStage::kFalling) {
+  if (phase_ == StimulusPhase::kFalling) {
     level_ = std::max(0.0, level_ - stepOfRamp(stimulus_, tick.dt_s));
     if (level_ < kRoundingS) {
       level_ = 0;
-      stage_ = StimulusStage::kEnded;
+      phase_ = StimulusPhase::kEnded;
     }
   }
 }

@@ -24,7 +24,7 @@ class StimulusSource {
   /// The resistance, N.
   double tick(const StimulusTick& tick, const Stimulus& stimulus, const LimitSettings& limits) noexcept;
 
-  StimulusStage stage() const noexcept { return stage_; }
+  StimulusPhase phase() const noexcept { return phase_; }
   /// Time since the full force was reached, s; 0 before. It runs on after the end of the force until the next stimulus,
   /// and so gives the response time of an answer.
   double sinceFullS() const noexcept { return since_full_s_; }
@@ -33,7 +33,7 @@ class StimulusSource {
   void letGo() noexcept;
   void advance(const StimulusTick& tick, const LimitSettings& limits) noexcept;
 
-  StimulusStage stage_ = StimulusStage::kWaiting;
+  StimulusPhase phase_ = StimulusPhase::kWaiting;
   Stimulus stimulus_;  ///< as it was at its start
   double level_ = 0;   ///< share of the force, [0, 1]
   double force_n_ = 0;

@@ -131,7 +131,7 @@ TEST_F(CalibrationRun, StopEndsItAndLeavesNoForce) {
   person_.says("Type what the spring scale reads", {"stop"});
   const auto calibration = run();
   ASSERT_FALSE(calibration);
-  EXPECT_NE(calibration.error().message().find("cancelled"), std::string::npos) << calibration.error().message();
+  EXPECT_NE(calibration.error().message().find("canceled"), std::string::npos) << calibration.error().message();
   EXPECT_FALSE(handle_.running);
   EXPECT_EQ(handle_.force, 0);
 }

@@ -98,7 +98,7 @@ TEST(SelfTestRun, AnInterruptionStopsTheDevice) {
   EXPECT_EQ(guide.questions, 0);
 }
 
-TEST(SelfTest, ACancelledTestAsksForNoForceAndDidNotPass) {
+TEST(SelfTest, ACanceledTestAsksForNoForceAndDidNotPass) {
   SelfTest test({});
   (void)test.takeOrders();
   test.cancel();

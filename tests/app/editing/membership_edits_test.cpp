@@ -29,7 +29,7 @@ TEST_F(MembershipEdits, AVertexGoesWhereItIsPut) {
   EXPECT_EQ(edit.stopped, "");
 }
 
-TEST_F(MembershipEdits, AVertexStopsAtItsNeighbourExactly) {
+TEST_F(MembershipEdits, AVertexStopsAtItsNeighborExactly) {
   const auto edit = must(moveVertex(model_, {kDepth, "nasopharynx", 1}, 300));
   EXPECT_EQ(pointsOf(edit.model, "depth", "nasopharynx"), (Points{60, 105, 105, 125}));
   EXPECT_EQ(edit.stopped, "the right shoulder of nasopharynx");
@@ -76,18 +76,18 @@ TEST_F(MembershipEdits, AnEdgeAndAWholeTermMoveTogether) {
             (Points{85, 105, 105, 125}));
 }
 
-TEST_F(MembershipEdits, WhereTermsSumToOneTheNeighbourMovesAlong) {
+TEST_F(MembershipEdits, WhereTermsSumToOneTheNeighborMovesAlong) {
   const auto edit = must(moveVertex(model_, {kDepth, "nasopharynx", 3}, 132, kSumToOne));
   EXPECT_EQ(pointsOf(edit.model, "depth", "nasopharynx"), (Points{60, 80, 105, 132}));
   EXPECT_EQ(pointsOf(edit.model, "depth", "oropharynx"), (Points{105, 132, 138, 162}));
-  // It stops at the neighbour's shoulder; the term itself would go farther.
+  // It stops at the neighbor's shoulder; the term itself would go farther.
   const auto far = must(moveVertex(model_, {kDepth, "nasopharynx", 3}, 150, kSumToOne));
   EXPECT_EQ(pointsOf(far.model, "depth", "nasopharynx"), (Points{60, 80, 105, 138}));
   EXPECT_EQ(far.stopped, "the right shoulder of oropharynx");
   EXPECT_LE(furthestFromOne(variableIn(far.model, "depth"), variableIn(far.model, "depth").terms, 6000), 1e-15);
 }
 
-TEST_F(MembershipEdits, AWholeTermTakesBothNeighboursAlong) {
+TEST_F(MembershipEdits, AWholeTermTakesBothNeighborsAlong) {
   const auto edit = must(moveTerm(model_, {kDepth, "nasopharynx"}, 5, kSumToOne));
   EXPECT_EQ(pointsOf(edit.model, "depth", "nasal_cavity"), (Points{0, 0, 65, 85}));
   EXPECT_EQ(pointsOf(edit.model, "depth", "nasopharynx"), (Points{65, 85, 110, 130}));
@@ -123,9 +123,9 @@ TEST_F(MembershipEdits, LockedVerticesStay) {
   refusal(moveTerm(model_, {kDepth, "nasopharynx"}, 1, own));
   refusal(moveEdge(model_, {kDepth, "nasopharynx"}, Side::kRight, 1, own));
   must(moveEdge(model_, {kDepth, "nasopharynx"}, Side::kLeft, 1, own));
-  // A locked vertex of the neighbour holds the one that lies on it.
-  const MoveOptions neighbour{true, {{kDepth, "oropharynx", 1}}};
-  refusal(moveVertex(model_, {kDepth, "nasopharynx", 3}, 130, neighbour));
+  // A locked vertex of the neighbor holds the one that lies on it.
+  const MoveOptions neighbor{true, {{kDepth, "oropharynx", 1}}};
+  refusal(moveVertex(model_, {kDepth, "nasopharynx", 3}, 130, neighbor));
 }
 
 TEST_F(MembershipEdits, OutputTermsKeepSomeWidthInTheUniverse) {

@@ -31,7 +31,7 @@ TEST(Partition, GapsGaussiansAndOpenEndsAreNone) {
   EXPECT_FALSE(partitionOrder(depth, depth.terms));
 }
 
-TEST(Partition, NeighboursShareTheMeanOfTheirEdges) {
+TEST(Partition, NeighborsShareTheMeanOfTheirEdges) {
   auto model = support::s4AsPrinted();
   // Nasopharynx ends at 101 121, oropharynx begins at 109 129: they meet at 105 125. The ends are stretched.
   model.inputs[2].terms[0].points[0] = 3;

@@ -9,7 +9,7 @@ namespace {
 
 fuzzy::Variable depth() { return support::ngtVariables().inputs[2]; }
 
-TEST(Regions, EndWhereNeighbouringTermsAreEqual) {
+TEST(Regions, EndWhereNeighboringTermsAreEqual) {
   // The default terms cross at 70, 115, 150, 200 and 440 mm.
   const std::vector<Region> regions = depthRegions(depth());
   ASSERT_EQ(regions.size(), 6U);

@@ -73,7 +73,7 @@ TEST_F(SimulatedStudy, IsWholeAndItsSessionsAreFinished) {
 
 TEST_F(SimulatedStudy, HasTheSpeedsOfTable1) {
   const auto table = experiments::publishedSpeeds();
-  const auto summaries = experiments::summariseSpeeds(view_->study.speeds);
+  const auto summaries = experiments::summarizeSpeeds(view_->study.speeds);
   ASSERT_EQ(summaries.size(), table.size());
   for (std::size_t i = 0; i < table.size(); ++i) {
     EXPECT_EQ(summaries[i].participant, table[i].participant);

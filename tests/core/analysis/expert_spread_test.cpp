@@ -63,7 +63,7 @@ TEST(ExpertSpread, OneEntryForEachRegion) {
     regions.push_back(one.region);
     ASSERT_EQ(one.point.size(), 4U);
   }
-  // At the border of the nasopharynx the neighbour's rule still pulls, so it may be listed too; the others must be.
+  // At the border of the nasopharynx the neighbor's rule still pulls, so it may be listed too; the others must be.
   for (const char* region : {"nasal_cavity", "oropharynx", "laryngopharynx", "esophagus", "stomach"}) {
     EXPECT_NE(std::find(regions.begin(), regions.end(), region), regions.end()) << region;
   }

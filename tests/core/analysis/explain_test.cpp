@@ -64,7 +64,7 @@ TEST(Explain, StrengthsBetweenTwoRegions) {
   EXPECT_EQ(rule.smallest_condition, 1);
   EXPECT_EQ(rule.strength, .5);
   // Cut at .5, very_small, small, medium and large cover [0, .8]: a plateau of .5 to .75, as each ramp meets its
-  // neighbour's at .5, and then down to 0.
+  // neighbor's at .5, and then down to 0.
   EXPECT_NEAR(s4.aggregated.front().height, .5, 1e-15);
   EXPECT_NEAR(s4.aggregated.back().x, .8, 1e-15);
   EXPECT_EQ(s4.aggregated.back().height, 0);

@@ -15,9 +15,9 @@ namespace {
 using fuzzy::ForceModel;
 using fuzzy::Shape;
 
-// The ends of an ordered set stand alone, so the bounds are centroids of single terms. Clipped towards strength 0,
+// The ends of an ordered set stand alone, so the bounds are centroids of single terms. Clipped toward strength 0,
 // very_large (.7, .8, 1.1, 1.1) is a bar on [.7, 1.1] with centroid .9, at strength 1 it is .323333 / .35 = .923810;
-// very_small (0, 0, .2, .3) is .15 towards strength 0 and .0316667 / .25 = .126667 at 1.
+// very_small (0, 0, .2, .3) is .15 toward strength 0 and .0316667 / .25 = .126667 at 1.
 TEST(ForceBounds, OfS4AreTheCentroidsOfTheEndTerms) {
   for (const auto implication : {fuzzy::Implication::kClip, fuzzy::Implication::kScale}) {
     ForceModel model = support::s4AsPrinted();

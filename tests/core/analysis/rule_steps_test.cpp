@@ -12,7 +12,7 @@ namespace {
 // Table A2 has three terms of each condition in five regions: two steps each along the condition, four along the depth.
 TEST(RuleSteps, OfTheFullTable) {
   const auto model = support::s4AsPrinted();
-  const auto steps = [&](std::size_t input) { return neighbourSteps(model, model.experts[0], input); };
+  const auto steps = [&](std::size_t input) { return neighborSteps(model, model.experts[0], input); };
   EXPECT_EQ(steps(0).size(), 10U);
   EXPECT_EQ(steps(1).size(), 10U);
   EXPECT_EQ(steps(2).size(), 36U);
@@ -21,7 +21,7 @@ TEST(RuleSteps, OfTheFullTable) {
     EXPECT_TRUE(step.adjacent);
     EXPECT_GT(step.levels, 0) << "each row of the speed rises from left to right in Table A2";
   }
-  // The printed table has no oropharynx, so nasopharynx and laryngopharynx are no neighbours.
+  // The printed table has no oropharynx, so nasopharynx and laryngopharynx are no neighbors.
   int gaps = 0;
   for (const auto& step : steps(2)) gaps += step.adjacent ? 0 : 1;
   EXPECT_EQ(gaps, 9);
@@ -31,7 +31,7 @@ TEST(RuleSteps, LevelsAndWords) {
   auto model = support::s4AsPrinted();
   const auto& expert = model.experts[0];
   bool found = false;
-  for (const auto& step : neighbourSteps(model, expert, 0)) {
+  for (const auto& step : neighborSteps(model, expert, 0)) {
     const std::string text = describe(step, model, expert);
     if (text.find("from poor to medium where depth is nasopharynx") == std::string::npos) continue;
     found = true;
@@ -51,7 +51,7 @@ TEST(RuleSteps, RulesThatDoNotCountMakeNoStep) {
       if (condition.input == "speed" && condition.term == "slow") rule.weight = 0;
     }
   }
-  EXPECT_TRUE(neighbourSteps(model, model.experts[0], 3).empty());
+  EXPECT_TRUE(neighborSteps(model, model.experts[0], 3).empty());
 }
 
 TEST(RuleSteps, OfTwoRulesForTheSameEachMakesItsStep) {
@@ -59,7 +59,7 @@ TEST(RuleSteps, OfTwoRulesForTheSameEachMakesItsStep) {
   model.experts[0].rules = {{{{"speed", "slow"}}, "small", 1, true},
                             {{{"speed", "slow"}}, "large", 1, true},
                             {{{"speed", "fast"}}, "medium", 1, true}};
-  const auto steps = neighbourSteps(model, model.experts[0], 3);
+  const auto steps = neighborSteps(model, model.experts[0], 3);
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_EQ(steps[0].levels, 1);
   EXPECT_EQ(steps[1].levels, -1);
@@ -69,10 +69,10 @@ TEST(RuleSteps, OfTwoRulesForTheSameEachMakesItsStep) {
 // Levels follow the centres of the terms, not the order in which they are listed.
 TEST(RuleSteps, TheOrderOfTheTermsInTheFileDoesNotMatter) {
   auto model = support::s4AsPrinted();
-  const auto before = neighbourSteps(model, model.experts[0], 0);
+  const auto before = neighborSteps(model, model.experts[0], 0);
   std::swap(model.output.terms[0], model.output.terms[4]);
   std::swap(model.inputs[0].terms[0], model.inputs[0].terms[2]);
-  const auto after = neighbourSteps(model, model.experts[0], 0);
+  const auto after = neighborSteps(model, model.experts[0], 0);
   ASSERT_EQ(after.size(), before.size());
   for (std::size_t k = 0; k < after.size(); ++k) {
     EXPECT_EQ(after[k].before, before[k].before);
@@ -95,7 +95,7 @@ TEST(RuleSteps, TermsWithTheSameCentreShareAPlace) {
   model.experts[0].rules = {{{{"speed", "narrow"}}, "large", 1, true},
                             {{{"speed", "wide"}}, "small", 1, true},
                             {{{"speed", "fast"}}, "wide_small", 1, true}};
-  const auto steps = neighbourSteps(model, model.experts[0], 3);
+  const auto steps = neighborSteps(model, model.experts[0], 3);
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_EQ(steps[0].levels, -1);
   EXPECT_EQ(steps[1].levels, 0);

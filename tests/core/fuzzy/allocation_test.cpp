@@ -23,7 +23,7 @@ TEST(Allocation, EvaluationNeverAllocates) {
     const auto point = support::randomPoint(random, model);
     std::vector<std::optional<double>> fixed(point.size());
     fixed[0] = point[0];
-    const auto scene = Scene::specialise(*compiled, fixed);
+    const auto scene = Scene::specialize(*compiled, fixed);
     std::vector<double> force_n(kPoints);
     std::vector<std::uint8_t> fired(kPoints);
     std::vector<std::vector<double>> columns;

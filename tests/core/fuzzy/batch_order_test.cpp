@@ -57,7 +57,7 @@ TEST(BatchOrder, TheLanesStayOutWhereEveryPointMeetsAnAbstention) {
 }
 
 // An order that follows the points must not show in the forces: each has the bits that it has in a batch of its own.
-TEST(BatchOrder, TheForceOfAPointDoesNotDependOnItsNeighbours) {
+TEST(BatchOrder, TheForceOfAPointDoesNotDependOnItsNeighbors) {
   base::Random random(42);
   for (const int percent : {5, 30, 50, 70, 90}) {
     for (const int count : {1, 4, 9}) {

@@ -38,7 +38,7 @@ void compareEntryPoints(const ForceModel& model, base::Random& random, std::size
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (random.below(2) == 0) fixed[i] = anywhere[i];
   }
-  const auto scene = Scene::specialise(*compiled, fixed);
+  const auto scene = Scene::specialize(*compiled, fixed);
   ASSERT_TRUE(scene.has_value());
 
   Columns columns(model.inputs.size(), std::vector<double>(points));
@@ -213,7 +213,7 @@ TEST(EntryPoints, ManyExpertsInChunks) {
       std::vector<double> point;
       for (const auto& column : columns) point.push_back(column[p]);
       expectSameForce(model, compiled->evaluate(point), force[p], fired[p] != 0);
-      // The same bits in a batch of its own: neighbours and tiles do not matter.
+      // The same bits in a batch of its own: neighbors and tiles do not matter.
       Columns single;
       for (const double x : point) single.push_back({x});
       double alone = 0;
@@ -244,7 +244,7 @@ TEST(EntryPoints, ASceneRefusesAValueThatIsNoNumber) {
   const auto compiled = compile(support::s4AsPrinted());
   const std::vector<std::optional<double>> fixed = {1, std::numeric_limits<double>::infinity(), std::nullopt,
                                                     std::nullopt};
-  EXPECT_FALSE(Scene::specialise(*compiled, fixed).has_value());
+  EXPECT_FALSE(Scene::specialize(*compiled, fixed).has_value());
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void expectRows(ForceModel model, const std::vector<Row>& rows) {
   }
 }
 
-// The same rules over the same terms, listed in another order: the same force, with neighbours who share what is
+// The same rules over the same terms, listed in another order: the same force, with neighbors who share what is
 // shared.
 TEST(Evaluate, NamesMeanTheTermsOfTheExpertsOwnLists) {
   ForceModel model = support::s4FiveRegions();

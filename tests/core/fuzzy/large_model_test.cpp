@@ -88,7 +88,7 @@ TEST(LargeModel, ManyOutputTerms) {
   }
 }
 
-TEST(LargeModel, OutputTermsThatOverlapBeyondTheirNeighbours) {
+TEST(LargeModel, OutputTermsThatOverlapBeyondTheirNeighbors) {
   base::Random random(52);
   for (const int terms : {3, 5, 8, 12}) {
     for (const double reach : {1.2, 1.8, 2.6, 4.1}) {

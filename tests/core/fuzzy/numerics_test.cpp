@@ -54,7 +54,7 @@ std::vector<Way> everyWay(const ForceModel& model, const Point& point) {
   for (std::size_t n = 0; n <= point.size(); ++n) {
     if (n > 0 && !std::isfinite(point[n - 1])) break;
     if (n > 0) fixed[n - 1] = point[n - 1];
-    const auto scene = Scene::specialise(*compiled, fixed);
+    const auto scene = Scene::specialize(*compiled, fixed);
     EXPECT_TRUE(scene.has_value());
     const std::string name = "scene with " + std::to_string(n) + " fixed";
     ways.push_back({name, scene->evaluate(std::span(point).subspan(n))});

@@ -25,7 +25,7 @@ void expectSameBits(const ForceModel& model, base::Random& random, int scenes, i
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (random.below(2) == 0) fixed[i] = at[i];
     }
-    const auto scene = Scene::specialise(*compiled, fixed);
+    const auto scene = Scene::specialize(*compiled, fixed);
     ASSERT_TRUE(scene.has_value()) << scene.error().message();
     for (int p = 0; p < points; ++p) {
       auto point = support::randomPoint(random, model);

@@ -110,7 +110,7 @@ TEST(RuntimeForce, AScenePointHasTheBitsOfTheModelsPoint) {
     }
     const support::SceneHandle scene(made);
     ASSERT_EQ(tactus_scene_inputs(made), at.size() - fixed.size());
-    const auto wanted_scene = fuzzy::Scene::specialise(*compiled, wanted_fixed);
+    const auto wanted_scene = fuzzy::Scene::specialize(*compiled, wanted_fixed);
     ASSERT_TRUE(wanted_scene);
     for (int p = 0; p < 30; ++p) {
       auto point = support::randomPoint(random, model);

@@ -127,7 +127,7 @@ int fileControl(sqlite3_file* file, int operation, void* argument) {
   return realMethods(file)->xFileControl(real(file), operation, argument);
 }
 int sectorSize(sqlite3_file* /*file*/) { return 512; }
-// No promise that a sector is written whole, that order is kept, or that neighbours are safe.
+// No promise that a sector is written whole, that order is kept, or that neighbors are safe.
 int characteristics(sqlite3_file* /*file*/) { return 0; }
 
 // Version 1: no shared memory, so the study must hold its file alone, as it promises.

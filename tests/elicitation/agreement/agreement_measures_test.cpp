@@ -121,17 +121,17 @@ TEST(KendallW, SaysWhyThereIsNone) {
             "every rater gave all units the same term, so there is no order to compare");
 }
 
-TEST(ItemConsensus, KnowsThatNeighboursAreCloserThanEnds) {
+TEST(ItemConsensus, KnowsThatNeighborsAreCloserThanEnds) {
   const auto ends = itemConsensus({2, 0, 0, 0, 2});
-  const auto neighbours = itemConsensus({0, 2, 2, 0, 0});
-  ASSERT_TRUE(ends && neighbours);
+  const auto neighbors = itemConsensus({0, 2, 2, 0, 0});
+  ASSERT_TRUE(ends && neighbors);
   EXPECT_DOUBLE_EQ(ends->consensus, 0);
   EXPECT_DOUBLE_EQ(ends->entropy_bits, 1);
   EXPECT_EQ(ends->spread_terms, 4);
   // Both answers are half a step of four from the mean: 1 + log2(1 - 1/8).
-  EXPECT_NEAR(neighbours->consensus, 1 + std::log2(0.875), 1e-15);  // rounding
-  EXPECT_DOUBLE_EQ(neighbours->entropy_bits, 1);
-  EXPECT_EQ(neighbours->spread_terms, 1);
+  EXPECT_NEAR(neighbors->consensus, 1 + std::log2(0.875), 1e-15);  // rounding
+  EXPECT_DOUBLE_EQ(neighbors->entropy_bits, 1);
+  EXPECT_EQ(neighbors->spread_terms, 1);
   const auto same = itemConsensus({0, 0, 3, 0, 0});
   EXPECT_EQ(same->consensus, 1);
   EXPECT_EQ(same->entropy_bits, 0);

@@ -46,7 +46,7 @@ TEST(TubePath, AHalfCircleThroughThirteenPointsHasItsLength) {
 }
 
 // facts/participant.md 1.4: the way of our anatomy drawing, as it is clicked on an image of 0.33 mm per pixel.
-TEST(TubePath, TheAnatomyDrawingHasItsDepthsWithinAMillimetre) {
+TEST(TubePath, TheAnatomyDrawingHasItsDepthsWithinAMillimeter) {
   constexpr double kMmPerPx = 0.33;
   const std::vector<ImagePoint> drawn_mm = {
       {0, 0},       {4, -6},      {11, -8},     {24, -7},     {45, -4.2},   {62, -2},   {74, 0},      {83, 6},

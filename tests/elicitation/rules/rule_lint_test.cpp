@@ -194,7 +194,7 @@ TEST(RuleLint, AStepIsToldOnceWhereItIsAgainstTheDeclarationAndTheExpertsOwnDire
   EXPECT_TRUE(linted.of(Kind::kDirectionChange).empty());
 }
 
-TEST(RuleLint, JumpsOfThreeLevelsBetweenNeighbouringAnswers) {
+TEST(RuleLint, JumpsOfThreeLevelsBetweenNeighboringAnswers) {
   auto study = twoAlike();
   answerOf(study, "A", 31).term = "very_small";  // slow, nasal cavity
   answerOf(study, "A", 36).term = "large";       // medium speed there: three levels up
@@ -208,7 +208,7 @@ TEST(RuleLint, JumpsOfThreeLevelsBetweenNeighbouringAnswers) {
   RuleLintSettings settings;
   settings.jump_levels = 2;
   EXPECT_EQ(Linted(study, settings).of(Kind::kLevelJump).size(), 3U);
-  // Without the answer between, slow and fast are no neighbours.
+  // Without the answer between, slow and fast are no neighbors.
   leaveOut(study, "A", 36, Status::kSkipped);
   EXPECT_TRUE(Linted(study).of(Kind::kLevelJump).empty());
 }

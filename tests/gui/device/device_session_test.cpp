@@ -94,13 +94,13 @@ TEST_F(DeviceSessionTest, AStimulusRisesAndFalls) {
   hold();
   EXPECT_TRUE(session.setForce(stimulus(0.5, 1.0)));
   time.advance(session, 75);  // half of the ramp of 0.15 s
-  EXPECT_EQ(session.latest().stimulus, haptics::StimulusStage::kRising);
+  EXPECT_EQ(session.latest().stimulus, haptics::StimulusPhase::kRising);
   EXPECT_NEAR(session.latest().force_n, 0.25, 0.5 / 150 * 2);  // two ticks of the ramp
   time.advance(session, 100);
-  EXPECT_EQ(session.latest().stimulus, haptics::StimulusStage::kFull);
+  EXPECT_EQ(session.latest().stimulus, haptics::StimulusPhase::kFull);
   EXPECT_NEAR(session.latest().force_n, 0.5, kRounding);
   time.advance(session, 1200);
-  EXPECT_EQ(session.latest().stimulus, haptics::StimulusStage::kEnded);
+  EXPECT_EQ(session.latest().stimulus, haptics::StimulusPhase::kEnded);
   EXPECT_EQ(session.latest().force_n, 0);
   EXPECT_NEAR(largestN(), 0.5, kRounding);
 }
@@ -239,7 +239,7 @@ class SlowDeviceTest : public testing::Test {
   DeviceSession session{time.slowSettings(lets_go)};
 };
 
-TEST_F(SlowDeviceTest, AStartIsCancelled) {
+TEST_F(SlowDeviceTest, AStartIsCanceled) {
   session.start(kVirtual);
   EXPECT_EQ(session.state(), State::kOpening);
   session.stop();

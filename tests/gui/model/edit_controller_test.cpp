@@ -54,7 +54,7 @@ TEST_F(EditControllerTest, AGestureIsOneEntry) {
   EXPECT_EQ(shown(), tests::twoExperts());
 }
 
-TEST_F(EditControllerTest, ACancelledGestureLeavesNothing) {
+TEST_F(EditControllerTest, ACanceledGestureLeavesNothing) {
   edits.begin();
   edits.update(editing::moveVertex(edits.base(), kNearShoulder, 2));
   EXPECT_EQ(edits.model().inputs[1].terms[0].points[2], 2);

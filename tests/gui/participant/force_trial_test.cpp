@@ -125,7 +125,7 @@ TEST_F(ForceTrialTest, RestsUntilTheMotorsCanHoldTheWholeForce) {
   EXPECT_TRUE(warm);
 }
 
-TEST_F(ForceTrialTest, CancelledItGivesNoForce) {
+TEST_F(ForceTrialTest, CanceledItGivesNoForce) {
   trial.begin(plan(0.4));
   time.advance(device, 2100);
   device.setHeld(true);

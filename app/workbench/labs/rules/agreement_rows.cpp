@@ -53,7 +53,7 @@ std::vector<AgreementRow> agreementRows(const LabStudy& study, const std::stop_t
 
 std::vector<UsabilityRow> usabilityRows(const LabStudy& study) {
   const questionnaires::ScaleForm form = questionnaires::usabilityForm();
-  const auto here = questionnaires::summarise(form, study.answers);
+  const auto here = questionnaires::summarize(form, study.answers);
   const auto published = questionnaires::publishedUsability();
   std::vector<UsabilityRow> rows;
   for (std::size_t i = 0; i < form.items.size(); ++i) {

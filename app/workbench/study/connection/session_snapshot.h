@@ -1,4 +1,4 @@
-// What a screen needs of a session at one moment: what is asked next, and what was answered so far. It never changes.
+// The state of a session for one screen: the next question and the answers so far. Immutable.
 #pragma once
 
 #include <cstddef>

@@ -56,9 +56,9 @@ class StudyConnection : public QObject {
   /// calls `refused`; without `refused` it emits `failed`. `takesOrders` must be true.
   void order(StudyOrders::Work work, StudyOrders::Done done = {}, StudyOrders::Refused refused = {});
 
-  /// Runs in this thread with what was read; may be empty.
+  /// Runs in the window's thread, with the result of the reading; may be empty.
   using Deliver = std::function<void()>;
-  /// Reads in the thread of the study, and must not touch the one who asked.
+  /// Runs in the thread of the study. It must not touch the object that asked.
   using Read = std::function<Deliver(const store::StudyFile&)>;
   /// Reads after everything that was asked and ordered before, orders that the disk refuses excepted. Nothing is
   /// delivered to an `asker` that has ended, or if no study is open.

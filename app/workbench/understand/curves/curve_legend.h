@@ -17,8 +17,8 @@ class CurveLegend : public QWidget {
  public:
   explicit CurveLegend(QWidget* parent = nullptr);
 
-  /// The widgets after the items. The last one gets the rest of the row. Where the row is full it and the chips among
-  /// them become narrower.
+  /// The widgets after the items. The last one gets the rest of the row. If the row is full, it and the chips among
+  /// these widgets become narrower.
   void setTail(std::vector<QWidget*> tail);
 
   struct Item {
@@ -27,7 +27,7 @@ class CurveLegend : public QWidget {
     bool shown = true;
     std::function<void(bool)> toggled;
   };
-  /// Arranges the items from the left. What finds no place, hidden lines first, is in the menu of a button.
+  /// Arranges the items from the left. Items without room move into the menu of a button, hidden lines first.
   void setItems(std::vector<Item> items);
   /// Checks or unchecks an item without a signal.
   void setShown(int index, bool shown);

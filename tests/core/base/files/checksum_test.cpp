@@ -7,7 +7,7 @@
 namespace tactus::base {
 namespace {
 
-TEST(Crc32, CheckValueOfTheCatalogue) {
+TEST(Crc32, CheckValueOfTheCatalog) {
   // The check value that every description of this CRC gives for the nine digits.
   EXPECT_EQ(crc32("123456789"), 0xCBF43926U);
   EXPECT_EQ(crc32(""), 0U);

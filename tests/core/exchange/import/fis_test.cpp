@@ -30,7 +30,7 @@ TEST(Fis, OddFormsOfTheSameFile) {
       plain.substr(0, plain.size() - 1),
       replaced(plain, "\n", "\r\n"),
       "\xEF\xBB\xBF" + plain,
-      "% written by hand\n## a licence\n" + plain,
+      "% written by hand\n## a license\n" + plain,
       replaced(plain, "\n", "\n  "),
       replaced(plain, "=", " = "),
       replaced(plain, "Version=2.0\n", ""),

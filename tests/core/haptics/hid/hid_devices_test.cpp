@@ -30,7 +30,7 @@ Bytes plainDevice(std::uint32_t usage) {
   return b.end().take();
 }
 
-TEST(HidDevices, PidIsRecognisedByTheDescriptorWhateverTheIdsAre) {
+TEST(HidDevices, PidIsRecognizedByTheDescriptorWhateverTheIdsAre) {
   for (const auto model : support::kPidModels) {
     HidDevice device = deviceOf(0x1234, 0x5678);
     judge(device, support::reportDescriptor(model), true);

@@ -257,7 +257,7 @@ DeviceCalibration tenNewtons() {
 TEST(PidWriter, NewtonsBecomeSharesOfFullScaleWithTheSignOfTheDevice) {
   PidRun run(PidModel::kBoard);
   const PidWriter writer(run.session, tenNewtons());
-  // Towards the person is z of the device's frame and Y of HID.
+  // Toward the person is z of the device's frame and Y of HID.
   EXPECT_EQ(writer.sharesOf({2, 5, 3}), (std::array<double, 2>{0.2, -0.3}));
   EXPECT_EQ(writer.sharesOf({-200, 0, -200}), (std::array<double, 2>{-1, 1}));
   EXPECT_EQ(writer.sharesOf({std::numeric_limits<double>::infinity(), 0, 1}), (std::array<double, 2>{}));

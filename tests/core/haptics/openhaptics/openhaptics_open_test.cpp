@@ -108,10 +108,10 @@ TEST_F(OpenHapticsOpen, WarmMotorsAreNoReasonToRefuse) {
   EXPECT_TRUE(open());
 }
 
-TEST_F(OpenHapticsOpen, AnInvalidLicenceIsNamed) {
+TEST_F(OpenHapticsOpen, AnInvalidLicenseIsNamed) {
   standIn().accepted_names = {};
   standIn().init_error = 0x0600;
-  EXPECT_TRUE(contains(refusal(), "wanted a valid OpenHaptics licence"));
+  EXPECT_TRUE(contains(refusal(), "wanted a valid OpenHaptics license"));
 }
 
 TEST_F(OpenHapticsOpen, WithoutALargestForceThereIsNothingToLimitBy) {

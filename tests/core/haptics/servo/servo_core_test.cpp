@@ -93,7 +93,7 @@ TEST(ServoCore, SourcesFollowEachOtherWithoutAKick) {
   };
   change(ForceSource::kStimulus);
   EXPECT_EQ(hand.sample.force_n, 0.8);
-  EXPECT_EQ(hand.sample.stimulus, StimulusStage::kFull);
+  EXPECT_EQ(hand.sample.stimulus, StimulusPhase::kFull);
   change(ForceSource::kFree);
   EXPECT_EQ(hand.sample.force_n, 0);
   change(ForceSource::kStimulus);
@@ -125,7 +125,7 @@ TEST(ServoCore, AStimulusIsFeltAfterItsRamp) {
   hand.orders.stimulus.number = 7;
   hand.orders.stimulus.force_n = 0.5;
   hand.step(50);
-  EXPECT_EQ(hand.sample.stimulus, StimulusStage::kWaiting);
+  EXPECT_EQ(hand.sample.stimulus, StimulusPhase::kWaiting);
   EXPECT_EQ(hand.sample.force_n, 0);
   hand.tick.device.buttons = 1;
   while (!hand.sample.enabled) hand.step();

@@ -94,7 +94,7 @@ TEST_F(ServoInVirtualTime, OfSeveralOrdersTheNewestCounts) {
 
 TEST_F(ServoInVirtualTime, AResistancePushesTheHandOutwards) {
   feelStimulus(0.5);
-  EXPECT_EQ(device_.z_n, 0.5) << "towards the person";
+  EXPECT_EQ(device_.z_n, 0.5) << "toward the person";
   EXPECT_EQ(device_.x_n, 0);
 }
 

@@ -18,19 +18,19 @@ constexpr std::int64_t kTickNs = 1'000'000;
 /// A stimulus told tick by tick.
 class Told {
  public:
-  void pass(int ticks, StimulusStage stage, std::uint32_t limited = 0) {
+  void pass(int ticks, StimulusPhase phase, std::uint32_t limited = 0) {
     for (int i = 0; i < ticks; ++i) {
       Sample sample;
       sample.tick = ++tick_;
-      sample.stimulus = stage;
+      sample.stimulus = phase;
       sample.limited = limited;
       delivery.add(sample);
     }
   }
   void lose(std::uint64_t ticks) { tick_ += ticks; }
   void rise() {
-    pass(20, StimulusStage::kWaiting, kLimitedByRelease);
-    pass(150, StimulusStage::kRising, kLimitedBySlew);
+    pass(20, StimulusPhase::kWaiting, kLimitedByRelease);
+    pass(150, StimulusPhase::kRising, kLimitedBySlew);
   }
 
   StimulusDelivery delivery;
@@ -44,9 +44,9 @@ TEST(StimulusDelivery, IsGivenOnceTheFullForceWasReached) {
   EXPECT_FALSE(told.delivery.delivered());
   told.rise();
   EXPECT_FALSE(told.delivery.delivered()) << "the answer came before the full force";
-  told.pass(5, StimulusStage::kFull, kLimitedByFadeIn);
+  told.pass(5, StimulusPhase::kFull, kLimitedByFadeIn);
   EXPECT_FALSE(told.delivery.delivered()) << "armed a moment ago";
-  told.pass(1, StimulusStage::kFull);
+  told.pass(1, StimulusPhase::kFull);
   EXPECT_TRUE(told.delivery.delivered());
 }
 
@@ -55,9 +55,9 @@ TEST(StimulusDelivery, EveryLimitThatKeepsTheForceFromTheHandVoidsIt) {
        {kLimitedByGap, kLimitedByTrip, kLimitedByStaleDevice, kLimitedByGui, kLimitedByCap, kLimitedByThermal}) {
     Told told;
     told.rise();
-    told.pass(300, StimulusStage::kFull);
-    told.pass(1, StimulusStage::kFull, limit);
-    told.pass(300, StimulusStage::kFull);
+    told.pass(300, StimulusPhase::kFull);
+    told.pass(1, StimulusPhase::kFull, limit);
+    told.pass(300, StimulusPhase::kFull);
     EXPECT_FALSE(told.delivery.delivered()) << limit;
     EXPECT_EQ(told.delivery.limits(), limit);
   }
@@ -66,32 +66,32 @@ TEST(StimulusDelivery, EveryLimitThatKeepsTheForceFromTheHandVoidsIt) {
 TEST(StimulusDelivery, ATripThatEndsTheStimulusVoidsIt) {
   Told told;
   told.rise();
-  told.pass(300, StimulusStage::kFull);
-  told.pass(1, StimulusStage::kEnded, kLimitedByTrip | kLimitedByRelease);
+  told.pass(300, StimulusPhase::kFull);
+  told.pass(1, StimulusPhase::kEnded, kLimitedByTrip | kLimitedByRelease);
   EXPECT_FALSE(told.delivery.delivered());
 }
 
 TEST(StimulusDelivery, WhatComesAfterItsEndConcernsItNoMore) {
-  for (const auto end : {StimulusStage::kFalling, StimulusStage::kEnded}) {
+  for (const auto end : {StimulusPhase::kFalling, StimulusPhase::kEnded}) {
     Told told;
     told.rise();
-    told.pass(300, StimulusStage::kFull);
+    told.pass(300, StimulusPhase::kFull);
     told.pass(1, end, kLimitedByRelease);
     told.lose(100);
-    told.pass(100, StimulusStage::kEnded, kLimitedByTrip | kLimitedByGui);
+    told.pass(100, StimulusPhase::kEnded, kLimitedByTrip | kLimitedByGui);
     EXPECT_TRUE(told.delivery.delivered());
   }
 }
 
 TEST(StimulusDelivery, LostSamplesVoidItUnlessItWaits) {
   Told told;
-  told.pass(5, StimulusStage::kWaiting);
+  told.pass(5, StimulusPhase::kWaiting);
   told.lose(3);
   told.rise();
-  told.pass(10, StimulusStage::kFull);
+  told.pass(10, StimulusPhase::kFull);
   EXPECT_TRUE(told.delivery.delivered());
   told.lose(1);
-  told.pass(10, StimulusStage::kFull);
+  told.pass(10, StimulusPhase::kFull);
   EXPECT_FALSE(told.delivery.delivered());
   EXPECT_TRUE(told.delivery.lostSamples());
 }
@@ -100,7 +100,7 @@ TEST(StimulusDelivery, LostSamplesVoidItUnlessItWaits) {
 Sample fullSample(std::uint64_t tick, double force_n, std::uint32_t limited = 0) {
   Sample sample;
   sample.tick = tick;
-  sample.stimulus = StimulusStage::kFull;
+  sample.stimulus = StimulusPhase::kFull;
   sample.source_force_n = 1.7;
   sample.force_n = force_n;
   sample.limited = limited;
@@ -127,7 +127,7 @@ TEST(StimulusDelivery, ATripLeavesNothingOfTheForceAndABlankIsGivenInFull) {
   StimulusDelivery delivery;
   delivery.add(fullSample(1, 1.7));
   Sample tripped = fullSample(2, 0, kLimitedByTrip);
-  tripped.stimulus = StimulusStage::kEnded;
+  tripped.stimulus = StimulusPhase::kEnded;
   delivery.add(tripped);
   EXPECT_EQ(delivery.leastShare(), 0);
   StimulusDelivery blank;

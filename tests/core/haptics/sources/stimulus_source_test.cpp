@@ -40,7 +40,7 @@ TEST(StimulusSource, RisesEvenlyWithinItsRamp) {
     EXPECT_EQ(judging.source.sinceFullS(), 0);
     judging.step();
     EXPECT_NEAR(judging.force_n, 0.6 * i / 150, kRounding);
-    EXPECT_EQ(judging.source.stage(), i < 150 ? StimulusStage::kRising : StimulusStage::kFull);
+    EXPECT_EQ(judging.source.phase(), i < 150 ? StimulusPhase::kRising : StimulusPhase::kFull);
   }
   judging.step(2000);
   EXPECT_EQ(judging.force_n, 0.6);
@@ -52,7 +52,7 @@ TEST(StimulusSource, WaitsForTheHandInsideTheStartZone) {
   judging.stimulus.start_zone_mm = 5;
   judging.tick.position_mm = -5.1;
   judging.step(100);
-  EXPECT_EQ(judging.source.stage(), StimulusStage::kWaiting);
+  EXPECT_EQ(judging.source.phase(), StimulusPhase::kWaiting);
   judging.tick.enabled = false;
   judging.tick.position_mm = 4;
   judging.step(100);
@@ -88,7 +88,7 @@ TEST(StimulusSource, EndsAfterItsHoldLimit) {
   judging.step(1);
   for (int i = 1; i <= 150; ++i) {
     EXPECT_NEAR(judging.force_n, 0.6 * (150 - i) / 150, kRounding);
-    EXPECT_EQ(judging.source.stage(), i < 150 ? StimulusStage::kFalling : StimulusStage::kEnded);
+    EXPECT_EQ(judging.source.phase(), i < 150 ? StimulusPhase::kFalling : StimulusPhase::kEnded);
     judging.step(1);
   }
   judging.step(1000);
@@ -122,7 +122,7 @@ TEST(StimulusSource, LettingGoEndsItForGood) {
   judging.tick.enabled = true;
   judging.step(500);
   EXPECT_EQ(judging.force_n, 0);
-  EXPECT_EQ(judging.source.stage(), StimulusStage::kEnded);
+  EXPECT_EQ(judging.source.phase(), StimulusPhase::kEnded);
   judging.stimulus.number = 2;
   judging.step(150);
   EXPECT_EQ(judging.force_n, 1.2);
@@ -135,7 +135,7 @@ TEST(StimulusSource, AnotherNumberStartsAnewBesideTheRestOfTheFirst) {
   judging.stimulus.number = 2;
   judging.stimulus.force_n = 0.9;
   judging.step(1);
-  EXPECT_EQ(judging.source.stage(), StimulusStage::kRising);
+  EXPECT_EQ(judging.source.phase(), StimulusPhase::kRising);
   EXPECT_EQ(judging.source.sinceFullS(), 0);
   EXPECT_NEAR(judging.force_n, 0.6 * 29 / 30 + 0.9 / 150, kRounding);
   judging.step(149);
@@ -167,9 +167,9 @@ TEST(StimulusSource, ABlankRunsThroughTheSameStages) {
   Judging judging(0);
   judging.stimulus.hold_limit_s = 1;
   judging.step(150);
-  EXPECT_EQ(judging.source.stage(), StimulusStage::kFull);
+  EXPECT_EQ(judging.source.phase(), StimulusPhase::kFull);
   judging.step(1150);
-  EXPECT_EQ(judging.source.stage(), StimulusStage::kEnded);
+  EXPECT_EQ(judging.source.phase(), StimulusPhase::kEnded);
   EXPECT_EQ(judging.largest_step_n, 0);
 }
 

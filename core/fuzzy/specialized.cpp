@@ -151,7 +151,7 @@ class Folding {
 
 }  // namespace
 
-BatchProgram specialised(const BatchProgram& program, std::span<const std::optional<double>> fixed,
+BatchProgram specialized(const BatchProgram& program, std::span<const std::optional<double>> fixed,
                          std::pmr::memory_resource* memory) {
   return Folding(program, fixed, memory).fold();
 }
