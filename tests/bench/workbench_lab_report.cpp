@@ -48,14 +48,15 @@ std::string labReport(TimedApplication& application, int moves) {
   const auto all = moveLabSettings(application, kSamples, moves);
   std::vector<std::vector<std::string>> times = {{"setting", "when", "moves", "clusters and terms back",
                                                   "their threads", "shown", "window's thread", "in the strip",
-                                                  "above 33 ms"}};
+                                                  "above 33 ms", "shown in the drag"}};
   std::vector<std::vector<std::string>> parts = {{"setting", "when", "work and painting", "of"}};
   for (const LabTimes& one : all) {
     const std::string when(name(one.rhythm));
     const auto late = std::count_if(one.strip_ms.begin(), one.strip_ms.end(), [](double ms) { return ms > kWantedMs; });
     times.push_back({one.setting, when, std::to_string(one.strip_ms.size()), spreadText(one.result_ms),
                      spreadText(one.worker_ms), spreadText(one.shown_ms), spreadText(one.window_ms),
-                     spreadText(one.strip_ms), std::to_string(late)});
+                     spreadText(one.strip_ms), std::to_string(late),
+                     one.rhythm == Rhythm::kDrag ? std::to_string(one.results) : "-"});
     for (const auto& [part, ms] : one.part_ms) parts.push_back({one.setting, when, spreadText(ms), part});
   }
   return heading() + "Study: the demo's four simulated participants, 24,000 samples each, in the speed lab\n" +

@@ -194,10 +194,13 @@ class Mover {
   void drag(const Setting& setting, int moves, LabTimes& out) {
     const auto measured = QObject::connect(&strip_, &workbench::FrameClock::measured, &screen_,
                                            [&] { out.strip_ms.push_back(strip_.finest()->last_ms); });
+    const auto result = QObject::connect(&lab_, &SpeedLab::resultChanged, &screen_, [&] { ++out.results; });
     for (int i = 0; i < moves; ++i) {
       setting.set(lab_, i);
       runFor(kFrameMs);
     }
+    QObject::disconnect(result);
+    waitUntil([this] { return lab_.isCurrent(); });
     runFor(100);
     QObject::disconnect(measured);
   }

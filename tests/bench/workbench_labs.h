@@ -26,6 +26,7 @@ struct LabTimes {
   std::vector<double> shown_ms;   ///< until the last plot is painted
   std::vector<double> window_ms;  ///< of this, on a processor, the thread of the window
   std::vector<double> strip_ms;   ///< until the last plot is painted, as the strip of the window says
+  int results = 0;                ///< in a drag: results that came while it went on
   std::map<std::string, std::vector<double>> part_ms;  ///< work and painting by plot, on a processor
 };
 

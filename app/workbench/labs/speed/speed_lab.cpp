@@ -28,7 +28,10 @@ bool staysCalm(const std::stop_token& stop) {
 
 SpeedLab::SpeedLab(LabData& data, QObject* parent)
     : QObject(parent), data_(data), work_(data, [this](const LabWork::Run& run) { return compute(run); }) {
-  connect(&data_, &LabData::settingsChanged, this, &SpeedLab::settingsChanged);
+  connect(&data_, &LabData::settingsChanged, this, [this] {
+    current_ = false;
+    emit settingsChanged();
+  });
   connect(&data_, &LabData::studyChanged, this, [this] {
     if (data_.study() != nullptr || result_ == nullptr) return;
     page_ = 0;
@@ -77,6 +80,7 @@ void SpeedLab::setClusters(std::size_t clusters) {
   if (clusters == clusters_) return;
   clusters_ = clusters;
   wanted_clusters_ = clusters;
+  current_ = false;
   work_.restart();
   emit settingsChanged();
 }
