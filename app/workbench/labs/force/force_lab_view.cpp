@@ -26,8 +26,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kVotesWidth = 500;  // px: all columns of Table 2
-constexpr int kWordsWidth = 620;  // px
+constexpr int kVotesWidth = 520;  // px: all columns of Table 2
+constexpr int kWordsWidth = 600;  // px
 
 }  // namespace
 

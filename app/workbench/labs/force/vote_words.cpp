@@ -86,13 +86,13 @@ QString methodName(ForceTermsFrom from) {
 QString methodRule(ForceTermsFrom from) {
   switch (from) {
     case ForceTermsFrom::kVote:
-      return VoteWords::tr("The winner of each force, joined by ramps (the paper).");
+      return VoteWords::tr("The winner of each force (the paper).");
     case ForceTermsFrom::kFrequency:
       return VoteWords::tr("The trapezoids closest to the shares of all answers.");
     case ForceTermsFrom::kThresholds:
       return VoteWords::tr("The mean of the participants' own limits.");
     case ForceTermsFrom::kProbit:
-      return VoteWords::tr("Ordered probit: one normal curve behind all answers.");
+      return VoteWords::tr("Ordered probit over all answers.");
   }
   return {};
 }
