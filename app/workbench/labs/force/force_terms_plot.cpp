@@ -13,7 +13,10 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr double kDot = 7;  // px
+constexpr double kDot = 7;    // px
+constexpr int kNarrow = 200;  // px: below it ticks would touch
+constexpr int kFewTicks = 2;
+constexpr int kUsualTicks = 5;
 constexpr float kFill = 0.10F;
 constexpr double kAsideShare = 0.014;  // of the axis: equal shares of one force would hide each other
 
@@ -38,6 +41,7 @@ void ForceTermsPlot::setTerms(const fuzzy::Variable& words, const std::vector<fu
   fuzzy::Variable axis = words;
   axis.max = end_n;
   styleAxis(*plot_->xAxis, axis);
+  fitTicks();
   plot_->xAxis->setLabel(axisText(axis));
   plot_->xAxis->grid()->setVisible(false);
   fuzzy::Variable membership;
@@ -75,6 +79,13 @@ void ForceTermsPlot::setTerms(const fuzzy::Variable& words, const std::vector<fu
   std::erase_if(corners, [&](const auto& one) { return one.x <= words.min || one.x >= end_n; });
   corners_->setVertices(std::move(corners));
   redraw(*plot_);
+}
+
+void ForceTermsPlot::fitTicks() { plot_->xAxis->ticker()->setTickCount(width() < kNarrow ? kFewTicks : kUsualTicks); }
+
+void ForceTermsPlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitTicks();
 }
 
 std::vector<LegendEntry> ForceTermsPlot::legend() const {

@@ -32,7 +32,12 @@ class ForceTermsPlot : public QWidget, public PlotSource {
   /// The user clicked a corner of a word.
   void vertexAsked(const std::string& term, std::size_t point);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fitTicks();
+
   QCustomPlot* plot_;
   VertexPick* corners_;
   fuzzy::Variable words_;
