@@ -1,5 +1,5 @@
-// Adds the search (Ctrl+K) to the window: menus, panels, tables and figures of the labs, and the experts, terms, findings
-// and places of the open model.
+// Adds the search (Ctrl+K) to the window: menus, panels, tables and figures of the labs, and the experts, terms,
+// findings and places of the open model.
 #pragma once
 
 #include <QObject>

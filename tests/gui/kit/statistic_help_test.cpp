@@ -9,10 +9,10 @@ namespace {
 
 TEST(StatisticHelpTest, EachStatisticIsExplainedByItsNameFirst) {
   const std::pair<Statistic, const char*> all[] = {
-      {Statistic::kNoticeable, "JND: "},          {Statistic::kRms, "RMS: "},
-      {Statistic::kInterval, "95 % interval: "},  {Statistic::kAlpha, "Krippendorff's alpha: "},
-      {Statistic::kKappa, "Fleiss' kappa: "},     {Statistic::kWeightedKappa, "κ, kappa with quadratic weights: "},
-      {Statistic::kKendallW, "Kendall's W: "},    {Statistic::kConsensus, "Consensus: "},
+      {Statistic::kNoticeable, "JND: "},         {Statistic::kRms, "RMS: "},
+      {Statistic::kInterval, "95 % interval: "}, {Statistic::kAlpha, "Krippendorff's alpha: "},
+      {Statistic::kKappa, "Fleiss' kappa: "},    {Statistic::kWeightedKappa, "κ, kappa with quadratic weights: "},
+      {Statistic::kKendallW, "Kendall's W: "},   {Statistic::kConsensus, "Consensus: "},
   };
   for (const auto& [statistic, name] : all) {
     EXPECT_TRUE(explained(statistic).startsWith(QString::fromUtf8(name))) << explained(statistic).toStdString();

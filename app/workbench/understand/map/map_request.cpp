@@ -29,7 +29,7 @@ MapRequest::MapRequest(std::shared_ptr<const OpenModel> model, std::vector<doubl
   std::vector<std::optional<double>> fixed(point_.begin(), point_.end());
   fixed[x_.input].reset();
   fixed[y_.input].reset();
-  auto scene = fuzzy::Scene::specialise(model_->compiled, fixed);
+  auto scene = fuzzy::Scene::specialize(model_->compiled, fixed);
   TACTUS_CHECK(scene.has_value());
   scene_ = std::move(*scene);
 }
