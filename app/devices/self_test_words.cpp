@@ -10,7 +10,7 @@ using base::formatNumber;
 using haptics::DeviceFault;
 using haptics::TripCause;
 
-std::string millimeters(double value_mm) { return formatFixed(value_mm, 2) + " millimeters"; }
+std::string millimeters(double value_mm) { return formatFixed(value_mm, 2) + " mm"; }
 
 std::string_view faultAdvice(DeviceFault fault) {
   switch (fault) {
@@ -72,7 +72,7 @@ void SelfTest::lostPatience() {
       return fail(Check::kMotion,
                   "moved by " + millimeters(seen_.inwards_mm) + " inwards and " + millimeters(seen_.outwards_mm) +
                       " outwards" + waited,
-                  "move it at least " + formatNumber(settings_.move_mm) + " millimeters away from you and back");
+                  "move it at least " + formatNumber(settings_.move_mm) + " mm away from you and back");
     case Phase::kButton:
       return fail(Check::kButton, (seen_.button_up ? "no press and release" : "a button that stays down") + waited,
                   "press a button of the device; without one it cannot be used");

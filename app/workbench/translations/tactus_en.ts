@@ -631,10 +631,6 @@
 <context>
     <name>HelpMenu</name>
     <message>
-        <source>&amp;Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;About Tactus Workbench</source>
         <translation type="unfinished"></translation>
     </message>
@@ -644,6 +640,10 @@
     </message>
     <message>
         <source>&lt;h3&gt;Tactus Workbench %1&lt;/h3&gt;&lt;p&gt;Turns what expert nurses know by feel into a force model that a haptic simulator can run.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later, without any warranty. It uses Qt %2 and QCustomPlot.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the &amp;keyboard shortcuts</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -678,10 +678,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>JND: just-noticeable difference. A change below 1 JND is too small to feel.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>ΔF &lt; %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -695,10 +691,6 @@
     </message>
     <message>
         <source>%1 on this curve</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMS: the root of the mean squared difference. Large differences count more than in a mean.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1413,10 +1405,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Findings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Looking for places without a force…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1512,10 +1500,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Origin</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Some data are simulated: the model and the report of the bundle say so.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1583,6 +1567,14 @@
     </message>
     <message>
         <source>%1 approved this state without feeling it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show origin</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1721,6 +1713,41 @@
     </message>
     <message>
         <source>experts side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StatisticWords</name>
+    <message>
+        <source>JND: just-noticeable difference, √(0.04² + (0.12 F)²) N around a force F. A change below 1 JND is too small to feel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS: the root of the mean squared difference. Large differences count more than in a mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % interval: the data are drawn again many times, and 95 % of the draws give a value in this range. A wide one says that there are few data, or that they contradict each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Krippendorff&apos;s alpha: agreement beyond chance. 1 is full agreement, 0 what chance gives, less than 0 worse than chance. Ordinal: the order of the words counts; interval: their distances count too; nominal: two words are the same or not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fleiss&apos; kappa: agreement beyond chance, from 1 for full agreement to 0 for what chance gives. It takes no account of the order of the words: neighbors count as different as the ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>κ, kappa with quadratic weights: how well one person&apos;s answers to equal forces agree beyond chance. 1 is full agreement, 0 what chance gives; a word two steps away counts four times as much as a neighbor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W: how similarly the participants order the forces or items. 1 is one order of all, 0 no common order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Consensus: 1 if all say the same word, 0 if half say the lowest and half the highest; the mean of the forces or items.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1934,10 +1961,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frequency curve</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Thresholds</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1958,15 +1981,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The winner of each force, joined by ramps (the paper).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The trapezoids closest to the shares of all answers.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The mean of the participants&apos; own limits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The winner of each force (the paper).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ordered probit over all answers.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2067,11 +2102,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Airway, 0 to 250 mm</source>
+        <source>Show all</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show all</source>
+        <source>Show the airway, 0 to 250 mm</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2122,6 +2157,14 @@
     </message>
     <message>
         <source>%1: a bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bundle was not read. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bundle was not made. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2218,10 +2261,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No program of this computer shows folders. The bundle is in %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2251,6 +2290,22 @@
     </message>
     <message>
         <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it again…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another folder…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder was not opened, because no program of this computer shows folders. The bundle is in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy its path</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2502,15 +2557,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A command, panel, expert, term or finding</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Search for</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A command, panel, expert, term or finding; or a place: 130 mm poor fast</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2721,6 +2776,14 @@
     </message>
     <message>
         <source>&amp;Measure from the operating point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference curve is not shown. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another curve…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3382,6 +3445,14 @@
         <source>Show the device and how the tube is held</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device did not start. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::DeviceSession</name>
@@ -3641,7 +3712,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Feel &amp;layout</source>
+        <source>Show the Feel &amp;layout</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3836,10 +3907,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Most newtons first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Looking for holes, conflicts and jumps…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3869,6 +3936,10 @@
     </message>
     <message>
         <source>By place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By newtons</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3960,10 +4031,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Words of the force (Fig. 3e), three ways</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Judgements</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3973,6 +4040,10 @@
     </message>
     <message>
         <source>Delivered force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words of the force (Fig. 3e), four ways</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4223,14 +4294,6 @@
 <context>
     <name>tactus::workbench::HelpParts</name>
     <message>
-        <source>&amp;Guide</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Five-minute &amp;tour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The force on the way of the tube</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4292,6 +4355,14 @@
     </message>
     <message>
         <source>What is missing before the model can be delivered, and the bundle for the people who build the simulator. The guide (F1) tells the rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the &amp;guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the five-minute &amp;tour</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4368,10 +4439,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>‹ Versions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Compare, sign off ›</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4430,6 +4497,10 @@
         <source>This state was not felt yet: the sign-off will read “approved without feeling”. Feel one stroke on it for “feels right”.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>‹ Show versions</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::HistoryParts</name>
@@ -4454,7 +4525,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Your name…</source>
+        <source>Enter &amp;your name…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4807,6 +4878,18 @@
         <source>Simulators: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No simulator is served. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take any free port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::LinkParts</name>
@@ -4838,11 +4921,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Who is connected…</source>
+        <source>Serve to a simulator…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Serve to a simulator…</source>
+        <source>Show who is connected…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5229,10 +5312,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Notes of the file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Models and studies (*.json *.tactus *.fll *.fcl *.fis);;Force models (*.json);;Studies (*.tactus);;Models of other programs (*.fll *.fcl *.fis *.txt);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5243,13 +5322,6 @@
     <message>
         <source>Which output is the force?</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>File, Notes of the file, lists %n more.</source>
-        <translation>
-            <numerusform>File, Notes of the file, lists %n more.</numerusform>
-            <numerusform>File, Notes of the file, lists %n more.</numerusform>
-        </translation>
     </message>
     <message>
         <source>The model was imported. %1.</source>
@@ -5294,6 +5366,17 @@
     <message>
         <source>Open another file…</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the &amp;notes of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>File, Show the notes of the file, lists %n more.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5569,15 +5652,15 @@
 <context>
     <name>tactus::workbench::NoteParts</name>
     <message>
-        <source>What &amp;happened to the study</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Look at the data first</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>N&amp;otes of the build</source>
+        <source>Show what &amp;happened to the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the n&amp;otes of the build</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5896,7 +5979,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Head up</source>
+        <source>Raise head</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5994,6 +6077,10 @@
     </message>
     <message>
         <source>%1 was not saved. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save elsewhere…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6650,10 +6737,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Later</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The workbench ended unexpectedly at %1 with changes of %2 that were not saved (edits: %3).</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6675,6 +6758,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Asks again when you open this model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decide later</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6732,10 +6819,6 @@ felt on the model %2</source>
 <context>
     <name>tactus::workbench::ReportParts</name>
     <message>
-        <source>Repor&amp;t of the study…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The report is written: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6757,6 +6840,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Choose another file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the repor&amp;t of the study…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7284,6 +7371,14 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Finding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place: why this force</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7871,6 +7966,17 @@ p</source>
     </message>
 </context>
 <context>
+    <name>tactus::workbench::StatisticHelp</name>
+    <message>
+        <source>Explain these numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What these numbers mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::StrokeInfluence</name>
     <message>
         <source>%1: building the model…</source>
@@ -7957,10 +8063,6 @@ p</source>
 </context>
 <context>
     <name>tactus::workbench::StudyHome</name>
-    <message>
-        <source>&amp;Protocol…</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>&amp;Add participant</source>
         <translation type="unfinished"></translation>
@@ -8049,10 +8151,6 @@ p</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Usability form</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Six questions for a clinical teacher who tried the model, with a code of their own</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8066,6 +8164,14 @@ p</source>
     </message>
     <message>
         <source>No participants yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the &amp;protocol…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill in the &amp;usability form</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8353,10 +8459,6 @@ p</source>
 <context>
     <name>tactus::workbench::TourCard</name>
     <message>
-        <source>Back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Next</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8370,6 +8472,10 @@ p</source>
     </message>
     <message>
         <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8563,14 +8669,6 @@ p</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next p&amp;art of the window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Part &amp;before of the window</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>As the s&amp;ystem</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8580,6 +8678,14 @@ p</source>
     </message>
     <message>
         <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the next p&amp;art of the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the part &amp;before</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

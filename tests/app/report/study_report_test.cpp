@@ -74,7 +74,7 @@ TEST(StudyReport, OfAWholeStudyHasEverySectionAndNumbersItsCaptions) {
         "Membership functions", "Rules", "The experts and their mean", "Force over depth and speed",
         "Influence of lubrication, neck flexion and speed", "What the hand feels", "How far the experts agree",
         "Findings in the rules", "Reachable range", "Does a choice of the method matter here?", "Method",
-        "Notes and studySettings of this build", "References"}) {
+        "Notes and settings of this build", "References"}) {
     EXPECT_TRUE(has(page, std::string(">") + title + "</h2>")) << title;
   }
   EXPECT_TRUE(has(page, "<strong>Vertices of the membership functions.</strong>"));
