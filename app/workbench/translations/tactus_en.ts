@@ -478,9 +478,9 @@
     </message>
     <message numerus="yes">
         <source> (item(s) %1)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform> (item %1)</numerusform>
+            <numerusform> (items %1)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -5373,9 +5373,9 @@
     </message>
     <message numerus="yes">
         <source>File, Show the notes of the file, lists %n more.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>File, Show the notes of the file, lists %n more.</numerusform>
+            <numerusform>File, Show the notes of the file, lists %n more.</numerusform>
         </translation>
     </message>
 </context>
