@@ -21,15 +21,23 @@ namespace {
 constexpr int kDecimals = 3;
 constexpr int kFewDecimals = 2;  // in a narrow column; the hint has all
 
-// `S 0.2 · 0.3 · 0.4 · 0.5`: the corners of each word on a line.
-QString cornersOf(const std::vector<fuzzy::Term>& terms, int decimals, const QString& between) {
+// `S  0.2 · 0.3 · 0.4 · 0.5`: the corners of each word on a line.
+QString cornersOf(const std::vector<fuzzy::Term>& terms, int decimals, const QString& after, const QString& between) {
   QStringList lines;
   for (const fuzzy::Term& term : terms) {
     QStringList points;
     for (const double point : term.points) points << numberText(point, decimals);
-    lines << initialsOf(labelOf(term)) + QStringLiteral("  ") + points.join(between);
+    lines << initialsOf(labelOf(term)) + after + points.join(between);
   }
   return lines.join(QLatin1Char('\n'));
+}
+
+QString wideCorners(const std::vector<fuzzy::Term>& terms) {
+  return cornersOf(terms, kDecimals, QStringLiteral("  "), QStringLiteral(" · "));
+}
+
+QString narrowCorners(const std::vector<fuzzy::Term>& terms) {
+  return cornersOf(terms, kFewDecimals, QStringLiteral(" "), QStringLiteral(" "));
 }
 
 // The axes of all methods end at the same force, so that the pictures can be compared.
@@ -46,7 +54,7 @@ double commonEnd(const ForceVotes& votes) {
 ForceTermsView::ForceTermsView(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  row->setSpacing(theme::kGrid + 4);
+  row->setSpacing(theme::kGrid);
   auto* group = new QButtonGroup(this);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     row->addWidget(makeColumn(i), 1);
@@ -110,7 +118,7 @@ void ForceTermsView::setVotes(const ForceVotes& votes) {
     column.terms = method.terms ? method.terms->output.terms : std::vector<fuzzy::Term>();
     if (method.terms) {
       tellCorners(column);
-      QStringList hint(cornersOf(column.terms, kDecimals, QStringLiteral(" · ")));
+      QStringList hint(wideCorners(column.terms));
       for (const std::string& note : method.terms->notes) hint << text(note);
       column.corners->setToolTip(hint.join(QLatin1Char('\n')));
     } else {
@@ -125,9 +133,9 @@ void ForceTermsView::setVotes(const ForceVotes& votes) {
 // On one line each, however narrow the column is.
 void ForceTermsView::tellCorners(const Column& column) {
   if (column.terms.empty()) return;
-  const QString whole = cornersOf(column.terms, kDecimals, QStringLiteral(" · "));
+  const QString whole = wideCorners(column.terms);
   const bool fits = QFontMetrics(column.corners->font()).size(0, whole).width() <= column.plot->width();
-  column.corners->setText(fits ? whole : cornersOf(column.terms, kFewDecimals, QStringLiteral(" ")));
+  column.corners->setText(fits ? whole : narrowCorners(column.terms));
 }
 
 void ForceTermsView::resizeEvent(QResizeEvent* event) {
