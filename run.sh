@@ -8,17 +8,15 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 folder=${1:-out/demo}
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   preset=release
-  programs=(tactus_cli tactus-workbench)
   install_missing "${build_packages[@]}" "${workbench_packages[@]}"
   install_wanted "${wanted_packages[@]}"
 else
   preset=release-cli
-  programs=(tactus_cli)
   install_missing "${build_packages[@]}"
 fi
 
 [ -f build/$preset/build.ninja ] || quietly cmake --preset $preset
-quietly cmake --build --preset $preset --target "${programs[@]}"
+quietly cmake --build --preset $preset
 
 build/$preset/tactus demo "$folder"
 if [ $preset = release ]; then
