@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLowestHz = 7;
 constexpr double kStepHz = 0.5;
-constexpr int kFrequencies = 13;
+constexpr std::size_t kFrequencies = 13;
 constexpr double kLeastNoiseMm = 0.005;
 // Starts: movements without detail below these widths; powers of their roughness, 0 = equally rough everywhere.
 constexpr std::array kPilotsS = {0.04, 0.02};
@@ -65,11 +65,9 @@ SmoothMotion::SmoothMotion(std::span<const double> y, double step_s)
   const std::size_t spline_count = spans + kSplineOrder - 1;
   const double noise_mm = noiseMm(y);
 
-  std::vector<MotionEquations> equations;
-  equations.reserve(kFrequencies);
-  for (int i = 0; i < kFrequencies; ++i) {
-    equations.emplace_back(y, step_s, offset_mm_, kLowestHz + i * kStepHz, spline_count, noise_mm);
-  }
+  std::array<double, kFrequencies> hz{};
+  for (std::size_t i = 0; i < hz.size(); ++i) hz[i] = kLowestHz + static_cast<double>(i) * kStepHz;
+  const MotionEquations equations(y, step_s, offset_mm_, hz, spline_count, noise_mm);
   // From one start the rounds may end where tremor and movement are mixed up; the likelihood tells.
   MotionFit best;
   for (const double pilot_s : kPilotsS) {

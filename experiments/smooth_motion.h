@@ -13,8 +13,8 @@ namespace tactus::experiments {
 /// smaller where the movement is rough, as at the ends of a quick stroke; roughness and fit are computed alternately.
 /// The sinusoid has an amplitude of about 0.2 mm; its amplitude and phase may drift linearly. So it absorbs the tremor
 /// (8 to 12 Hz). Penalty, frequency and the best of six starts are chosen by the largest restricted likelihood (REML;
-/// Patterson and Thompson 1971). The fit uses both sides of each point equally, so it has no delay. It takes about 10
-/// ms.
+/// Patterson and Thompson 1971). The fit uses both sides of each point equally, so it has no delay. It takes about
+/// 2 ms.
 class SmoothMotion {
  public:
   /// Fits `positions_mm`, at equal steps of `step_s` (1 to 12 ms): from kFewestPositions to a few hundred positions,
