@@ -1,8 +1,6 @@
 #include "app/editing/partition.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "app/editing/edit_text.h"
@@ -17,22 +15,8 @@ using fuzzy::MembershipFunction;
 using fuzzy::Shape;
 using fuzzy::Term;
 
-// Edges that were averaged over experts may differ by rounding.
-constexpr double kSameShare = 1e-9;
-
 bool anyGaussian(const std::vector<Term>& terms) {
   return std::any_of(terms.begin(), terms.end(), [](const Term& term) { return term.shape == Shape::kGaussian; });
-}
-
-TermOrder byMiddleOfCore(const std::vector<Term>& terms) {
-  TermOrder order(terms.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto middle = [&](std::size_t t) {
-    const auto f = MembershipFunction::of(terms[t]);
-    return f.b / 2 + f.c / 2;
-  };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) { return middle(x) < middle(y); });
-  return order;
 }
 
 /// A ramp shared by two neighbors.
@@ -54,21 +38,6 @@ void putInOrder(std::vector<Ramp>& ramps, double narrowest) {
 
 }  // namespace
 
-std::optional<TermOrder> partitionOrder(const fuzzy::Variable& variable, const std::vector<Term>& terms) {
-  if (anyGaussian(terms)) return std::nullopt;
-  TermOrder order = byMiddleOfCore(terms);
-  const double same = kSameShare * (variable.max - variable.min);
-  const auto first = MembershipFunction::of(terms[order.front()]);
-  const auto last = MembershipFunction::of(terms[order.back()]);
-  if (first.b > variable.min || last.c < variable.max) return std::nullopt;
-  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
-    const auto left = MembershipFunction::of(terms[order[k]]);
-    const auto right = MembershipFunction::of(terms[order[k + 1]]);
-    if (std::abs(left.c - right.a) > same || std::abs(left.d - right.b) > same) return std::nullopt;
-  }
-  return order;
-}
-
 base::Result<Edit> makeSumToOne(const fuzzy::ForceModel& model, const TermListId& list) {
   fuzzy::ForceModel out = model;
   const auto open = openList(out, list);
@@ -78,7 +47,7 @@ base::Result<Edit> makeSumToOne(const fuzzy::ForceModel& model, const TermListId
   if (anyGaussian(terms)) {
     return fail(ErrorCode::kValue, open->title(), "a Gaussian", "trapezoids and triangles, which can sum to one");
   }
-  const TermOrder order = byMiddleOfCore(terms);
+  const TermOrder order = analysis::byMiddleOfCore(terms);
   std::vector<Ramp> ramps;
   for (std::size_t k = 0; k + 1 < order.size(); ++k) {
     const auto left = MembershipFunction::of(terms[order[k]]);

@@ -1,25 +1,14 @@
-// A partition: terms whose memberships sum to one everywhere (Ruspini). Finds, keeps and makes partitions.
+// Makes terms a partition: their memberships sum to one everywhere (Ruspini). What one is: core/analysis/partition.h.
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "app/editing/term_list.h"
+#include "core/analysis/partition.h"
 
 namespace tactus::editing {
 
-/// The terms of a list in their order on the universe, as indices.
-using TermOrder = std::vector<std::size_t>;
-
-/// The order in which trapezoids and triangles sum to one on the universe of `variable`. The first term has membership
-/// 1 at the lower end, each right edge is the left edge of the next term, and the last term has membership 1 at the
-/// upper end. Nothing if the terms are no partition. Vertices count as equal within 1e-9 of the universe. Two terms
-/// with one common vertical edge sum to one except at that point.
-std::optional<TermOrder> partitionOrder(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
-
-/// The narrowest ramp between two terms that sum to one, and the narrowest output term, as a share of the universe.
-/// With a vertical edge both terms would have membership 1 at one point.
-inline constexpr double kNarrowestShare = 1e-6;
+using analysis::kNarrowestShare;
+using analysis::partitionOrder;
+using analysis::TermOrder;
 
 /// Makes the terms a partition. Neighbors, in the order of the middles of their cores, share the mean of their two
 /// facing edges (sorted if they cross). The first and the last term are stretched to the ends of the universe. Terms

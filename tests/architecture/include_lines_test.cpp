@@ -61,6 +61,7 @@ const std::map<std::string, Permission>& permissions() {
       {"core/fuzzy", {{"core/base", "core/base/json"}, {}}},
       {"core/analysis", {{"core/base", "core/fuzzy"}, {}}},
       {"core/analysis/gradient", {{"core/base", "core/fuzzy", "core/analysis"}, {}}},
+      {"core/analysis/pull", {{"core/base", "core/fuzzy", "core/analysis"}, {}}},
       {"core/render", {{"core/base", "core/fuzzy"}, {}}},
       {"core/study", {base, {}}},
       {"core/haptics/device", {joined({"core/render"}, {base}), {}}},
