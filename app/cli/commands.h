@@ -104,6 +104,19 @@ struct WhyOptions {
 /// Why the force at a point is what it is, and what would change it.
 base::Result<Output> why(const WhyOptions& options);
 
+struct PullOptions {
+  std::string model;
+  std::vector<std::string> at;       ///< `INPUT=VALUE`, each input once
+  double force_n = 0;                ///< wanted
+  std::string expert;                ///< id of one expert; empty: the mean
+  std::vector<std::string> locked;   ///< ids of variables whose terms must not change
+  std::optional<std::size_t> apply;  ///< candidate to write, from 1
+  std::string out;                   ///< model file for it
+  bool json = false;
+};
+/// The smallest edits that give a wanted force at a point; writes one of them as a model.
+base::Result<Output> pull(const PullOptions& options);
+
 struct BenchOptions {
   std::string model;
   double seconds = 0.2;  ///< for each row

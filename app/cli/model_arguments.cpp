@@ -1,7 +1,5 @@
 #include "app/cli/model_arguments.h"
 
-#include <vector>
-
 #include "core/base/text.h"
 
 namespace tactus::cli {
@@ -31,6 +29,45 @@ base::Result<std::pair<std::size_t, double>> inputOption(const fuzzy::ForceModel
   }
   return base::fail(ErrorCode::kReference, option, base::quoted(text.substr(0, equals)),
                     "an input of the model: " + base::joined(ids, ", "));
+}
+
+base::Result<std::vector<double>> pointOption(const fuzzy::ForceModel& model, const std::string& option,
+                                              const std::vector<std::string>& texts) {
+  std::vector<std::optional<double>> values(model.inputs.size());
+  std::string before;  // the input of the entry before
+  for (const std::string& text : texts) {
+    if (!before.empty() && base::parseNumber(text)) {  // the rest of a number with a decimal comma
+      return base::fail(
+          ErrorCode::kValue, option, base::quoted(text) + " after a comma",
+          "INPUT=VALUE; a comma separates entries and the decimal sign is a point, as in " + before + "=0.5");
+    }
+    const auto one = inputOption(model, option, text);
+    if (!one) return tl::unexpected(one.error());
+    before = model.inputs[one->first].id;
+    auto& value = values[one->first];
+    if (value) return base::fail(ErrorCode::kValue, option, "a second " + before, "each input once");
+    value = one->second;
+  }
+  std::vector<std::string> missing;
+  std::vector<double> point;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i]) missing.push_back(model.inputs[i].id);
+    point.push_back(values[i].value_or(0));
+  }
+  if (missing.empty()) return point;
+  return base::fail(ErrorCode::kValue, option, "no value for " + base::joined(missing, ", "),
+                    "INPUT=VALUE for each input of the model, separated by commas");
+}
+
+base::Result<std::size_t> variableOption(const fuzzy::ForceModel& model, const std::string& option,
+                                         const std::string& id) {
+  std::vector<std::string> ids;
+  for (std::size_t v = 0; v <= model.inputs.size(); ++v) {
+    ids.push_back(v < model.inputs.size() ? model.inputs[v].id : model.output.id);
+    if (ids.back() == id) return v;
+  }
+  return base::fail(ErrorCode::kReference, option, base::quoted(id),
+                    "a variable of the model: " + base::joined(ids, ", "));
 }
 
 }  // namespace tactus::cli

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
@@ -19,5 +20,14 @@ base::Result<std::optional<std::size_t>> expertOption(const fuzzy::ForceModel& m
 /// `lubrication=1` as the index of an input and its value. `option` is named in the error.
 base::Result<std::pair<std::size_t, double>> inputOption(const fuzzy::ForceModel& model, const std::string& option,
                                                          const std::string& text);
+
+/// One value for each input of the model, from texts such as `lubrication=1`. `option` is named in the errors, which
+/// say how entries and decimals are written where a comma stands in a number.
+base::Result<std::vector<double>> pointOption(const fuzzy::ForceModel& model, const std::string& option,
+                                              const std::vector<std::string>& texts);
+
+/// The number of an input or of the output, which follows the inputs.
+base::Result<std::size_t> variableOption(const fuzzy::ForceModel& model, const std::string& option,
+                                         const std::string& id);
 
 }  // namespace tactus::cli

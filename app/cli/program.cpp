@@ -112,6 +112,27 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("--expert", o.expert, "One expert; by default the mean of all")->check(notEmpty());
                addJson(command, o.json);
              });
+  addCommand(app, chosen, "pull", "The smallest edits that give a wanted force at a point", pull,
+             [](CLI::App& command, PullOptions& o) {
+               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               command.add_option("--at", o.at, "INPUT=VALUE for each input, separated by commas")
+                   ->required()
+                   ->delimiter(',')
+                   ->check(notEmpty());
+               command.add_option("--force", o.force_n, "Wanted force in newtons")
+                   ->required()
+                   ->check(numberThat("a finite force", [](double x) { return std::isfinite(x); }));
+               command.add_option("--expert", o.expert, "One expert; by default the mean of all, without its rules")
+                   ->check(notEmpty());
+               command.add_option("--lock", o.locked, "Variable whose terms stay as they are; as often as needed")
+                   ->check(notEmpty());
+               auto* const apply = command.add_option("--apply", o.apply, "Number of the edit to write, from 1");
+               auto* const out = command.add_option("--out", o.out, "Model file to write")->check(notEmpty());
+               apply->needs(out)->check(numberThat("a whole number from 1",
+                                                   [](double x) { return x >= 1 && x <= 1e6 && x == std::floor(x); }));
+               out->needs(apply);
+               addJson(command, o.json);
+             });
   addCommand(
       app, chosen, "bench", "Run time against error on this machine", bench, [](CLI::App& command, BenchOptions& o) {
         command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());

@@ -9,41 +9,12 @@
 #include "elicitation/force/noticeable_force.h"
 
 namespace tactus::cli {
-namespace {
-
-using base::Error;
-using base::ErrorCode;
-
-/// One value for each input of the model.
-base::Result<std::vector<double>> pointOf(const fuzzy::ForceModel& model, const std::vector<std::string>& texts) {
-  std::vector<std::optional<double>> values(model.inputs.size());
-  for (const std::string& text : texts) {
-    const auto one = inputOption(model, "--at", text);
-    if (!one) return tl::unexpected(one.error());
-    auto& value = values[one->first];
-    if (value)
-      return base::fail(ErrorCode::kValue, "--at", "a second " + model.inputs[one->first].id, "each input once");
-    value = one->second;
-  }
-  std::vector<std::string> missing;
-  std::vector<double> point;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!values[i]) missing.push_back(model.inputs[i].id);
-    point.push_back(values[i].value_or(0));
-  }
-  if (missing.empty()) return point;
-  return base::fail(ErrorCode::kValue, "--at", "no value for " + base::joined(missing, ", "),
-                    "INPUT=VALUE for each input of the model, separated by commas");
-}
-
-}  // namespace
-
 base::Result<Output> why(const WhyOptions& options) {
   const auto opened = openedModel(options.model);
   if (!opened) return tl::unexpected(opened.error());
   const auto expert = expertOption(opened->model, options.model, options.expert);
   if (!expert) return tl::unexpected(expert.error());
-  const auto point = pointOf(opened->model, options.at);
+  const auto point = pointOption(opened->model, "--at", options.at);
   if (!point) return tl::unexpected(point.error());
   const auto explanation = analysis::explain(opened->model, opened->compiled, *point);
   if (!explanation) return tl::unexpected(explanation.error());

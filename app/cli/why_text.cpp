@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "app/cli/model_words.h"
 #include "app/cli/wrapped_text.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
@@ -18,33 +19,6 @@ using base::formatFixed;
 
 constexpr double kWorthAWord = 0.1;      // of the strongest pull
 constexpr std::size_t kRulesInText = 8;  // the JSON has all
-
-std::string signedNewtons(double newtons) { return (newtons < 0 ? "" : "+") + formatFixed(newtons, 3) + " N"; }
-
-std::string labelOf(const fuzzy::Term* term, const std::string& id) {
-  return base::oneLine(term != nullptr && !term->label.empty() ? term->label : id);
-}
-
-std::string wordLabel(const fuzzy::ForceModel& model, const std::string& id) {
-  return labelOf(findTerm(model.output.terms, id), id);
-}
-
-std::string inputLabel(const fuzzy::Variable& input) {
-  return base::oneLine(input.label.empty() ? input.id : input.label);
-}
-
-/// `Lubrication Well, Insertion depth Laryngopharynx`.
-std::string conditionsOf(const fuzzy::ForceModel& model, const RulePull& pull) {
-  std::vector<std::string> parts;
-  for (const auto& condition : model.experts[pull.expert].rules[pull.rule].conditions) {
-    for (const auto& input : model.inputs) {
-      if (input.id != condition.input) continue;
-      parts.push_back(inputLabel(input) + " " +
-                      labelOf(findTerm(termsFor(model.experts[pull.expert], input), condition.term), condition.term));
-    }
-  }
-  return base::joined(parts, ", ");
-}
 
 /// `one`, `one and two`, `one, two and three`.
 std::string listed(const std::vector<std::string>& parts) {
@@ -71,7 +45,7 @@ std::vector<std::string> side(const Reasons& reasons, int sign) {
       const auto rule = std::find_if(rules.begin(), rules.end(), [&](const RulePull& pull) {
         return reasons.model.experts[pull.expert].rules[pull.rule].then == word->term;
       });
-      if (rule != rules.end()) text += ": " + conditionsOf(reasons.model, *rule);
+      if (rule != rules.end()) text += ": " + conditionsOf(reasons.model, rule->expert, rule->rule);
     }
     out.push_back(text + ")");
   }
@@ -91,11 +65,6 @@ const Counterfactual* nearest(const Reasons& reasons) {
     smallest = share;
   }
   return found;
-}
-
-std::string withUnit(double number, const fuzzy::Variable& variable) {
-  const bool plain = variable.unit.empty() || variable.unit == "1";
-  return formatFixed(number, 3) + (plain ? "" : " " + base::oneLine(variable.unit));
 }
 
 std::string moreOrLess(double change) { return change < 0 ? "less" : "more"; }
@@ -135,7 +104,7 @@ std::string sentenceOf(const Reasons& reasons) {
   const auto& input = reasons.model.inputs[move->input];
   const double change_n = move->force_n - balance.force_n;
   return text + ". It would be " + formatFixed(std::abs(change_n), 3) + " N " + moreOrLess(change_n) + " with " +
-         inputLabel(input) + " at " + withUnit(move->value, input) + ", which is " +
+         variableLabel(input) + " at " + withUnit(move->value, input) + ", which is " +
          formatFixed(std::abs(move->delta), 3) + " " + moreOrLess(move->delta) + ".";
 }
 
@@ -160,7 +129,8 @@ std::string asText(const Reasons& reasons) {
   for (std::size_t r = 0; r < std::min(rules.size(), kRulesInText); ++r) {
     const fuzzy::Expert& expert = model.experts[rules[r].expert];
     text += padded(expert.id + " " + std::to_string(rules[r].rule + 1), 20) + signedNewtons(rules[r].pull_n) + "   " +
-            conditionsOf(model, rules[r]) + " -> " + wordLabel(model, expert.rules[rules[r].rule].then) + '\n';
+            conditionsOf(model, rules[r].expert, rules[r].rule) + " -> " +
+            wordLabel(model, expert.rules[rules[r].rule].then) + '\n';
   }
   if (rules.size() > kRulesInText) text += std::to_string(rules.size() - kRulesInText) + " more with --json\n";
   if (!reasons.counterfactuals.empty()) text += "\nwhat would change it\n";

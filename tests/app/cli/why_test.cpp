@@ -88,7 +88,11 @@ TEST_F(WhyTest, AHoleSaysSo) {
 
 TEST_F(WhyTest, WrongPointsAreRefused) {
   expectRefused("lubrication=1,neck_flexion=60", "--at: found no value for depth, speed, wanted INPUT=VALUE for each");
-  expectRefused("lubrication=1,neck_flexion=60,depth=13,5,speed=50", "--at: found '5', wanted INPUT=VALUE");
+  expectRefused("lubrication=1,neck_flexion=60,depth=13,5,speed=50",
+                "--at: found '5' after a comma, wanted INPUT=VALUE; a comma separates entries and the decimal sign is "
+                "a point, as in "
+                "depth=0.5");
+  expectRefused("5,lubrication=1", "--at: found '5', wanted INPUT=VALUE, such as lubrication=1");
   expectRefused("lubrication=1,lubrication=1", "found a second lubrication, wanted each input once");
   expectRefused("wetness=1", "found 'wetness', wanted an input of the model: lubrication, neck_flexion, depth, speed");
   const ProgramRun outside({"why", s4_, "--at", "lubrication=1,neck_flexion=60,depth=200,speed=900"});

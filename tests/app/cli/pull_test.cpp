@@ -1,0 +1,191 @@
+// `pull` on the command line: its numbers are those of core/analysis/pull, here its words, its JSON, its files and
+// refusals.
+#include <cmath>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/model_io/model_file.h"
+#include "elicitation/model/model_checks.h"
+
+#include "tests/app/cli/run_program.h"
+#include "tests/support/invented_experts.h"
+#include "tests/support/ngt_model.h"
+#include "tests/support/temp_folder.h"
+
+namespace tactus::cli {
+namespace {
+
+using PullJson = nlohmann::json;
+
+constexpr const char* kPulled = "lubrication=1,neck_flexion=60,depth=200,speed=50";
+
+class PullCommandTest : public testing::Test {
+ protected:
+  PullCommandTest() {
+    auto s4 = support::s4FiveRegions();
+    s4.provenance = fuzzy::Provenance{"A study", {}, {}, "Simulated."};
+    EXPECT_TRUE(elicitation::setChecks(s4));
+    EXPECT_TRUE(model_io::writeModel(s4, s4_));
+    EXPECT_TRUE(model_io::writeModel(support::inventedExperts(), four_));
+  }
+
+  PullJson pulled(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "pull");
+    arguments.push_back("--json");
+    const ProgramRun run(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return PullJson::parse(run.out);
+  }
+
+  void expectRefused(std::vector<std::string> arguments, int status, const std::string& says) const {
+    arguments.insert(arguments.begin(), "pull");
+    const ProgramRun run(arguments);
+    EXPECT_EQ(run.status, status) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(says), std::string::npos) << run.err;
+  }
+
+  support::TempFolder folder_;
+  std::string s4_ = folder_.file("s4.tactus.json");
+  std::string four_ = folder_.file("four.tactus.json");
+  std::string out_ = folder_.file("out.tactus.json");
+};
+
+TEST_F(PullCommandTest, TheMembersOfItsJson) {
+  const PullJson found = pulled({s4_, "--at", kPulled, "--force", "0.55"});
+  EXPECT_NEAR(found["before_n"].get<double>(), .589444, 5e-7);
+  EXPECT_EQ(found["target_n"], .55);
+  EXPECT_LT(found["reachable"]["min_n"], found["reachable"]["max_n"]);
+  EXPECT_TRUE(found["blocker"].is_null());
+  const PullJson& best = found["candidates"][0];
+  EXPECT_EQ(best["kind"], "place");
+  EXPECT_EQ(best["gesture"], "q");
+  EXPECT_EQ(best["variable"], "depth");
+  EXPECT_EQ(best["gap"], "laryngopharynx/esophagus");
+  EXPECT_TRUE(best["rule"].is_null());
+  EXPECT_TRUE(best["then"].is_null());
+  EXPECT_NEAR(best["delta"].get<double>(), -12.8926, 5.1e-5);
+  EXPECT_NEAR(best["force_n"].get<double>(), .55, 1e-9);
+  EXPECT_NEAR(best["k"].get<double>(), .0904, 5.1e-5);
+  EXPECT_NEAR(best["k_curve"].get<double>(), .0647, 5.1e-5);
+  EXPECT_NEAR(best["k_box"].get<double>(), .1102, 5.1e-5);
+  EXPECT_GT(best["largest_n"], 0);
+  EXPECT_EQ(best["folded"], false);
+  EXPECT_EQ(best["text"], "Depth, laryngopharynx/esophagus: the transition ends at 202.107 instead of 215.000 mm");
+  bool word = false;
+  for (const PullJson& one : found["candidates"]) {
+    if (one["gesture"] != "word") continue;
+    word = true;
+    EXPECT_EQ(one["kind"], "rule");
+    EXPECT_TRUE(one["variable"].is_null());
+    EXPECT_EQ(one["rule"], 28);
+    EXPECT_EQ(one["then"], "very_small");
+    EXPECT_EQ(one["folded"], true);
+    EXPECT_EQ(
+        one["text"],
+        "S4, rule 28 (Neck flexion large, Depth laryngopharynx): very_small instead of large; comes only to 0.519 N");
+  }
+  EXPECT_TRUE(word);
+}
+
+// Each edit is written and evaluated by another command; the file differs in the edit and in what says so.
+TEST_F(PullCommandTest, EachEditCanBeWritten) {
+  const PullJson found = pulled({s4_, "--at", kPulled, "--force", "0.55"});
+  const std::string points = folder_.file("points.csv");
+  writeText(points, "lubrication,neck_flexion,depth,speed\n1,60,200,50\n");
+  const PullJson before = PullJson::parse(readText(s4_));
+  for (std::size_t k = 0; k < found["candidates"].size(); ++k) {
+    const ProgramRun run(
+        {"pull", s4_, "--at", kPulled, "--force", "0.55", "--apply", std::to_string(k + 1), "--out", out_});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::string text = found["candidates"][k]["text"];
+    EXPECT_NE(run.out.find(text), std::string::npos) << run.out;
+    const ProgramRun eval({"eval", out_, "--in", points});
+    ASSERT_EQ(eval.status, 0) << eval.err;
+    const auto last = eval.out.substr(0, eval.out.rfind(','));
+    EXPECT_NEAR(std::stod(last.substr(last.rfind(',') + 1)), found["candidates"][k]["force_n"].get<double>(), 1e-14);
+    PullJson after = PullJson::parse(readText(out_));
+    EXPECT_EQ(after["provenance"]["notes"], "Simulated. " + text + ".");
+    PullJson same = before;
+    for (const char* key : {"inputs", "output", "experts", "created_utc", "generator", "checks"}) {
+      same.erase(key);
+      after.erase(key);
+    }
+    same["provenance"].erase("notes");
+    after["provenance"].erase("notes");
+    EXPECT_EQ(after, same);
+  }
+}
+
+TEST_F(PullCommandTest, InWords) {
+  const ProgramRun one({"pull", s4_, "--at", kPulled, "--force", "0.55"});
+  EXPECT_EQ(one.status, 0);
+  EXPECT_TRUE(one.out.starts_with("0.589 N here, wanted 0.550 N. One edit reaches ")) << one.out;
+  EXPECT_NE(
+      one.out.find("\n1   Depth, laryngopharynx/esophagus: the transition ends at 202.107 instead of 215.000 mm\n"),
+      std::string::npos)
+      << one.out;
+  EXPECT_NE(one.out.find(" more with --json"), std::string::npos);
+  const ProgramRun mean({"pull", four_, "--at", kPulled, "--force", "0.56"});
+  EXPECT_NE(mean.out.find("A rule belongs to one expert"), std::string::npos) << mean.out;
+  const ProgramRun shared({"pull", four_, "--at", kPulled, "--force", "0.56", "--expert", "S4"});
+  EXPECT_NE(shared.err.find("an edit of them changes the forces of others than S4"), std::string::npos) << shared.err;
+}
+
+TEST_F(PullCommandTest, WhatCannotBeReachedSaysWhy) {
+  const char* const nose = "lubrication=1,neck_flexion=60,depth=30,speed=50";
+  const PullJson found = pulled({s4_, "--at", nose, "--force", "0.1", "--lock", "force"});
+  EXPECT_EQ(found["blocker"], "the centroid of very_small: no word alone goes below 0.127 N");
+  EXPECT_TRUE(found["candidates"].empty());
+  const PullJson far = pulled({s4_, "--at", "lubrication=1,neck_flexion=60,depth=300,speed=50", "--force", "1"});
+  EXPECT_EQ(far["blocker"], "one rule is not enough, the words of the other rules hold the force");
+  EXPECT_EQ(far["candidates"].size(), 2U);
+  auto model = support::s4FiveRegions();
+  model.experts[0].rules = {{{{"speed", "fast"}}, "large"}};
+  ASSERT_TRUE(model_io::writeModel(model, s4_));
+  const PullJson hole = pulled({s4_, "--at", kPulled, "--force", "0.3"});
+  EXPECT_EQ(hole["blocker"], "no rule fires here");
+  EXPECT_TRUE(hole["before_n"].is_null());
+  EXPECT_TRUE(hole["reachable"].is_null());
+}
+
+// Terms that do not sum to one have no ramps; their vertices move alone.
+TEST_F(PullCommandTest, SingleVertices) {
+  auto model = support::s4FiveRegions();
+  model.inputs[2].terms[2].points[3] += 5;
+  ASSERT_TRUE(model_io::writeModel(model, s4_));
+  const PullJson found = pulled({s4_, "--at", kPulled, "--force", "0.55"});
+  bool vertex = false;
+  for (const PullJson& one : found["candidates"]) {
+    if (one["variable"] != "depth") continue;
+    vertex = true;
+    EXPECT_EQ(one["gesture"], "vertex");
+    EXPECT_EQ(std::string(one["gap"]).find('/'), std::string::npos);
+    EXPECT_NE(std::string(one["text"]).find(": vertex "), std::string::npos) << one["text"];
+  }
+  EXPECT_TRUE(vertex);
+}
+
+TEST_F(PullCommandTest, WrongQuestionsAreRefused) {
+  expectRefused(
+      {s4_, "--at", "lubrication=0,5", "--force", "0.5"}, 1,
+      "--at: found '5' after a comma, wanted INPUT=VALUE; a comma separates entries and the decimal sign is a point, "
+      "as in lubrication=0.5");
+  expectRefused({s4_, "--at", "wetness=1", "--force", "0.5"}, 1, "--at: found 'wetness', wanted an input of the model");
+  expectRefused({s4_, "--at", "lubrication=1,neck_flexion=60,depth=700,speed=50", "--force", "0.5"}, 1,
+                "--at depth: found 700, wanted a value from 0 to 600");
+  expectRefused({s4_, "--at", kPulled, "--force", "0.5", "--expert", "S9"}, 1, "found 'S9', wanted one of S4");
+  expectRefused({s4_, "--at", kPulled, "--force", "much"}, 2, "--force: found 'much', wanted a finite force");
+  expectRefused({s4_, "--at", kPulled, "--force", "0.5", "--lock", "dpth"}, 1,
+                "--lock: found 'dpth', wanted a variable of the model: ");
+  expectRefused({s4_, "--at", kPulled, "--force", "0.5", "--apply", "1"}, 2, "--apply requires --out");
+  expectRefused({s4_, "--at", kPulled, "--force", "0.5", "--apply", "700", "--out", out_}, 1,
+                "--apply: found 700, wanted a number from 1 to ");
+  expectRefused({s4_, "--at", kPulled, "--force", "0.5", "--apply", "1", "--out", s4_}, 1,
+                "--out: found the model to pull, wanted another file");
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+}  // namespace
+}  // namespace tactus::cli

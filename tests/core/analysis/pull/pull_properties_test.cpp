@@ -1,0 +1,115 @@
+// What holds for every candidate of every pull, on generated models and on the four invented experts.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/analysis/partition.h"
+#include "core/analysis/pull/pull.h"
+#include "core/base/random.h"
+
+#include "tests/support/invented_experts.h"
+#include "tests/support/ordered_model.h"
+
+namespace tactus::analysis {
+namespace {
+
+using fuzzy::ForceModel;
+
+double noticeable(double force_n) { return std::hypot(.04, .12 * force_n); }
+
+/// Whether each list that summed to one still does, with its terms in the same order.
+void expectSumsKept(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& before,
+                    const std::vector<fuzzy::Term>& after) {
+  const auto order = partitionOrder(variable, before);
+  if (!order) return;
+  const auto now = partitionOrder(variable, after);
+  ASSERT_TRUE(now) << variable.id;
+  EXPECT_EQ(*order, *now);
+}
+
+/// Takes out what `edit` may change; the rest of the two models must be equal.
+void forget(ForceModel& model, const PullEdit& edit) {
+  if (editsRule(edit.gesture)) {
+    auto& rule = model.experts[expertIndex(model, edit.expert)].rules[edit.rule];
+    rule.then.clear();
+    rule.weight = 1;
+    rule.enabled = true;
+  } else if (edit.list.owner.empty()) {
+    (edit.list.variable < model.inputs.size() ? model.inputs[edit.list.variable] : model.output).terms.clear();
+  } else {
+    for (auto& own : model.experts[expertIndex(model, edit.list.owner)].overrides) {
+      if (own.variable == variableAt(model, edit.list.variable).id) own.terms.clear();
+    }
+  }
+}
+
+/// Returns the number of candidates.
+std::size_t checkPull(const ForceModel& model, const std::vector<double>& point, double target_n,
+                      const PullSettings& settings) {
+  const auto found = pull(model, point, target_n, noticeable, settings);
+  EXPECT_TRUE(found.has_value());
+  if (!found) return 0;
+  for (const PullCandidate& one : found->candidates) {
+    SCOPED_TRACE(std::string(name(one.edits[0].gesture)) + " of variable " +
+                 std::to_string(one.edits[0].list.variable) + " by " + std::to_string(one.edits[0].delta));
+    const ForceModel after = applied(model, one.edits);
+    const auto compiled = fuzzy::compile(after);  // also the order of the vertices
+    EXPECT_TRUE(compiled.has_value());
+    if (!compiled) continue;
+    const auto force = settings.expert ? compiled->evaluateExpert(*settings.expert, point) : compiled->evaluate(point);
+    const double range_n = model.output.max - model.output.min;
+    EXPECT_TRUE(force.fired);
+    EXPECT_NEAR(force.force_n, one.force_n, 1e-14 * range_n) << "a few ulp: an expert alone and the mean of one";
+    EXPECT_NEAR(force.force_n, one.exact ? target_n : one.force_n, 1e-9 * range_n);
+    EXPECT_GE(one.force_n, found->reachable->min_n);
+    EXPECT_LE(one.force_n, found->reachable->max_n);
+    for (std::size_t v = 0; v <= model.inputs.size(); ++v) {
+      expectSumsKept(variableAt(model, v), variableAt(model, v).terms, variableAt(after, v).terms);
+    }
+    for (const std::size_t locked : settings.locked) {
+      EXPECT_EQ(variableAt(model, locked).terms, variableAt(after, locked).terms);
+    }
+    ForceModel left = model;
+    ForceModel right = after;
+    for (const PullEdit& edit : one.edits) forget(left, edit), forget(right, edit);
+    EXPECT_EQ(left, right) << "nothing else changes";
+  }
+  return found->candidates.size();
+}
+
+TEST(PullProperties, FourExpertsThatShareTheirTerms) {
+  base::Random random(20261123);
+  const ForceModel model = support::inventedExperts();
+  std::size_t candidates = 0;
+  for (int i = 0; i < 40; ++i) {
+    std::vector<double> point;
+    for (const auto& input : model.inputs) point.push_back(input.min + random.uniform() * (input.max - input.min));
+    PullSettings settings;
+    settings.box_points = 64;
+    if (i % 2 == 0) settings.expert = i / 2 % 4;
+    if (i % 3 == 0) settings.locked = {static_cast<std::size_t>(i % 5)};
+    candidates += checkPull(model, point, .15 + .7 * random.uniform(), settings);
+  }
+  EXPECT_GT(candidates, 200U);
+}
+
+TEST(PullProperties, GeneratedModels) {
+  base::Random random(7);
+  std::size_t candidates = 0;
+  for (int i = 0; i < 150; ++i) {
+    const ForceModel model = support::randomOrderedModel(random);
+    std::vector<double> point = support::randomOrderedPoint(random, model);
+    for (std::size_t k = 0; k < point.size(); ++k) {
+      point[k] = std::clamp(point[k], model.inputs[k].min, model.inputs[k].max);
+    }
+    PullSettings settings;
+    settings.box_points = 32;
+    if (i % 2 == 0) settings.expert = static_cast<std::size_t>(i) % model.experts.size();
+    const double target_n = model.output.min + random.uniform() * (model.output.max - model.output.min);
+    candidates += checkPull(model, point, target_n, settings);
+  }
+  EXPECT_GT(candidates, 150U);
+}
+
+}  // namespace
+}  // namespace tactus::analysis
