@@ -4,7 +4,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QStackedWidget>
-#include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "app/workbench/kit/note_groups.h"
 #include "app/workbench/kit/notes_button.h"
 #include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/quiet_table.h"
 
 namespace tactus::workbench {
 namespace {
@@ -30,23 +30,10 @@ constexpr int kRowHeight = 7 * theme::kGrid;
 
 // The participants' table: quiet lines, one selected row.
 QTableView* makeTable(ParticipantTable& model, QWidget* parent) {
-  auto* view = new QTableView(parent);
-  view->setModel(&model);
+  QTableView* const view = makeQuietTable(model, ParticipantTable::tr("Participants"), parent);
   view->setItemDelegate(new StepDelegate(view));
-  view->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view->setSelectionMode(QAbstractItemView::SingleSelection);
-  view->setTabKeyNavigation(false);
-  view->setShowGrid(false);
-  view->setFrameShape(QFrame::NoFrame);
-  view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  view->setAccessibleName(ParticipantTable::tr("Participants"));
-  view->verticalHeader()->hide();
   view->verticalHeader()->setDefaultSectionSize(kRowHeight);
   QHeaderView* const head = view->horizontalHeader();
-  head->setFont(theme::smallFont());
-  head->setHighlightSections(false);
-  head->setSectionsClickable(false);
   head->setDefaultAlignment(Qt::AlignCenter);
   head->setMinimumHeight(4 * theme::kGrid);
   const QFontMetrics metrics(theme::smallFont());

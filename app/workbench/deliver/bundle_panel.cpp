@@ -10,7 +10,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QTableView>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,6 +22,7 @@
 #include "app/workbench/deliver/readiness_sign.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/kit/say.h"
 
 namespace tactus::workbench {
@@ -126,19 +126,10 @@ QWidget* BundlePanel::makeResult() {
   open_ = new QPushButton(tr("Open folder"), page);
   act_ = new QPushButton(page);
   act_->setObjectName(QStringLiteral("bundle_act"));
-  table_ = new QTableView(page);
-  table_->setModel(&files_);
+  table_ = makeQuietTable(files_, tr("Files of the bundle, with the largest error of each"), page);
   table_->setObjectName(QStringLiteral("bundle_files"));
-  table_->setAccessibleName(tr("Files of the bundle, with the largest error of each"));
-  table_->setFrameShape(QFrame::NoFrame);
-  table_->setShowGrid(false);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
   table_->setTextElideMode(Qt::ElideMiddle);
-  table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(3 * theme::kGrid);
-  table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(DeliveredModel::kFile, QHeaderView::Stretch);
 

@@ -5,7 +5,6 @@
 #include <QHeaderView>
 #include <QMenu>
 #include <QSignalBlocker>
-#include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/kit/menu_heading.h"
+#include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/labs/force/judgement_delegate.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/force/vote_words.h"
@@ -40,29 +40,20 @@ std::vector<std::string> seriesIn(const std::vector<session::JudgedForce>& all) 
 JudgementView::JudgementView(QWidget* parent)
     : QWidget(parent),
       grid_(new JudgementGrid(this)),
-      view_(new QTableView(this)),
+      view_(makeQuietTable(*grid_, tr("Judgements of each participant"), this)),
       series_(new QComboBox(this)),
       hint_(new ElidedLabel(this)) {
-  view_->setModel(grid_);
   view_->setItemDelegate(new JudgementDelegate(*grid_, view_));
-  view_->setSelectionMode(QAbstractItemView::SingleSelection);
-  view_->setTabKeyNavigation(false);
-  view_->setShowGrid(false);
-  view_->setFrameShape(QFrame::NoFrame);
+  view_->setSelectionBehavior(QAbstractItemView::SelectItems);
   view_->setFont(theme::smallFont());
-  view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  view_->setAccessibleName(tr("Judgements of each participant"));
-  view_->verticalHeader()->setDefaultSectionSize(kJudgementRow);
-  view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  QHeaderView* const head = view_->horizontalHeader();
-  head->setFont(theme::smallFont());
-  head->setMinimumSectionSize(kJudgementColumn);
-  head->setSectionResizeMode(QHeaderView::Stretch);
-  for (QHeaderView* header : {head, view_->verticalHeader()}) {
-    header->setHighlightSections(false);
-    header->setSectionsClickable(false);
-  }
+  QHeaderView* const names = view_->verticalHeader();
+  names->setDefaultSectionSize(kJudgementRow);
+  names->setSectionResizeMode(QHeaderView::Fixed);
+  names->setHighlightSections(false);
+  names->setSectionsClickable(false);
+  names->show();
+  view_->horizontalHeader()->setMinimumSectionSize(kJudgementColumn);
+  view_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   series_->setAccessibleName(tr("Series of forces"));
   series_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   setMuted(*hint_);

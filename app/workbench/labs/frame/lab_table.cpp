@@ -3,7 +3,7 @@
 #include <QHeaderView>
 #include <QProxyStyle>
 
-#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/quiet_table.h"
 
 namespace tactus::workbench {
 namespace {
@@ -23,24 +23,11 @@ class RoomyCells : public QProxyStyle {
 }  // namespace
 
 QTableView* makeLabTable(QAbstractItemModel& model, int stretched, const QString& accessible_name, QWidget* parent) {
-  auto* view = new QTableView(parent);
-  view->setModel(&model);
-  view->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view->setSelectionMode(QAbstractItemView::SingleSelection);
-  view->setTabKeyNavigation(false);
-  view->setShowGrid(false);
-  view->setFrameShape(QFrame::NoFrame);
-  view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  view->setAccessibleName(accessible_name);
-  view->verticalHeader()->hide();
+  QTableView* const view = makeQuietTable(model, accessible_name, parent);
   QHeaderView* const head = view->horizontalHeader();
   auto* const roomy = new RoomyCells;
   roomy->setParent(view);
   for (QWidget* widget : {static_cast<QWidget*>(view), static_cast<QWidget*>(head)}) widget->setStyle(roomy);
-  head->setFont(theme::smallFont());
-  head->setHighlightSections(false);
-  head->setSectionsClickable(false);
   head->setResizeContentsPrecision(kMeasuredRows);
   head->setSectionResizeMode(QHeaderView::ResizeToContents);
   if (stretched >= 0) {

@@ -1,4 +1,4 @@
-// How tables look in the labs: no grid, small heads, smooth scrolling.
+// How tables look in the labs: quiet ones (kit/quiet_table.h) with roomy cells, as wide as their place.
 #pragma once
 
 #include <QTableView>

@@ -4,12 +4,12 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
-#include <QTableView>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/card.h"
+#include "app/workbench/labs/frame/lab_table.h"
 #include "app/workbench/labs/speed/objective_plot.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/labs/speed/speed_table.h"
@@ -18,7 +18,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kMostShortRows = 8;
-constexpr qsizetype kMostWarnings = 60;  // lines; more are not read
+constexpr qsizetype kMostWarnings = 30;  // lines; more are not read
 
 /// A card with a heading and `content`.
 Card* titled(const QString& title, QWidget* content, QWidget* parent) {
@@ -39,24 +39,10 @@ NumberPage::NumberPage(SpeedLab& lab, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
       table_(new SpeedTable(this)),
-      view_(new QTableView(this)),
+      view_(makeLabTable(*table_, -1, tr("Table 1: speeds of each participant at each level"), this)),
       warnings_(new QLabel(this)),
       objective_(new ObjectivePlot(this)) {
-  view_->setModel(table_);
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view_->setSelectionMode(QAbstractItemView::SingleSelection);
-  view_->setTabKeyNavigation(false);
-  view_->setShowGrid(false);
-  view_->setFrameShape(QFrame::NoFrame);
-  view_->setAccessibleName(tr("Table 1: speeds of each participant at each level"));
-  view_->verticalHeader()->hide();
   view_->verticalHeader()->setDefaultSectionSize(4 * theme::kGrid);
-  QHeaderView* const head = view_->horizontalHeader();
-  head->setFont(theme::smallFont());
-  head->setSectionsClickable(false);
-  head->setHighlightSections(false);
-  head->setSectionResizeMode(QHeaderView::ResizeToContents);
-  head->setStretchLastSection(true);
   warnings_->setTextFormat(Qt::PlainText);
   warnings_->setWordWrap(true);
   warnings_->setAlignment(Qt::AlignTop | Qt::AlignLeft);

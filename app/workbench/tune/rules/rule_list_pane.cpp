@@ -8,7 +8,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/flash.h"
+#include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/kit/row_stop.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_form.h"
@@ -49,7 +49,7 @@ RuleListPane::RuleListPane(RuleController& rules, QWidget* parent)
       text_(new QLineEdit(this)),
       only_(new QComboBox(this)),
       count_(new QLabel(this)),
-      table_(new QTableView(this)),
+      table_(makeQuietTable(*sieve_, tr("Rules"), this)),
       add_(makeButton(tr("Add rule…"), this)),
       edit_(makeButton(tr("Edit…"), this)),
       enable_(makeButton(tr("Enable"), this)),
@@ -76,28 +76,20 @@ RuleListPane::RuleListPane(RuleController& rules, QWidget* parent)
 }
 
 void RuleListPane::buildTable() {
-  table_->setModel(sieve_);
   table_->setItemDelegate(new RuleListDelegate(rules_, *flash_, table_));
-  table_->setAccessibleName(tr("Rules"));
   table_->setFont(theme::smallFont());
-  table_->setFrameShape(QFrame::NoFrame);
-  table_->setShowGrid(false);
   table_->setAlternatingRowColors(true);
   table_->setWordWrap(true);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   table_->setToolTip(
       tr("Select several rules with Ctrl or Shift: an edit changes all of them · 1–9 answer · Ctrl+C and "
          "Ctrl+V copy and paste them as text"));
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
-  table_->setTabKeyNavigation(false);
-  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->setSortingEnabled(true);
   table_->sortByColumn(RuleListModel::kNumber, Qt::AscendingOrder);
-  table_->verticalHeader()->hide();
   QHeaderView* head = table_->horizontalHeader();
-  head->setHighlightSections(false);
+  head->setSectionsClickable(true);
   head->setSectionResizeMode(QHeaderView::Fixed);
   head->setSectionResizeMode(RuleListModel::kConditions, QHeaderView::Stretch);
   head->setMinimumSectionSize(24);

@@ -2,13 +2,13 @@
 
 #include <QHeaderView>
 #include <QLabel>
-#include <QTableView>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/understand/curves/reading_model.h"
 
@@ -18,7 +18,7 @@ ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings,
     : Card(parent),
       scene_(scene),
       place_(new QLabel(this)),
-      table_(new QTableView(this)),
+      table_(makeQuietTable(readings, tr("Forces at the place that is read"), this)),
       hint_(new QLabel(
           tr("Move over the curves to read them. Click to keep the place, Shift+click to measure from it."), this)) {
   place_->setFont(theme::headingFont());
@@ -27,24 +27,16 @@ ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings,
   hint_->setWordWrap(true);
   setMuted(*hint_);
 
-  table_->setModel(&readings);
-  table_->setFrameShape(QFrame::NoFrame);
-  table_->setShowGrid(false);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
   table_->horizontalHeader()->hide();
   // The width fits what is in sight; measuring hundreds of experts after each edit would take longer than a frame.
   table_->horizontalHeader()->setResizeContentsPrecision(0);
   table_->horizontalHeader()->setSectionResizeMode(ReadingModel::kWho, QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(ReadingModel::kForce, QHeaderView::ResizeToContents);
-  // Tab leads out of the table.
-  table_->setTabKeyNavigation(false);
   // As high as there is room; the height it would like to have would make the panel scroll.
   table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   table_->setMinimumHeight(2 * table_->verticalHeader()->defaultSectionSize());
-  table_->setAccessibleName(tr("Forces at the place that is read"));
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid + 4, theme::kGrid + 4, theme::kGrid + 4);

@@ -1,0 +1,28 @@
+#include "app/workbench/kit/quiet_table.h"
+
+#include <QHeaderView>
+
+#include "app/workbench/base/theme.h"
+
+namespace tactus::workbench {
+
+QTableView* makeQuietTable(QAbstractItemModel& model, const QString& accessible_name, QWidget* parent) {
+  auto* view = new QTableView(parent);
+  view->setModel(&model);
+  view->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view->setSelectionMode(QAbstractItemView::SingleSelection);
+  view->setTabKeyNavigation(false);
+  view->setShowGrid(false);
+  view->setFrameShape(QFrame::NoFrame);
+  view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view->setAccessibleName(accessible_name);
+  view->verticalHeader()->hide();
+  QHeaderView* const head = view->horizontalHeader();
+  head->setFont(theme::smallFont());
+  head->setHighlightSections(false);
+  head->setSectionsClickable(false);
+  return view;
+}
+
+}  // namespace tactus::workbench
