@@ -106,74 +106,40 @@ std::vector<ParticipantChecks> judgementChecks(const fuzzy::Variable& words,
   return out;
 }
 
+CheckTable::CheckTable(QObject* parent)
+    : LabTableModel(
+          {{tr("Participant")},
+           {tr("Falling words"), Qt::AlignHCenter, tr("Pairs of forces in which the larger one got the lower word.")},
+           {tr("Rising – falling"), Qt::AlignHCenter,
+            tr("Mean word in the rising series less that in the falling series, at equal forces.")},
+           {tr("Repeats"), Qt::AlignHCenter,
+            tr("Agreement of the answers to equal forces: kappa with quadratic weights, and the share within one "
+               "word.")},
+           {tr("Blanks felt"), Qt::AlignHCenter, tr("Blanks of 0 N that were judged as felt.")},
+           {tr("Limits between words"), Qt::AlignHCenter,
+            tr("Ordered probit: the force at which one word gives way to the next, and the spread of what is felt.")},
+           {tr("Answer after"), Qt::AlignHCenter},
+           {tr("Forward speed"), Qt::AlignHCenter}},
+          parent) {}
+
 void CheckTable::setChecks(std::vector<ParticipantChecks> checks) {
   beginResetModel();
   rows_ = std::move(checks);
   endResetModel();
 }
 
-int CheckTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-QVariant CheckTable::data(const QModelIndex& index, int role) const {
-  const ParticipantChecks& row = rows_[static_cast<std::size_t>(index.row())];
-  const auto finding = [&] {
-    return std::find_if(row.checks.findings.begin(), row.checks.findings.end(),
-                        [&](const experiments::JudgementFinding& one) { return one.check == checkOf(index.column()); });
-  };
+QVariant CheckTable::cell(int row, int column, int role) const {
+  const ParticipantChecks& at = rows_[static_cast<std::size_t>(row)];
+  const auto& findings = at.checks.findings;
+  const auto finding = std::find_if(findings.begin(), findings.end(),
+                                    [column](const auto& one) { return one.check == checkOf(column); });
   switch (role) {
     case Qt::DisplayRole:
-      return shownCheck(row, index.column());
+      return shownCheck(at, column);
     case Qt::ToolTipRole:
-      return finding() == row.checks.findings.end() ? QVariant() : text(finding()->sentence);
+      return finding == findings.end() ? QVariant() : text(finding->sentence);
     case kNotableRole:
-      return finding() != row.checks.findings.end() && finding()->notable;
-    case Qt::TextAlignmentRole:
-      return static_cast<int>((index.column() == kWho ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter);
-    default:
-      return {};
-  }
-}
-
-QVariant CheckTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole && section == kWho) return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
-  if (role == Qt::DisplayRole) {
-    switch (section) {
-      case kWho:
-        return tr("Participant");
-      case kReversals:
-        return tr("Falling words");
-      case kHysteresis:
-        return tr("Rising – falling");
-      case kRepeats:
-        return tr("Repeats");
-      case kBlanks:
-        return tr("Blanks felt");
-      case kThresholds:
-        return tr("Limits between words");
-      case kAnswerTime:
-        return tr("Answer after");
-      case kMotion:
-        return tr("Forward speed");
-      default:
-        return {};
-    }
-  }
-  if (role != Qt::ToolTipRole) return {};
-  switch (section) {
-    case kReversals:
-      return tr("Pairs of forces in which the larger one got the lower word.");
-    case kHysteresis:
-      return tr("Mean word in the rising series less that in the falling series, at equal forces.");
-    case kRepeats:
-      return tr(
-          "Agreement of the answers to equal forces: kappa with quadratic weights, and the share within one word.");
-    case kBlanks:
-      return tr("Blanks of 0 N that were judged as felt.");
-    case kThresholds:
-      return tr("Ordered probit: the force at which one word gives way to the next, and the spread of what is felt.");
+      return finding != findings.end() && finding->notable;
     default:
       return {};
   }

@@ -2,11 +2,11 @@
 // against falling forces, repeats, blanks, limits between words, and times.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <string>
 #include <vector>
 
 #include "app/session/judged_forces.h"
+#include "app/workbench/labs/frame/lab_table_model.h"
 #include "core/fuzzy/force_model.h"
 #include "experiments/judgement_checks.h"
 
@@ -21,23 +21,21 @@ struct ParticipantChecks {
 std::vector<ParticipantChecks> judgementChecks(const fuzzy::Variable& words,
                                                const std::vector<session::JudgedForce>& all);
 
-class CheckTable : public QAbstractTableModel {
+class CheckTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kWho, kReversals, kHysteresis, kRepeats, kBlanks, kThresholds, kAnswerTime, kMotion, kColumns };
+  enum Column { kWho, kReversals, kHysteresis, kRepeats, kBlanks, kThresholds, kAnswerTime, kMotion };
   static constexpr int kNotableRole = Qt::UserRole;  ///< bool: deserves attention
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit CheckTable(QObject* parent = nullptr);
 
   void setChecks(std::vector<ParticipantChecks> checks);
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : kColumns; }
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
  private:
+  int rows() const override { return static_cast<int>(rows_.size()); }
+  QVariant cell(int row, int column, int role) const override;
+
   std::vector<ParticipantChecks> rows_;
 };
 

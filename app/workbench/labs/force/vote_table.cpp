@@ -1,6 +1,7 @@
 #include "app/workbench/labs/force/vote_table.h"
 
 #include <numeric>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/initials.h"
@@ -17,6 +18,13 @@ void VoteTable::setVotes(const ForceVotes& votes) {
   beginResetModel();
   words_ = votes.words;
   steps_ = votes.steps;
+  std::vector<LabColumn> columns = {{tr("Force"), Qt::AlignRight}};
+  for (const fuzzy::Term& word : words_.terms) {
+    columns.push_back({initialsOf(labelOf(word)), Qt::AlignHCenter, labelOf(word)});
+  }
+  columns.push_back({tr("Winner")});
+  columns.push_back({tr("Why")});
+  setColumns(std::move(columns));
   endResetModel();
 }
 
@@ -25,15 +33,8 @@ std::string VoteTable::wordAt(int column) const {
   return words_.terms[static_cast<std::size_t>(column - kFirstWord)].id;
 }
 
-int VoteTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(steps_.size());
-}
-
-int VoteTable::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : reasonColumn() + 1; }
-
-QVariant VoteTable::data(const QModelIndex& index, int role) const {
-  const elicitation::VoteStep& at = step(index.row());
-  const int column = index.column();
+QVariant VoteTable::cell(int row, int column, int role) const {
+  const elicitation::VoteStep& at = step(row);
   const bool is_word = column >= kFirstWord && column < winnerColumn();
   const auto word = static_cast<std::size_t>(column - kFirstWord);
   switch (role) {
@@ -41,9 +42,6 @@ QVariant VoteTable::data(const QModelIndex& index, int role) const {
       return shown(at, column);
     case Qt::ToolTipRole:
       return is_word || column == kForce ? QVariant() : reasonRule(at);
-    case Qt::TextAlignmentRole:
-      if (column == kForce) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
-      return static_cast<int>(is_word ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter);
     case kShareRole:
       return is_word && cast(at) > 0 ? static_cast<double>(at.votes[word]) / cast(at) : 0.0;
     case kWinsRole:
@@ -58,20 +56,6 @@ QString VoteTable::shown(const elicitation::VoteStep& step, int column) const {
   if (column < winnerColumn()) return QString::number(step.votes[static_cast<std::size_t>(column - kFirstWord)]);
   if (column == reasonColumn()) return reasonText(step);
   return step.term ? labelOf(words_.terms[*step.term]) : QStringLiteral("–");
-}
-
-QVariant VoteTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  const bool is_word = section >= kFirstWord && section < winnerColumn();
-  if (is_word && (role == Qt::DisplayRole || role == Qt::ToolTipRole)) {
-    const QString word = labelOf(words_.terms[static_cast<std::size_t>(section - kFirstWord)]);
-    return role == Qt::DisplayRole ? initialsOf(word) : word;
-  }
-  if (role == Qt::TextAlignmentRole && section == reasonColumn())
-    return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
-  if (role != Qt::DisplayRole) return {};
-  if (section == kForce) return tr("Force");
-  return section == winnerColumn() ? tr("Winner") : tr("Why");
 }
 
 }  // namespace tactus::workbench

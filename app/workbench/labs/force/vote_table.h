@@ -1,14 +1,14 @@
 // Table 2 of the study as an item model: a row for each force, with the votes for each word, the winner and the reason.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <string>
 
 #include "app/workbench/labs/force/force_data.h"
+#include "app/workbench/labs/frame/lab_table_model.h"
 
 namespace tactus::workbench {
 
-class VoteTable : public QAbstractTableModel {
+class VoteTable : public LabTableModel {
   Q_OBJECT
 
  public:
@@ -17,7 +17,7 @@ class VoteTable : public QAbstractTableModel {
   static constexpr int kShareRole = Qt::UserRole;     ///< double: share of the votes at this force
   static constexpr int kWinsRole = Qt::UserRole + 1;  ///< bool: the word of this column won
 
-  using QAbstractTableModel::QAbstractTableModel;
+  using LabTableModel::LabTableModel;
 
   void setVotes(const ForceVotes& votes);
   int words() const { return static_cast<int>(words_.terms.size()); }
@@ -27,12 +27,9 @@ class VoteTable : public QAbstractTableModel {
   int reasonColumn() const { return winnerColumn() + 1; }
   const elicitation::VoteStep& step(int row) const { return steps_[static_cast<std::size_t>(row)]; }
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
  private:
+  int rows() const override { return static_cast<int>(steps_.size()); }
+  QVariant cell(int row, int column, int role) const override;
   QString shown(const elicitation::VoteStep& step, int column) const;
 
   fuzzy::Variable words_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <utility>
 #include <vector>
 
 namespace tactus::workbench {
@@ -17,6 +18,8 @@ class LabTableModel : public QAbstractTableModel {
 
  public:
   explicit LabTableModel(std::vector<LabColumn> columns, QObject* parent = nullptr);
+  /// For columns that follow from the data: none until `setColumns`.
+  explicit LabTableModel(QObject* parent = nullptr) : LabTableModel({}, parent) {}
 
   int rowCount(const QModelIndex& parent = {}) const final { return parent.isValid() ? 0 : rows(); }
   int columnCount(const QModelIndex& parent = {}) const final;
@@ -27,6 +30,8 @@ class LabTableModel : public QAbstractTableModel {
   virtual int rows() const = 0;
   /// What a cell has for `role`; never asked about the alignment.
   virtual QVariant cell(int row, int column, int role) const = 0;
+  /// While the model is being reset.
+  void setColumns(std::vector<LabColumn> columns) { columns_ = std::move(columns); }
 
  private:
   std::vector<LabColumn> columns_;

@@ -16,6 +16,31 @@ QString fixed(const std::optional<double>& value, int decimals) {
   return value ? fixed(*value, decimals) : QStringLiteral("–");
 }
 
+LabColumn measure(const QString& title, const QString& tip) { return {title, Qt::AlignHCenter, tip}; }
+
+std::vector<LabColumn> columnsOf(const fuzzy::Variable& speed) {
+  std::vector<LabColumn> out = {{SpeedTable::tr("Participant")}};
+  for (const fuzzy::Term& level : speed.terms) {
+    out.push_back({SpeedTable::tr("%1\nmean (SD), mm/s").arg(labelOf(level)), Qt::AlignHCenter});
+  }
+  out.push_back(
+      measure(SpeedTable::tr("Accuracy"),
+              SpeedTable::tr("Share of the samples whose cluster is that of the level asked for. Warns below 0.6.")));
+  out.push_back(
+      measure(SpeedTable::tr("Rand\nindex"),
+              SpeedTable::tr("Agreement of clusters and levels beyond chance; 1 is perfect. Warns below 0.3.")));
+  out.push_back(measure(SpeedTable::tr("Separation\nd′"),
+                        SpeedTable::tr("Difference of neighboring levels in standard deviations. Warns below 1.")));
+  out.push_back(
+      measure(SpeedTable::tr("Trend\np"),
+              SpeedTable::tr("Whether the means of the strokes rise with the level: Jonckheere-Terpstra, one-sided.")));
+  out.push_back(
+      measure(SpeedTable::tr("Silhouette"), SpeedTable::tr("Fuzzy silhouette: near 1 the clusters are apart.")));
+  out.push_back(measure(SpeedTable::tr("Xie-Beni"), SpeedTable::tr("Xie-Beni index: smaller is better.")));
+  out.push_back(measure(SpeedTable::tr("Warnings"), SpeedTable::tr("Point at a row to read its warnings.")));
+  return out;
+}
+
 }  // namespace
 
 void SpeedTable::show(std::shared_ptr<const SpeedResult> result) {
@@ -28,26 +53,16 @@ void SpeedTable::show(std::shared_ptr<const SpeedResult> result) {
   }
   beginResetModel();
   result_ = std::move(result);
+  setColumns(result_ ? columnsOf(result_->speed) : std::vector<LabColumn>());
   endResetModel();
 }
 
 std::size_t SpeedTable::levels() const { return result_ ? result_->speed.terms.size() : 0; }
 
-int SpeedTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || !result_ ? 0 : static_cast<int>(result_->subjects.size());
-}
-
-int SpeedTable::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(1 + levels()) + kMeasures;
-}
-
-QVariant SpeedTable::data(const QModelIndex& index, int role) const {
-  const SpeedSubject& subject = *result_->subjects[static_cast<std::size_t>(index.row())];
-  const int measure = index.column() - 1 - static_cast<int>(levels());
+QVariant SpeedTable::cell(int row, int column, int role) const {
+  const SpeedSubject& subject = *result_->subjects[static_cast<std::size_t>(row)];
+  const int measure = column - 1 - static_cast<int>(levels());
   const auto& warnings = subject.speeds.diagnostics.warnings;
-  if (role == Qt::TextAlignmentRole) {
-    return QVariant(index.column() == 0 ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
-  }
   if (role == Qt::ToolTipRole) {
     QStringList lines;
     if (!subject.failure.empty()) lines << text(subject.failure);
@@ -56,13 +71,13 @@ QVariant SpeedTable::data(const QModelIndex& index, int role) const {
   }
   if (role == Qt::ForegroundRole && measure == kWarnings && !warnings.empty()) return theme::warningInk();
   if (role != Qt::DisplayRole) return {};
-  if (index.column() == 0) {
+  if (column == 0) {
     const QString who = text(subject.speeds.participant);
     return subject.speeds.simulated ? tr("%1 (simulated)").arg(who) : who;
   }
   if (!subject.checked) return QStringLiteral("…");
   if (measure >= 0) return measureText(subject, measure);
-  const auto level = static_cast<std::size_t>(index.column() - 1);
+  const auto level = static_cast<std::size_t>(column - 1);
   const auto& found = subject.speeds.diagnostics.levels;
   if (level >= found.size() || found[level].samples == 0) return QStringLiteral("–");
   return tr("%1 (%2)").arg(fixed(found[level].mean_mm_s, 1), fixed(found[level].sd_mm_s, 1));
@@ -90,49 +105,6 @@ QString SpeedTable::measureText(const SpeedSubject& subject, int measure) const 
       return fixed(subject.speeds.validity.xie_beni, 3);
     default:
       return found.warnings.empty() ? QStringLiteral("–") : tr("▲ %1").arg(found.warnings.size());
-  }
-}
-
-QVariant SpeedTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  const int measure = section - 1 - static_cast<int>(levels());
-  if (role == Qt::ToolTipRole && measure >= 0) {
-    switch (measure) {
-      case kAccuracy:
-        return tr("Share of the samples whose cluster is that of the level asked for. Warns below 0.6.");
-      case kRand:
-        return tr("Agreement of clusters and levels beyond chance; 1 is perfect. Warns below 0.3.");
-      case kSeparation:
-        return tr("Difference of neighboring levels in standard deviations. Warns below 1.");
-      case kTrend:
-        return tr("Whether the means of the strokes rise with the level: Jonckheere-Terpstra, one-sided.");
-      case kSilhouette:
-        return tr("Fuzzy silhouette: near 1 the clusters are apart.");
-      case kXieBeni:
-        return tr("Xie-Beni index: smaller is better.");
-      default:
-        return tr("Point at a row to read its warnings.");
-    }
-  }
-  if (role != Qt::DisplayRole) return {};
-  if (section == 0) return tr("Participant");
-  if (measure < 0)
-    return tr("%1\nmean (SD), mm/s").arg(labelOf(result_->speed.terms[static_cast<std::size_t>(section - 1)]));
-  switch (measure) {
-    case kAccuracy:
-      return tr("Accuracy");
-    case kRand:
-      return tr("Rand\nindex");
-    case kSeparation:
-      return tr("Separation\nd′");
-    case kTrend:
-      return tr("Trend\np");
-    case kSilhouette:
-      return tr("Silhouette");
-    case kXieBeni:
-      return tr("Xie-Beni");
-    default:
-      return tr("Warnings");
   }
 }
 

@@ -2,30 +2,26 @@
 // for each level's mean and SD, then the agreement of clusters and levels.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <memory>
 
-#include "app/workbench/base/plot_table.h"
+#include "app/workbench/labs/frame/lab_table_model.h"
 #include "app/workbench/labs/speed/speed_result.h"
 
 namespace tactus::workbench {
 
-class SpeedTable : public QAbstractTableModel {
+class SpeedTable : public LabTableModel {
   Q_OBJECT
 
  public:
-  using QAbstractTableModel::QAbstractTableModel;
+  using LabTableModel::LabTableModel;
 
   void show(std::shared_ptr<const SpeedResult> result);
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
  private:
   /// Columns after the levels.
-  enum Measure { kAccuracy, kRand, kSeparation, kTrend, kSilhouette, kXieBeni, kWarnings, kMeasures };
+  enum Measure { kAccuracy, kRand, kSeparation, kTrend, kSilhouette, kXieBeni, kWarnings };
+  int rows() const override { return result_ ? static_cast<int>(result_->subjects.size()) : 0; }
+  QVariant cell(int row, int column, int role) const override;
   std::size_t levels() const;
   QString measureText(const SpeedSubject& subject, int measure) const;
 
