@@ -6,6 +6,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
@@ -26,8 +27,9 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kVotesWidth = 520;  // px: all columns of Table 2
-constexpr int kWordsWidth = 600;  // px
+constexpr int kVotesWidth = 520;        // px: all columns of Table 2
+constexpr int kNarrowVotesWidth = 384;  // px: all but the reasons
+constexpr int kNarrowLab = 1400;        // px: below it the words need the room of the reasons
 
 }  // namespace
 
@@ -40,7 +42,8 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
       checks_(new CheckView),
       delivered_(new DeliveredPlot),
       details_(new QTabWidget),
-      series_(new QComboBox) {
+      series_(new QComboBox),
+      top_(new QSplitter(Qt::Horizontal)) {
   setObjectName(QStringLiteral("force"));
   setWindowTitle(tr("Force"));
   judgements_->setObjectName(QStringLiteral("judgements"));
@@ -56,12 +59,10 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
     terms_->addTool(from, new PlotMenu(
                               terms_->plot(from), [this, from] { return forceTermsTable(lab_, from); }, terms_));
   }
-  auto* top = new QSplitter(Qt::Horizontal);
-  top->addWidget(table);
-  top->addWidget(words);
-  top->setStretchFactor(0, 0);
-  top->setStretchFactor(1, 1);
-  top->setSizes({kVotesWidth, kWordsWidth});
+  top_->addWidget(table);
+  top_->addWidget(words);
+  top_->setStretchFactor(0, 0);
+  top_->setStretchFactor(1, 1);
   details_->setDocumentMode(true);
   details_->addTab(judgements_, tr("Judgements"));
   details_->addTab(checks_, tr("Checks"));
@@ -74,17 +75,18 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   inside->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
   inside->addWidget(details_);
   auto* all = new QSplitter(Qt::Vertical);
-  all->addWidget(top);
+  all->addWidget(top_);
   all->addWidget(below);
   all->setStretchFactor(0, 3);
   all->setStretchFactor(1, 2);
-  for (QSplitter* splitter : {top, all}) {
+  for (QSplitter* splitter : {top_, all}) {
     splitter->setChildrenCollapsible(false);
     splitter->setHandleWidth(theme::kGrid);
   }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(all);
+  divide();
 
   connect(votes_, &VotesView::forceChosen, judgements_, &JudgementView::showForce);
   connect(terms_, &ForceTermsView::chosen, &lab_, &ForceLab::setMethod);
@@ -110,6 +112,18 @@ void ForceLabView::showEvent(QShowEvent* event) {
 void ForceLabView::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   lab_.setWanted(false);
+}
+
+// The user's own division stays until the lab becomes wide or narrow.
+void ForceLabView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool narrow = width() < kNarrowLab;
+  if (std::exchange(narrow_, narrow) != narrow) divide();
+}
+
+void ForceLabView::divide() {
+  const int votes = narrow_ ? kNarrowVotesWidth : kVotesWidth;
+  top_->setSizes({votes, std::max(1, width() - votes)});
 }
 
 void ForceLabView::follow() {

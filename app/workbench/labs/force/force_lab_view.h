@@ -6,6 +6,7 @@
 #include <string>
 
 class QComboBox;
+class QSplitter;
 class QTabWidget;
 
 namespace tactus::workbench {
@@ -34,8 +35,10 @@ class ForceLabView : public QWidget {
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void divide();
   void follow();
   void followSeries();
 
@@ -47,6 +50,8 @@ class ForceLabView : public QWidget {
   DeliveredPlot* delivered_;
   QTabWidget* details_;
   QComboBox* series_;
+  QSplitter* top_;
+  bool narrow_ = false;
 };
 
 }  // namespace tactus::workbench

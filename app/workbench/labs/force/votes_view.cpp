@@ -3,13 +3,13 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
-#include <QTableView>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/labs/force/vote_delegate.h"
 #include "app/workbench/labs/force/vote_table.h"
 
@@ -39,25 +39,11 @@ QString summaryOf(const ForceVotes& votes) {
 VotesView::VotesView(QWidget* parent)
     : QWidget(parent),
       table_(new VoteTable(this)),
-      view_(new QTableView(this)),
+      view_(makeQuietTable(*table_, tr("Votes for each force"), this)),
       summary_(new ElidedLabel(this)),
       refusal_(new QLabel(this)) {
-  view_->setModel(table_);
   view_->setItemDelegate(new VoteDelegate(*table_, view_));
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view_->setSelectionMode(QAbstractItemView::SingleSelection);
-  view_->setTabKeyNavigation(false);
-  view_->setShowGrid(false);
-  view_->setFrameShape(QFrame::NoFrame);
-  view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  view_->setAccessibleName(tr("Votes for each force"));
-  view_->verticalHeader()->hide();
   view_->verticalHeader()->setDefaultSectionSize(kVoteRow);
-  QHeaderView* const head = view_->horizontalHeader();
-  head->setFont(theme::smallFont());
-  head->setHighlightSections(false);
-  head->setSectionsClickable(false);
   setMuted(*summary_);
   setMuted(*refusal_);
   refusal_->setWordWrap(true);
@@ -100,7 +86,6 @@ void VotesView::setVotes(const ForceVotes& votes) {
   refusal_->setVisible(!votes.refusal.isEmpty());
   view_->setVisible(votes.refusal.isEmpty());
   if (first) {
-    QHeaderView* const head = view_->horizontalHeader();
     const QFontMetrics metrics(theme::smallFont());
     view_->setColumnWidth(VoteTable::kForce, metrics.horizontalAdvance(QStringLiteral("0.00 N")) + 3 * theme::kGrid);
     for (int column = VoteTable::kFirstWord; column < table_->winnerColumn(); ++column) {
@@ -108,9 +93,24 @@ void VotesView::setVotes(const ForceVotes& votes) {
     }
     view_->setColumnWidth(table_->winnerColumn(), kWinnerColumn);
     view_->setColumnWidth(table_->reasonColumn(), kReasonColumn);
-    head->setStretchLastSection(true);
+    view_->horizontalHeader()->setStretchLastSection(true);
   }
+  fitReasons();
   if (chosen >= 0 && chosen < table_->rowCount()) view_->selectRow(chosen);
+}
+
+// Where there is no room for the reasons, the tool tips of the winners tell them.
+void VotesView::fitReasons() {
+  if (table_->columnCount() == 0) return;
+  int wanted = kReasonColumn;
+  for (int column = 0; column < table_->winnerColumn(); ++column) wanted += view_->columnWidth(column);
+  view_->setColumnHidden(table_->reasonColumn(), view_->width() < wanted + kWinnerColumn);
+}
+
+void VotesView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  fitReasons();
 }
 
 }  // namespace tactus::workbench

@@ -29,7 +29,11 @@ class VotesView : public QWidget {
   /// The user asks who cast the votes for `word` at a force; for all words if it is empty.
   void originAsked(double force_n, const std::string& word);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fitReasons();
   void openMenu(const QPoint& place);
 
   VoteTable* table_;
