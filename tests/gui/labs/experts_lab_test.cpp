@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "app/workbench/base/display_text.h"
 #include "app/workbench/labs/experts/pair_table.h"
 #include "app/workbench/labs/experts/policy_table.h"
 
@@ -103,6 +104,12 @@ TEST_F(ExpertsLabTest, DistancesAreThoseOfTheBuild) {
   ASSERT_EQ(table.rowCount(), 4);
   EXPECT_TRUE(table.index(2, 2).data().toString().isEmpty());
   EXPECT_EQ(table.index(0, 3).data().toString(), table.index(3, 0).data().toString());
+  const auto row = [](const std::string& expert) { return expert.back() - '1'; };  // S1 to S4
+  ASSERT_EQ(lab.built()->influences.pairs.size(), 6U);
+  for (const auto& pair : lab.built()->influences.pairs) {
+    EXPECT_EQ(table.index(row(pair.first), row(pair.second)).data().toString(), quantityText(pair.rms_n, "N", 3))
+        << pair.first << pair.second;
+  }
   EXPECT_EQ(table.headerData(3, Qt::Vertical, Qt::DisplayRole).toString(), QStringLiteral("S4"));
 }
 

@@ -83,6 +83,7 @@ ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
   connect(&lab_.bands(), &BandLab::changed, this, &ExpertsLabView::followBand);
   auto* redraws = new Refresh(plot_, [this] { followCurves(); });
   connect(&lab_, &ExpertsLab::curvesChanged, redraws, &Refresh::request);
+  connect(&lab_.bands(), &BandLab::changed, redraws, &Refresh::request);
 }
 
 QWidget* ExpertsLabView::makeLeft() {
@@ -202,7 +203,6 @@ void ExpertsLabView::followBand() {
   band_text_->setText(text);
   band_text_->setVisible(!text.isEmpty());
   plot_->setBand(shown);
-  followCurves();
 }
 
 void ExpertsLabView::followCurves() {

@@ -15,6 +15,7 @@ QString pairNewtons(double force_n) { return quantityText(force_n, "N", 3); }
 PairTable::PairTable(const ExpertsLab& lab, QObject* parent) : QAbstractTableModel(parent), lab_(lab) {}
 
 void PairTable::follow() {
+  if (built_ == lab_.built()) return;
   beginResetModel();
   built_ = lab_.built();
   endResetModel();
@@ -24,25 +25,21 @@ int PairTable::rowCount(const QModelIndex& parent) const {
   return parent.isValid() || built_ == nullptr ? 0 : static_cast<int>(built_->model.experts.size());
 }
 
-const elicitation::ExpertDistance* PairTable::between(int first, int second) const {
-  const auto& experts = built_->model.experts;
-  const std::string& one = experts[static_cast<std::size_t>(std::min(first, second))].id;
-  const std::string& other = experts[static_cast<std::size_t>(std::max(first, second))].id;
-  for (const elicitation::ExpertDistance& pair : built_->influences.pairs) {
-    if (pair.first == one && pair.second == other) return &pair;
-  }
-  return nullptr;
+const elicitation::ExpertDistance& PairTable::between(int first, int second) const {
+  const auto row = static_cast<std::size_t>(std::min(first, second));
+  const auto column = static_cast<std::size_t>(std::max(first, second));
+  const std::size_t before = row * built_->model.experts.size() - row * (row + 1) / 2;  // the pairs of earlier rows
+  return built_->influences.pairs[before + column - row - 1];
 }
 
 QVariant PairTable::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignCenter);
-  const auto* const pair = index.row() == index.column() ? nullptr : between(index.row(), index.column());
-  if (role == Qt::DisplayRole) return pair == nullptr ? QString() : pairNewtons(pair->rms_n);
-  if (role == Qt::ToolTipRole && pair != nullptr && pair->largest) {
-    return tr("At most %1: %2")
-        .arg(pairNewtons(pair->largest->newtons), text(elicitation::pointText(built_->model, pair->largest->at)));
-  }
-  return {};
+  if (index.row() == index.column() || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) return {};
+  const elicitation::ExpertDistance& pair = between(index.row(), index.column());
+  if (role == Qt::DisplayRole) return pairNewtons(pair.rms_n);
+  if (!pair.largest) return {};
+  return tr("At most %1: %2")
+      .arg(pairNewtons(pair.largest->newtons), text(elicitation::pointText(built_->model, pair.largest->at)));
 }
 
 QVariant PairTable::headerData(int section, Qt::Orientation, int role) const {

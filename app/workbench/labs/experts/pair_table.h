@@ -20,7 +20,8 @@ class PairTable : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  const elicitation::ExpertDistance* between(int first, int second) const;
+  /// Of two different experts.
+  const elicitation::ExpertDistance& between(int first, int second) const;
 
   const ExpertsLab& lab_;
   std::shared_ptr<const elicitation::BuiltModel> built_;

@@ -8,6 +8,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/labs/experts/experts_lab.h"
+#include "app/workbench/plot/expert_pen.h"
 #include "app/workbench/plot/plot_style.h"
 #include "elicitation/force/noticeable_force.h"
 
@@ -15,7 +16,6 @@ namespace tactus::workbench {
 namespace {
 
 constexpr double kMeanPx = 3.5;
-constexpr double kExpertPx = 1.6;
 
 QVector<double> forcesOf(const std::vector<fuzzy::Evaluation>& curve) {
   QVector<double> out;
@@ -122,7 +122,7 @@ void PullPlot::drawForces(const fuzzy::ForceModel& model, const figures::ForceCu
   left->setLabel(axisText(model.output));
   drawBand(curves);
   for (std::size_t e = 0; e < curves.experts.size(); ++e) {
-    const QPen pen(theme::expert(numbers[e]), kExpertPx);
+    const QPen pen = expertPen(numbers[e], numbers.size());
     addLine(*forces_, pen).setData(x, forcesOf(curves.experts[e]), true);
     legend_.push_back({harmless(labelOf(model.experts[e])), pen});
   }
@@ -162,7 +162,7 @@ void PullPlot::drawPulls(const fuzzy::ForceModel& model, const figures::ForceCur
   legend_.push_back({tr("Not noticeable: within one just-noticeable difference"), Qt::NoPen, theme::grid()});
   addLine(*pulls_, QPen(theme::mean(), 1)).setData({curves.x.front(), curves.x.back()}, {0, 0}, true);
   for (std::size_t e = 0; e < pulls.size(); ++e) {
-    addLine(*pulls_, QPen(theme::expert(numbers[e]), kExpertPx))
+    addLine(*pulls_, expertPen(numbers[e], numbers.size()))
         .setData(x, QVector<double>(pulls[e].begin(), pulls[e].end()), true);
   }
 }

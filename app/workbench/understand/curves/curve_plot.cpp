@@ -10,8 +10,8 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/axis_zoom.h"
+#include "app/workbench/plot/expert_pen.h"
 #include "app/workbench/plot/landmark_marks.h"
-#include "app/workbench/plot/mixed_color.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/reading_cursor.h"
 #include "app/workbench/plot/term_bands.h"
@@ -27,19 +27,6 @@ constexpr double kSameForce = 0.002;  // of the output; a line is wider
 constexpr double kDash = 5;           // widths of a line
 constexpr int kLow = 300;             // px: below this height the name of the x axis stands in the heading alone
 constexpr int kMeanGraph = 0;         // graph of the mean; that of expert i is i + 1
-
-Qt::PenStyle lineStyle(std::size_t number) {
-  // The colors repeat after six experts; the dashes then tell them apart.
-  constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
-  return kStyles[number / 6 % 4];
-}
-
-// Of many experts the lines are faint and thin: together they show the spread, and the mean stands out.
-QPen expertPen(std::size_t number, std::size_t count) {
-  constexpr std::size_t kMany = 24;  // six colors with four kinds of dashes
-  if (count <= kMany) return {theme::expert(number), 1.6, lineStyle(number)};
-  return {mixedColor(theme::card(), theme::expert(number), 0.5), 1};
-}
 
 QPen linePen(std::size_t graph, const std::vector<std::size_t>& numbers, bool fast) {
   QPen pen = graph == kMeanGraph ? QPen(theme::mean(), 4) : expertPen(numbers[graph - 1], numbers.size());
