@@ -126,8 +126,7 @@ class Choices {
   void addSpeedChoices() {
     for (const double alpha : {0.8, 0.9, 0.95, 1.0}) {
       if (alpha == settings_.speed.alpha) continue;
-      rebuilt(
-          "alpha", base::formatNumber(alpha), [alpha](BuildSettings& s) { s.speed.alpha = alpha; }, SpeedsOf::kStudy);
+      rebuilt("alpha", base::formatNumber(alpha), [alpha](BuildSettings& s) { s.speed.alpha = alpha; });
     }
     for (const double m : {1.5, 2.0, 2.5, 3.0}) {
       if (m == settings_.speed.fcm.m) continue;

@@ -106,7 +106,7 @@ Result<void> buildDepth(const BuildSettings& settings, BuiltModel& out) {
   return {};
 }
 
-/// The clusters of another build with the same speeds and the same SpeedTermSettings, or none.
+/// BuiltModel::speeds of another build of the same study whose settings cluster alike, or none.
 using KnownClusters = const std::vector<ParticipantSpeeds>*;
 
 Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, KnownClusters known,
@@ -114,6 +114,11 @@ Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings
   auto& speed = variable(out.model.inputs, "speed");
   if (known != nullptr) {
     out.speeds = *known;
+    for (auto& one : out.speeds) {
+      auto ramps = alphaCutRamps(one.centres, one.m, settings.speed.alpha);
+      if (!ramps) return tl::unexpected(ramps.error());
+      one.ramps = std::move(*ramps);
+    }
   } else {
     auto participants = clusterSpeeds(study, speed, settings.speed);
     if (!participants) return tl::unexpected(participants.error());
@@ -320,8 +325,8 @@ Result<BuiltModel> buildTerms(const study::Study& study, const BuildSettings& se
 }
 
 Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
-                              const BuildSettings& settings) {
-  auto made = modelOf(study, forms, settings, nullptr);
+                              const BuildSettings& settings, KnownClusters clustered) {
+  auto made = modelOf(study, forms, settings, clustered);
   if (!made) return made;
   BuiltModel out = std::move(*made);
   auto influences = expertInfluence(out.model);

@@ -65,8 +65,11 @@ struct BuiltModel {
 /// The model's depth terms are the set that most experts use (on a tie the first); the sets of other experts are
 /// overrides. If a table has no rows, the default terms stay, with a note. Holes in the coverage also stay; the lint
 /// reports them.
+/// `clustered`: BuiltModel::speeds of an earlier model of the same study, if its settings cluster alike (clusterAlike);
+/// null: the speeds are clustered.
 base::Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
-                                    const BuildSettings& settings);
+                                    const BuildSettings& settings,
+                                    const std::vector<ParticipantSpeeds>* clustered = nullptr);
 
 /// Whether some participant has a rule or an answer, so that a model can be built.
 bool hasRules(const study::Study& study);

@@ -9,7 +9,7 @@ namespace tactus::elicitation {
 
 /// Where the speeds of another build come from.
 enum class SpeedsOf {
-  kBuilt,  ///< the clusters of `built`: only settings beside BuildSettings::speed are others
+  kBuilt,  ///< the clusters of `built`: of BuildSettings::speed only alpha is another
   kStudy,  ///< clustered again
 };
 

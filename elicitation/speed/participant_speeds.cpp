@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
 #include <utility>
 
 #include "core/base/rounded_number.h"
@@ -30,7 +31,7 @@ Result<void> checkSettings(const fuzzy::Variable& speed, const SpeedTermSettings
     return fail(ErrorCode::kValue, "fuzziness m", base::formatNumber(m),
                 "a number above 1 and at most " + base::formatNumber(kLargestFuzziness));
   }
-  // Without centres only the range of alpha is looked at.
+  // Without centers only the range of alpha is looked at.
   if (const auto ramps = alphaCutRamps({}, settings.fcm.m, settings.alpha); !ramps)
     return tl::unexpected(ramps.error());
   return {};
@@ -55,7 +56,7 @@ Result<void> checkLevels(std::span<const study::SpeedSample> samples, std::span<
   return {};
 }
 
-/// The means of the levels as centres, which the terms need in ascending order.
+/// The means of the levels as centers, which the terms need in ascending order.
 Result<std::vector<double>> levelMeans(std::span<const LevelSpeeds> levels) {
   std::vector<double> means;
   for (const auto& level : levels) {
@@ -118,6 +119,15 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
 }
 
 }  // namespace
+
+bool clusterAlike(const SpeedTermSettings& a, const SpeedTermSettings& b) {
+  const auto key = [](const SpeedTermSettings& one) {
+    const FcmSettings& fcm = one.fcm;
+    return std::tuple(one.centres, one.trim, fcm.clusters, fcm.m, fcm.starts, fcm.seed, fcm.tolerance,
+                      fcm.most_iterations);
+  };
+  return key(a) == key(b);
+}
 
 Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
                                                      const SpeedTermSettings& settings) {

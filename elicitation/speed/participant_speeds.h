@@ -24,6 +24,9 @@ struct SpeedTermSettings {
   double trim = 0;               ///< [0, 1): samples below this share of their stroke's peak speed are dropped
 };
 
+/// Whether both give the same clusters: all is equal but alpha, which acts on the ramps alone.
+bool clusterAlike(const SpeedTermSettings& a, const SpeedTermSettings& b);
+
 /// The results for one participant's speeds.
 struct ParticipantSpeeds {
   std::string participant;

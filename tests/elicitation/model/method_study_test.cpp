@@ -182,5 +182,50 @@ TEST(MethodStudy, OfAWholeStudyTriesEveryFactorAndEndsOnRequest) {
   EXPECT_EQ(stopped.error().code, base::ErrorCode::kCancelled);
 }
 
+TEST(MethodStudy, AnotherAlphaTakesTheClustersThatThereAre) {
+  const auto study = support::tableStudy(1, {.nurses = 2, .rows_per_s = 30});
+  const auto forms = session::knownForms();
+  int passes = 0;
+  BuildSettings settings;
+  settings.speed.fcm.keep_going = [&passes](const FcmProgress&) { return ++passes > 0; };
+  const auto built = buildModel(study, forms, settings).value();
+  EXPECT_GT(passes, 0);
+  passes = 0;
+  const auto model = methodModel(study, forms, settings, built, named("alpha", "0.8"));
+  ASSERT_TRUE(model) << model.error().message();
+  EXPECT_EQ(passes, 0);
+  // And yet it is the model that these settings build.
+  settings.speed.alpha = 0.8;
+  const auto whole = buildModel(study, forms, settings).value();
+  EXPECT_EQ(model->inputs, whole.model.inputs);
+  EXPECT_NE(model->inputs, built.model.inputs);
+}
+
+TEST(ModelBuilder, TheClustersOfAnEarlierModelServeAllButTheirOwnSettings) {
+  const auto study = support::tableStudy(1, {.nurses = 2, .rows_per_s = 30});
+  const auto forms = session::knownForms();
+  int passes = 0;
+  BuildSettings first;
+  first.speed.fcm.keep_going = [&passes](const FcmProgress&) { return ++passes > 0; };
+  const auto earlier = buildModel(study, forms, first).value();
+  BuildSettings now = first;
+  now.speed.alpha = 1;
+  now.averaging = Averaging::kMedian;
+  now.terms = SpeedTermsOf::kOwn;
+  EXPECT_TRUE(clusterAlike(first.speed, now.speed));
+  passes = 0;
+  const auto quick = buildModel(study, forms, now, &earlier.speeds).value();
+  EXPECT_EQ(passes, 0);
+  const auto whole = buildModel(study, forms, now).value();
+  EXPECT_EQ(quick.model, whole.model);
+  EXPECT_EQ(quick.notes, whole.notes);
+  for (const auto& change : {+[](SpeedTermSettings& s) { s.fcm.m = 2.5; }, +[](SpeedTermSettings& s) { s.trim = 0.1; },
+                             +[](SpeedTermSettings& s) { s.centres = SpeedCentres::kLevelMeans; }}) {
+    SpeedTermSettings other = first.speed;
+    change(other);
+    EXPECT_FALSE(clusterAlike(first.speed, other));
+  }
+}
+
 }  // namespace
 }  // namespace tactus::elicitation

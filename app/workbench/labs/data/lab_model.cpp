@@ -37,10 +37,14 @@ LabWork::Deliver LabModel::build(const LabWork::Run& run) {
   elicitation::BuildSettings settings = run.settings;
   settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
   settings.generator = kGenerator;
-  auto made = elicitation::buildModel(run.study->study, run.study->forms, settings);
+  const bool clustered = kept_.built != nullptr && kept_.study.lock() == run.study &&
+                         elicitation::clusterAlike(kept_.with, settings.speed);
+  auto made =
+      elicitation::buildModel(run.study->study, run.study->forms, settings, clustered ? &kept_.built->speeds : nullptr);
   settings.speed.fcm.keep_going = {};
   const QString sentence = made ? QString() : text(made.error().message());
   const auto built = made ? std::make_shared<const elicitation::BuiltModel>(std::move(*made)) : nullptr;
+  if (built != nullptr) kept_ = {run.study, settings.speed, built};
   return [this, built, sentence, settings, study = run.study] {
     built_ = built;
     from_ = study;

@@ -36,6 +36,12 @@ class LabModel : public QObject {
   void builtChanged();
 
  private:
+  /// The newest model of the work's thread, whose clusters serve the next one. It keeps no study alive.
+  struct Kept {
+    std::weak_ptr<const LabStudy> study;
+    elicitation::SpeedTermSettings with;
+    std::shared_ptr<const elicitation::BuiltModel> built;
+  };
   LabWork::Deliver build(const LabWork::Run& run);
 
   std::shared_ptr<const elicitation::BuiltModel> built_;
@@ -43,6 +49,7 @@ class LabModel : public QObject {
   elicitation::BuildSettings with_;
   QString failure_;
   QSet<QObject*> askers_;
+  Kept kept_;     ///< of the work's thread alone
   LabWork work_;  ///< last: its end waits for a build, which answers to all above
 };
 
