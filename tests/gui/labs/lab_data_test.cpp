@@ -114,6 +114,22 @@ TEST_F(LabDataTest, ACanceledRunDeliversNothingAndTheNextChangeStartsAgain) {
   EXPECT_EQ(delivered.back(), delivered[delivered.size() - 2]);
 }
 
+TEST_F(LabDataTest, ARunSaysWhatItIsDoingAndTheNextOneBeginsAnew) {
+  open();
+  std::counting_semaphore<> may_end{0};
+  LabWork work(data, [&may_end](const LabWork::Run& run) -> LabWork::Deliver {
+    run.say(QStringLiteral("Drawing strokes"));
+    may_end.acquire();
+    return {};
+  });
+  work.setWanted(true);
+  EXPECT_TRUE(work.doing().isEmpty());
+  ASSERT_TRUE(comesTrue([&] { return work.doing() == QLatin1String("Drawing strokes"); }));
+  work.restart();
+  EXPECT_TRUE(work.doing().isEmpty());
+  may_end.release(10);
+}
+
 TEST_F(LabDataTest, WhatIsShownComesEvenIfASettingHasMovedButNotAfterACancel) {
   open();
   std::binary_semaphore started{0};
@@ -172,6 +188,13 @@ TEST_F(LabDataTest, TheModelIsBuiltWithTheSettingsAndSaysThem) {
   data.setSettings(settings);
   ASSERT_TRUE(comesTrue([&] { return model.builtWith().speed.alpha == 1; }));
   EXPECT_EQ(model.built()->averaged_ramps[0].q, model.built()->averaged_ramps[1].p);  // medium is a triangle
+  // Another m clusters again, another alpha does not; both give what the settings give by themselves.
+  settings.speed.fcm.m = 2.5;
+  data.setSettings(settings);
+  ASSERT_TRUE(comesTrue([&] { return model.builtWith().speed.fcm.m == 2.5; }));
+  const auto afresh = elicitation::buildModel(data.study()->study, data.study()->forms, settings).value();
+  EXPECT_EQ(model.built()->averaged_ramps, afresh.averaged_ramps);
+  EXPECT_EQ(model.built()->notes, afresh.notes);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ void LabWork::begin() {
   ++newest_;
   if (std::exchange(of_, data_.study()) != data_.study()) oldest_ = newest_;
   progress_ = 0;
+  doing_.clear();
   if (of_ == nullptr) {
     background_.drop();
     emit changed();
@@ -77,6 +78,13 @@ Background::Deliver LabWork::perform(Run& run, std::uint64_t number, const std::
     answers_.post([this, number, share] {
       if (number != newest_) return;
       progress_ = share;
+      emit changed();
+    });
+  };
+  run.say = [this, number](const QString& doing) {
+    answers_.post([this, number, doing] {
+      if (number != newest_) return;
+      doing_ = doing;
       emit changed();
     });
   };

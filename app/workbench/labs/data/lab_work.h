@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -29,6 +30,9 @@ class LabWork : public QObject {
     std::stop_token stop;
     /// Tells the share that is done, [0, 1]. Thread: any.
     std::function<void(double)> progress;
+    /// Says what is done from now on, e.g. `Comparing clusters and levels`, in place of what the screen says of the
+    /// whole work. Thread: any.
+    std::function<void(QString)> say;
     /// Hands over a first or better result before the end. Thread: any.
     std::function<void(Deliver)> hand;
     /// The same for what is worth seeing even if a setting has moved meanwhile, so that plots follow a slider that is
@@ -52,13 +56,15 @@ class LabWork : public QObject {
   bool isCanceled() const { return canceled_; }
   /// The share that is done, [0, 1].
   double progress() const { return progress_; }
+  /// What the run last said of itself; empty if nothing.
+  const QString& doing() const { return doing_; }
 
  public slots:
   void restart();
   void cancel();
 
  signals:
-  /// `isBusy`, `isCanceled` or `progress` changed. Comes after what a result delivers.
+  /// `isBusy`, `isCanceled`, `progress` or `doing` changed. Comes after what a result delivers.
   void changed();
 
  private:
@@ -71,6 +77,7 @@ class LabWork : public QObject {
   bool stale_ = true;
   bool canceled_ = false;
   double progress_ = 0;
+  QString doing_;
   std::uint64_t newest_ = 0;               ///< the number of the run that counts
   std::atomic<std::uint64_t> oldest_ = 0;  ///< of the first run that may still `show` something
   std::shared_ptr<const LabStudy> of_;     ///< the study of that run

@@ -153,8 +153,8 @@ void LabScreen::followWork() {
   cancel_->setVisible(works);
   if (works) {
     const double share = busy->work->progress();
-    state_->setText(share > 0 ? tr("%1… %2 %").arg(busy->doing).arg(std::lround(100 * share))
-                              : tr("%1…").arg(busy->doing));
+    const QString doing = busy->work->doing().isEmpty() ? busy->doing : busy->work->doing();
+    state_->setText(share > 0 ? tr("%1… %2 %").arg(doing).arg(std::lround(100 * share)) : tr("%1…").arg(doing));
   } else if (data_.isReading() && said_) {
     state_->setText(tr("Reading the study…"));
   } else {

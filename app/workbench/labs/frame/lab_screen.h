@@ -27,7 +27,8 @@ class LabScreen : public QWidget {
 
   /// Adds a lab behind a tab. `undo`: what Ctrl+Z takes back while the lab is in front; may be null.
   void addLab(const QString& title, QWidget* lab, UndoSource* undo);
-  /// Says what `work` is doing while it runs, e.g. `Clustering the speeds`, with a button that cancels it.
+  /// Says what `work` is doing while it runs, with a button that cancels it: what the work itself says, or `doing`,
+  /// e.g. `Clustering the speeds`.
   void watch(LabWork& work, const QString& doing);
   /// Something short beside the watched work: it counts for `isBusy` without a text.
   void watch(std::function<bool()> busy) { short_work_.push_back(std::move(busy)); }

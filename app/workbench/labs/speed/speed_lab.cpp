@@ -142,6 +142,7 @@ LabWork::Deliver SpeedLab::compute(const LabWork::Run& run) {
   if (!clustered) return {};
   run.show([this, clustered](bool current) { take(clustered, current); });
   if (!staysCalm(run.stop)) return {};
+  run.say(tr("Comparing clusters and levels"));
   from = kClustered;
   to = kChecked;
   auto checked = calculation_.check(go_on);
@@ -159,6 +160,7 @@ LabWork::Deliver SpeedLab::compute(const LabWork::Run& run) {
     objectives_ = objectives;
     emit resultChanged();
   });
+  run.say(tr("Drawing strokes again for the intervals"));
   from = kChecked;
   to = 1;
   calculation_.bootstrap(go_on, hand);

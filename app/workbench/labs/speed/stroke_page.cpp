@@ -69,6 +69,7 @@ StrokePage::StrokePage(SpeedLab& lab, LabModel& model, Corrections& corrections,
   connect(&influence_, &StrokeInfluence::told, this, &StrokePage::followChosen);
   connect(choice_, &QComboBox::currentIndexChanged, this, &StrokePage::follow);
   connect(&lab_, &SpeedLab::resultChanged, this, [this] {
+    if (!isVisible()) return;
     fillChoice();
     followWanted();
     follow();

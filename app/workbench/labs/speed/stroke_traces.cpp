@@ -1,6 +1,7 @@
 #include "app/workbench/labs/speed/stroke_traces.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "core/store/entries.h"
@@ -85,9 +86,13 @@ std::shared_ptr<const StrokeSet> StrokeTraces::strokes(const std::string& partic
 
 void StrokeTraces::read(Kept& kept) {
   const auto study = data_.study();
+  std::set<study::RecordId> sessions;
+  for (const auto& session : study->sessions) {
+    if (study->codeOf(session.id) == kept.participant) sessions.insert(session.id);
+  }
   std::vector<study::StrokeRecord> records;
   for (const auto& stroke : study->strokes) {
-    if (stroke.level == kept.level && isShown(stroke) && study->codeOf(stroke.entry.session) == kept.participant) {
+    if (stroke.level == kept.level && isShown(stroke) && sessions.count(stroke.entry.session) > 0) {
       records.push_back(stroke);
     }
   }
