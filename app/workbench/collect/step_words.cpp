@@ -73,11 +73,4 @@ QString lastSeenText(std::int64_t last_seen_ms, std::int64_t now_ms) {
   return seen.toString(QStringLiteral("yyyy-MM-dd"));
 }
 
-QString languageName(const QString& id) {
-  if (id == QLatin1String("en")) return QStringLiteral("English");
-  if (id == QLatin1String("zh-Hant")) return QStringLiteral("繁體中文");
-  if (id == QLatin1String("zh-Hans")) return QStringLiteral("简体中文");
-  return id;
-}
-
 }  // namespace tactus::workbench

@@ -18,7 +18,5 @@ QString spokenState(const StepState& state);
 QString nextText(const ParticipantRow& row);
 /// `today 14:05`, `2026-11-20`, `never`; `now_ms`: the present, UTC.
 QString lastSeenText(std::int64_t last_seen_ms, std::int64_t now_ms);
-/// The languages by their own names: `English`, `繁體中文`; the id where it is another.
-QString languageName(const QString& id);
 
 }  // namespace tactus::workbench

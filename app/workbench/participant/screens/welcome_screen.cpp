@@ -1,5 +1,7 @@
 #include "app/workbench/participant/screens/welcome_screen.h"
 
+#include "app/workbench/base/language_name.h"
+
 namespace tactus::workbench::nurse {
 namespace {
 
@@ -8,7 +10,7 @@ constexpr int kTextPercents[] = {100, 125, 150};
 std::vector<Answer> languageAnswers(const std::vector<Language>& offered) {
   std::vector<Answer> answers;
   for (const Language language : offered)
-    answers.push_back({idOf(language), phrase(QStringLiteral("language.name")), {}, false, language});
+    answers.push_back({idOf(language), plain(languageName(idOf(language))), {}, false, language});
   return answers;
 }
 
