@@ -67,12 +67,12 @@ std::string labReport(TimedApplication& application, int moves) {
 
 std::string visitReport(const std::string& path) {
   std::vector<std::vector<std::string>> rows = {
-      {"step", "told or shown, s", "done, s", "window held, ms", "on a processor", "peak, MB", "said"}};
+      {"step", "told, s", "shown, s", "done, s", "window held, ms", "on a processor", "peak, MB", "said"}};
   for (const LabVisit& one : visitLabs(path)) {
     std::string said;
     for (const std::string& text : one.said) said += (said.empty() ? "" : " | ") + text;
-    rows.push_back({one.lab, threeDigits(one.first_s), threeDigits(one.done_s), threeDigits(one.longest_ms),
-                    threeDigits(one.longest_cpu_ms), threeDigits(one.peak_mb), said});
+    rows.push_back({one.lab, threeDigits(one.first_s), threeDigits(one.shown_s), threeDigits(one.done_s),
+                    threeDigits(one.longest_ms), threeDigits(one.longest_cpu_ms), threeDigits(one.peak_mb), said});
   }
   return heading() + "\nA large study, lab by lab\n\n" + alignedTable(rows, 1);
 }

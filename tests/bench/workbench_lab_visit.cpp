@@ -12,8 +12,13 @@
 #include <ctime>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <sys/resource.h>
 
+#include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/labs/force/vote_table.h"
+#include "app/workbench/labs/force/votes_view.h"
+#include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/workbench.h"
 #include "core/base/check.h"
@@ -42,7 +47,9 @@ class Watch {
  public:
   explicit Watch(const workbench::LabScreen& screen) : screen_(screen) {}
 
-  LabVisit wait(const std::string& lab, const std::function<void()>& begin, const std::function<bool()>& done) {
+  /// `shown`: whether the lab shows a result; empty: with `done`.
+  LabVisit wait(const std::string& lab, const std::function<void()>& begin, const std::function<bool()>& done,
+                const std::function<bool()>& shown = {}) {
     LabVisit out;
     out.lab = lab;
     QEventLoop loop;
@@ -58,6 +65,7 @@ class Watch {
       out.longest_ms = std::max(out.longest_ms, static_cast<double>(now_ns - last_ns) / 1e6 - kTickMs);
       out.longest_cpu_ms = std::max(out.longest_cpu_ms, cpu - last_cpu);
       listen(out, static_cast<double>(now_ns) / 1e9);
+      if (shown && out.shown_s == 0 && shown()) out.shown_s = static_cast<double>(now_ns) / 1e9;
       if (!done()) calm_since = since.elapsed();
       if (since.elapsed() - calm_since > kCalmMs || since.elapsed() > kMostMs) loop.quit();
       last_ns = since.nsecsElapsed();
@@ -69,6 +77,7 @@ class Watch {
     loop.exec();
     out.done_s = static_cast<double>(calm_since) / 1e3;
     if (out.first_s == 0) out.first_s = out.done_s;
+    if (out.shown_s == 0) out.shown_s = out.done_s;
     out.peak_mb = peakMb();
     std::cerr << lab << ": " << out.done_s << " s\n";
     return out;
@@ -106,10 +115,16 @@ std::vector<LabVisit> visitLabs(const std::string& path) {
   const auto ready = [&screen] { return !screen.isBusy(); };
   out.push_back(watch.wait(
       "stage Agree", [&] { bench.window.enter(workbench::Stage::kAgree); }, ready));
+  workbench::SpeedLab& speed = bench.lab_parts.speed();
+  const std::map<const QWidget*, std::function<bool()>> shown = {
+      {&bench.lab_parts.speedView(), [&speed] { return speed.result() != nullptr; }},
+      {&bench.lab_parts.forceView(), [&bench] { return bench.lab_parts.forceView().votes().table().rowCount() > 0; }},
+      {&bench.lab_parts.rulesView(), [&bench] { return !bench.lab_parts.rules().grids().experts.empty(); }}};
   for (QWidget* const lab : screen.labs()) {
     const std::string title = lab->windowTitle().toStdString();
+    const auto own = shown.find(lab);
     out.push_back(watch.wait(
-        title, [&] { screen.reveal(lab); }, ready));
+        title, [&] { screen.reveal(lab); }, ready, own == shown.end() ? std::function<bool()>() : own->second));
     auto* const pages = lab->findChild<QTabWidget*>();
     for (int page = 1; pages != nullptr && page < pages->count(); ++page) {
       out.push_back(watch.wait(
@@ -117,12 +132,12 @@ std::vector<LabVisit> visitLabs(const std::string& path) {
     }
     if (pages != nullptr) pages->setCurrentIndex(0);
   }
-  workbench::SpeedLab& speed = bench.lab_parts.speed();
   screen.reveal(&bench.lab_parts.speedView());
+  const auto current = [&speed] { return speed.isCurrent(); };
   out.push_back(watch.wait(
-      "Speed: another alpha", [&] { speed.setAlpha(0.8); }, ready));
+      "Speed: another alpha", [&] { speed.setAlpha(0.8); }, ready, current));
   out.push_back(watch.wait(
-      "Speed: another m", [&] { speed.setFuzziness(2.5); }, ready));
+      "Speed: another m", [&] { speed.setFuzziness(2.5); }, ready, current));
   return out;
 }
 
