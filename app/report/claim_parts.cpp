@@ -11,7 +11,7 @@ std::string newtons(double force_n) { return base::formatFixed(force_n, 3) + " N
 
 std::string percent(double share) { return base::formatFixed(100 * share, 0) + " %"; }
 
-std::string millimetres(double depth_mm) { return base::formatFixed(depth_mm, 0) + " mm"; }
+std::string millimeters(double depth_mm) { return base::formatFixed(depth_mm, 0) + " mm"; }
 
 const fuzzy::Variable& ClaimContext::input(std::string_view id) const {
   const fuzzy::Variable* found = nullptr;
@@ -49,10 +49,10 @@ std::vector<CurvePoint> peaksOf(const ForceCurve& curve) {
 }
 
 std::string peakText(const ClaimContext& context, const std::vector<CurvePoint>& peaks) {
-  std::string text = newtons(*peaks.front().force_n) + " at " + millimetres(peaks.front().depth_mm);
+  std::string text = newtons(*peaks.front().force_n) + " at " + millimeters(peaks.front().depth_mm);
   if (peaks.size() > 1) {
-    text = newtons(*peaks.front().force_n) + " from " + millimetres(peaks.front().depth_mm) + " to " +
-           millimetres(peaks.back().depth_mm);
+    text = newtons(*peaks.front().force_n) + " from " + millimeters(peaks.front().depth_mm) + " to " +
+           millimeters(peaks.back().depth_mm);
   }
   return text + " (" + whereabouts(context.regions, peaks.front().depth_mm) + ")";
 }

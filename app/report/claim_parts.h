@@ -58,6 +58,6 @@ std::string newtons(double force_n);
 /// `92 %`.
 std::string percent(double share);
 /// `125 mm`.
-std::string millimetres(double depth_mm);
+std::string millimeters(double depth_mm);
 
 }  // namespace tactus::report

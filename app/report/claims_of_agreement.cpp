@@ -74,9 +74,9 @@ Verdict closeInEsophagus(const ClaimContext& context, const Candidates& candidat
   }
   const double share = static_cast<double>(close) / static_cast<double>(spreads_n.size());
   verdict.holds = share >= kEnoughDepths && base::mean(spreads_n) <= base::mean(jnds_n);
-  verdict.numbers = "From " + millimetres(esophagus.from_mm) + " to " + millimetres(esophagus.to_mm) +
+  verdict.numbers = "From " + millimeters(esophagus.from_mm) + " to " + millimeters(esophagus.to_mm) +
                     " the experts differ by " + newtons(base::mean(spreads_n)) + " on average, at most " +
-                    newtons(*worst.force_n) + " at " + millimetres(worst.depth_mm) +
+                    newtons(*worst.force_n) + " at " + millimeters(worst.depth_mm) +
                     "; a difference is felt from about " + newtons(base::mean(jnds_n)) + ". Too small to be felt at " +
                     percent(share) + " of the depths.";
   return verdict;

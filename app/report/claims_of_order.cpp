@@ -85,7 +85,7 @@ std::size_t rankOf(const std::vector<fuzzy::Term>& terms, std::string_view id) {
   return rank;
 }
 
-/// Places where the expert's own rules go against the statement: a region and two neighbouring terms of the input.
+/// Places where the expert's own rules go against the statement: a region and two neighboring terms of the input.
 std::string opposingRules(const ClaimContext& context, const fuzzy::Expert& expert, const OrderStatement& statement) {
   const auto& output_terms = fuzzy::termsFor(expert, context.model.output);
   const fuzzy::Variable& input = context.input(statement.input);

@@ -46,8 +46,8 @@ std::string shoulderReason(const ClaimContext& context, const Profile& profile) 
   const auto& terms = profile.expert ? fuzzy::termsFor(context.model.experts[*profile.expert], depth) : depth.terms;
   const fuzzy::Term* nasal = fuzzy::findTerm(terms, "nasal_cavity");
   if (nasal == nullptr || nasal->shape != fuzzy::Shape::kTrapezoid || nasal->points[1] > depth.min) return {};
-  return "The membership function of the nasal cavity is a shoulder: 1 from " + millimetres(depth.min) + " to " +
-         millimetres(nasal->points[2]) + ", so there the force cannot change with depth.";
+  return "The membership function of the nasal cavity is a shoulder: 1 from " + millimeters(depth.min) + " to " +
+         millimeters(nasal->points[2]) + ", so there the force cannot change with depth.";
 }
 
 Verdict nasalBump(const ClaimContext& context, const Profile& profile) {
@@ -59,11 +59,11 @@ Verdict nasalBump(const ClaimContext& context, const Profile& profile) {
   if (!bump.risen) {
     verdict.numbers = "The force never rises by " + newtons(kVisibleN) + " or more.";
   } else {
-    verdict.numbers = "First rise from " + newtons(*bump.before.force_n) + " at " + millimetres(bump.before.depth_mm) +
-                      " to " + newtons(*bump.top.force_n) + " at " + millimetres(bump.top.depth_mm) + " (" +
+    verdict.numbers = "First rise from " + newtons(*bump.before.force_n) + " at " + millimeters(bump.before.depth_mm) +
+                      " to " + newtons(*bump.top.force_n) + " at " + millimeters(bump.top.depth_mm) + " (" +
                       whereabouts(context.regions, bump.top.depth_mm) + ")";
     verdict.numbers += bump.dropped ? ", then a drop to " + newtons(*bump.after.force_n) + " at " +
-                                          millimetres(bump.after.depth_mm) + "."
+                                          millimeters(bump.after.depth_mm) + "."
                                     : ", no drop after it.";
   }
   if (!*verdict.holds) verdict.reason = shoulderReason(context, profile);
@@ -88,7 +88,7 @@ Verdict oropharyngealPeak(const ClaimContext& context, const Profile& profile) {
   const double rise_n = *peaks.front().force_n - low_n;
   verdict.holds = inside != peaks.end() && rise_n >= kVisibleN;
   verdict.numbers = "Peak " + peakText(context, peaks) + ", " + newtons(rise_n) +
-                    " above the lowest force since the nasopharynx was reached at " + millimetres(nasopharynx.from_mm) +
+                    " above the lowest force since the nasopharynx was reached at " + millimeters(nasopharynx.from_mm) +
                     ".";
   if (!*verdict.holds && profile.expert) {
     const fuzzy::Expert& expert = context.model.experts[*profile.expert];

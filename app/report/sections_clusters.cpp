@@ -26,7 +26,7 @@ void errorBar(SvgPlot& plot, const elicitation::Interval& interval, double y, st
   for (const double x : {interval.low, interval.high}) plot.line({{x, y - kEnd}, {x, y + kEnd}}, look);
 }
 
-/// Histogram of one participant's samples with the memberships around the centres and the intervals of these.
+/// Histogram of one participant's samples with the memberships around the centers and the intervals of these.
 std::string clusterPlot(const ReportContext& context, const elicitation::ParticipantSpeeds& subject,
                         const elicitation::SpeedIntervals* intervals) {
   double max_mm_s = 0;

@@ -25,7 +25,7 @@ Series shapeOf(const fuzzy::Term& term) {
 
 constexpr double kDotStepN = 0.016;
 
-/// The shares as dots and `terms` as lines, a colour for each term of the model's output.
+/// The shares as dots and `terms` as lines, a color for each term of the model's output.
 std::string curvePlot(const ReportContext& context, const elicitation::FrequencyTerms& frequency,
                       const std::vector<fuzzy::Term>& terms, const std::string& title) {
   const fuzzy::Variable force = elicitation::ngtOutput();  // the shares are of all its terms

@@ -1,4 +1,4 @@
-// The tables of the speed clusters: centres and ramps, their intervals, and the levels that were asked for.
+// The tables of the speed clusters: centers and ramps, their intervals, and the levels that were asked for.
 #include <algorithm>
 #include <array>
 
@@ -14,7 +14,7 @@ using base::formatFixed;
 using elicitation::Interval;
 using elicitation::ParticipantSpeeds;
 
-constexpr std::size_t kValues = 7;  // three centres and the four ends of two ramps
+constexpr std::size_t kValues = 7;  // three centers and the four ends of two ramps
 
 bool hasThreeTerms(const ParticipantSpeeds& subject) {
   return subject.centres.size() == 3 && subject.ramps.size() == 2;

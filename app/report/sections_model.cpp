@@ -52,7 +52,7 @@ std::string unitText(const fuzzy::Variable& variable) {
          ", no unit)";
 }
 
-/// Shorter text for a label that would run into its neighbours.
+/// Shorter text for a label that would run into its neighbors.
 std::string regionCode(const std::vector<Region>& regions, const std::string& id) {
   const auto found =
       std::find_if(regions.begin(), regions.end(), [&](const Region& region) { return region.id == id; });

@@ -14,7 +14,7 @@ namespace {
 using figures::BoxPoint;
 using figures::kBox;
 
-// Margins in pixels: texts of the axes left and below, colour scale on the right.
+// Margins in pixels: texts of the axes left and below, color scale on the right.
 constexpr double kLeft = 66, kRight = 104, kTop = 14, kBottom = 50;
 constexpr double kScaleWidth = 16;
 constexpr double kEdgeTick = 6;
@@ -109,7 +109,7 @@ std::string axes(const View& view, const SurfaceFrame& frame) {
   return out;
 }
 
-/// The bar that says which colour means which value.
+/// The bar that says which color means which value.
 std::string colorScale(const SurfaceFrame& frame) {
   constexpr int kSteps = 48;
   const double left = frame.width - kRight + 52;
@@ -155,7 +155,7 @@ std::string surfacePlot(const SurfaceFrame& frame, const SurfaceGrid& grid) {
       const double rise_y = (c.z + d.z - a.z - b.z) / 2 * kBox.z / ((d.y - a.y) * kBox.y);
       const std::string color =
           scaleColor((a.z + b.z + c.z + d.z) / 4, brightness(figures::normalOf(rise_x, rise_y), view.seen()));
-      // The outline in the same colour closes the hairlines between neighbours.
+      // The outline in the same color closes the hairlines between neighbors.
       out += "<path" + attribute("d", pathData({view(a), view(b), view(c), view(d)}, true)) + attribute("fill", color) +
              attribute("stroke", color) + " stroke-width=\"0.6\"/>";
       std::string mesh;

@@ -163,7 +163,7 @@ SvgPlot& SvgPlot::bars(const std::vector<double>& edges, const std::vector<doubl
     if (!(heights[i] > 0)) continue;
     const SvgPoint corner = place(edges[i], heights[i]);
     const SvgPoint foot = place(edges[i + 1], 0);
-    // A hairline of white between neighbours, so that bars can be counted.
+    // A hairline of white between neighbors, so that bars can be counted.
     content_ += rectangle(corner, std::max(0.5, foot.x - corner.x - 0.6), foot.y - corner.y, color, 1);
   }
   addLegend(name, rectangle({4, -6}, kSwatchWidth - 8, 12, color, 1));

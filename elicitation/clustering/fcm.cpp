@@ -85,7 +85,7 @@ Result<FcmResult> fuzzyCMeansOf(std::span<const double> samples, std::span<const
   }
 
   const FcmSearch found = searchMinima(*data, settings);
-  if (found.cancelled) {
+  if (found.canceled) {
     return fail(ErrorCode::kCancelled, "clustering", "a request to stop", "to go on to the end");
   }
   result.centres = original(*data, found.kept.centres);

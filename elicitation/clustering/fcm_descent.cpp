@@ -12,11 +12,11 @@
 namespace tactus::elicitation {
 namespace {
 
-constexpr double kObjectiveNoise = 1e-13;  // J of two neighbouring points differs by rounding alone below this share
+constexpr double kObjectiveNoise = 1e-13;  // J of two neighboring points differs by rounding alone below this share
 constexpr double kSmoothM = 3;             // above it J's second derivatives have cusps at the samples
 constexpr double kNewtonSafety = 10;       // of the estimate of what a Newton step leaves
 constexpr double kOvershoot = 0x1p-50;     // of the end of the data: a few roundings
-constexpr double kRoundingOfStep = 1e-16;  // of the smallest gap between centres: no step can do better
+constexpr double kRoundingOfStep = 1e-16;  // of the smallest gap between centers: no step can do better
 
 double largest(const std::vector<double>& step) {
   double most = 0;
@@ -47,7 +47,7 @@ class Descent {
       ++out_.iterations;
       going = takeStep();
     }
-    out_.cancelled = !going;
+    out_.canceled = !going;
     std::sort(centres_.begin(), centres_.end());
     out_.centres = std::move(centres_);
     out_.objective = std::max(sums_.objective, 0.0);
@@ -112,7 +112,7 @@ class Descent {
     for (std::size_t k = 0; k < c; ++k) candidate_[k] = withoutOvershoot(centres_[k] + step_[k]);
   }
 
-  /// A centre that belongs to an outlier alone lies on it, at the end of the data; the rounding of a step must not
+  /// A center that belongs to an outlier alone lies on it, at the end of the data; the rounding of a step must not
   /// carry it past, which would forbid the step to all others.
   double withoutOvershoot(double centre) const {
     if (centre > data_.high && centre - data_.high <= kOvershoot * std::abs(data_.high)) return data_.high;
@@ -120,7 +120,7 @@ class Descent {
     return centre;
   }
 
-  /// A step may not carry centres out of the data or past each other: it would leave its own valley.
+  /// A step may not carry centers out of the data or past each other: it would leave its own valley.
   bool inOrder() const {
     return candidate_.front() >= data_.low && candidate_.back() <= data_.high && smallestGap(candidate_) > 0;
   }
@@ -149,7 +149,7 @@ class Descent {
     return size <= settings_.tolerance * data_.range() && next_.objective >= sums_.objective;
   }
 
-  /// Bezdek's step may carry centres past each other, as an outlier takes one of them out of the middle. Their numbers
+  /// Bezdek's step may carry centers past each other, as an outlier takes one of them out of the middle. Their numbers
   /// follow the order again, or Newton's step would never be in order.
   void putInOrder() {
     const std::size_t c = centres_.size();

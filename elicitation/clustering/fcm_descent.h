@@ -15,7 +15,7 @@ struct FcmDescent {
   int iterations = 0;
   bool converged = false;
   bool minimum = false;  ///< J curves upward in every direction at the centers
-  bool cancelled = false;
+  bool canceled = false;
 };
 
 /// The kind of the first step of a descent.

@@ -119,7 +119,7 @@ FcmEntries histogram(const FcmData& data) {
     bin.weight += weight;
     bin.sum += weight * x;
   };
-  // Neighbours in time often share a bin; four places in turn need not wait for each other.
+  // Neighbors in time often share a bin; four places in turn need not wait for each other.
   const std::size_t quarter = n / 4;
   for (std::size_t i = 0; i < quarter; ++i) {
     for (std::size_t part = 0; part < 4; ++part) add(i + part * quarter);
@@ -130,7 +130,7 @@ FcmEntries histogram(const FcmData& data) {
   for (const Bin& bin : list) {
     if (bin.weight == 0) continue;
     const double mean = bin.sum / bin.weight;
-    if (!out.values.empty() && mean <= out.values.back()) {  // rounding of the means of two neighbours
+    if (!out.values.empty() && mean <= out.values.back()) {  // rounding of the means of two neighbors
       out.weights.back() += bin.weight;
       continue;
     }

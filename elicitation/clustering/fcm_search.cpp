@@ -25,7 +25,7 @@ constexpr int kMostRelocations = 12;  // of few entries; of more, which have smo
 constexpr int kMostRelocationsOfMany = 3;
 constexpr std::size_t kRelocatedMinima = 6;
 constexpr std::size_t kRelocationsTried = 8;
-constexpr double kSameMinimum = 1e-5;      // of the gaps between centres: nearer results are one minimum
+constexpr double kSameMinimum = 1e-5;      // of the gaps between centers: nearer results are one minimum
 constexpr double kEqualObjective = 1e-12;  // relative difference of J that rounding explains
 constexpr double kAnyObjective = std::numeric_limits<double>::infinity();
 constexpr double kCloseObjective = 0.01;  // what condensing may change in J, by far
@@ -83,7 +83,7 @@ class Search {
     std::vector<FcmDescent> list = tryStarts(fine ? entries : coarse, fine ? settings_.tolerance : kRoughTolerance);
     if (!fine) list = refined(entries.view(), std::move(list), kAnyObjective, before_pass_);
     if (!entries.exact) list = refined(data_, std::move(list), kCloseObjective, before_full_pass_);
-    if (out_.cancelled) return std::move(out_);
+    if (out_.canceled) return std::move(out_);
     lowestFirst(list);
     out_.kept = std::move(list.front());
     list.erase(list.begin());
@@ -95,10 +95,10 @@ class Search {
 
  private:
   bool goesOn(double change) {
-    if (!out_.cancelled && settings_.keep_going) {
-      out_.cancelled = !settings_.keep_going({out_.passes, std::min(change / data_.range(), 1.0)});
+    if (!out_.canceled && settings_.keep_going) {
+      out_.canceled = !settings_.keep_going({out_.passes, std::min(change / data_.range(), 1.0)});
     }
-    return !out_.cancelled;
+    return !out_.canceled;
   }
 
   std::vector<FcmDescent> tryStarts(const FcmEntries& entries, double tolerance) {
@@ -109,7 +109,7 @@ class Search {
     std::vector<FcmDescent> found;
     const bool more = settings_.starts > 1 && (settings_.m > kMinimaApartM || entries.size() <= kFewEntries);
     const int starts = more ? kStartsFactor * settings_.starts : settings_.starts;
-    for (int start = 0; start < std::max(starts, 1) && !out_.cancelled; ++start) {
+    for (int start = 0; start < std::max(starts, 1) && !out_.canceled; ++start) {
       std::vector<double> centres = startNumber(start, entries, random);
       if (centres.size() < settings_.clusters) continue;
       FcmDescent end = descend(data, std::move(centres), FcmBeginning::kAnywhere, settings, before_pass_);
@@ -132,7 +132,7 @@ class Search {
     const FcmData data = entries.view();
     std::vector<FcmDescent> done;
     const int rounds = entries.size() <= kFewEntries ? kMostRelocations : kMostRelocationsOfMany;
-    for (int round = 0; round < rounds && !out_.cancelled; ++round) {
+    for (int round = 0; round < rounds && !out_.canceled; ++round) {
       const auto is_new = [&](const FcmDescent& one) {
         return std::none_of(done.begin(), done.end(),
                             [&](const auto& other) { return same(other.centres, one.centres); });
@@ -160,7 +160,7 @@ class Search {
         break;
     }
     std::vector<double> centres = spreadStart(entries, settings_.clusters, random);
-    if (settings_.m > kMinimaApartM) {  // a centre on a sample would stay there
+    if (settings_.m > kMinimaApartM) {  // a center on a sample would stay there
       for (std::size_t k = 1; k < centres.size(); ++k) {
         centres[k - 1] += random.uniform(0, 0.3) * (centres[k] - centres[k - 1]);
       }
@@ -174,7 +174,7 @@ class Search {
     sortByObjective(list);
     std::vector<FcmDescent> out;
     for (auto& coarse : list) {
-      if (out_.cancelled) break;
+      if (out_.canceled) break;
       if (!out.empty() && coarse.objective > list.front().objective * (1 + close)) {
         addDistinct(out, std::move(coarse));
         continue;

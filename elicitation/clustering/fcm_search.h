@@ -13,7 +13,7 @@ struct FcmSearch {
   FcmDescent kept;
   std::vector<FcmDescent> others;  ///< other minima by ascending J; those of the entries unless J is close
   int passes = 0;                  ///< over all samples
-  bool cancelled = false;
+  bool canceled = false;
 };
 
 /// Searches from coarse to fine: descends from all starts on a few hundred entries, from their distinct minima on all

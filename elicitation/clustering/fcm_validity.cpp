@@ -10,7 +10,7 @@
 namespace tactus::elicitation {
 namespace {
 
-/// A run of the sorted samples: those nearest to one centre.
+/// A run of the sorted samples: those nearest to one center.
 struct Run {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -28,7 +28,7 @@ std::vector<Run> runsOf(const std::vector<double>& sorted, std::span<const doubl
     const bool last = k + 1 == centres.size();
     while (i < sorted.size() && (last || sorted[i] - centres[k] <= centres[k + 1] - sorted[i])) ++i;
     run.end = i;
-    // Deviations from the centre keep the mean exact under a large offset.
+    // Deviations from the center keep the mean exact under a large offset.
     double sum = 0;
     for (std::size_t j = run.begin; j < run.end; ++j) sum += sorted[j] - centres[k];
     if (run.size() > 0) run.mean = centres[k] + sum / static_cast<double>(run.size());

@@ -34,7 +34,7 @@ std::vector<std::string> leftOut(std::span<const VoteStep> steps) {
   return forces;
 }
 
-/// The median distance of neighbouring steps; a single step counts from 0 N.
+/// The median distance of neighboring steps; a single step counts from 0 N.
 double usualDistance(std::span<const VoteStep> steps) {
   if (steps.size() == 1) return steps.front().force_n;
   std::vector<double> distances_n;

@@ -18,14 +18,14 @@ double membership(double x, std::size_t cluster, std::span<const double> centres
   if (own == 0) return 1;
   double sum = 0;
   for (const double centre : centres) {
-    const double ratio = own / std::abs(x - centre);  // infinite on another centre, whose membership is 1
+    const double ratio = own / std::abs(x - centre);  // infinite on another center, whose membership is 1
     sum += m == 2 ? ratio * ratio : std::pow(ratio, 2 / (m - 1));
   }
   return 1 / sum;
 }
 
 /// The point nearest to `outside` (where the membership in `cluster` is below alpha), coming from `inside` (where it is
-/// not), that still has at least alpha: bisection down to neighbouring doubles.
+/// not), that still has at least alpha: bisection down to neighboring doubles.
 double edge(double inside, double outside, std::size_t cluster, std::span<const double> centres, double m,
             double alpha) {
   while (true) {

@@ -27,7 +27,7 @@ struct Ramp {
 /// One ramp for each gap of `centres` (ascending, distinct, any unit). p is the point of the gap where the membership
 /// in the lower cluster has fallen to `alpha`; q is the point where that in the upper one has risen to it. So v_k <=
 /// p_k < q_k <= v_k+1.
-/// The paper only says "centre points with membership 1, end points with membership 0". alpha = 1 follows this
+/// The paper only says "center points with membership 1, end points with membership 0". alpha = 1 follows this
 /// literally: terms between two others become triangles. 0.95 gives the ramp that fits the membership best. Returns an
 /// error if alpha is outside (1/2, 1].
 base::Result<std::vector<Ramp>> alphaCutRamps(std::span<const double> centres, double m, double alpha);

@@ -13,8 +13,8 @@
 namespace tactus::elicitation {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // of the gaps between centres; far below any interval
-constexpr int kMostDraws = 100;      // before a replicate takes the centres of all strokes
+constexpr double kTolerance = 1e-9;  // of the gaps between centers; far below any interval
+constexpr int kMostDraws = 100;      // before a replicate takes the centers of all strokes
 
 bool ascending(const std::vector<double>& centres) {
   return std::adjacent_find(centres.begin(), centres.end(), std::not_fn(std::less<>())) == centres.end();

@@ -48,7 +48,7 @@ class FcmKernelsTest : public testing::Test {
       values_.push_back(random.uniform(-1, 1));
       weights_.push_back(random.uniform(0, 2));
     }
-    values_[17] = 0.25;  // on a centre
+    values_[17] = 0.25;  // on a center
   }
 
   std::vector<double> values_, weights_;
@@ -117,7 +117,7 @@ TEST_F(FcmKernelsTest, CurvatureIsTheDerivativeOfThePull) {
       for (std::size_t k = 0; k < c; ++k) {
         const double slope = (below.pull[k] - above.pull[k]) / (2 * step);
         // Central difference: step^2 of third derivatives of up to 1 / gap^2 per sample; for m = 3 kinks at samples
-        // within a step of a centre, of which there is one, placed on purpose.
+        // within a step of a center, of which there is one, placed on purpose.
         EXPECT_NEAR(here.curvature[k * c + l], slope, place.m == 3 ? 3.0 : 0.01) << c << " clusters, m " << place.m;
       }
     }

@@ -42,7 +42,7 @@ double errorOf(const std::vector<double>& samples, const std::vector<double>& we
   return largestError(result->centres, referenceCentres(samples, weights, settings, result->centres));
 }
 
-// Rounding of sums of 5,000 terms and of centres of some hundreds: a few units in the last place.
+// Rounding of sums of 5,000 terms and of centers of some hundreds: a few units in the last place.
 constexpr double kRounding = 2e-13;
 
 TEST(FcmLongData, AgreesWithTheTextbookIterationInLongDouble) {
@@ -107,7 +107,7 @@ TEST(FcmLongData, ASampleWithoutWeightHasNoSay) {
   EXPECT_LE(largestError(result->centres, plain->centres), kRounding);
 }
 
-/// Where Bezdek's iteration stands still for each centre by itself: its own test measures by the range of the samples,
+/// Where Bezdek's iteration stands still for each center by itself: its own test measures by the range of the samples,
 /// which an outlier stretches.
 std::vector<long double> fixedPointOfEach(const std::vector<double>& samples, const std::vector<double>& start,
                                           double m) {
@@ -118,7 +118,7 @@ std::vector<long double> fixedPointOfEach(const std::vector<double>& samples, co
 }
 
 TEST(FcmLongData, AnOutlierCostsTheOtherCentresNothing) {
-  // Before, the centre on the outlier forbade Newton's steps to all: errors of 1e-8 to 1e-6 mm/s.
+  // Before, the center on the outlier forbade Newton's steps to all: errors of 1e-8 to 1e-6 mm/s.
   for (const std::size_t count : {300U, 5000U}) {
     base::Random random(5);
     std::vector<double> speeds;
@@ -145,7 +145,7 @@ TEST(FcmLongData, AnOutlierCostsTheOtherCentresNothing) {
 }
 
 TEST(FcmLongData, AnOutlierAmongThreeClusters) {
-  // One centre goes to the outlier, the two others share the speeds.
+  // One center goes to the outlier, the two others share the speeds.
   base::Random random(6);
   std::vector<double> samples(3000);
   for (double& x : samples) x = 30 + 8 * random.normal();

@@ -161,7 +161,7 @@ TEST(Fcm, AnOutlierOfAMillionGetsItsOwnCentre) {
   EXPECT_TRUE(std::isfinite(extreme->centres[0]));
 }
 
-TEST(Fcm, EveryFuzzinessEndsAtAStationaryPointThatBeatsItsNeighbours) {
+TEST(Fcm, EveryFuzzinessEndsAtAStationaryPointThatBeatsItsNeighbors) {
   const auto samples = readFirstColumn("S3_600.csv");
   for (const double m : {1.01, 1.2, 1.7, 2.0, 2.5, 4.0, 5.0, 6.0}) {
     SCOPED_TRACE(m);

@@ -92,7 +92,7 @@ TEST(ForceFrequency, Table2HasTheLeastSquaresOfAnotherProgram) {
 
 TEST(ForceFrequency, OneVoterGivesRampsBetweenTheStepsLikeTheVote) {
   const auto terms = fitted({{0.1, {1, 0, 0}}, {0.2, {1, 0, 0}}, {0.3, {0, 1, 0}}, {0.4, {0, 0, 1}}, {0.5, {0, 0, 1}}});
-  // Exact fits leave the ramps open between neighbouring steps; the widest are taken. Rounded to a micronewton.
+  // Exact fits leave the ramps open between neighboring steps; the widest are taken. Rounded to a micronewton.
   expectTerms(terms, {{0, 0, 0.2, 0.3}, {0.2, 0.3, 0.3, 0.4}, {0.3, 0.4, 0.5, 0.5}}, 1e-6);
   EXPECT_NEAR(terms.rms_error, 0, 1e-5);  // of the rounding
 }
@@ -109,7 +109,7 @@ TEST(ForceFrequency, AllTheSameAnswerLeavesOneCore) {
   EXPECT_TRUE(terms.absent.empty());
 }
 
-TEST(ForceFrequency, ATermThatNobodyChoseLiesBetweenItsNeighbours) {
+TEST(ForceFrequency, ATermThatNobodyChoseLiesBetweenItsNeighbors) {
   const auto terms = fitted({{0.1, {2, 0, 0, 0}}, {0.4, {0, 0, 0, 2}}});
   expectTerms(terms, {{0, 0, 0.1, 0.2}, {0.1, 0.2, 0.2, 0.3}, {0.2, 0.3, 0.3, 0.4}, {0.3, 0.4, 0.4, 0.4}}, 1e-6);
   EXPECT_EQ(terms.interpolated, (std::vector<std::string>{"t1", "t2"}));

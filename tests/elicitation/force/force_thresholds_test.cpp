@@ -158,7 +158,7 @@ TEST(ForceThresholds, AnswersOutOfOrderCancel) {
   expectNear(found(all).participants[0].threshold_n, {0.25, 0.45, 0.55, 0.65});
 }
 
-TEST(ForceThresholds, AMissingAnswerBelongsToItsNeighbours) {
+TEST(ForceThresholds, AMissingAnswerBelongsToItsNeighbors) {
   // Nothing at 0.3 N: the stretches of 0.2 and 0.4 meet there.
   std::vector<study::ForceJudgement> all;
   judge(all, "A", "vs.mlV");

@@ -63,7 +63,7 @@ TEST(ModelBuilder, SpeedTermsAreAveragedOrOwn) {
   settings.speed.alpha = 1;
   auto built = buildModel(study, forms(), settings);
   ASSERT_TRUE(built) << built.error().message();
-  // alpha = 1: the vertices are the centres, averaged 30, 120, 320; B's 440 widens the universe to 500.
+  // alpha = 1: the vertices are the centers, averaged 30, 120, 320; B's 440 widens the universe to 500.
   const auto& speed = built->model.inputs[3];
   EXPECT_EQ(speed.max, 500);
   EXPECT_TRUE(mentions(built->notes, "The universe of the speed ends at 500 mm/s instead of 400 mm/s"));

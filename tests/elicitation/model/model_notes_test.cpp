@@ -64,7 +64,7 @@ TEST(ModelBuilder, OddDataAreNoted) {
   settings.weights.policy = WeightPolicy::kTable;
   settings.weights.table = {{"A", 1}, {"B", 1}, {"Z", 1}};
   settings.weights.table_file = "w.csv";
-  study.speeds.push_back({"A", "slow", 1, 0, 0, 8});  // so that the lowest of three centres is not negative
+  study.speeds.push_back({"A", "slow", 1, 0, 0, 8});  // so that the lowest of three centers is not negative
   for (int i = 0; i < 100; ++i) study.speeds.push_back({"A", "slow", 2, 0.001 * i, 0, 8});
   const auto built = buildModel(study, forms(), settings);
   ASSERT_TRUE(built) << built.error().message();

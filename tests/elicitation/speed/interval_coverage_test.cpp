@@ -1,4 +1,4 @@
-// Do the intervals hold the truth as often as they say? Simulated nurses whose true centres are known from very many
+// Do the intervals hold the truth as often as they say? Simulated nurses whose true centers are known from very many
 // strokes. TACTUS_COVERAGE_STUDIES=2000 plays more studies than each run does.
 #include <algorithm>
 #include <array>
@@ -69,7 +69,7 @@ Values valuesOf(const std::vector<study::SpeedSample>& samples) {
   return out;
 }
 
-/// How many of the intervals hold the truth, in percent: three centres, then the four ends of the ramps.
+/// How many of the intervals hold the truth, in percent: three centers, then the four ends of the ramps.
 std::array<double, 7> coverage(int strokes, int studies, std::size_t replicates) {
   std::vector<Values> truth;
   base::Random random(static_cast<std::uint64_t>(strokes));

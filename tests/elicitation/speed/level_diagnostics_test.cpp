@@ -76,7 +76,7 @@ TEST(LevelDiagnostics, AParticipantWhoKeepsTheLevelsApartIsNotWarnedOf) {
 }
 
 TEST(LevelDiagnostics, EveryWarningNamesTheParticipantAndTheNumbers) {
-  // reference.json: index .2288, accuracy .4067, d' .594 and .389, centre 9.50 at a level of 31.10 ± 8.90.
+  // reference.json: index .2288, accuracy .4067, d' .594 and .389, center 9.50 at a level of 31.10 ± 8.90.
   const auto reference = goldenSubject("S4_600.csv");
   const auto found = levelDiagnostics(goldenStrokes("S4_600.csv"), goldenLevels(),
                                       reference.at("centres").get<std::vector<double>>(), "S4");

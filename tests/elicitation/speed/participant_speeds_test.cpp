@@ -65,7 +65,7 @@ TEST(ParticipantSpeeds, LevelMeansAreCentresWhenAskedFor) {
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(one.centres[k], reference.at("level_means")[k].get<double>(), 1e-10);  // sums in another order
   }
-  // alpha = 1: the ramps go from centre to centre, whatever m.
+  // alpha = 1: the ramps go from center to center, whatever m.
   EXPECT_EQ(one.ramps, (std::vector<Ramp>{{one.centres[0], one.centres[1]}, {one.centres[1], one.centres[2]}}));
   EXPECT_EQ(name(SpeedCentres::kLevelMeans), "level_means");
   EXPECT_EQ(name(SpeedCentres::kClusters), "clusters");

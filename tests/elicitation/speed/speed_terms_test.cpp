@@ -55,7 +55,7 @@ TEST(SpeedTerms, RandomCentresKeepTheOrderAndTheMemberships) {
       EXPECT_LE(centres[k], ramp.p);
       EXPECT_LT(ramp.p, ramp.q);
       EXPECT_LE(ramp.q, centres[k + 1]);
-      // One ulp of x changes u by at most (2/(m-1)) ulp(x)/d times; d is what the edge is away from its centre.
+      // One ulp of x changes u by at most (2/(m-1)) ulp(x)/d times; d is what the edge is away from its center.
       fcmMemberships(ramp.p, centres, m, u);
       EXPECT_NEAR(u[k], alpha, 1e-8);
       fcmMemberships(ramp.q, centres, m, u);
@@ -64,7 +64,7 @@ TEST(SpeedTerms, RandomCentresKeepTheOrderAndTheMemberships) {
   }
 }
 
-TEST(SpeedTerms, NeighbouringTermsSumToOne) {
+TEST(SpeedTerms, NeighboringTermsSumToOne) {
   fuzzy::Variable speed = ngtInputs()[3];
   speed.terms = speedTerms(speed, std::vector<Ramp>{{50, 100}, {130, 190}});
   EXPECT_EQ(speed.terms[0].points, (std::vector<double>{0, 0, 50, 100}));
@@ -108,7 +108,7 @@ TEST(SpeedTerms, EveryAverageKeepsTheOrder) {
 }
 
 TEST(SpeedTerms, AveragesOfFourSimulatedParticipants) {
-  // Centres of other traces simulated to Table 1; alpha = 1 reads them as they are. By hand: 127.9 / 4, 434.6 / 4,
+  // Centers of other traces simulated to Table 1; alpha = 1 reads them as they are. By hand: 127.9 / 4, 434.6 / 4,
   // 781.2 / 4.
   std::vector<std::vector<Ramp>> ramps;
   for (const std::vector<double>& centres : std::vector<std::vector<double>>{

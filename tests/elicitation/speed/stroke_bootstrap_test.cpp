@@ -106,7 +106,7 @@ TEST(StrokeBootstrap, ResamplingSamplesIsTenTimesTooNarrow) {
 }
 
 TEST(StrokeBootstrap, EqualStrokesHaveNoInterval) {
-  // Each stroke holds all samples of its level, so that every draw is the original; only the bins can move a centre.
+  // Each stroke holds all samples of its level, so that every draw is the original; only the bins can move a center.
   auto samples = goldenStrokes("S1_24k.csv");
   for (auto& sample : samples) sample.stroke = 1;
   const std::size_t count = samples.size();
