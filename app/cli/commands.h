@@ -107,7 +107,8 @@ base::Result<Output> why(const WhyOptions& options);
 struct PullOptions {
   std::string model;
   std::vector<std::string> at;       ///< `INPUT=VALUE`, each input once
-  double force_n = 0;                ///< wanted
+  std::optional<double> force_n;     ///< wanted at the point; needed unless there is a curve
+  std::string curve;                 ///< CSV file of a reference curve or band; empty: none
   std::string expert;                ///< id of one expert; empty: the mean
   std::vector<std::string> locked;   ///< ids of variables whose terms must not change
   std::optional<std::size_t> apply;  ///< candidate to write, from 1

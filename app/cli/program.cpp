@@ -119,11 +119,17 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                    ->required()
                    ->delimiter(',')
                    ->check(notEmpty());
-               command.add_option("--force", o.force_n, "Wanted force in newtons")
-                   ->required()
+               command.add_option("--force", o.force_n, "Wanted force in newtons; not needed with --curve")
                    ->check(numberThat("a finite force", [](double x) { return std::isfinite(x); }));
                command.add_option("--expert", o.expert, "One expert; by default the mean of all, without its rules")
                    ->check(notEmpty());
+               command
+                   .add_option("--curve", o.curve,
+                               "CSV file of wanted forces: columns of inputs, and force, or force_min and force_max")
+                   ->check(notEmpty());
+               command.parse_complete_callback([&o] {
+                 if (!o.force_n && o.curve.empty()) throw CLI::RequiredError("--force or --curve");
+               });
                command.add_option("--lock", o.locked, "Variable whose terms stay as they are; as often as needed")
                    ->check(notEmpty());
                auto* const apply = command.add_option("--apply", o.apply, "Number of the edit to write, from 1");

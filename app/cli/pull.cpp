@@ -1,5 +1,3 @@
-#include "core/analysis/pull/pull.h"
-
 #include <chrono>
 #include <filesystem>
 #include <system_error>
@@ -8,11 +6,12 @@
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
 #include "app/cli/opened_model.h"
+#include "app/cli/pull_curve_text.h"
+#include "app/cli/pull_reference.h"
 #include "app/cli/pull_text.h"
 #include "app/editing/edit.h"
 #include "app/version.h"
 #include "core/base/clock.h"
-#include "core/base/text.h"
 #include "core/model_io/model_file.h"
 #include "elicitation/force/noticeable_force.h"
 
@@ -30,8 +29,8 @@ base::Result<void> refuseTheSameFile(const PullOptions& options) {
 
 /// Writes the model after a candidate. The checks keep their points and get the new forces.
 base::Result<void> writeEdited(const PullOptions& options, const fuzzy::ForceModel& model,
-                               const analysis::PullCandidate& candidate) {
-  auto edit = editing::finished(applied(model, candidate.edits), candidateText(model, candidate));
+                               const analysis::PullCandidate& candidate, const std::string& text) {
+  auto edit = editing::finished(applied(model, candidate.edits), text);
   if (!edit) return tl::unexpected(edit.error());
   editing::refreshChecks(edit->model, edit->compiled);
   edit->model.created_utc = base::formatUtc(std::chrono::system_clock::now());
@@ -40,57 +39,123 @@ base::Result<void> writeEdited(const PullOptions& options, const fuzzy::ForceMod
   return model_io::writeModel(edit->model, options.out);
 }
 
-/// The experts other than the pulled one whose forces an edit of shared terms moves too.
-std::vector<std::string> sharedNote(const fuzzy::ForceModel& model, std::optional<std::size_t> expert,
-                                    const analysis::Pull& pull) {
-  if (!expert || model.experts.size() == 1) return {};
-  for (const auto& candidate : pull.candidates) {
+/// What an answer of either kind comes to on the screen and in a file.
+struct Answer {
+  std::vector<analysis::PullCandidate> candidates;
+  std::vector<std::string> texts;  ///< one for each
+  std::string text;                ///< for standard output
+  std::vector<std::string> warnings;
+};
+
+/// A model, a point of it, and what is asked.
+struct Question {
+  OpenedModel opened;
+  std::vector<double> point;
+  analysis::PullSettings settings;
+};
+
+base::Result<Question> questionOf(const PullOptions& options) {
+  auto opened = openedModel(options.model);
+  if (!opened) return tl::unexpected(opened.error());
+  Question out{std::move(*opened), {}, {}};
+  const fuzzy::ForceModel& model = out.opened.model;
+  const auto expert = expertOption(model, options.model, options.expert);
+  if (!expert) return tl::unexpected(expert.error());
+  out.settings.expert = *expert;
+  for (const std::string& id : options.locked) {
+    const auto variable = variableOption(model, "--lock", id);
+    if (!variable) return tl::unexpected(variable.error());
+    out.settings.locked.push_back(*variable);
+  }
+  auto point = pointOption(model, "--at", options.at);
+  if (!point) return tl::unexpected(point.error());
+  out.point = std::move(*point);
+  if (auto ok = analysis::checkPoint(model, out.point); !ok) {
+    ok.error().place = "--at " + ok.error().place;
+    return tl::unexpected(ok.error());
+  }
+  return out;
+}
+
+bool leavesRulesOut(const Question& question) {
+  return !question.settings.expert && question.opened.model.experts.size() > 1;
+}
+
+base::Result<Answer> pointAnswer(const PullOptions& options, const Question& question) {
+  const fuzzy::ForceModel& model = question.opened.model;
+  auto found =
+      analysis::pull(model, question.point, *options.force_n, elicitation::justNoticeableDifference, question.settings);
+  if (!found) return tl::unexpected(found.error());
+  Answer out;
+  out.text = options.json ? asJson(model, *found) : asText(model, *found, leavesRulesOut(question));
+  for (const auto& one : found->candidates) out.texts.push_back(candidateText(model, one));
+  out.candidates = std::move(found->candidates);
+  return out;
+}
+
+base::Result<Answer> curveAnswer(const PullOptions& options, const Question& question) {
+  const fuzzy::ForceModel& model = question.opened.model;
+  auto reference = readReference(options.curve, model, question.point);
+  if (!reference) return tl::unexpected(reference.error());
+  const auto found = analysis::pullToCurve(model, question.point, reference->curve,
+                                           elicitation::justNoticeableDifference, question.settings);
+  if (!found) return base::inFile(found.error(), options.curve);
+  const auto& compiled = question.opened.compiled;
+  const auto now = question.settings.expert ? compiled.evaluateExpert(*question.settings.expert, question.point)
+                                            : compiled.evaluate(question.point);
+  const CurveQuestion asked{model, now.fired ? std::optional(now.force_n) : std::nullopt, options.force_n,
+                            leavesRulesOut(question)};
+  Answer out;
+  out.warnings = std::move(reference->warnings);
+  if (found->left_out > 0) {
+    out.warnings.push_back(options.curve + ": " + std::to_string(found->left_out) +
+                           " points at which no rule fires are left out");
+  }
+  out.text = options.json ? asJson(asked, *found) : asText(asked, *found);
+  for (const auto& one : found->candidates) {
+    out.candidates.push_back(one.candidate);
+    out.texts.push_back(curveCandidateText(model, one));
+  }
+  return out;
+}
+
+/// Other experts than the pulled one whose forces an edit of shared terms moves too.
+std::optional<std::string> sharedNote(const Question& question, const Answer& answer) {
+  const fuzzy::ForceModel& model = question.opened.model;
+  if (!question.settings.expert || model.experts.size() == 1) return std::nullopt;
+  for (const auto& candidate : answer.candidates) {
     for (const auto& edit : candidate.edits) {
-      if (editsRule(edit.gesture) || !edit.list.owner.empty()) continue;
-      if (readersOf(model, edit.list).size() < 2) continue;
-      return {"the experts share terms: an edit of them changes the forces of others than " +
-              base::oneLine(model.experts[*expert].id)};
+      if (editsRule(edit.gesture) || !edit.list.owner.empty() || readersOf(model, edit.list).size() < 2) continue;
+      return "the experts share terms: an edit of them changes the forces of others than " +
+             model.experts[*question.settings.expert].id;
     }
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace
 
 base::Result<Output> pull(const PullOptions& options) {
   if (auto ok = refuseTheSameFile(options); !ok) return tl::unexpected(ok.error());
-  const auto opened = openedModel(options.model);
-  if (!opened) return tl::unexpected(opened.error());
-  const fuzzy::ForceModel& model = opened->model;
-  analysis::PullSettings settings;
-  const auto expert = expertOption(model, options.model, options.expert);
-  if (!expert) return tl::unexpected(expert.error());
-  settings.expert = *expert;
-  for (const std::string& id : options.locked) {
-    const auto variable = variableOption(model, "--lock", id);
-    if (!variable) return tl::unexpected(variable.error());
-    settings.locked.push_back(*variable);
-  }
-  const auto point = pointOption(model, "--at", options.at);
-  if (!point) return tl::unexpected(point.error());
-  const auto found = analysis::pull(model, *point, options.force_n, elicitation::justNoticeableDifference, settings);
-  if (!found)
-    return tl::unexpected(
-        base::Error{found.error().code, {}, "--at " + found.error().place, found.error().found, found.error().wanted});
+  const auto question = questionOf(options);
+  if (!question) return tl::unexpected(question.error());
+  auto answer = options.curve.empty() ? pointAnswer(options, *question) : curveAnswer(options, *question);
+  if (!answer) return tl::unexpected(answer.error());
 
-  std::vector<std::string> warnings = opened->warnings;
-  for (auto& note : sharedNote(model, *expert, *found)) warnings.push_back(std::move(note));
-  std::string text = options.json ? asJson(model, *found) : asText(model, *found, !*expert && model.experts.size() > 1);
-  if (!options.apply) return Output{std::move(text), std::move(warnings)};
-  if (*options.apply > found->candidates.size()) {
-    const std::size_t count = found->candidates.size();
+  std::vector<std::string> warnings = question->opened.warnings;
+  warnings.insert(warnings.end(), answer->warnings.begin(), answer->warnings.end());
+  if (auto note = sharedNote(*question, *answer)) warnings.push_back(std::move(*note));
+  if (!options.apply) return Output{std::move(answer->text), std::move(warnings)};
+  const std::size_t count = answer->candidates.size();
+  if (*options.apply > count) {
     return base::fail(ErrorCode::kValue, "--apply", std::to_string(*options.apply),
                       count == 0 ? "an edit, but there is none" : "a number from 1 to " + std::to_string(count));
   }
-  const auto& chosen = found->candidates[*options.apply - 1];
-  if (auto ok = writeEdited(options, model, chosen); !ok) return tl::unexpected(ok.error());
-  if (!options.json) text = base::oneLine(options.out) + ": " + candidateText(model, chosen) + "\n";
-  return Output{std::move(text), std::move(warnings)};
+  const std::string& text = answer->texts[*options.apply - 1];
+  const auto& chosen = answer->candidates[*options.apply - 1];
+  if (auto ok = writeEdited(options, question->opened.model, chosen, text); !ok) return tl::unexpected(ok.error());
+  return Output{options.json ? std::move(answer->text) : base::oneLine(options.out) + ": " + text + "\n",
+                std::move(warnings)};
 }
 
 }  // namespace tactus::cli

@@ -1,67 +1,23 @@
 #include "app/cli/pull_text.h"
 
-#include <cmath>
 #include <set>
 #include <vector>
 
 #include "app/cli/model_words.h"
+#include "app/cli/pull_edit_text.h"
 #include "app/cli/wrapped_text.h"
-#include "core/analysis/pull/ramps.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 
 namespace tactus::cli {
 namespace {
 
-using analysis::Gesture;
 using analysis::PullBlocker;
 using analysis::PullCandidate;
-using analysis::PullEdit;
 using base::formatFixed;
 
 constexpr std::size_t kShown = 3;
-
-const std::string& idAt(const fuzzy::ForceModel& model, const PullEdit& edit, std::size_t place) {
-  const auto& terms = analysis::termsOf(model, edit.list);
-  if (edit.gesture == Gesture::kVertex) return terms[place].id;
-  return terms[analysis::partitionOrder(analysis::variableAt(model, edit.list.variable), terms)->at(place)].id;
-}
-
-bool ofTerm(Gesture gesture) {
-  return gesture == Gesture::kMove || gesture == Gesture::kWiden || gesture == Gesture::kVertex;
-}
-
-/// `laryngopharynx/esophagus` for a ramp, `laryngopharynx` for a term.
-std::string gapOf(const fuzzy::ForceModel& model, const PullEdit& edit) {
-  const std::string& first = idAt(model, edit, edit.place);
-  return ofTerm(edit.gesture) ? first : first + "/" + idAt(model, edit, edit.place + 1);
-}
-
-std::string ruleText(const fuzzy::ForceModel& model, const PullEdit& edit) {
-  const std::size_t expert = analysis::expertIndex(model, edit.expert);
-  const fuzzy::Rule& rule = model.experts[expert].rules[edit.rule];
-  const auto& words = termsFor(model.experts[expert], model.output);
-  const auto word = [&](const std::string& id) { return labelOf(findTerm(words, id), id); };
-  const std::string title = base::oneLine(edit.expert) + ", rule " + std::to_string(edit.rule + 1) + " (" +
-                            conditionsOf(model, expert, edit.rule) + "): ";
-  if (edit.gesture == Gesture::kWord) return title + word(edit.then) + " instead of " + word(rule.then);
-  if (edit.gesture == Gesture::kOff) return title + "off";
-  return title + "weight " + formatFixed(rule.weight + edit.delta, 3) + " instead of " + formatFixed(rule.weight, 3);
-}
-
-std::string rampText(const fuzzy::Variable& variable, const analysis::Ramps& before, const PullEdit& edit) {
-  const analysis::Ramps after = moved(before, edit.gesture, edit.place, edit.delta);
-  const std::size_t r = edit.place;
-  const auto number = [](double x) { return formatFixed(x, 3); };
-  if (edit.gesture == Gesture::kBegin)
-    return "the transition begins at " + number(after.p[r]) + " instead of " + withUnit(before.p[r], variable);
-  if (edit.gesture == Gesture::kEnd)
-    return "the transition ends at " + number(after.q[r]) + " instead of " + withUnit(before.q[r], variable);
-  return "the transition runs from " + number(after.p[r]) + " to " + number(after.q[r]) + " instead of " +
-         number(before.p[r]) + " to " + withUnit(before.q[r], variable);
-}
-
-std::string lowerOrHigher(double delta) { return delta < 0 ? " lower" : " higher"; }
 
 /// The best of each kind, by their places in the list; without a plausible one the first.
 std::vector<std::size_t> shown(const analysis::Pull& pull) {
@@ -75,53 +31,10 @@ std::vector<std::size_t> shown(const analysis::Pull& pull) {
   return out;
 }
 
-void writeEdit(base::JsonWriter& json, const fuzzy::ForceModel& model, const PullEdit& edit) {
-  const auto text = [&](bool there, const std::string& value) { there ? json.value(value) : json.null(); };
-  const bool rule = analysis::editsRule(edit.gesture);
-  json.key("gesture").value(name(edit.gesture)).key("variable");
-  text(!rule, rule ? "" : analysis::variableAt(model, edit.list.variable).id);
-  json.key("gap");
-  text(!rule, rule ? "" : gapOf(model, edit));
-  json.key("rule");
-  rule ? json.value(edit.rule + 1) : json.null();
-  json.key("then");
-  text(!edit.then.empty(), edit.then);
-  json.key("delta").value(edit.delta);
-}
-
 }  // namespace
 
-std::string editText(const fuzzy::ForceModel& model, const PullEdit& edit) {
-  if (analysis::editsRule(edit.gesture)) return ruleText(model, edit);
-  const fuzzy::Variable& variable = analysis::variableAt(model, edit.list.variable);
-  const auto& terms = analysis::termsOf(model, edit.list);
-  const auto label = [&](std::size_t place) {
-    const std::string& id = idAt(model, edit, place);
-    return labelOf(findTerm(terms, id), id);
-  };
-  std::string title =
-      variableLabel(variable) + (edit.list.owner.empty() ? "" : " of " + base::oneLine(edit.list.owner));
-  title += ", " + label(edit.place) + (ofTerm(edit.gesture) ? "" : "/" + label(edit.place + 1)) + ": ";
-  const std::string size = withUnit(std::abs(edit.delta), variable);
-  if (edit.gesture == Gesture::kMove) return title + "the whole term " + size + lowerOrHigher(edit.delta);
-  if (edit.gesture == Gesture::kWiden)
-    return title + size + (edit.delta < 0 ? " narrower" : " wider") + " on each side";
-  if (edit.gesture == Gesture::kVertex) {
-    const double now = terms[edit.place].points[edit.vertex];
-    return title + "vertex " + std::to_string(edit.vertex + 1) + " at " + formatFixed(now + edit.delta, 3) +
-           " instead of " + withUnit(now, variable);
-  }
-  return title + rampText(variable, *analysis::rampsOf(variable, terms), edit);
-}
-
 std::string candidateText(const fuzzy::ForceModel& model, const PullCandidate& candidate) {
-  std::vector<std::string> parts;
-  fuzzy::ForceModel before = model;
-  for (const PullEdit& edit : candidate.edits) {
-    parts.push_back(editText(before, edit));
-    before = applied(std::move(before), edit);
-  }
-  return base::joined(parts, ", and ") +
+  return editsText(model, candidate.edits) +
          (candidate.exact ? "" : "; comes only to " + formatFixed(candidate.force_n, 3) + " N");
 }
 
@@ -154,10 +67,11 @@ std::string blockerText(const fuzzy::ForceModel& model, const analysis::Pull& pu
 std::string asText(const fuzzy::ForceModel& model, const analysis::Pull& pull, bool rules_left_out) {
   const std::string wanted = formatFixed(pull.target_n, 3) + " N";
   if (!pull.before_n) return "No rule fires here, so no edit of what is there gives " + wanted + ".\n";
-  std::string sentence = formatFixed(*pull.before_n, 3) + " N here, wanted " + wanted + ". One edit reaches " +
-                         formatFixed(pull.reachable->min_n, 3) + " to " + formatFixed(pull.reachable->max_n, 3) + " N.";
+  std::string sentence = formatFixed(*pull.before_n, 3) + " N here, wanted " + wanted +
+                         ". Within reach: " + formatFixed(pull.reachable->min_n, 3) + " to " +
+                         formatFixed(pull.reachable->max_n, 3) + " N.";
   if (pull.blocker) {
-    sentence += " None gives " + wanted + ": " + blockerText(model, pull) + ".";
+    sentence += " No single edit gives " + wanted + ": " + blockerText(model, pull) + ".";
     if (!pull.candidates.empty()) sentence += " The nearest:";
   } else if (pull.candidates.empty()) {
     sentence += " Nothing has to change.";
@@ -167,10 +81,7 @@ std::string asText(const fuzzy::ForceModel& model, const analysis::Pull& pull, b
   for (const std::size_t k : few) {
     const PullCandidate& one = pull.candidates[k];
     text += "\n" + wrapped(candidateText(model, one), padded(std::to_string(k + 1), 4), 4);
-    text += wrapped("elsewhere it moves the force by " + formatFixed(one.elsewhere.k, 3) +
-                        " just-noticeable differences, at most " + formatFixed(one.elsewhere.largest_n, 3) + " N" +
-                        (one.folded ? "; not plausible" : ""),
-                    "    ", 4);
+    text += wrapped(elsewhereText(one), "    ", 4);
   }
   if (pull.candidates.size() > few.size())
     text += "\n" + std::to_string(pull.candidates.size() - few.size()) + " more with --json\n";
@@ -193,11 +104,9 @@ std::string asJson(const fuzzy::ForceModel& model, const analysis::Pull& pull) {
   pull.blocker ? json.value(blockerText(model, pull)) : json.null();
   json.key("candidates").beginArray();
   for (const PullCandidate& one : pull.candidates) {
-    json.beginObject().key("kind").value(name(one.kind));
-    writeEdit(json, model, one.edits[0]);
-    json.key("force_n").value(one.force_n).key("k").value(one.elsewhere.k).key("k_curve").value(one.elsewhere.k_curve);
-    json.key("k_box").value(one.elsewhere.k_box).key("largest_n").value(one.elsewhere.largest_n);
-    json.key("folded").value(one.folded).key("text").value(candidateText(model, one)).endObject();
+    json.beginObject();
+    writeMembers(json, model, one);
+    json.key("text").value(candidateText(model, one)).endObject();
   }
   return json.endArray().endObject().text();
 }

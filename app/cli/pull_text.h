@@ -8,9 +8,6 @@
 
 namespace tactus::cli {
 
-/// `Depth, Laryngopharynx/Esophagus: the transition ends at 202.107 instead of 215.000 mm`. `model`: before the edit.
-std::string editText(const fuzzy::ForceModel& model, const analysis::PullEdit& edit);
-
 /// The edits of a candidate; for one that does not give the target also the force it gives. `model`: before the edits.
 std::string candidateText(const fuzzy::ForceModel& model, const analysis::PullCandidate& candidate);
 

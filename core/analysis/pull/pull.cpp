@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "core/analysis/pull/gesture_search.h"
+#include "core/analysis/pull/candidate_judge.h"
 #include "core/analysis/pull/plausible.h"
 #include "core/analysis/pull/point_force.h"
+#include "core/analysis/pull/point_search.h"
 #include "core/analysis/pull/pull_blocker.h"
-#include "core/analysis/pull/rule_search.h"
 #include "core/base/text.h"
 
 namespace tactus::analysis {
@@ -20,26 +20,9 @@ using base::fail;
 using fuzzy::ForceModel;
 using Kind = PullBlocker::Kind;
 
-constexpr double kSameTarget = 1e-9;  // N, of the range of the output: rounding of a delta
-constexpr double kNearShare = 0.5;    // of a noticeable difference
+constexpr double kNearShare = 0.5;  // of a noticeable difference
+constexpr std::size_t kMostPairs = 3;
 constexpr double kWorthTheWay = 0.2;  // of the distance: a near edit goes at least so far
-
-base::Result<void> checkQuestion(const ForceModel& model, std::span<const double> point, double target_n) {
-  if (point.size() != model.inputs.size()) {
-    return fail(ErrorCode::kValue, "", std::to_string(point.size()) + " input values",
-                std::to_string(model.inputs.size()) + ", one per input");
-  }
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const fuzzy::Variable& input = model.inputs[i];
-    if (point[i] >= input.min && point[i] <= input.max) continue;
-    return fail(ErrorCode::kValue, input.id, base::formatNumber(point[i]),
-                "a value from " + base::formatNumber(input.min) + " to " + base::formatNumber(input.max));
-  }
-  if (!std::isfinite(target_n)) {
-    return fail(ErrorCode::kValue, model.output.id, base::formatNumber(target_n), "a finite force");
-  }
-  return {};
-}
 
 /// One pull: the search at the point and the judgement of what it finds.
 class Puller {
@@ -52,9 +35,8 @@ class Puller {
         target_n_(target_n),
         near_n_(kNearShare * noticeable(std::abs(target_n))),
         settings_(settings),
-        curve_input_(curveInput(model, settings.curve_input)),
         point_(model, place_),
-        elsewhere_(model, compiled_, place_, curve_input_, settings.box_points, noticeable) {}
+        judge_(model, compiled_, place_, noticeable, settings) {}
 
   Pull answer() {
     Pull out;
@@ -65,32 +47,29 @@ class Puller {
       return out;
     }
     now_n_ = *out.before_n;
-    if (std::abs(target_n_ - now_n_) <= same()) {
-      out.reachable = ForceInterval{now_n_, now_n_};
-      search();
-      out.reachable = interval();
+    if (std::abs(target_n_ - now_n_) <= judge_.same()) {
+      found_ = searchPoint(point_, target_n_, settings_);
+      out.reachable = interval(out);
       return out;
     }
-    search();
-    for (const SearchedGesture& one : gestures_) {
+    found_ = searchPoint(point_, target_n_, settings_);
+    for (const SearchedGesture& one : found_.gestures) {
       if (one.reach.exact && *one.reach.exact != 0) add(out, one.edit, *one.reach.exact);
     }
-    for (const SearchedRule& one : rules_) {
-      if (isNear(one.force_n)) add(out, one.edit, one.edit.delta);
+    const bool any_exact = !out.candidates.empty();
+    for (const SearchedRule& one : found_.rules) {
+      const bool exact = std::abs(one.force_n - target_n_) <= judge_.same();
+      if (exact || isNear(one.force_n)) add(out, one.edit, one.edit.delta);
     }
-    if (out.candidates.empty()) nearest(out);
-    out.reachable = interval();
-    for (const PullCandidate& one : out.candidates) {
-      out.reachable->min_n = std::min(out.reachable->min_n, one.force_n);
-      out.reachable->max_n = std::max(out.reachable->max_n, one.force_n);
-    }
+    const bool none = out.candidates.empty();
+    if (!any_exact) addPairs(out);
+    if (none) addNearest(out);
+    out.reachable = interval(out);
     std::stable_sort(out.candidates.begin(), out.candidates.end(), better);
     return out;
   }
 
  private:
-  double same() const { return kSameTarget * (model_.output.max - model_.output.min); }
-
   bool isNear(double force_n) const {
     const double off = std::abs(force_n - target_n_);
     return off <= near_n_ && off <= (1 - kWorthTheWay) * std::abs(now_n_ - target_n_);
@@ -102,77 +81,70 @@ class Puller {
     return one.elsewhere.k < other.elsewhere.k;
   }
 
-  void search() {
-    for (const PulledList& list : listsOf(model_, model_.experts.size() > 1)) {
-      if (std::find(settings_.locked.begin(), settings_.locked.end(), list.variable) != settings_.locked.end())
-        continue;
-      auto found = searchList(point_, list, target_n_);
-      gestures_.insert(gestures_.end(), found.begin(), found.end());
-    }
-    if (model_.experts.size() == 1) rules_ = searchRules(point_, 0, target_n_);
-  }
-
-  ForceInterval interval() const {
+  ForceInterval interval(const Pull& pull) const {
     ForceInterval out{now_n_, now_n_};
     const auto take = [&](double force_n) {
       out.min_n = std::min(out.min_n, force_n);
       out.max_n = std::max(out.max_n, force_n);
     };
-    for (const SearchedGesture& one : gestures_) {
+    for (const SearchedGesture& one : found_.gestures) {
       if (!one.reach.nearest) continue;
       take(one.reach.min_n);
       take(one.reach.max_n);
     }
-    for (const SearchedRule& one : rules_) take(one.force_n);
+    for (const SearchedRule& one : found_.rules) take(one.force_n);
+    for (const PullCandidate& one : pull.candidates) take(one.force_n);
     return out;
   }
 
   /// Adds the candidate unless it opens a hole or is no valid model.
   bool add(Pull& out, PullEdit edit, double delta) const {
     edit.delta = delta;
-    const ForceModel after = applied(model_, edit);
-    const auto compiled = fuzzy::compile(after);
-    if (!compiled) return false;
-    const auto force = compiled->evaluate(place_);
-    PullCandidate one{{std::move(edit)}, PullKind::kRule, force.force_n, elsewhere_.of(*compiled)};
-    if (!force.fired || one.elsewhere.opens_hole) return false;
-    one.kind = kindOf(model_, one.edits[0], curve_input_);
-    one.exact = std::abs(one.force_n - target_n_) <= same();
-    one.folded = !isPlausible(model_, after, one.edits[0]);
-    out.candidates.push_back(std::move(one));
-    return true;
+    auto one = judge_.judged({std::move(edit)}, target_n_);
+    if (one) out.candidates.push_back(std::move(*one));
+    return one.has_value();
   }
 
-  /// Nothing comes near: the nearest gesture, the nearest edit of a rule, and what stops the better of them.
-  void nearest(Pull& out) const {
-    const auto off = [&](double force_n) { return std::abs(force_n - target_n_); };
-    std::vector<const SearchedGesture*> gestures;
-    for (const SearchedGesture& one : gestures_) {
-      if (one.reach.nearest && off(one.reach.nearest->force_n) < off(now_n_)) gestures.push_back(&one);
+  /// Two edits where one is not enough: the gesture that comes nearest, and one edit more; the best few.
+  void addPairs(Pull& out) const {
+    const SearchedGesture* const nearest = found_.nearestGesture(target_n_);
+    if (nearest == nullptr || nearest->reach.nearest->at == 0) return;
+    PullEdit first = nearest->edit;
+    first.delta = nearest->reach.nearest->at;
+    std::vector<PullCandidate> pairs;
+    for (auto& edits : pairsWith(first, model_, place_, target_n_, settings_)) {
+      if (auto one = judge_.judged(std::move(edits), target_n_); one && one->exact) pairs.push_back(std::move(*one));
     }
-    std::stable_sort(gestures.begin(), gestures.end(), [&](const auto* one, const auto* other) {
-      return off(one->reach.nearest->force_n) < off(other->reach.nearest->force_n);
-    });
-    const auto gesture = std::find_if(gestures.begin(), gestures.end(), [&](const SearchedGesture* one) {
-      return add(out, one->edit, one->reach.nearest->at);
-    });
-    std::vector<SearchedRule> rules = rules_;
-    std::stable_sort(rules.begin(), rules.end(),
-                     [&](const auto& one, const auto& other) { return off(one.force_n) < off(other.force_n); });
-    const auto rule = std::find_if(rules.begin(), rules.end(), [&](const SearchedRule& one) {
-      return off(one.force_n) < off(now_n_) && add(out, one.edit, one.edit.delta);
-    });
+    std::stable_sort(pairs.begin(), pairs.end(), better);
+    pairs.resize(std::min(pairs.size(), kMostPairs));
+    out.candidates.insert(out.candidates.end(), pairs.begin(), pairs.end());
+  }
+
+  /// No single edit comes near: the nearest gesture, the nearest edit of a rule, and what stops the better of them,
+  /// unless two edits do it.
+  void addNearest(Pull& out) const {
+    const bool pairs = !out.candidates.empty();
+    const auto off = [&](double force_n) { return std::abs(force_n - target_n_); };
+    const auto* gesture = found_.nearestGesture(target_n_);
+    if (gesture != nullptr &&
+        !(off(gesture->reach.nearest->force_n) < off(now_n_) && add(out, gesture->edit, gesture->reach.nearest->at))) {
+      gesture = nullptr;
+    }
+    const auto* rule = found_.nearestRule(target_n_);
+    if (rule != nullptr && !(off(rule->force_n) < off(now_n_) && add(out, rule->edit, rule->edit.delta)))
+      rule = nullptr;
+    if (pairs) return;
     const bool words_locked =
         std::find(settings_.locked.begin(), settings_.locked.end(), model_.inputs.size()) != settings_.locked.end();
     if (words_locked) out.blocker = centroidLimit(point_, target_n_);
     if (out.blocker) return;
-    if (rule != rules.end() &&
-        (gesture == gestures.end() || off(rule->force_n) < off((*gesture)->reach.nearest->force_n))) {
+    const double gesture_off = gesture != nullptr ? off(gesture->reach.nearest->force_n) : off(now_n_);
+    if (rule != nullptr && off(rule->force_n) < gesture_off) {
       out.blocker = PullBlocker{Kind::kRules, 0, {}, rule->force_n};
-    } else if (gesture != gestures.end()) {
-      out.blocker = whereItStops(model_, **gesture);
+    } else if (gesture != nullptr) {
+      out.blocker = whereItStops(model_, *gesture);
     } else {
-      out.blocker = PullBlocker{Kind::kTurn, curve_input_, {}, now_n_};
+      out.blocker = PullBlocker{Kind::kTurn, judge_.curveInput(), {}, now_n_};
     }
   }
 
@@ -182,12 +154,10 @@ class Puller {
   double target_n_;
   double near_n_;
   const PullSettings& settings_;
-  std::size_t curve_input_;
   PointForce point_;
-  ElsewhereProbe elsewhere_;
+  CandidateJudge judge_;
   double now_n_ = 0;
-  std::vector<SearchedGesture> gestures_;
-  std::vector<SearchedRule> rules_;
+  PointSearch found_;
 };
 
 /// The variable that has to be unlocked for an edit that gives the target.
@@ -213,9 +183,26 @@ ForceModel applied(ForceModel model, std::span<const PullEdit> edits) {
   return model;
 }
 
+base::Result<void> checkPoint(const ForceModel& model, std::span<const double> point) {
+  if (point.size() != model.inputs.size()) {
+    return fail(ErrorCode::kValue, "", std::to_string(point.size()) + " input values",
+                std::to_string(model.inputs.size()) + ", one per input");
+  }
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const fuzzy::Variable& input = model.inputs[i];
+    if (point[i] >= input.min && point[i] <= input.max) continue;
+    return fail(ErrorCode::kValue, input.id, base::formatNumber(point[i]),
+                "a value from " + base::formatNumber(input.min) + " to " + base::formatNumber(input.max));
+  }
+  return {};
+}
+
 base::Result<Pull> pull(const ForceModel& model, std::span<const double> point, double target_n,
                         const NoticeableDifference& noticeable, const PullSettings& settings) {
-  if (auto ok = checkQuestion(model, point, target_n); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkPoint(model, point); !ok) return tl::unexpected(ok.error());
+  if (!std::isfinite(target_n)) {
+    return fail(ErrorCode::kValue, model.output.id, base::formatNumber(target_n), "a finite force");
+  }
   const ForceModel pulled = modelOf(model, settings.expert);
   auto compiled = fuzzy::compile(pulled);
   if (!compiled) return tl::unexpected(compiled.error());

@@ -34,7 +34,7 @@ struct PullSettings {
 };
 
 struct PullCandidate {
-  std::vector<PullEdit> edits;       ///< one; two where one is not enough
+  std::vector<PullEdit> edits;       ///< made one after the other
   PullKind kind = PullKind::kPlace;  ///< of the first edit
   double force_n = 0;                ///< at the point after the edits
   Elsewhere elsewhere;
@@ -69,7 +69,7 @@ struct ForceInterval {
 struct Pull {
   std::optional<double> before_n;  ///< nothing in a hole
   double target_n = 0;
-  std::optional<ForceInterval> reachable;  ///< by one edit; its inside may have gaps
+  std::optional<ForceInterval> reachable;  ///< by one edit and by the candidates; its inside may have gaps
   std::optional<PullBlocker> blocker;      ///< set if no candidate comes within half a noticeable difference
   std::vector<PullCandidate> candidates;   ///< best first: plausible before folded, exact before near, then by k
 };
@@ -80,6 +80,9 @@ struct Pull {
 /// is not finite. Thread: any.
 base::Result<Pull> pull(const fuzzy::ForceModel& model, std::span<const double> point, double target_n,
                         const NoticeableDifference& noticeable, const PullSettings& settings = {});
+
+/// Refuses a wrong number of values, and a value that is not finite or outside its universe.
+base::Result<void> checkPoint(const fuzzy::ForceModel& model, std::span<const double> point);
 
 /// `model` after all edits of a candidate.
 fuzzy::ForceModel applied(fuzzy::ForceModel model, std::span<const PullEdit> edits);

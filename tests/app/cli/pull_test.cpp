@@ -121,7 +121,7 @@ TEST_F(PullCommandTest, EachEditCanBeWritten) {
 TEST_F(PullCommandTest, InWords) {
   const ProgramRun one({"pull", s4_, "--at", kPulled, "--force", "0.55"});
   EXPECT_EQ(one.status, 0);
-  EXPECT_TRUE(one.out.starts_with("0.589 N here, wanted 0.550 N. One edit reaches ")) << one.out;
+  EXPECT_TRUE(one.out.starts_with("0.589 N here, wanted 0.550 N. Within reach: ")) << one.out;
   EXPECT_NE(
       one.out.find("\n1   Depth, laryngopharynx/esophagus: the transition ends at 202.107 instead of 215.000 mm\n"),
       std::string::npos)
@@ -165,6 +165,59 @@ TEST_F(PullCommandTest, SingleVertices) {
     EXPECT_NE(std::string(one["text"]).find(": vertex "), std::string::npos) << one["text"];
   }
   EXPECT_TRUE(vertex);
+}
+
+TEST_F(PullCommandTest, ToAReferenceCurve) {
+  auto planted = support::s4FiveRegions();
+  for (const std::size_t vertex : {2U, 3U}) planted.inputs[2].terms[2].points[vertex] += 8;
+  for (const std::size_t vertex : {0U, 1U}) planted.inputs[2].terms[3].points[vertex] += 8;
+  const std::string other = folder_.file("planted.tactus.json");
+  ASSERT_TRUE(model_io::writeModel(planted, other));
+  std::string points = "lubrication,neck_flexion,depth,speed\n";
+  for (int depth_mm = 0; depth_mm <= 600; depth_mm += 2) points += "1,60," + std::to_string(depth_mm) + ",50\n";
+  const std::string in = folder_.file("in.csv");
+  const std::string reference = folder_.file("reference.csv");
+  writeText(in, points);
+  ASSERT_EQ(ProgramRun({"eval", other, "--in", in, "--out", reference}).status, 0);
+
+  const PullJson found = pulled({s4_, "--at", kPulled, "--curve", reference});
+  EXPECT_TRUE(found["target_n"].is_null());
+  EXPECT_TRUE(found["blocker"].is_null());
+  EXPECT_GT(found["residual_n"], .005);
+  EXPECT_EQ(found["candidates"][0]["gesture"], "shift");
+  EXPECT_NEAR(found["candidates"][0]["delta"].get<double>(), 8, 1e-9);
+  EXPECT_LT(found["candidates"][0]["residual_n"], 1e-12);
+  EXPECT_EQ(
+      found["candidates"][0]["text"],
+      "Depth, laryngopharynx/esophagus: the transition runs from 193.000 to 223.000 instead of 185.000 to 215.000 mm; "
+      "leaves 0.000 N");
+  const ProgramRun written({"pull", s4_, "--at", kPulled, "--curve", reference, "--apply", "1", "--out", out_});
+  ASSERT_EQ(written.status, 0) << written.err;
+  const ProgramRun difference({"diff", out_, other, "--json"});
+  EXPECT_LT(PullJson::parse(difference.out)["force"]["largest_n"].get<double>(), 1e-12) << difference.out;
+
+  // The same curve by depths alone, and a band.
+  writeText(reference, "depth,force_min\n125,0.5\n150,0.5\n185,0.5\n");
+  const ProgramRun band({"pull", s4_, "--at", kPulled, "--curve", reference});
+  EXPECT_EQ(band.status, 0) << band.err;
+  EXPECT_NE(band.out.find("N (root mean square) from the reference."), std::string::npos) << band.out;
+}
+
+TEST_F(PullCommandTest, WrongReferencesAreRefused) {
+  const std::string reference = folder_.file("reference.csv");
+  const auto refused = [&](const std::string& text, const std::string& says) {
+    writeText(reference, text);
+    expectRefused({s4_, "--at", kPulled, "--curve", reference}, 1, says);
+  };
+  refused("mm,force\n1,0.5\n", "header: found mm, force, wanted a column of an input: lubrication, ");
+  refused("depth\n1\n", "header: found depth, wanted a column force, or force_min, force_max or both");
+  refused("depth,force,force_min\n1,0.5,0.5\n", "wanted either force, or force_min and force_max");
+  refused("depth,force\n", "found 0 rows, wanted 1 to 10000");
+  refused("depth,force\n700,0.5\n", "line 2, column 'depth': found '700', wanted a value from 0 to 600");
+  refused("depth,force\n70,much\n", "line 2, column 'force': found 'much'");
+  refused("depth,force_min,force_max\n70,0.5,0.4\n", "found '0.4', wanted at least force_min, which is 0.5");
+  expectRefused({s4_, "--at", kPulled, "--curve", folder_.file("none.csv")}, 1, "none.csv");
+  expectRefused({s4_, "--at", kPulled}, 2, "--force or --curve is required");
 }
 
 TEST_F(PullCommandTest, WrongQuestionsAreRefused) {

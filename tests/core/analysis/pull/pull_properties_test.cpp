@@ -43,15 +43,21 @@ void forget(ForceModel& model, const PullEdit& edit) {
   }
 }
 
-/// Returns the number of candidates.
-std::size_t checkPull(const ForceModel& model, const std::vector<double>& point, double target_n,
-                      const PullSettings& settings) {
+struct Counted {
+  std::size_t candidates = 0;
+  std::size_t pairs = 0;
+};
+
+Counted checkPull(const ForceModel& model, const std::vector<double>& point, double target_n,
+                  const PullSettings& settings) {
   const auto found = pull(model, point, target_n, noticeable, settings);
   EXPECT_TRUE(found.has_value());
-  if (!found) return 0;
+  if (!found) return {};
+  Counted counted{found->candidates.size(), 0};
   for (const PullCandidate& one : found->candidates) {
     SCOPED_TRACE(std::string(name(one.edits[0].gesture)) + " of variable " +
                  std::to_string(one.edits[0].list.variable) + " by " + std::to_string(one.edits[0].delta));
+    if (one.edits.size() == 2) ++counted.pairs;
     const ForceModel after = applied(model, one.edits);
     const auto compiled = fuzzy::compile(after);  // also the order of the vertices
     EXPECT_TRUE(compiled.has_value());
@@ -74,13 +80,14 @@ std::size_t checkPull(const ForceModel& model, const std::vector<double>& point,
     for (const PullEdit& edit : one.edits) forget(left, edit), forget(right, edit);
     EXPECT_EQ(left, right) << "nothing else changes";
   }
-  return found->candidates.size();
+  return counted;
 }
 
 TEST(PullProperties, FourExpertsThatShareTheirTerms) {
   base::Random random(20261123);
   const ForceModel model = support::inventedExperts();
   std::size_t candidates = 0;
+  std::size_t pairs = 0;
   for (int i = 0; i < 40; ++i) {
     std::vector<double> point;
     for (const auto& input : model.inputs) point.push_back(input.min + random.uniform() * (input.max - input.min));
@@ -88,9 +95,12 @@ TEST(PullProperties, FourExpertsThatShareTheirTerms) {
     settings.box_points = 64;
     if (i % 2 == 0) settings.expert = i / 2 % 4;
     if (i % 3 == 0) settings.locked = {static_cast<std::size_t>(i % 5)};
-    candidates += checkPull(model, point, .15 + .7 * random.uniform(), settings);
+    const Counted counted = checkPull(model, point, .15 + .7 * random.uniform(), settings);
+    candidates += counted.candidates;
+    pairs += counted.pairs;
   }
   EXPECT_GT(candidates, 200U);
+  EXPECT_GT(pairs, 5U);
 }
 
 TEST(PullProperties, GeneratedModels) {
@@ -106,7 +116,7 @@ TEST(PullProperties, GeneratedModels) {
     settings.box_points = 32;
     if (i % 2 == 0) settings.expert = static_cast<std::size_t>(i) % model.experts.size();
     const double target_n = model.output.min + random.uniform() * (model.output.max - model.output.min);
-    candidates += checkPull(model, point, target_n, settings);
+    candidates += checkPull(model, point, target_n, settings).candidates;
   }
   EXPECT_GT(candidates, 150U);
 }

@@ -1,0 +1,24 @@
+// A reference curve or band from a CSV table.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/analysis/pull/pull_curve.h"
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::cli {
+
+struct ReadReference {
+  analysis::ReferenceCurve curve;
+  std::vector<std::string> warnings;
+};
+
+/// Reads the file `path`: columns named after inputs (at least one; the others are at their values in `point`), and
+/// `force`, or a band by `force_min`, `force_max` or both. At most 10,000 rows.
+base::Result<ReadReference> readReference(const std::string& path, const fuzzy::ForceModel& model,
+                                          std::span<const double> point);
+
+}  // namespace tactus::cli
