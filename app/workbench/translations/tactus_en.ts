@@ -7616,6 +7616,17 @@ felt on the model %2</source>
     </message>
 </context>
 <context>
+    <name>tactus::workbench::SpeedLab</name>
+    <message>
+        <source>Comparing clusters and levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing strokes again for the intervals</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::SpeedLabView</name>
     <message>
         <source>Clusters and terms</source>
