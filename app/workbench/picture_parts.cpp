@@ -11,7 +11,7 @@ namespace tactus::workbench {
 PictureParts::PictureParts(MainWindow& window, const ModelController& models) {
   QAction* const copy = window.menus().addAction(MenuSlot::kFilePictures, tr("&Copy picture of the plot"),
                                                  Qt::CTRL | Qt::SHIFT | Qt::Key_C);
-  copy->setToolTip(tr("The plot with the keyboard or under the mouse"));
+  copy->setToolTip(tr("Copy the plot with the keyboard or under the mouse"));
   copy->setEnabled(false);
   QObject::connect(copy, &QAction::triggered, &window, [&window] {
     if (PlotMenu* plot = currentPlot(window)) plot->copyPicture();

@@ -1,5 +1,9 @@
-// What can be pressed says what it does: buttons and entries of the menus begin with a verb.
+// What can be pressed, chosen or typed into says what it does: buttons, entries of the menus, hints and placeholders
+// begin with a verb.
+#include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
@@ -7,6 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/kit/drawer_button.h"
+#include "app/workbench/kit/statistic_help.h"
+#include "app/workbench/shell/model_header.h"
+#include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
 
@@ -23,6 +30,8 @@ const QStringList kVerbs = {
     "Open",    "Put",     "Quit",    "Raise",    "Read",   "Record", "Redo",  "Remove",  "Reopen",  "Replay",  "Reset",
     "Restore", "Save",    "Search",  "Serve",    "Set",    "Show",   "Sign",  "Start",   "Stop",    "Switch",  "Take",
     "Try",     "Undo",    "Verify",  "Withdraw", "Write",  "Zoom"};
+const QStringList kHintVerbs = {"Answer", "Arm",  "Ask", "Cancel", "Change", "Click", "Cut",  "Drag",  "Filter", "Flex",
+                                "Give",   "Hold", "Let", "Lock",   "Move",   "Press", "Sign", "Split", "Type"};
 
 QString plain(QString text) {
   return text.remove(QLatin1Char('&')).remove(QStringLiteral("‹ ")).remove(QStringLiteral(" ›")).trimmed();
@@ -73,6 +82,42 @@ class VerbLabels : public tests::ShownBench {
         << ")";
   }
 };
+
+/// The hint of `widget` if it is one to act on; empty: it has none, or shows what it holds.
+QString hintOf(const QWidget& widget) {
+  const auto* line = qobject_cast<const QLineEdit*>(&widget);
+  if (line != nullptr && !line->isReadOnly() && !line->placeholderText().isEmpty()) return line->placeholderText();
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  const bool acts = button != nullptr || qobject_cast<const QComboBox*>(&widget) != nullptr ||
+                    qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr;
+  return acts ? widget.toolTip() : QString();
+}
+
+TEST_F(VerbLabels, HintsSayWhatTheActDoes) {
+  for (const Stage stage : {Stage::kUnderstand, Stage::kTune, Stage::kDeliver}) {
+    bench.window.enter(stage);
+    for (Panel* panel : bench.window.panels().panels()) {
+      if (panel->isHidden()) continue;
+      panel->raise();
+      settle();
+    }
+  }
+  QList<QWidget*> all;
+  for (const QWidget* part :
+       std::initializer_list<const QWidget*>{&bench.window.panels(), &bench.window.strip(), &bench.window.header()}) {
+    all += part->findChildren<QWidget*>();
+  }
+  EXPECT_GT(all.size(), 500);
+  for (const QWidget* widget : all) {
+    const QString hint = hintOf(*widget).trimmed();
+    // A sign with a question mark explains a word and does nothing.
+    if (hint.isEmpty() || qobject_cast<const StatisticHelp*>(widget) != nullptr) continue;
+    const QString first = hint.section(QLatin1Char(' '), 0, 0).remove(QLatin1Char(':'));
+    EXPECT_TRUE(beginsWithVerb(hint) || kHintVerbs.contains(first))
+        << widget->metaObject()->className() << " in " << widget->parentWidget()->metaObject()->className() << ": "
+        << hint.toStdString();
+  }
+}
 
 TEST_F(VerbLabels, MenusAndButtonsSayWhatTheyDo) {
   for (const QAction* menu : bench.window.menuBar()->actions()) expectVerbs(*menu->menu());

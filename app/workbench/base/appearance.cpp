@@ -60,6 +60,11 @@ void followSystem(QApplication& application, const QSettings& settings, theme::L
   if (!chosenLook(settings) && !shown) theme::changeLook(application, look);
 }
 
+int scaled(int px) {
+  const QVariant percent = qApp->property(kTextPercent);
+  return percent.isValid() ? qRound(px * percent.toDouble() / 100) : px;
+}
+
 void changeTextSize(QApplication& application, int percent) {
   const QVariant before = application.property(kTextPercent);
   const double factor = percent / (before.isValid() ? before.toDouble() : 100.0);

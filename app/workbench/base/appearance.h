@@ -24,6 +24,8 @@ void apply(QApplication& application, const QSettings& settings);
 theme::Look systemLook(const QApplication& application);
 /// The system has another look now: takes it, unless the user chose one.
 void followSystem(QApplication& application, const QSettings& settings, theme::Look look);
+/// A width or height that text of 100 % needs, with the text as large as it is now, px.
+int scaled(int px);
 /// All texts at once, also those of widgets with a font of their own.
 void changeTextSize(QApplication& application, int percent);
 

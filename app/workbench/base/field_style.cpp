@@ -24,6 +24,10 @@ void drawEdge(QPainter& painter, const QRectF& place, double round) {
   painter.restore();
 }
 
+QString shortened(const QString& text, const QFontMetrics& metrics, int room) {
+  return metrics.elidedText(text, Qt::ElideRight, room, Qt::TextShowMnemonic);
+}
+
 }  // namespace
 
 QColor fieldEdge() { return isDark() ? QColor(0x7A, 0x86, 0x92) : QColor(0x7D, 0x88, 0x94); }
@@ -36,6 +40,34 @@ void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
   if (!wantsEdge(*option)) return;
   if (element == PE_FrameLineEdit) drawEdge(*painter, option->rect, kRound);
   if (element == PE_IndicatorCheckBox) drawEdge(*painter, option->rect, 0);
+}
+
+void FieldStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                             const QWidget* widget) const {
+  constexpr int kBesideIcon = 4;  // px, as in Fusion
+  if (const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+      box != nullptr && element == CE_ComboBoxLabel) {
+    QStyleOptionComboBox fitting = *box;
+    int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() - 2;
+    if (!box->currentIcon.isNull()) room -= box->iconSize.width() + kBesideIcon;
+    // An ampersand is none here.
+    fitting.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
+    QProxyStyle::drawControl(element, &fitting, painter, widget);
+    return;
+  }
+  if (const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+      button != nullptr && element == CE_PushButtonLabel) {
+    QStyleOptionButton fitting = *button;
+    int room = button->rect.width();
+    if (!button->icon.isNull()) room -= button->iconSize.width() + kBesideIcon;
+    if (button->features.testFlag(QStyleOptionButton::HasMenu)) {
+      room -= pixelMetric(PM_MenuButtonIndicator, button, widget);
+    }
+    fitting.text = shortened(button->text, button->fontMetrics, room);
+    QProxyStyle::drawControl(element, &fitting, painter, widget);
+    return;
+  }
+  QProxyStyle::drawControl(element, option, painter, widget);
 }
 
 void FieldStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,

@@ -1,5 +1,6 @@
 // The Fusion style with visible edges of fields. Fusion derives the edges from the color of the window, which gives a
-// contrast of 1.3 to a card; 3 is wanted (WCAG 2.1, 1.4.11).
+// contrast of 1.3 to a card; 3 is wanted (WCAG 2.1, 1.4.11). Fusion cuts the words of a choice or a button that is too
+// narrow; here they end in an ellipsis.
 #pragma once
 
 #include <QColor>
@@ -18,6 +19,8 @@ class FieldStyle : public QProxyStyle {
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override;
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                           const QWidget* widget) const override;
 };

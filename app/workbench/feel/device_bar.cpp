@@ -18,6 +18,7 @@
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/kit/card.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/kit/wrapped_label.h"
 
@@ -49,6 +50,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
       rearm_(new QPushButton(tr("Arm again"), message_card_)),
       again_(new QPushButton(tr("Try again"), message_card_)) {
   devices_->setAccessibleName(tr("Device"));
+  devices_->setToolTip(tr("Choose the device on which the model is felt"));
   devices_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   // With large text in a small panel its end gives way.
   devices_->setMinimumWidth(12 * theme::kGrid);
@@ -58,20 +60,25 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   chip_->setArrowType(Qt::DownArrow);
   chip_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   chip_->setToolTip(tr("Show the device and how the tube is held"));
-  start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Stopping…")) + 2 * theme::kGrid);
+  keepFitted(*start_, [this] {
+    start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Stopping…")) + 2 * theme::kGrid);
+  });
   start_->setFocusPolicy(Qt::TabFocus);
   grip_->setAccessibleName(tr("How to hold the tube"));
   grip_->setFocusPolicy(Qt::TabFocus);
   grip_->addItem(tr("Hold"));
   grip_->addItem(tr("Latch"));
-  grip_->setItemData(0, tr("The tube is in the hand while the button of the device, the mouse button or Space is down"),
+  keepFitted(*grip_, [this] {
+    grip_->setMinimumWidth(grip_->fontMetrics().horizontalAdvance(tr("Latch")) + 5 * theme::kGrid);
+  });
+  grip_->setItemData(0, tr("Hold the tube while the button of the device, the mouse button or Space is down"),
                      Qt::ToolTipRole);
   grip_->setItemData(1, tr("Press once to hold the tube, press again to release it. No need to squeeze"),
                      Qt::ToolTipRole);
   zone_->setWhole();
-  zone_->setFixedWidth(zone_->fontMetrics().horizontalAdvance(QStringLiteral("-100 mm")) + 2 * theme::kGrid);
+  zone_->setRoomFor(QStringLiteral("-100 mm "));
   zone_->setAccessibleName(tr("Release zone of the latch"));
-  zone_->setToolTip(tr("Release zone: a hand that is drawn out further than this lets go"));
+  zone_->setToolTip(tr("Set the release zone: a hand that is drawn out further than this lets go"));
   QFont bold = theme::smallFont();
   bold.setBold(true);
   simulated_->setFont(bold);
@@ -121,9 +128,17 @@ void DeviceBar::chooseGrip() { feel_.session().setGrip({grip_->currentIndex() ==
 
 void DeviceBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const auto direction = width() < kOneLine ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
-  if (line_->direction() != direction) line_->setDirection(direction);
+  fitLine();
   fitMessage();
+}
+
+// The state gives way to its end; the word SIMULATED does not.
+void DeviceBar::fitLine() {
+  const int choice = line_->itemAt(0)->minimumSize().width();
+  const int least = choice + line_->spacing() + (simulated_->isHidden() ? 0 : simulated_->minimumSizeHint().width());
+  const bool wraps = width() < std::max(kOneLine, least);
+  const auto direction = wraps ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (line_->direction() != direction) line_->setDirection(direction);
 }
 
 void DeviceBar::setModelOpen(bool open) {
@@ -144,6 +159,7 @@ void DeviceBar::showChoice() {
   chip_->setText(devices_->currentText() + QStringLiteral(" · ") + grip_->currentText());
   for (QWidget* part : std::initializer_list<QWidget*>{devices_, look_, grip_}) part->setVisible(open);
   zone_->setVisible(open && feel_.session().grip().latch);
+  fitLine();
   if (!folded) chip_->setChecked(false);
 }
 
@@ -188,7 +204,7 @@ void DeviceBar::showState() {
   look_->setText(search_.isSearching() ? tr("Searching…") : tr("Search"));
   start_->setText(stopping ? tr("Stopping…") : running || opening ? tr("Stop") : tr("Start"));
   start_->setEnabled(!stopping && (busy || model_open_));
-  start_->setToolTip(running ? tr("No force from the next tick on (F12, or Esc)") : tr("Feel the open model (F9)"));
+  start_->setToolTip(running ? tr("Stop the force with the next tick (F12, or Esc)") : tr("Feel the open model (F9)"));
   {
     const QSignalBlocker no_grip(grip_);
     const QSignalBlocker no_zone(zone_);

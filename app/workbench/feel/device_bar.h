@@ -48,6 +48,7 @@ class DeviceBar : public QWidget {
   void chooseGrip();
   QString stateText() const;
   QString stateWord() const;
+  void fitLine();
   void fitMessage();
   void setMessage(const QString& sentence, bool bad);
 

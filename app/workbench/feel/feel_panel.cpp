@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
@@ -26,6 +27,7 @@
 #include "app/workbench/kit/card.h"
 #include "app/workbench/kit/drawer_button.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -36,12 +38,13 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other
-constexpr int kRoomyWidth = 820;  // px: from this size on all steps of the procedure are listed
+constexpr int kRoomyWidth = 820;  // px at 100 %: from this size on all steps of the procedure are listed
 constexpr int kRoomyHeight = 360;
-constexpr int kLowHeight = 380;   // px: below it the hand, the force and the picture alone are shown
+constexpr int kLowHeight = 380;   // px at 100 %: below it the hand, the force and the picture alone are shown
 constexpr int kLowestTrace = 28;  // px, its least height then, and with more room
 constexpr int kLowTrace = 50;
-constexpr int kOpenWidth = 900;  // px: from this size on the panel is for feeling alone
+constexpr int kLowestPicture = 84;  // px, with large text in a low panel
+constexpr int kOpenWidth = 900;     // px: from this size on the panel is for feeling alone
 constexpr int kOpenHeight = 480;
 constexpr int kOpenPicture = 320;   // px: the least height of the picture then
 constexpr double kOpenForce = 2.4;  // times as large as in a small panel
@@ -91,7 +94,8 @@ void FeelPanel::build() {
   trace_->setMinimumHeight(kLowTrace);
   force_->setFont(theme::titleFont());
   force_->setTextFormat(Qt::PlainText);
-  force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("-0.000 N")));
+  keepFitted(*force_,
+             [this] { force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("-0.000 N"))); });
   limits_->setFont(theme::smallFont());
   legend_->setFont(theme::smallFont());
   // It must not make the panel wider than its place.
@@ -103,7 +107,7 @@ void FeelPanel::build() {
     box->setFont(theme::smallFont());
   }
   split_->setToolTip(tr("Show what makes up the force: fuzzy force, friction and limits"));
-  follow_->setToolTip(tr("Depth and speed of all plots follow the tube in the hand"));
+  follow_->setToolTip(tr("Move depth and speed of all plots with the tube in the hand"));
   follow_->setChecked(feel_.followsHand());
   showLegend();
 
@@ -118,13 +122,13 @@ void FeelPanel::build() {
   options->addWidget(limits_, 1);
   options->addWidget(new PlotMenu(
       *trace_, [this] { return traceTable(scene_, feel_.history(), traced_on_); }, this));
-  auto* hand = new QVBoxLayout;
-  hand->setSpacing(4);
-  hand->addWidget(pad_);
-  hand->addLayout(number_row);
-  hand->addLayout(options);
-  hand->addWidget(legend_);
-  hand->addWidget(trace_, 1);
+  hand_ = new QVBoxLayout;
+  hand_->setSpacing(4);
+  hand_->addWidget(pad_);
+  hand_->addLayout(number_row);
+  hand_->addLayout(options);
+  hand_->addWidget(legend_);
+  hand_->addWidget(trace_, 1);
 
   picture_ = new QBoxLayout(QBoxLayout::TopToBottom);
   picture_->setSpacing(theme::kGrid);
@@ -140,7 +144,7 @@ void FeelPanel::build() {
   auto* content = new Card;
   halves_ = new QBoxLayout(QBoxLayout::LeftToRight);
   halves_->setSpacing(2 * theme::kGrid);
-  halves_->addLayout(hand, 1);
+  halves_->addLayout(hand_, 1);
   halves_->addLayout(patient, 1);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(theme::kGrid, theme::kGrid - 2, theme::kGrid, theme::kGrid - 2);
@@ -188,9 +192,13 @@ void FeelPanel::showLegend() {
 }
 
 void FeelPanel::arrange() {
-  const bool narrow = width() < kSideBySide;
+  const int inside = width() - 2 * theme::kGrid;
+  const int beside_hand = inside - halves_->spacing() - hand_->minimumSize().width();
+  const bool narrow = width() < kSideBySide || beside_hand < patient_->leastWidth();
+  patient_->fit(narrow ? inside : beside_hand);
   const bool open = width() >= kOpenWidth && height() >= kOpenHeight;
-  const bool roomy = !narrow && !open && width() >= kRoomyWidth && height() >= kRoomyHeight;
+  const bool roomy =
+      !narrow && !open && width() >= appearance::scaled(kRoomyWidth) && height() >= appearance::scaled(kRoomyHeight);
   // Open, the picture stands left and large.
   const auto direction = narrow ? QBoxLayout::TopToBottom : open ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight;
   if (halves_->direction() != direction) halves_->setDirection(direction);
@@ -200,12 +208,13 @@ void FeelPanel::arrange() {
   if (picture_->direction() != picture) picture_->setDirection(picture);
   picture_->setStretch(0, 3);
   picture_->setStretch(1, roomy ? 2 : 0);
-  const bool low = !narrow && !open && height() < kLowHeight;
+  const bool low = !narrow && !open && height() < appearance::scaled(kLowHeight);
   procedure_->setRoom(roomy ? ProcedurePanel::Room::kList
                       : low ? ProcedurePanel::Room::kHeading
                             : ProcedurePanel::Room::kStep);
   if (open != open_) setOpen(open);
   if (low != low_) setLow(low);
+  tube_->setMinimumHeight(open ? kOpenPicture : low ? kLowestPicture : 0);
   const bool room = roomy || open || low;  // a drawer has room
   if (room != std::exchange(roomy_, room)) emit roomChanged(room);
 }
@@ -215,9 +224,7 @@ void FeelPanel::setOpen(bool open) {
   QFont font = theme::titleFont();
   if (open) font.setPointSizeF(font.pointSizeF() * kOpenForce);
   force_->setFont(font);
-  force_->setMinimumWidth(force_->fontMetrics().horizontalAdvance(QStringLiteral("-0.000 N")));
   bar_->setLarge(open);
-  tube_->setMinimumHeight(open ? kOpenPicture : 0);
   device_->setFoldable(open);
 }
 
@@ -244,7 +251,7 @@ void FeelPanel::connectAll() {
   connect(&feel_, &FeelController::stateChanged, this, &FeelPanel::showState);
   connect(&feel_, &FeelController::advanced, this, &FeelPanel::showFelt);
   connect(&feel_, &FeelController::failed, device_, &DeviceBar::showFailure);
-  connect(&feel_, &FeelController::neckChanged, this, [this] { tube_->setNeckFlexed(feel_.isNeckFlexed()); });
+  connect(&feel_, &FeelController::neckChanged, this, &FeelPanel::showNeck);
   connect(&feel_, &FeelController::placementEnded, this, [this] { placement_->setSummary(feel_.lastPlacement()); });
   connect(&scene_, &SceneController::modelChanged, this, &FeelPanel::adoptModel);
   connect(&scene_, &SceneController::modelEdited, this, &FeelPanel::showRegions);
@@ -255,11 +262,17 @@ void FeelPanel::showRegions() {
   const auto input = inputNamed(model, kDepthId);
   const auto depth = input ? std::optional(model.inputs[*input]) : std::nullopt;
   // What counts as flexed follows from the terms.
-  tube_->setNeckFlexed(feel_.isNeckFlexed());
+  showNeck();
   if (depth == depth_) return;
   depth_ = depth;
   tube_->setRegions(depth ? depthRegions(*depth) : std::vector<DepthRegion>());
   placement_->setProgress(feel_.strokes(), feel_.depthMm(), tube_->regionText());
+}
+
+void FeelPanel::showNeck() {
+  const auto& inputs = scene_.model()->model.inputs;
+  const auto neck = inputNamed(scene_.model()->model, kNeckFlexionId);
+  tube_->setNeck(neck ? drawnPosture(inputs[*neck], scene_.value(*neck)) : anatomy::Posture::kUpright);
 }
 
 void FeelPanel::adoptModel() {
@@ -267,6 +280,7 @@ void FeelPanel::adoptModel() {
   showRegions();
   trace_->setOutput(model.output);
   device_->setModelOpen(true);
+  arrange();
   showFelt();
 }
 
@@ -351,6 +365,8 @@ void FeelPanel::resizeEvent(QResizeEvent* event) {
 void FeelPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) showLegend();
+  // Later: the parts get their fonts now.
+  if (event->type() == QEvent::FontChange) QMetaObject::invokeMethod(this, &FeelPanel::arrange, Qt::QueuedConnection);
 }
 
 void FeelPanel::showEvent(QShowEvent* event) {

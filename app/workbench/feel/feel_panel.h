@@ -62,6 +62,7 @@ class FeelPanel : public QWidget {
   void connectAll();
   void adoptModel();
   void showRegions();
+  void showNeck();
   void showState();
   void showFelt();
   void showForce();
@@ -90,7 +91,8 @@ class FeelPanel : public QWidget {
   TubePicture* tube_;
   ProcedurePanel* procedure_;
   PlacementCard* placement_;
-  QBoxLayout* halves_ = nullptr;   ///< hand and patient
+  QBoxLayout* halves_ = nullptr;  ///< hand and patient
+  QBoxLayout* hand_ = nullptr;
   QBoxLayout* picture_ = nullptr;  ///< path of the tube and procedure
   QBoxLayout* cards_ = nullptr;    ///< top to bottom
   QBoxLayout* foot_ = nullptr;     ///< below the path of the tube

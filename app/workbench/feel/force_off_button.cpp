@@ -16,7 +16,7 @@ constexpr int kForceOffHeight = 30;  // px, of the strip
 ForceOffButton::ForceOffButton(QWidget* parent) : QAbstractButton(parent) {
   setText(tr("Force off"));
   setAccessibleName(text());
-  setToolTip(tr("No force from the next tick on, whatever has the keyboard (F12, or Esc outside a drag)"));
+  setToolTip(tr("Stop the force with the next tick, whatever has the keyboard (F12, or Esc outside a drag)"));
   setFocusPolicy(Qt::TabFocus);
   setAttribute(Qt::WA_Hover);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);

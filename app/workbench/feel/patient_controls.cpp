@@ -4,10 +4,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 
@@ -29,18 +31,26 @@ PatientControls::PatientControls(SceneController& scene, FeelController& feel, Q
   neck_->setCheckable(true);
   neck_->setFont(theme::smallFont());
   // Both texts have their place.
-  neck_->setMinimumWidth(QFontMetrics(theme::smallFont()).horizontalAdvance(tr("Flex the neck")) + 2 * theme::kGrid);
+  keepFitted(*neck_, [this] {
+    neck_->setMinimumWidth(neck_->fontMetrics().horizontalAdvance(tr("Flex the neck")) + 2 * theme::kGrid);
+  });
   lubrication_->setFont(theme::smallFont());
   neck_->setFocusPolicy(Qt::TabFocus);
-  neck_->setToolTip(tr("The head moves within a second, and the force with it"));
+  neck_->setToolTip(tr("Flex the neck or raise the head within a second; the force follows (F8)"));
 
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid / 2);
-  layout->addWidget(lubrication_);
-  layout->addWidget(terms_);
-  layout->addWidget(neck_);
-  layout->addStretch(1);
+  auto* lubrication = new QHBoxLayout;
+  lubrication->setSpacing(theme::kGrid / 2);
+  lubrication->addWidget(lubrication_);
+  lubrication->addWidget(terms_);
+  lubrication->addStretch(1);
+  auto* neck = new QHBoxLayout;
+  neck->addWidget(neck_);
+  neck->addStretch(1);
+  rows_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
+  rows_->setContentsMargins(0, 0, 0, 0);
+  rows_->setSpacing(theme::kGrid / 2);
+  rows_->addLayout(lubrication);
+  rows_->addLayout(neck, 1);
 
   connect(term_buttons_, &QButtonGroup::idClicked, this, [this](int term) {
     const auto input = inputNamed(scene_.model()->model, kLubricationId);
@@ -55,11 +65,23 @@ PatientControls::PatientControls(SceneController& scene, FeelController& feel, Q
   if (scene_.model()) build();
 }
 
+void PatientControls::fit(int room) {
+  const int choices = terms_->minimumSizeHint().width();
+  const int name = lubrication_->minimumSizeHint().width() + rows_->spacing();
+  const bool stacked = name + choices + rows_->spacing() + neck_->minimumWidth() > room;
+  lubrication_->setVisible(has_lubrication_ && (!stacked || name + choices <= room));
+  const auto direction = stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (rows_->direction() != direction) rows_->setDirection(direction);
+}
+
+int PatientControls::leastWidth() const { return std::max(terms_->minimumSizeHint().width(), neck_->minimumWidth()); }
+
 void PatientControls::build() {
   const fuzzy::ForceModel& model = scene_.model()->model;
   const auto lubrication = inputNamed(model, kLubricationId);
   const auto neck = inputNamed(model, kNeckFlexionId);
-  lubrication_->setVisible(lubrication.has_value());
+  has_lubrication_ = lubrication.has_value();
+  if (!has_lubrication_) lubrication_->hide();
   terms_->setVisible(lubrication.has_value());
   neck_->setVisible(neck && neckPostures(model.inputs[*neck]).has_value());
   const std::vector<fuzzy::Term> none;
@@ -75,8 +97,13 @@ void PatientControls::build() {
       auto* button = new QPushButton(labelOf(terms[i]), terms_);
       button->setCheckable(true);
       button->setFocusPolicy(Qt::TabFocus);
+      button->setToolTip(tr("Set the lubrication to %1").arg(labelOf(terms[i])));
       button->setFont(theme::smallFont());
-      button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + 2 * theme::kGrid);
+      keepFitted(*button, [button] {
+        QFont chosen = button->font();
+        chosen.setBold(true);
+        button->setMinimumWidth(QFontMetrics(chosen).horizontalAdvance(button->text()) + 2 * theme::kGrid);
+      });
       terms_layout_->addWidget(button);
       term_buttons_->addButton(button, static_cast<int>(i));
     }

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <cstddef>
 
+class QBoxLayout;
 class QButtonGroup;
 class QHBoxLayout;
 class QLabel;
@@ -20,6 +21,12 @@ class PatientControls : public QWidget {
  public:
   PatientControls(SceneController& scene, FeelController& feel, QWidget* parent = nullptr);
 
+  /// In `room` px: the neck takes a row of its own where one row is too wide, and the word Lubrication gives way where
+  /// its choices need the room.
+  void fit(int room);
+  /// The least room, px.
+  int leastWidth() const;
+
  private:
   void build();
   void showValues();
@@ -32,6 +39,8 @@ class PatientControls : public QWidget {
   QHBoxLayout* terms_layout_;
   QButtonGroup* term_buttons_;
   QPushButton* neck_;
+  QBoxLayout* rows_ = nullptr;
+  bool has_lubrication_ = false;
 };
 
 }  // namespace tactus::workbench

@@ -4,15 +4,17 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/font_fit.h"
 
 namespace tactus::workbench {
 namespace {
 
-constexpr int kSummaryBeside = 500;  // px: below it the summary has a line of its own
+constexpr int kSummaryBeside = 500;  // px at 100 %: below it the summary has a line of its own
 
 QString strokesText(unsigned strokes) { return PlacementCard::tr("%n stroke(s)", nullptr, static_cast<int>(strokes)); }
 
@@ -28,7 +30,9 @@ PlacementCard::PlacementCard(QWidget* parent)
   summary_->setFont(theme::smallFont());
   setInk(*summary_, theme::mutedInk());
   next_->setToolTip(tr("Take the tube out and begin again"));
-  next_->setMinimumWidth(next_->sizeHint().width() + 2 * theme::kGrid);
+  keepFitted(*next_, [this] {
+    next_->setMinimumWidth(next_->fontMetrics().horizontalAdvance(next_->text()) + 3 * theme::kGrid);
+  });
   next_->setFocusPolicy(Qt::TabFocus);
 
   layout_ = new QGridLayout(this);
@@ -48,7 +52,7 @@ PlacementCard::PlacementCard(QWidget* parent)
 
 void PlacementCard::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const bool below = width() < kSummaryBeside;
+  const bool below = width() < appearance::scaled(kSummaryBeside);
   if (below == below_) return;
   below_ = below;
   layout_->removeWidget(summary_);

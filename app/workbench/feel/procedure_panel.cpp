@@ -6,6 +6,8 @@
 
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/kit/wrapped_label.h"
 
 namespace tactus::workbench {
@@ -20,7 +22,7 @@ ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent
     : QWidget(parent),
       steps_(std::move(steps)),
       list_(new QWidget(this)),
-      head_(new QLabel(this)),
+      head_(new ElidedLabel(this)),
       text_(new WrappedLabel(this)) {
   auto* grid = new QGridLayout(list_);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -30,7 +32,9 @@ ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Row row{new QLabel(QString::number(i + 1), list_), new QLabel(steps_[i].title, list_)};
     row.number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row.number->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00")));
+    keepFitted(*row.number, [number = row.number] {
+      number->setMinimumWidth(number->fontMetrics().horizontalAdvance(QStringLiteral("00")));
+    });
     row.title->setTextFormat(Qt::PlainText);
     grid->addWidget(row.number, static_cast<int>(i), 0);
     grid->addWidget(row.title, static_cast<int>(i), 1);
@@ -45,9 +49,9 @@ ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent
   layout->addWidget(head_);
   layout->addWidget(text_, 1);
   head_->setFont(theme::headingFont());
-  head_->setTextFormat(Qt::PlainText);
   setInk(*head_, theme::accent());
   setRoom(Room::kList);
+  keepFitted(*text_, [this] { fitText(); });
   setDepth(0);
 }
 
@@ -56,9 +60,12 @@ void ProcedurePanel::setRoom(Room room) {
   list_->setVisible(listed);
   head_->setVisible(!listed);
   text_->setVisible(room != Room::kHeading);
-  // The longest text has its place, so that nothing moves from step to step.
-  text_->setMinimumHeight((listed ? kLines : kCompactLines) * QFontMetrics(theme::smallFont()).height());
+  lines_ = listed ? kLines : kCompactLines;
+  fitText();
 }
+
+// The longest text has its place, so that nothing moves from step to step.
+void ProcedurePanel::fitText() { text_->setMinimumHeight(lines_ * text_->fontMetrics().height()); }
 
 void ProcedurePanel::setDepth(double depth_mm) {
   if (steps_.empty()) return;
@@ -76,9 +83,10 @@ void ProcedurePanel::show(std::size_t step) {
       setInk(*label, i == step ? theme::accent() : i < step ? theme::ink() : theme::mutedInk());
     }
   }
-  head_->setText(tr("%1 of %2: %3").arg(step + 1).arg(steps_.size()).arg(steps_[step].title));
+  head_->setFullText(tr("%1 of %2: %3").arg(step + 1).arg(steps_.size()).arg(steps_[step].title));
   text_->setText(steps_[step].text);
-  for (QLabel* label : {head_, text_}) label->setToolTip(steps_[step].text);
+  head_->setHint(steps_[step].text);
+  text_->setToolTip(steps_[step].text);
 }
 
 }  // namespace tactus::workbench

@@ -11,6 +11,8 @@ class QLabel;
 
 namespace tactus::workbench {
 
+class ElidedLabel;
+
 class ProcedurePanel : public QWidget {
   Q_OBJECT
 
@@ -32,13 +34,15 @@ class ProcedurePanel : public QWidget {
     QLabel* title;
   };
   void show(std::size_t step);
+  void fitText();
 
   std::vector<ProcedureStep> steps_;
   std::vector<Row> rows_;
   QWidget* list_;
-  QLabel* head_;  ///< the current step, if the list is hidden
+  ElidedLabel* head_;  ///< the current step, if the list is hidden
   QLabel* text_;
   std::optional<std::size_t> shown_;
+  int lines_ = 0;  ///< that the text has room for
 };
 
 }  // namespace tactus::workbench

@@ -21,6 +21,7 @@ constexpr double kShiftStepMm = 10;
 constexpr int kMargin = 14;  // px, left and right
 constexpr double kTubeY = 24;
 constexpr double kTubeHeight = 8;
+constexpr double kWidest = 120;  // px, more than half a number of the scale with its unit
 constexpr double kHandRadius = 7;
 constexpr double kDotSide = 9;
 
@@ -96,7 +97,7 @@ void TubePad::paintEvent(QPaintEvent* /*event*/) {
     painter.drawLine(QPointF(xOf(mm), scale_y), QPointF(xOf(mm), scale_y + 4));
     painter.setPen(theme::mutedInk());
     const QString number = mm == kLastMm ? quantityText(mm, "mm") : numberText(mm);
-    const QRectF place(xOf(mm) - 60, scale_y + 5, mm == kLastMm ? 60 + kMargin - 8 : 120, line);
+    const QRectF place(xOf(mm) - kWidest, scale_y + 5, mm == kLastMm ? kWidest + kMargin - 8 : 2 * kWidest, line);
     // With large text the last number, which has the unit, takes the place of the one before.
     const double last = painter.fontMetrics().horizontalAdvance(quantityText(kLastMm, "mm"));
     const bool covered =

@@ -1,6 +1,9 @@
 #include "app/workbench/feel/tube_picture.h"
 
+#include <numeric>
+
 #include "app/workbench/base/theme.h"
+#include "app/workbench/model/patient.h"
 
 namespace tactus::workbench {
 namespace {
@@ -9,6 +12,15 @@ namespace {
 constexpr double kNeckEndMm = 215;
 
 }  // namespace
+
+anatomy::Posture drawnPosture(const fuzzy::Variable& neck_flexion, double value) {
+  using anatomy::Posture;
+  const auto word = strongestTerm(neck_flexion, value);
+  if (!word)
+    return value < std::midpoint(neck_flexion.min, neck_flexion.max) ? Posture::kUpright : Posture::kChinOnChest;
+  if (*word == 0) return Posture::kUpright;
+  return *word + 1 == neck_flexion.terms.size() ? Posture::kChinOnChest : Posture::kHalfFlexed;
+}
 
 TubePicture::TubePicture(QWidget* parent) : AnatomyView(parent) {
   setAccessibleName(tr("The tube in nose, throat and esophagus, from the side"));
@@ -31,8 +43,8 @@ QString TubePicture::regionText() const {
   return region ? regions_[*region].label : QString();
 }
 
-void TubePicture::setNeckFlexed(bool flexed) {
-  setPosture(flexed ? anatomy::Posture::kChinOnChest : anatomy::Posture::kUpright, placed_);
+void TubePicture::setNeck(anatomy::Posture posture) {
+  setPosture(posture, placed_);
   placed_ = true;
 }
 

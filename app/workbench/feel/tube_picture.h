@@ -6,9 +6,15 @@
 #include <vector>
 
 #include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/anatomy/posture.h"
 #include "app/workbench/feel/depth_regions.h"
+#include "core/fuzzy/force_model.h"
 
 namespace tactus::workbench {
+
+/// How the neck is drawn at `value` of its flexion: the first word upright, the last chin on chest, those between half
+/// flexed.
+anatomy::Posture drawnPosture(const fuzzy::Variable& neck_flexion, double value);
 
 class TubePicture : public anatomy::AnatomyView {
   Q_OBJECT
@@ -22,7 +28,7 @@ class TubePicture : public anatomy::AnatomyView {
   /// The region of the tip; empty in front of the nose and outside all regions.
   QString regionText() const;
   /// Moves the head within one second, as the force changes; at once the first time.
-  void setNeckFlexed(bool flexed);
+  void setNeck(anatomy::Posture posture);
 
  private:
   void showTip();

@@ -12,6 +12,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/base/typed_number.h"
+#include "app/workbench/kit/font_fit.h"
 #include "core/base/text.h"
 
 namespace tactus::workbench {
@@ -60,14 +61,25 @@ NumberBox::NumberBox(const fuzzy::Variable& variable, double step, QWidget* pare
   if (!unit.isEmpty()) setSuffix(QLatin1Char(' ') + unit);
   setButtonSymbols(QAbstractSpinBox::NoButtons);
   // Room for both ends of the universe with a place more, as the mouse sets them.
-  int width = fontMetrics().horizontalAdvance(QStringLiteral("0.25"));
+  QString widest = QStringLiteral("0.25");
   for (const double end : {variable.min, variable.max}) {
-    width = std::max(width, fontMetrics().horizontalAdvance(numberText(end) + QStringLiteral(".0")));
+    const QString number = numberText(end) + QStringLiteral(".0");
+    if (fontMetrics().horizontalAdvance(number) > fontMetrics().horizontalAdvance(widest)) widest = number;
   }
-  setFixedWidth(width + fontMetrics().horizontalAdvance(suffix()) + 10);
+  setRoomFor(widest + suffix());
+  keepFitted(*this, [this] {
+    // A place that gives it another width keeps it.
+    if (minimumWidth() == maximumWidth()) setRoomFor(room_for_);
+  });
   setAccessibleName(labelOf(variable));
   // The red frame is off while the person corrects the text.
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] { setRefusal({}); });
+}
+
+void NumberBox::setRoomFor(const QString& widest) {
+  constexpr int kAround = 10;  // px
+  room_for_ = widest;
+  setFixedWidth(fontMetrics().horizontalAdvance(widest) + kAround);
 }
 
 void NumberBox::setWhole() {

@@ -25,6 +25,9 @@ class NumberBox : public QDoubleSpinBox {
   QValidator::State validate(QString& text, int& place) const override;
   void stepBy(int steps) override;
 
+  /// Is as wide as `widest`, whatever the font. At first it has room for both ends of the universe.
+  void setRoomFor(const QString& widest);
+  const QString& roomFor() const { return room_for_; }
   /// Accepts only whole numbers from now on.
   void setWhole();
   /// Shows `value`. If the value is unchanged, text in progress or refused text stays in the box.
@@ -50,6 +53,7 @@ class NumberBox : public QDoubleSpinBox {
   bool takesText();
   void setRefusal(const QString& sentence);
 
+  QString room_for_;
   int digits_ = 0;  ///< digits after the point of a number that was set, not typed
   bool whole_ = false;
   double exact_ = 0;

@@ -45,7 +45,7 @@ CommandSearch::CommandSearch(const std::vector<SearchSource>& sources, SearchRea
     : QDialog(parent), reading_(std::move(reading)), line_(new QLineEdit(this)), list_(new QListWidget(this)) {
   setWindowTitle(tr("Search"));
   for (const SearchSource& source : sources) all_ << source();
-  line_->setPlaceholderText(tr("A command, panel, expert, term or finding; or a place: 130 mm poor fast"));
+  line_->setPlaceholderText(tr("Type a command, panel, expert, term or finding; or a place: 130 mm poor fast"));
   line_->setAccessibleName(tr("Search for"));
   line_->setClearButtonEnabled(true);
   line_->installEventFilter(this);

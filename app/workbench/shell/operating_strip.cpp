@@ -109,9 +109,9 @@ void OperatingStrip::build() {
     setInk(*label, theme::mutedInk());
     auto* number = new NumberBox(inputs[i], stepOf(inputs[i]), point_);
     // Findings lead to places with two decimals.
-    number->setFixedWidth(number->maximumWidth() + number->fontMetrics().horizontalAdvance(QLatin1Char('0')));
+    number->setRoomFor(QLatin1Char('0') + number->roomFor());
     number->setAccessibleName(tr("%1 of the operating point").arg(labelOf(inputs[i])));
-    number->setToolTip(tr("%1: type a value, or use the arrow keys").arg(labelOf(inputs[i])));
+    number->setToolTip(tr("Type a value of %1, or change it with the arrow keys").arg(labelOf(inputs[i])));
     connect(number, &NumberBox::valueChanged, &scene_, [this, i](double value) { scene_.setValue(i, value); });
     label->setBuddy(number);
     row->addWidget(label);

@@ -1,6 +1,7 @@
 #include "app/workbench/shell/start_entry.h"
 
 #include <QPainter>
+#include <algorithm>
 
 #include "app/workbench/base/theme.h"
 
@@ -45,8 +46,16 @@ QSize StartEntry::sizeHint() const { return {kEntryWidth, heightForWidth(kEntryW
 
 int StartEntry::heightForWidth(int width) const { return noteRect(width).bottom() + 1 + theme::kGrid; }
 
+// A recent file may have a long name, which is cut; a way to begin is read as a whole.
+QRect StartEntry::nameRect(int width) const {
+  const QFontMetrics metrics(theme::headingFont());
+  const QRect room(kEntryInset, theme::kGrid, width - 2 * kEntryInset, 10'000);
+  const int whole = metrics.boundingRect(room, Qt::TextWordWrap, text()).height();
+  return {room.left(), room.top(), room.width(), one_line_ ? metrics.height() : std::max(whole, metrics.height())};
+}
+
 QRect StartEntry::noteRect(int width) const {
-  const int top = theme::kGrid + QFontMetrics(theme::headingFont()).height() + 2;
+  const int top = nameRect(width).bottom() + 3;
   const QFontMetrics metrics(theme::smallFont());
   const QRect room(kEntryInset, top, width - 2 * kEntryInset, 10'000);
   if (note_.isEmpty()) return {room.left(), top - 2, room.width(), 0};
@@ -74,8 +83,12 @@ void StartEntry::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(on_fill.isValid() ? on_fill : isEnabled() ? theme::ink() : theme::mutedInk());
   painter.setFont(theme::headingFont());
   const QFontMetrics heading(painter.font());
-  const QRect name(kEntryInset, theme::kGrid, width() - 2 * kEntryInset, heading.height());
-  painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter, heading.elidedText(text(), Qt::ElideRight, name.width()));
+  const QRect name = nameRect(width());
+  if (one_line_) {
+    painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter, heading.elidedText(text(), Qt::ElideRight, name.width()));
+  } else {
+    painter.drawText(name, Qt::TextWordWrap, text());
+  }
   painter.setPen(on_fill.isValid() ? on_fill : theme::mutedInk());
   painter.setFont(theme::smallFont());
   const QRect place = noteRect(width());

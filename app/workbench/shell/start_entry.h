@@ -26,6 +26,7 @@ class StartEntry : public QAbstractButton {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QRect nameRect(int width) const;
   QRect noteRect(int width) const;
 
   QString note_;

@@ -144,7 +144,7 @@ void StartView::listRecent() {
     auto* entry =
         new StartEntry(file.model.isEmpty() ? name : harmless(file.model), note.join(QStringLiteral(" · ")), panel_);
     entry->setOneLine(true);
-    entry->setToolTip(harmless(file.path));
+    entry->setToolTip(tr("Open %1").arg(harmless(file.path)));
     recent_column_->insertWidget(place++, entry);
     recent_entries_ << entry;
     // Queued, because opening the file rebuilds this list and with it the entry.

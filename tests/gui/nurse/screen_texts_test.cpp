@@ -12,7 +12,7 @@
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/sample_screens.h"
 
-#include "tests/gui/nurse/text_recorder.h"
+#include "tests/gui/text_recorder.h"
 
 namespace tactus::workbench {
 namespace {

@@ -58,10 +58,10 @@ HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, Sc
   view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   view_->setContextMenuPolicy(Qt::CustomContextMenu);
   view_->setAccessibleName(tr("History"));
-  snapshot_->setPlaceholderText(tr("Name of the current state"));
+  snapshot_->setPlaceholderText(tr("Name the current state"));
   snapshot_->setAccessibleName(tr("Name of a snapshot"));
   snapshot_->setMaxLength(kLongestName);
-  name_it_->setToolTip(tr("Keeps the current state under this name (Ctrl+Shift+N)"));
+  name_it_->setToolTip(tr("Keep the current state under this name (Ctrl+Shift+N)"));
   name_it_->setEnabled(false);
 
   auto* naming = new QHBoxLayout;
@@ -132,10 +132,10 @@ QWidget* HistoryPanel::makeSide(CompareController& compare, SceneController& sce
   expert_->setInsertPolicy(QComboBox::NoInsert);
   expert_->setAccessibleName(tr("Expert who signs off"));
   expert_->setMinimumContentsLength(6);
-  expert_->lineEdit()->setPlaceholderText(tr("Expert's code"));
+  expert_->lineEdit()->setPlaceholderText(tr("Type the expert's code"));
   showFelt();
   sign_off_->setEnabled(false);
-  author_field_->setPlaceholderText(tr("Your name, shown as the author of your edits"));
+  author_field_->setPlaceholderText(tr("Enter your name, the author of your edits"));
   author_field_->setAccessibleName(tr("Your name"));
   author_field_->setMaxLength(kLongestName);
 
@@ -202,10 +202,11 @@ void HistoryPanel::showFelt() {
   const bool any = felt.strokes > 0;
   sign_off_->setText(any ? tr("Feels right") : tr("Approve unfelt"));
   sign_off_->setAccessibleName(sign_off_->text());
-  sign_off_->setToolTip(any ? tr("%n stroke(s) were felt on this state, on %1", nullptr, static_cast<int>(felt.strokes))
+  sign_off_->setToolTip(any ? tr("Sign off what was felt: %n stroke(s) on this state, on %1 (Ctrl+Shift+G)", nullptr,
+                                 static_cast<int>(felt.strokes))
                                   .arg(text(felt.device))
-                            : tr("This state was not felt yet: the sign-off will read “approved without feeling”. "
-                                 "Feel one stroke on it for “feels right”."));
+                            : tr("Approve this state without feeling it: the sign-off will read “approved without "
+                                 "feeling”. Feel one stroke on it for “feels right” (Ctrl+Shift+G)"));
 }
 
 void HistoryPanel::takeSignOff() {

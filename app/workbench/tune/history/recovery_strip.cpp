@@ -20,9 +20,9 @@ RecoveryStrip::RecoveryStrip(RecoveryController& recovery, QWidget* parent)
       later_(new QPushButton(tr("Decide later"), this)) {
   label_->setWordWrap(true);
   label_->setTextFormat(Qt::PlainText);
-  restore_->setToolTip(tr("Shows the last state of the model. Every edit can be undone"));
-  discard_->setToolTip(tr("Keeps the model as its file has it. The edits stay in the history of the file"));
-  later_->setToolTip(tr("Asks again when you open this model"));
+  restore_->setToolTip(tr("Show the last state of the model; every edit can be undone"));
+  discard_->setToolTip(tr("Keep the model as its file has it; the edits stay in the history of the file"));
+  later_->setToolTip(tr("Ask again when you open this model"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid);

@@ -42,9 +42,9 @@ RuleEditor::RuleEditor(RuleController& rules, QWidget* parent)
       panes_(new QSplitter(Qt::Vertical, this)),
       refresh_(new Refresh(this, [this] { showHead(); })) {
   experts_->setAccessibleName(tr("Whose rules"));
-  experts_->setToolTip(tr("The expert whose rules are edited"));
+  experts_->setToolTip(tr("Choose the expert whose rules are edited"));
   columns_->setAccessibleName(tr("Input of the columns"));
-  columns_->setToolTip(tr("The input that the grids cross with each other one"));
+  columns_->setToolTip(tr("Choose the input that the grids cross with each other one"));
   for (QComboBox* box : {experts_, columns_}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   tabs_->setExpanding(false);
   tabs_->setUsesScrollButtons(false);

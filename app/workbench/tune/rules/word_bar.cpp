@@ -41,7 +41,8 @@ void WordBar::setWords(const std::vector<fuzzy::Term>& words) {
     place(buttons_.back(), w);
   }
   none_ = new WordButton(tr("No answer"), QString(), std::nullopt, this);
-  none_->setToolTip(tr("No answer (Delete)"));
+  none_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  none_->setToolTip(tr("Remove the answer (Delete)"));
   connect(none_, &QAbstractButton::clicked, this, &WordBar::cleared);
   place(none_, words.size());
 }

@@ -11,7 +11,7 @@ WordButton::WordButton(const QString& word, const QString& key, std::optional<QC
     : QAbstractButton(parent), key_(key), color_(color) {
   setText(word);
   setAccessibleName(word);
-  setToolTip(key.isEmpty() ? word : tr("%1 (key %2)").arg(word, key));
+  setToolTip(key.isEmpty() ? tr("Answer %1").arg(word) : tr("Answer %1 (key %2)").arg(word, key));
   setFont(theme::smallFont());
   // The keys stay with the grids.
   setFocusPolicy(Qt::NoFocus);

@@ -71,20 +71,20 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
   new TabLook(*variables_);
   whose_->setAccessibleName(tr("Whose terms"));
   whose_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  whose_->setToolTip(tr("The shared terms, or the terms of one expert"));
-  own_->setToolTip(tr("The expert has terms of its own for this variable; otherwise the shared ones hold"));
+  whose_->setToolTip(tr("Choose the shared terms, or the terms of one expert"));
+  own_->setToolTip(tr("Give the expert terms of its own for this variable; otherwise the shared ones hold"));
   keeps_sum_->setToolTip(tr("Keep the sum of memberships at one: a vertex moves together with its neighbor's vertex"));
   for (QToolButton* button : {for_one_, for_all_}) {
     button->setCheckable(true);
     button->setFont(theme::smallFont());
   }
   scope_->setFont(theme::smallFont());
-  for_one_->setToolTip(tr("Gives the expert their own terms for this variable. The terms of the others do not change"));
-  for_all_->setToolTip(tr("Edits change the terms of all experts who share them"));
+  for_one_->setToolTip(tr("Give the expert their own terms for this variable; the terms of the others do not change"));
+  for_all_->setToolTip(tr("Change the terms of all experts who share them"));
   add_->setText(tr("Add term…"));
   origin_->setText(tr("Where from?"));
   origin_->setFont(theme::smallFont());
-  origin_->setToolTip(tr("Where does the selected vertex come from? Shows the trials of the study behind it"));
+  origin_->setToolTip(tr("Show the trials of the study behind the selected vertex"));
   origin_->hide();
   hint_->setFont(theme::smallFont());
   hint_time_->setSingleShot(true);

@@ -9,17 +9,26 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/vertex_slider.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr int kWidestTitle = 14 * theme::kGrid;  // px
+
+}  // namespace
 
 TermSliders::TermSliders(TermController& terms, QWidget* parent)
     : QWidget(parent), terms_(terms), layout_(new QHBoxLayout(this)), title_(new ElidedLabel(this)) {
   QFont font = theme::smallFont();
   font.setWeight(QFont::DemiBold);
   title_->setFont(font);
-  title_->setFixedWidth(QFontMetrics(font).horizontalAdvance(QStringLiteral("Laryngopharynx")) + 4);
+  keepFitted(*title_, [this] {
+    const int whole = title_->fontMetrics().horizontalAdvance(QStringLiteral("Laryngopharynx")) + 4;
+    title_->setFixedWidth(std::min(whole, kWidestTitle));
+  });
   layout_->setContentsMargins(6, 0, 0, 0);
   layout_->setSpacing(theme::kGrid);
   layout_->addWidget(title_);
@@ -54,8 +63,7 @@ void TermSliders::build(const fuzzy::Term& term) {
   shape_ = term.shape;
   for (std::size_t p = 0; p < term.points.size(); ++p) {
     Part part{new QWidget(this), nullptr, nullptr};
-    part.name = new QLabel(part.cell);
-    part.name->setTextFormat(Qt::PlainText);
+    part.name = new ElidedLabel(part.cell);
     part.name->setFont(theme::smallFont());
     part.slider = new VertexSlider(part.cell);
     auto* column = new QVBoxLayout(part.cell);
@@ -88,10 +96,10 @@ void TermSliders::show(const fuzzy::Term& term) {
     const QString name = text(editing::pointName(term.shape, p));
     QString sentence = name;
     if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
-    parts_[p].name->setText(sentence);
+    parts_[p].name->setFullText(sentence);
     parts_[p].slider->setAccessibleName(tr("%1 of %2").arg(sentence, labelOf(term)));
-    parts_[p].slider->setToolTip(
-        tr("%1: %2. Drag, or arrow keys, with Shift farther").arg(sentence, placeText(variable, term.points[p])));
+    parts_[p].slider->setToolTip(tr("Move the %1 from %2: drag, or use the arrow keys, with Shift farther")
+                                     .arg(name, placeText(variable, term.points[p])));
     const bool width = term.shape == fuzzy::Shape::kGaussian && p == 1;
     parts_[p].slider->setEnds(width ? 0 : variable.min, width ? variable.max - variable.min : variable.max);
     parts_[p].slider->setEnabled(!terms_.isLocked(term.id, p));

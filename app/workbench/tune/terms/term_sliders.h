@@ -8,7 +8,6 @@
 #include "core/fuzzy/force_model.h"
 
 class QHBoxLayout;
-class QLabel;
 
 namespace tactus::workbench {
 
@@ -28,7 +27,7 @@ class TermSliders : public QWidget {
  private:
   struct Part {
     QWidget* cell;
-    QLabel* name;
+    ElidedLabel* name;
     VertexSlider* slider;
   };
   void follow();

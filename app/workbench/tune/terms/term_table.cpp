@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -17,6 +16,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/elided_edit.h"
 #include "app/workbench/kit/lock_button.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/kit/row_stop.h"
@@ -34,6 +34,7 @@ enum Column { kSwatch, kName, kShape, kFirstPoint, kMore = kFirstPoint + 4, kCol
 
 constexpr int kSwatchSide = 12;  // px
 constexpr int kNarrowestName = 100;
+constexpr int kMostWidth = 520;  // px that the table needs at most: as much as a window of 1280 px leaves it
 constexpr int kMoreWidth = 22;
 constexpr int kFewestRows = 4;  // with the head
 
@@ -63,7 +64,6 @@ TermTable::TermTable(TermController& terms, QWidget* parent) : QScrollArea(paren
   setAccessibleName(tr("Terms as numbers"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setBackgroundRole(QPalette::Base);
   connect(&terms_, &TermController::listChanged, this, &TermTable::build);
   connect(&terms_, &TermController::termsChanged, this, &TermTable::follow);
@@ -75,6 +75,12 @@ void TermTable::showEvent(QShowEvent* event) {
   // Hidden, it followed nothing.
   build();
   QScrollArea::showEvent(event);
+}
+
+void TermTable::changeEvent(QEvent* event) {
+  QScrollArea::changeEvent(event);
+  // The columns are as wide as their texts; later, because the parts get their fonts now.
+  if (event->type() == QEvent::FontChange) QMetaObject::invokeMethod(this, &TermTable::build, Qt::QueuedConnection);
 }
 
 bool TermTable::eventFilter(QObject* watched, QEvent* event) {
@@ -123,11 +129,14 @@ void TermTable::build() {
   // The old rows may be in the middle of a signal of theirs.
   if (QWidget* old = takeWidget()) old->deleteLater();
   setWidget(content);
-  // The numbers are never cut off; what is left of the width belongs to the names.
-  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+  // The numbers are never cut off; what is left of the width belongs to the names. With large text the table scrolls by
+  // itself, so that the plot above it keeps its place.
+  const int whole = content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+  setMinimumWidth(std::min(whole, kMostWidth));
   // All rows where there is room for them, and never more room than rows: the rest belongs to the plot.
   const int row = content->sizeHint().height() / (static_cast<int>(rows_.size()) + 1);
-  setMaximumHeight(content->sizeHint().height() + 2);
+  const int bar = whole > kMostWidth ? horizontalScrollBar()->sizeHint().height() : 0;
+  setMaximumHeight(content->sizeHint().height() + 2 + bar);
   setMinimumHeight(std::min(maximumHeight(), kFewestRows * row));
   updateGeometry();
   building_ = false;
@@ -176,8 +185,7 @@ void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
   frame->addWidget(swatch);
   grid.addWidget(framed, place, kSwatch);
 
-  row.name = new QLineEdit;
-  row.name->setFrame(false);
+  row.name = new ElidedEdit;
   row.name->setToolTip(tr("Id in the model: %1").arg(text(term.id)));
   row.name->installEventFilter(this);
   grid.addWidget(row.name, place, kName);
@@ -224,12 +232,9 @@ TermTable::Point TermTable::buildPoint(QGridLayout& grid, std::size_t index, std
   out.number->setRange(sigma ? 0 : variable.min - range, sigma ? 10 * range : variable.max + range);
   // Room for the end of the universe with two decimals.
   out.number->setFont(theme::smallFont());
-  out.number->setFixedWidth(
-      QFontMetrics(theme::smallFont())
-          .horizontalAdvance(numberText(variable.max) + (sigma ? QStringLiteral("σ .0") : QStringLiteral(".00"))) +
-      14);
+  out.number->setRoomFor(numberText(variable.max) + (sigma ? QStringLiteral("σ .0 ") : QStringLiteral(".00 ")));
   const QString name = text(editing::pointName(term.shape, point));
-  out.number->setToolTip(name);
+  out.number->setToolTip(tr("Move the %1: type a value, or use the arrow keys").arg(name));
   out.number->installEventFilter(this);
 
   out.lock = new LockButton;

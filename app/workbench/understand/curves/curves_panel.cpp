@@ -82,6 +82,7 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   go_there_->setToolTip(tr("Move the operating point to where the last edit changes the force most"));
   go_there_->hide();
   ghost_chip_->setChecked(ghost_.isOn());
+  ghost_chip_->setBrief(tr("Before"));
   setAcceptDrops(true);
   step_->setFont(theme::smallFont());
   setInk(*step_, theme::errorInk());

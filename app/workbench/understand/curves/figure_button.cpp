@@ -4,6 +4,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/model/scene_controller.h"
 
 namespace tactus::workbench {
@@ -27,7 +28,7 @@ FigureButton::FigureButton(SceneController& scene, QWidget* parent)
     : QPushButton(tr("Figures"), parent), scene_(scene) {
   setMenu(new QMenu(this));
   // The style leaves no air around the text.
-  setMinimumWidth(sizeHint().width() + 2 * theme::kGrid);
+  keepFitted(*this, [this] { setMinimumWidth(fontMetrics().horizontalAdvance(text()) + 5 * theme::kGrid); });
   setToolTip(tr("Set the inputs as in a figure of the paper, and show the curves it shows"));
   connect(menu(), &QMenu::aboutToShow, this, &FigureButton::showFamily);
   connect(&scene_, &SceneController::modelChanged, this, &FigureButton::adoptModel);

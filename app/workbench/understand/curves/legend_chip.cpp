@@ -19,7 +19,7 @@ constexpr double kOff = 0.35;
 LegendChip::LegendChip(LegendEntry look, const QString& tip, QWidget* parent)
     : QAbstractButton(parent), look_(std::move(look)) {
   setText(look_.name);
-  setToolTip(tip);
+  if (!tip.isEmpty()) setToolTip(tr("Show or hide: %1").arg(tip));
   setFont(theme::smallFont());
   setCheckable(true);
   setFocusPolicy(Qt::TabFocus);
@@ -29,6 +29,11 @@ void LegendChip::setName(const QString& name) {
   if (name == text()) return;
   setText(name);
   updateGeometry();
+}
+
+void LegendChip::setBrief(const QString& brief) {
+  brief_ = brief;
+  update();
 }
 
 void LegendChip::setLook(LegendEntry look) {
@@ -77,8 +82,10 @@ void LegendChip::paintEvent(QPaintEvent* /*event*/) {
   words.setStrikeOut(!isChecked());
   painter.setFont(words);
   const QRect room = rect().adjusted(kSwatch + 2 * kInside, 0, 0, 0);
+  const bool fits = QFontMetrics(words).horizontalAdvance(text()) <= room.width();
+  const QString shown = fits || brief_.isEmpty() ? text() : brief_;
   painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                   QFontMetrics(words).elidedText(text(), Qt::ElideRight, room.width()));
+                   QFontMetrics(words).elidedText(shown, Qt::ElideRight, room.width()));
 }
 
 void LegendChip::enterEvent(QEnterEvent* event) {

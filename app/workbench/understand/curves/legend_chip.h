@@ -15,6 +15,8 @@ class LegendChip : public QAbstractButton {
 
   /// Changes the name of the line.
   void setName(const QString& name);
+  /// Shown instead of the name where that does not fit.
+  void setBrief(const QString& brief);
   /// Changes the colors of the line.
   void setLook(LegendEntry look);
 
@@ -29,6 +31,7 @@ class LegendChip : public QAbstractButton {
 
  private:
   LegendEntry look_;
+  QString brief_;
 };
 
 }  // namespace tactus::workbench

@@ -21,7 +21,7 @@ namespace tactus::workbench {
 ReferenceBar::ReferenceBar(ReferenceController& references, const SceneController& scene, QWidget* parent)
     : QWidget(parent), references_(references), scene_(scene), against_(new QComboBox(this)) {
   against_->setAccessibleName(tr("Which curve the references are compared with"));
-  against_->setToolTip(tr("Which curve the references are compared with"));
+  against_->setToolTip(tr("Choose the curve that the references are compared with"));
   against_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

@@ -14,11 +14,23 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr double kExpertHeight = 50;  // px, height of an expert
+constexpr double kExpertHeight = 50;  // px, the least height of an expert
+constexpr double kRoomAround = 13;    // px above and below its two lines
 constexpr double kDot = 10;           // px
-constexpr double kForces = 120;       // px, width of force and share
+constexpr double kForces = 120;       // px, the least width of force and share
 constexpr double kNarrowestSketch = 90;
 constexpr int kNarrowestFlow = 340;  // px, of all
+
+// Both lines have their room whatever the size of the text.
+double expertHeight() {
+  return std::max(kExpertHeight, kRoomAround + QFontMetrics(theme::headingFont()).height() +
+                                     QFontMetrics(theme::smallFont()).height());
+}
+
+double forcesWidth() {
+  const QString share = ExpertFlow::tr("× %1 = %2").arg(QStringLiteral("0.333"), QStringLiteral("0.000 N"));
+  return std::max(kForces, QFontMetrics(theme::smallFont()).horizontalAdvance(share) + 2.0 * theme::kGrid);
+}
 
 }  // namespace
 
@@ -34,7 +46,7 @@ void ExpertFlow::follow() {
   update();
 }
 
-QSize ExpertFlow::sizeHint() const { return {640, static_cast<int>(kExpertHeight * static_cast<double>(count()))}; }
+QSize ExpertFlow::sizeHint() const { return {640, static_cast<int>(expertHeight() * static_cast<double>(count()))}; }
 
 QSize ExpertFlow::minimumSizeHint() const { return {kNarrowestFlow, sizeHint().height()}; }
 
@@ -42,31 +54,33 @@ void ExpertFlow::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   // Of many experts only those in sight.
-  const auto first = static_cast<std::size_t>(std::max(0.0, event->rect().top() / kExpertHeight));
-  const auto last = static_cast<std::size_t>(std::max(0.0, event->rect().bottom() / kExpertHeight));
+  const auto first = static_cast<std::size_t>(std::max(0.0, event->rect().top() / expertHeight()));
+  const auto last = static_cast<std::size_t>(std::max(0.0, event->rect().bottom() / expertHeight()));
   for (std::size_t expert = first; expert < count() && expert <= last; ++expert) {
     paintLine(painter, expert);
   }
 }
 
 void ExpertFlow::mousePressEvent(QMouseEvent* event) {
-  const auto line = static_cast<std::size_t>(std::max(0.0, event->position().y()) / kExpertHeight);
+  const auto line = static_cast<std::size_t>(std::max(0.0, event->position().y()) / expertHeight());
   if (event->button() == Qt::LeftButton && line < count()) emit chosen(line);
 }
 
 void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
   const fuzzy::ForceModel& model = scene_.model()->model;
   const analysis::ExplainedExpert& explained = scene_.explanation().experts[expert];
-  const QRectF line(0, kExpertHeight * static_cast<double>(expert), width(), kExpertHeight);
+  const double height = expertHeight();
+  const double forces_width = forcesWidth();
+  const QRectF line(0, height * static_cast<double>(expert), width(), height);
   if (expert % 2 == 0) painter.fillRect(line, theme::window());
   const QColor color = theme::expert(figures::expertNumbers(model.experts)[expert]);
   painter.setPen(Qt::NoPen);
   painter.setBrush(color);
   painter.drawEllipse(QRectF(4, line.center().y() - kDot / 2, kDot, kDot));
 
-  const double sketch_width = std::max(kNarrowestSketch, (width() - kForces) * 0.25);
-  const QRectF words(4 + kDot + theme::kGrid, line.top() + 5, width() - kForces - sketch_width - kDot - 28,
-                     kExpertHeight - 10);
+  const double sketch_width = std::max(kNarrowestSketch, (width() - forces_width) * 0.25);
+  const QRectF words(4 + kDot + theme::kGrid, line.top() + 5, width() - forces_width - sketch_width - kDot - 28,
+                     height - 10);
   painter.setPen(theme::ink());
   painter.setFont(theme::headingFont());
   painter.drawText(words, Qt::AlignLeft | Qt::AlignTop,
@@ -78,8 +92,8 @@ void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
       words, Qt::AlignLeft | Qt::AlignBottom,
       painter.fontMetrics().elidedText(strongestRule(expert), Qt::ElideRight, static_cast<int>(words.width())));
 
-  const QRectF forces(line.right() - kForces, line.top() + 5, kForces - theme::kGrid, kExpertHeight - 10);
-  SetSketch sketch(painter, QRectF(forces.left() - sketch_width, line.top() + 4, sketch_width - 8, kExpertHeight - 9),
+  const QRectF forces(line.right() - forces_width, line.top() + 5, forces_width - theme::kGrid, height - 10);
+  SetSketch sketch(painter, QRectF(forces.left() - sketch_width, line.top() + 4, sketch_width - 8, height - 9),
                    model.output);
   sketch.ground();
   if (explained.abstains) {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/understand/here/input_card.h"
 #include "app/workbench/understand/here/output_card.h"
@@ -21,6 +23,10 @@ int stretchOf(const fuzzy::Variable& variable) {
   return static_cast<int>(100 * std::sqrt(static_cast<double>(std::max<std::size_t>(4, variable.terms.size()))));
 }
 
+void keepReadable(QWidget& card) {
+  keepFitted(card, [&card] { card.setMinimumWidth(appearance::scaled(kNarrowestCard)); });
+}
+
 }  // namespace
 
 VariableRow::VariableRow(SceneController& scene, QWidget* parent) : QScrollArea(parent), scene_(scene) {
@@ -33,11 +39,11 @@ VariableRow::VariableRow(SceneController& scene, QWidget* parent) : QScrollArea(
 
 QSize VariableRow::sizeHint() const {
   const bool scrolls = widget() && widget()->minimumSizeHint().width() > width();
-  return {4 * kNarrowestCard, kHeight + (scrolls ? horizontalScrollBar()->sizeHint().height() : 0)};
+  return {4 * appearance::scaled(kNarrowestCard), kHeight + (scrolls ? horizontalScrollBar()->sizeHint().height() : 0)};
 }
 
 // One card at least; the others are scrolled to.
-QSize VariableRow::minimumSizeHint() const { return {kNarrowestCard, sizeHint().height()}; }
+QSize VariableRow::minimumSizeHint() const { return {appearance::scaled(kNarrowestCard), sizeHint().height()}; }
 
 void VariableRow::build() {
   const fuzzy::ForceModel& model = scene_.model()->model;
@@ -47,11 +53,11 @@ void VariableRow::build() {
   layout->setSpacing(theme::kGrid);
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     auto* card = new InputCard(scene_, i, row);
-    card->setMinimumWidth(kNarrowestCard);
+    keepReadable(*card);
     layout->addWidget(card, stretchOf(model.inputs[i]));
   }
   auto* output = new OutputCard(scene_, row);
-  output->setMinimumWidth(kNarrowestCard);
+  keepReadable(*output);
   layout->addWidget(output, stretchOf(model.output));
   setWidget(row);
 }

@@ -1,4 +1,4 @@
-#include "tests/gui/nurse/text_recorder.h"
+#include "tests/gui/text_recorder.h"
 
 #include <QPaintEngine>
 #include <QPainter>
