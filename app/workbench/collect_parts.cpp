@@ -58,10 +58,10 @@ void CollectParts::connectAll() {
 
 void CollectParts::makeStudy() { study_parts_.chooseNew(); }
 
-// A study without a model has nothing else to show.
+// A study without a model has nothing else to show, unless an open model is recorded into it.
 void CollectParts::onOpened() {
   window_.setStudyOpen(true);
-  if (!study_models_.hasModel()) window_.enter(Stage::kCollect);
+  if (!study_models_.hasModel() && !study_parts_.isToRecord()) window_.enter(Stage::kCollect);
 }
 
 }  // namespace tactus::workbench

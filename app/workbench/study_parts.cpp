@@ -13,6 +13,7 @@
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/recordings/feel_store.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
+#include "app/workbench/feel_parts.h"
 #include "app/workbench/kit/message_banner.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
@@ -45,6 +46,14 @@ StudyParts::StudyParts(MainWindow& window, ModelFiles& files, StudyConnection& s
 void StudyParts::addRecordings(FeelPanel& panel) {
   auto* recordings = new RecordingsCard(store_, study_, feel_);
   panel.addCard(tr("Recordings"), recordings);
+  connect(recordings, &RecordingsCard::studyRequested, this, &StudyParts::recordIntoStudy);
+  connect(&store_, &FeelStore::notReplayable, this, [this, recordings](const QString& sentence) {
+    const MessageAct another{tr("Choose another recording"), [this, recordings] {
+                               window_.enterLayout(FeelParts::layoutId());
+                               recordings->chooseRecording();
+                             }};
+    window_.banner().showRemedy(sentence, another);
+  });
   recordings->setRoomy(panel.isRoomy());
   connect(&panel, &FeelPanel::roomChanged, recordings, &RecordingsCard::setRoomy);
   const auto show_recording = [this, &panel] {
@@ -80,6 +89,10 @@ void StudyParts::connectAll() {
     if (study_.isReadOnly()) files_.open(copy);
     window_.banner().showNote(tr("A copy of the study was saved as %1.").arg(harmless(copy)));
   });
+  connect(&study_, &StudyConnection::copyFailed, this, [this](const QString& sentence) {
+    window_.banner().showRemedy(tr("The copy was not saved. %1").arg(sentence),
+                                {tr("Save elsewhere…"), [this] { chooseCopy(); }});
+  });
   connect(close_, &QAction::triggered, &study_, &StudyConnection::close);
   connect(&files_, &ModelFiles::studyChosen, &study_, &StudyConnection::open);
   connect(&study_models_, &StudyModels::savedChanged, this, &StudyParts::showState);
@@ -91,6 +104,7 @@ void StudyParts::connectAll() {
   connect(&study_, &StudyConnection::said, this, note);
   connect(&study_models_, &StudyModels::failed, this, &StudyParts::onFailed);
   connect(&study_models_, &StudyModels::said, this, [this, note](const QString& sentence) {
+    if (isToRecord() && !study_models_.hasModel()) return;  // the model that is felt is open already
     study_.isReadOnly() && !study_models_.hasModel() ? showReadOnly({sentence, {}}) : note(sentence);
   });
   connect(&study_models_, &StudyModels::buildOffered, this, [this](const QString& sentence) {
@@ -99,7 +113,8 @@ void StudyParts::connectAll() {
   });
   connect(&study_, &StudyConnection::leaving, this, [this] { beside_ = {}; });
   connect(&store_, &FeelStore::said, this, [this](const QString& sentence) { window_.say(sentence); });
-  connect(&store_, &FeelStore::failed, this, [this](const QString& sentence) { window_.banner().showError(sentence); });
+  connect(&store_, &FeelStore::failed, this,
+          [this](const QString& sentence, const MessageAct& act) { window_.banner().showRemedy(sentence, act); });
 }
 
 void StudyParts::chooseNew() {
@@ -111,6 +126,21 @@ void StudyParts::chooseNew() {
   if (!isStudyPath(path)) path += QStringLiteral(".tactus");
   study_.create(path);
 }
+
+void StudyParts::recordIntoStudy() {
+  const auto open = models_.current();
+  const QString folder = open ? QFileInfo(open->path).absolutePath() : documentsFolder();
+  const QString name = open ? QFileInfo(open->path).baseName() : tr("recordings");
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Record into a study: a new one, or one that is there"),
+                                              folder + QLatin1Char('/') + name + QStringLiteral(".tactus"),
+                                              tr("Studies (*.tactus)"), nullptr, QFileDialog::DontConfirmOverwrite);
+  if (path.isEmpty()) return;
+  if (!isStudyPath(path)) path += QStringLiteral(".tactus");
+  recorded_path_ = QFileInfo(path).absoluteFilePath();
+  QFileInfo::exists(path) ? files_.open(path) : study_.create(path);
+}
+
+bool StudyParts::isToRecord() const { return study_.isOpen() && study_.path() == recorded_path_; }
 
 void StudyParts::showState() {
   const bool open = study_.isOpen() && !study_.isOpening();
@@ -134,7 +164,13 @@ void StudyParts::showState() {
 void StudyParts::onOpened() {
   recent_.add(study_.path());
   showState();
-  if (study_.isReadOnly()) showReadOnly(beside_);
+  if (study_.isReadOnly()) {
+    showReadOnly(beside_);
+  } else if (isToRecord()) {
+    window_.enterLayout(FeelParts::layoutId());
+    store_.setRecording(true);
+    window_.say(tr("Armed: Start (F9), and what you feel is recorded into %1.").arg(study_.fileName()));
+  }
 }
 
 // What else is said of such a study does not take the place of the copy.
@@ -164,6 +200,7 @@ void StudyParts::buildModel() {
 }
 
 void StudyParts::onFailed(const QString& path, const QString& sentence) {
+  if (path == recorded_path_) recorded_path_.clear();
   if (!study_.failure().isEmpty()) {
     window_.banner().showRemedy(sentence, {tr("Try again"), [this] { study_.storeNow(); }});
   } else if (!study_.isOpen()) {

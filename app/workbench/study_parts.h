@@ -30,6 +30,10 @@ class StudyParts : public QObject {
 
   /// Asks for the place of a new study and makes it.
   void chooseNew();
+  /// Asks for a study, new or there already, opens it beside the open model and arms a recording.
+  void recordIntoStudy();
+  /// The open study was chosen to record into: the screen stays where the model is felt.
+  bool isToRecord() const;
 
  private:
   void buildMenu();
@@ -65,7 +69,8 @@ class StudyParts : public QObject {
   QAction* copy_ = nullptr;
   QAction* close_ = nullptr;
   Beside beside_;
-  bool ending_ = false;  ///< the window closes as soon as everything is written
+  QString recorded_path_;  ///< of the study that was chosen to record into
+  bool ending_ = false;    ///< the window closes as soon as everything is written
 };
 
 }  // namespace tactus::workbench

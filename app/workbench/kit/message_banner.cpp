@@ -45,8 +45,13 @@ MessageBanner::MessageBanner(QWidget* parent)
 
 void MessageBanner::showError(const QString& sentence) { show(sentence, theme::errorInk(), theme::errorFill()); }
 
-void MessageBanner::showRemedy(const QString& sentence, MessageAct act) {
+void MessageBanner::showRemedy(const QString& sentence, MessageAct act, const QObject* from) {
   show(sentence, theme::errorInk(), theme::errorFill(), std::move(act));
+  from_ = from;
+}
+
+void MessageBanner::takeBack(const QObject& from) {
+  if (from_ == &from) hide();
 }
 
 void MessageBanner::showOffer(const QString& sentence, MessageAct act, MessageAct other) {
@@ -59,6 +64,7 @@ QString MessageBanner::message() const { return label_->text(); }
 
 void MessageBanner::show(const QString& sentence, const QColor& ink, const QColor& fill, MessageAct act,
                          MessageAct other) {
+  from_ = nullptr;
   QPalette colors = label_->palette();
   colors.setColor(QPalette::WindowText, ink);
   label_->setPalette(colors);

@@ -18,8 +18,10 @@ class MessageBanner : public Card {
   explicit MessageBanner(QWidget* parent = nullptr);
 
   void showError(const QString& sentence);
-  /// An error with a button for what helps, which ends the message.
-  void showRemedy(const QString& sentence, MessageAct act);
+  /// An error with a button for what helps, which ends the message. `from` can take it back.
+  void showRemedy(const QString& sentence, MessageAct act, const QObject* from = nullptr);
+  /// Closes the error of `from`, if it is still shown.
+  void takeBack(const QObject& from);
   void showNote(const QString& sentence);
   /// A note with a button for what can be done, or two.
   void showOffer(const QString& sentence, MessageAct act, MessageAct other = {});
@@ -31,7 +33,8 @@ class MessageBanner : public Card {
   QLabel* label_;
   QPushButton* buttons_[2];
   QToolButton* close_;
-  MessageAct acts_[2];  ///< of the buttons
+  MessageAct acts_[2];             ///< of the buttons
+  const QObject* from_ = nullptr;  ///< who can take the message back; only compared
 };
 
 }  // namespace tactus::workbench

@@ -17,10 +17,15 @@ MessagePlace* placeAround(QWidget& view) {
 }  // namespace
 
 void sayError(QWidget& from, const QString& sentence, MessageAct act) {
-  if (MessagePlace* place = placeAround(from)) place->showError(sentence, std::move(act));
+  if (MessagePlace* place = placeAround(from)) place->showError(sentence, std::move(act), from);
+}
+
+void takeBackError(QWidget& from) {
+  if (MessagePlace* place = placeAround(from)) place->takeBackError(from);
 }
 
 void sayDone(QWidget& from, const QString& sentence) {
+  takeBackError(from);
   if (MessagePlace* place = placeAround(from)) place->say(sentence);
 }
 

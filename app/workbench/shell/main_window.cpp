@@ -130,7 +130,11 @@ void MainWindow::addStrip(QWidget* strip) { column_->insertWidget(column_->index
 
 void MainWindow::addCloseGuard(std::function<bool()> may_close) { close_guards_.push_back(std::move(may_close)); }
 
-void MainWindow::showError(const QString& sentence, MessageAct act) { banner_->showRemedy(sentence, std::move(act)); }
+void MainWindow::showError(const QString& sentence, MessageAct act, const QObject& from) {
+  banner_->showRemedy(sentence, std::move(act), &from);
+}
+
+void MainWindow::takeBackError(const QObject& from) { banner_->takeBack(from); }
 
 void MainWindow::say(const QString& sentence) { strip_->showMessage(harmless(sentence)); }
 

@@ -59,7 +59,8 @@ class MainWindow : public QMainWindow, public MessagePlace {
   MessageBanner& banner() { return *banner_; }
   /// Shows one sentence in the strip for some seconds: what was done, or why it was refused. Errors go to the banner.
   void say(const QString& sentence) override;
-  void showError(const QString& sentence, MessageAct act) override;
+  void showError(const QString& sentence, MessageAct act, const QObject& from) override;
+  void takeBackError(const QObject& from) override;
 
   /// Whether `stage` has a screen.
   bool hasScreen(Stage stage) const { return stages_.contains(static_cast<int>(stage)); }

@@ -37,6 +37,8 @@ class ModelFiles : public QObject {
   void chooseImport();
   /// Opens a model without rules for the nasogastric tube. Returns whether it is open.
   bool makeFromTemplate();
+  /// Saves the open model; asks for a place where it has no file.
+  void save();
 
  signals:
   /// The user chose a study file to open.
@@ -50,7 +52,6 @@ class ModelFiles : public QObject {
   void import(const QString& path);
   /// Whether the open model was made from a file of another program and has not been saved.
   bool isUnnamed() const;
-  void save();
   void chooseCopy();
   void showNotes();
   void reopen();

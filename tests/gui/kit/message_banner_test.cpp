@@ -16,7 +16,10 @@ class Place : public QWidget, public MessagePlace {
     layout->addWidget(view);
     show();
   }
-  void showError(const QString& sentence, MessageAct act) override { banner->showRemedy(sentence, std::move(act)); }
+  void showError(const QString& sentence, MessageAct act, const QObject& from) override {
+    banner->showRemedy(sentence, std::move(act), &from);
+  }
+  void takeBackError(const QObject& from) override { banner->takeBack(from); }
   void say(const QString& /*sentence*/) override {}
 
   QPushButton* button(const QString& text) const {
@@ -60,6 +63,22 @@ TEST(MessageBannerTest, AViewOffersWhatHelpsBesideItsError) {
   ASSERT_NE(place.button(QStringLiteral("Save elsewhere…")), nullptr);
   place.button(QStringLiteral("Save elsewhere…"))->click();
   EXPECT_EQ(again, 1);
+}
+
+TEST(MessageBannerTest, AnErrorEndsWithALaterSuccessOfItsViewAlone) {
+  Place place;
+  QWidget other(&place);
+  sayError(*place.view, QStringLiteral("a.png was not loaded."));
+  ASSERT_TRUE(place.banner->isVisible());
+  sayDone(other, QStringLiteral("Saved."));
+  EXPECT_TRUE(place.banner->isVisible());
+  sayDone(*place.view, QStringLiteral("The study has a copy of b.png."));
+  EXPECT_FALSE(place.banner->isVisible());
+  // What others have said since stays.
+  sayError(*place.view, QStringLiteral("a.png was not loaded."));
+  place.banner->showNote(QStringLiteral("Built from the answers."));
+  takeBackError(*place.view);
+  EXPECT_TRUE(place.banner->isVisible());
 }
 
 }  // namespace

@@ -78,6 +78,15 @@ void FeelStore::setRecording(bool recording) {
   emit changed();
 }
 
+void FeelStore::recordAgain() {
+  setRecording(false);
+  setRecording(true);
+}
+
+MessageAct FeelStore::recordingAgain() {
+  return {tr("Record again"), [this] { recordAgain(); }};
+}
+
 void FeelStore::onState() {
   if (!feel_.isRunning()) {
     if (recorder_) endRecording();
@@ -101,7 +110,7 @@ void FeelStore::beginRecording() {
   placement_ = 1;
   pieces_ = 0;
   ++recordings_;
-  store(study::FeelStart{entry(), setting(), 1}, tr("The recording"), recorded_visit_, recordings_,
+  store(study::FeelStart{entry(), setting(), 1}, tr("The recording"), recorded_visit_, recordings_, recordingAgain(),
         [this] { study_.refresh(); });
 }
 
@@ -111,7 +120,7 @@ void FeelStore::endRecording() {
   storePiece();
   recorder_.reset();
   store(study::FeelEnd{entry(), 1, pieces_}, tr("The end of the recording"), recorded_visit_, recordings_,
-        [this, study = study_.fileName()] {
+        recordingAgain(), [this, study = study_.fileName()] {
           emit said(tr("Recorded into %1.").arg(study));
           study_.refresh();
         });
@@ -137,7 +146,8 @@ void FeelStore::onSampled(std::span<const haptics::Sample> samples) {
       storePiece(true);
       emit failed(
           tr("Samples of the recording were lost, because this program came to a standstill. The recording says "
-             "where."));
+             "where."),
+          recordingAgain());
     } else if (recorder_->pieceS() >= kPieceS) {
       storePiece();
     }
@@ -157,7 +167,7 @@ void FeelStore::storePiece(bool gap_follows) {
   if (!piece) return;
   ++pieces_;
   store(study::FeelPiece{entry(), 1, pieces_, std::move(*piece), gap_follows}, tr("A piece of the recording"),
-        recorded_visit_, recordings_, {});
+        recorded_visit_, recordings_, recordingAgain(), {});
 }
 
 void FeelStore::onAdvanced() {
@@ -201,7 +211,18 @@ void FeelStore::onPlacementEnded() {
   record.peak_force_n = summary->peak_force_n;
   record.mean_force_n = summary->mean_force_n;
   record.depth_mm = summary->depth_mm;
-  store(std::move(record), tr("The placement"), visit(), 0, [this, study = study_.fileName()] {
+  storePlacement(std::move(record), visit());
+}
+
+void FeelStore::storePlacement(study::PlacementRecord record, FeelSessions::Visit visit) {
+  // Later it may be stored for another person, if the study does not know this one any more.
+  const MessageAct again{tr("Try again"), [this, record, visit, path = study_.path()]() mutable {
+                           if (!study_.takesOrders() || study_.path() != path) return;
+                           visit.who = who_;
+                           record.entry.entered_by = enteredBy();
+                           storePlacement(record, visit);
+                         }};
+  store(std::move(record), tr("The placement"), visit, 0, again, [this, study = study_.fileName()] {
     emit said(tr("The placement is stored in %1.").arg(study));
     study_.refresh();
   });
@@ -231,7 +252,8 @@ void FeelStore::replay(const study::RecordId& id) {
         if (*read) {
           play(id, **read);
         } else {
-          emit failed(text(read->error().message()));
+          emit failed(tr("The recording was not replayed. %1").arg(text(read->error().message())),
+                      {tr("Try again"), [this, id] { replay(id); }});
         }
       });
 }
@@ -243,8 +265,9 @@ void FeelStore::play(const study::RecordId& id, const study::Recording& recordin
   const auto* times = channelOf(recording, "time");
   const auto* forces = channelOf(recording, "force");
   if (!device || times == nullptr || forces == nullptr || scene_.model() == nullptr) {
-    emit failed(device ? tr("The recording has no channels 'time' and 'force' to replay.")
-                       : text(device.error().message()));
+    emit notReplayable(
+        tr("The recording was not replayed. %1")
+            .arg(device ? tr("It has no channels 'time' and 'force'.") : text(device.error().message())));
     return;
   }
   Replay next{id, recording, *times, 0};
@@ -303,13 +326,17 @@ study::Entry FeelStore::entry() {
   study::Entry out;
   out.id = ids_.next();
   out.when = momentNow();
-  out.entered_by = who_ ? study::EnteredBy::kParticipant : study::EnteredBy::kResearcher;
+  out.entered_by = enteredBy();
   return out;
+}
+
+study::EnteredBy FeelStore::enteredBy() const {
+  return who_ ? study::EnteredBy::kParticipant : study::EnteredBy::kResearcher;
 }
 
 template <class Record>
 void FeelStore::store(Record record, const QString& what, const FeelSessions::Visit& visit, std::uint64_t serial,
-                      std::function<void()> done) {
+                      const MessageAct& act, std::function<void()> done) {
   const auto shared = std::make_shared<Record>(std::move(record));
   study_.order(
       [shared, visit, serial, sessions = sessions_](store::StudyFile& file, study::RecordIds& ids) -> Result<void> {
@@ -324,8 +351,9 @@ void FeelStore::store(Record record, const QString& what, const FeelSessions::Vi
         return store::append(file, *shared);
       },
       std::move(done),
-      [this, what, study = study_.fileName()](const QString& sentence) {
-        emit failed(FeelStore::tr("%1 was not stored in %2: %3").arg(what, study, sentence));
+      [this, what, act, serial, study = study_.fileName()](const QString& sentence) {
+        if (serial != 0 && std::exchange(refused_, serial) == serial) return;
+        emit failed(FeelStore::tr("%1 was not stored in %2: %3").arg(what, study, sentence), act);
       });
 }
 

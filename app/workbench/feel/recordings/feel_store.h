@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "app/workbench/base/message_act.h"
 #include "app/workbench/feel/feel_history.h"
 #include "app/workbench/feel/recordings/feel_recorder.h"
 #include "app/workbench/feel/recordings/feel_sessions.h"
@@ -53,6 +54,8 @@ class FeelStore : public QObject {
   void setWho(std::optional<tactus::study::RecordId> who);
   /// Starts a recording with a new placement: at once, or with the next start of a device. It ends with the run.
   void setRecording(bool recording);
+  /// Ends the current recording and starts another one.
+  void recordAgain();
   /// Replays the movement of a recording through the current model.
   void replay(const tactus::study::RecordId& recording);
 
@@ -60,7 +63,10 @@ class FeelStore : public QObject {
   /// The recording, its length in seconds, the replay or the person changed.
   void changed();
   void said(const QString& sentence);
-  void failed(const QString& sentence);
+  /// One sentence: what was not recorded, stored or replayed, and why; `act` helps.
+  void failed(const QString& sentence, const tactus::workbench::MessageAct& act);
+  /// One sentence: this recording cannot be replayed, another one may.
+  void notReplayable(const QString& sentence);
 
  private:
   void onState();
@@ -80,10 +86,14 @@ class FeelStore : public QObject {
   study::FeltSetting setting() const;
   std::vector<FeelRecorder::Condition> conditions() const;
   study::Entry entry();
-  /// Orders `record` to be appended when its session exists; then calls `done`. `what` names the record for the user.
+  study::EnteredBy enteredBy() const;
+  MessageAct recordingAgain();
+  void storePlacement(study::PlacementRecord record, FeelSessions::Visit visit);
+  /// Orders `record` to be appended when its session exists; then calls `done`. `what` names the record for the user;
+  /// `act` helps where the study refuses it.
   template <class Record>
   void store(Record record, const QString& what, const FeelSessions::Visit& visit, std::uint64_t serial,
-             std::function<void()> done);
+             const MessageAct& act, std::function<void()> done);
 
   FeelController& feel_;
   SceneController& scene_;
@@ -98,6 +108,7 @@ class FeelStore : public QObject {
   std::optional<FeelRecorder> recorder_;
   FeelSessions::Visit recorded_visit_;
   std::uint64_t recordings_ = 0;  ///< number of recordings begun
+  std::uint64_t refused_ = 0;     ///< the recording of which the study refused a part; said once
   std::uint64_t first_orders_ = 0;
   std::uint64_t placement_orders_ = 0;
   int placement_ = 0;

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
 #include <QPainter>
@@ -12,11 +13,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/recordings/feel_store.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {
@@ -61,7 +64,7 @@ QIcon recordIcon(bool in_progress) {
   return picture;
 }
 
-constexpr int kOneRow = 760;  // px: from this width on everything stands in one row
+constexpr int kOneRow = 760;  // px at 100 %: from this width on everything stands in one row
 
 }  // namespace
 
@@ -70,7 +73,8 @@ RecordingsCard::RecordingsCard(FeelStore& store, StudyConnection& study, FeelCon
       store_(store),
       study_(study),
       feel_(feel),
-      hint_(new QLabel(tr("Open or make a study (menu Study) to keep placements and recordings."), this)),
+      hint_(new QLabel(tr("A study keeps what is felt: one file, a new one or one that is there."), this)),
+      into_(new QPushButton(tr("Record into a study…"), this)),
       where_(new QLabel(this)),
       content_(new QWidget(this)),
       grid_(new QGridLayout(content_)),
@@ -81,6 +85,7 @@ RecordingsCard::RecordingsCard(FeelStore& store, StudyConnection& study, FeelCon
       list_(new QComboBox(content_)),
       replay_(new QPushButton(tr("Replay"), content_)) {
   build();
+  connect(into_, &QPushButton::clicked, this, &RecordingsCard::studyRequested);
   connect(who_, &QComboBox::currentIndexChanged, this, &RecordingsCard::choose);
   connect(record_, &QPushButton::clicked, this, [this] { store_.setRecording(!store_.isRecording()); });
   connect(replay_, &QPushButton::clicked, this, &RecordingsCard::replay);
@@ -97,11 +102,13 @@ void RecordingsCard::build() {
   setMuted(*hint_);
   hint_->setTextFormat(Qt::PlainText);
   hint_->setWordWrap(true);
+  into_->setToolTip(tr("Choose the study file; the recording then begins with Start (F9)"));
+  into_->setFocusPolicy(Qt::TabFocus);
   where_->setTextFormat(Qt::PlainText);
   where_->setFont(theme::smallFont());
   setMuted(*where_);
   who_->setAccessibleName(tr("Who feels"));
-  who_->setToolTip(tr("Placements and recordings are stored for this person"));
+  who_->setToolTip(tr("Choose for whom placements and recordings are stored"));
   list_->setAccessibleName(tr("Recordings"));
   for (QComboBox* box : {who_, list_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -110,7 +117,9 @@ void RecordingsCard::build() {
   for (QPushButton* button : {record_, replay_}) {
     button->setFocusPolicy(Qt::TabFocus);
     // Wide enough for every word and number that comes on it.
-    button->setMinimumWidth(button->fontMetrics().horizontalAdvance(tr("End · %1 s").arg(999)) + 5 * theme::kGrid);
+    keepFitted(*button, [button] {
+      button->setMinimumWidth(button->fontMetrics().horizontalAdvance(tr("End · %1 s").arg(999)) + 5 * theme::kGrid);
+    });
   }
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(theme::kGrid);
@@ -118,7 +127,11 @@ void RecordingsCard::build() {
   arrange();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid);
-  layout->addWidget(hint_);
+  auto* offer = new QHBoxLayout;
+  offer->setSpacing(theme::kGrid);
+  offer->addWidget(hint_, 1);
+  offer->addWidget(into_, 0, Qt::AlignVCenter);
+  layout->addLayout(offer);
   layout->addWidget(where_);
   layout->addWidget(content_);
 }
@@ -137,7 +150,7 @@ void RecordingsCard::arrange() {
 
 void RecordingsCard::resizeEvent(QResizeEvent* event) {
   Card::resizeEvent(event);
-  const bool in_one_row = width() >= kOneRow;
+  const bool in_one_row = width() >= appearance::scaled(kOneRow);
   if (in_one_row == in_one_row_) return;
   in_one_row_ = in_one_row;
   arrange();
@@ -187,6 +200,7 @@ void RecordingsCard::showState() {
   showWho();
   const bool open = study_.isOpen();
   hint_->setVisible(!open);
+  into_->setVisible(!open);
   content_->setVisible(open);
   where_->setVisible(open && (!in_one_row_ || study_.isReadOnly()));
   if (open) {
@@ -204,28 +218,34 @@ void RecordingsCard::showState() {
   record_->setEnabled(recording || (store_.canRecord() && !replaying));
   replay_->setEnabled(replaying || (any && !recording));
   replay_->setText(replaying ? tr("Stop") : tr("Replay"));
-  replay_->setToolTip(replaying ? tr("End the replay")
-                                : tr("The recorded hand moves the tube through the present model, by calculation; the "
-                                     "recorded force stands beside the present one in the trace"));
+  replay_->setToolTip(replaying
+                          ? tr("End the replay")
+                          : tr("Let the recorded hand move the tube through the present model, by calculation; the "
+                               "recorded force stands beside the present one in the trace"));
   record_->setIcon(recording ? recordIcon(feel_.isRunning()) : QIcon());
   if (!recording) {
     record_->setText(tr("Record"));
     record_->setToolTip(
         feel_.isRunning()
             ? tr("Record hand and force into the study, from a new placement on")
-            : tr("Arm a recording: it begins with Start, and goes into the study %1").arg(study_.fileName()));
+            : tr("Arm a recording: it begins with Start (F9), and goes into the study %1").arg(study_.fileName()));
   } else if (feel_.isRunning()) {
     record_->setText(tr("End · %1 s").arg(static_cast<int>(store_.recordedS())));
     record_->setToolTip(tr("End the recording"));
   } else {
     record_->setText(tr("Armed"));
-    record_->setToolTip(tr("Armed: the recording begins with Start. Click to cancel"));
+    record_->setToolTip(tr("Cancel the recording, which begins with Start (F9)"));
   }
 }
 
 void RecordingsCard::setRoomy(bool roomy) {
   roomy_ = roomy;
   showState();
+}
+
+void RecordingsCard::chooseRecording() {
+  list_->setFocus();
+  list_->showPopup();
 }
 
 void RecordingsCard::choose(int person) {

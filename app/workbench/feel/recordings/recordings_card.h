@@ -22,8 +22,14 @@ class RecordingsCard : public Card {
  public:
   RecordingsCard(FeelStore& store, StudyConnection& study, FeelController& feel, QWidget* parent = nullptr);
 
-  /// False: leaves out the hint for users without an open study, to save space.
+  /// False: leaves out what is offered without an open study, to save space.
   void setRoomy(bool roomy);
+  /// Opens the list of recordings for the keyboard.
+  void chooseRecording();
+
+ signals:
+  /// Without a study: one to record into is wanted.
+  void studyRequested();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -42,7 +48,8 @@ class RecordingsCard : public Card {
   StudyConnection& study_;
   FeelController& feel_;
   QLabel* hint_;
-  QLabel* where_;  ///< the study that gets the recordings
+  QPushButton* into_;  ///< beside the hint
+  QLabel* where_;      ///< the study that gets the recordings
   QWidget* content_;
   QGridLayout* grid_;
   QLabel* who_label_;

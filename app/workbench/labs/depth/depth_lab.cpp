@@ -68,9 +68,15 @@ void DepthLab::read() {
         const bool found = stored && *stored && sentence.isEmpty();
         return [this, path, found, state, sentence] {
           if (path != data_.connection().path()) return;
-          if (!sentence.isEmpty()) emit refused(sentence);
+          if (!sentence.isEmpty()) {
+            emit refused(tr("The stored measurement was not read. %1").arg(sentence), {tr("Try again"), [this] {
+                                                                                         if (states_.size() == 1)
+                                                                                           read();
+                                                                                       }});
+          }
           // What was begun meanwhile stays.
           if (!found || states_.size() != 1) return;
+          emit done();
           data_.setMeasuredDepths(state.measurement);
           begin(state);
         };
@@ -184,7 +190,10 @@ void DepthLab::store() {
         if (stored && there == kept->end() && !image->isEmpty()) kept->push_back({image, record.id});
         return stored;
       },
-      {}, [this](const QString& sentence) { emit refused(sentence); });
+      [this] { emit done(); },
+      [this](const QString& sentence) {
+        emit refused(tr("The measurement was not stored. %1").arg(sentence), {tr("Try again"), [this] { store(); }});
+      });
 }
 
 }  // namespace tactus::workbench

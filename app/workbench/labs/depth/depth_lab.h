@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/workbench/base/message_act.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/undo_source.h"
 #include "core/study/depth_record.h"
@@ -67,8 +68,10 @@ class DepthLab : public UndoSource {
   void depthsFromChanged();
   /// Another image, or none.
   void imageChanged();
-  /// One sentence: what could not be read or stored, and why.
-  void refused(const QString& sentence);
+  /// One sentence: what was not read or not stored, and why; `act` helps.
+  void refused(const QString& sentence, const tactus::workbench::MessageAct& act);
+  /// It is read or stored now: what was refused before is out of date.
+  void done();
 
  private:
   struct State {

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
@@ -63,7 +64,11 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   });
   connect(canvas_, &DepthCanvas::lineMeasured, this, &DepthLabView::askLength);
   connect(&lab_, &DepthLab::imageChanged, this, &DepthLabView::followImage);
-  connect(&lab_, &DepthLab::refused, this, [this](const QString& sentence) { sayError(*this, sentence); });
+  connect(&lab_, &DepthLab::refused, this,
+          [this](const QString& sentence, const MessageAct& act) { refuse(sentence, act, true); });
+  connect(&lab_, &DepthLab::done, this, [this] {
+    if (lab_refused_) takeBackError(*this);
+  });
   followImage();
 }
 
@@ -85,21 +90,30 @@ void DepthLabView::chooseImage() {
   if (!path.isEmpty()) load(path);
 }
 
+void DepthLabView::refuseImage(const QString& name, const QString& why) {
+  refuse(tr("%1 was not loaded. %2").arg(name, why), {tr("Choose another image…"), [this] { chooseImage(); }});
+}
+
+void DepthLabView::refuse(const QString& sentence, MessageAct act, bool by_lab) {
+  lab_refused_ = by_lab;
+  sayError(*this, sentence, std::move(act));
+}
+
 void DepthLabView::load(const QString& path) {
+  conversion_.drop();
+  takeBackError(*this);
   QFile file(path);
   const QString name = shownFileName(path);
   if (!file.open(QIODevice::ReadOnly)) {
-    sayError(*this, tr("%1 cannot be read: %2").arg(name, file.errorString()));
+    refuseImage(name, file.errorString());
     return;
   }
   if (file.size() > static_cast<qint64>(store::kMostImageBytes)) {
-    sayError(*this, tr("%1 is larger than the %2 MB that a study takes: save it with fewer pixels, or as JPEG.")
-                        .arg(name)
-                        .arg(store::kMostImageBytes >> 20U));
+    refuseImage(name, tr("It is larger than the %1 MB that a study takes: save it with fewer pixels, or as JPEG.")
+                          .arg(store::kMostImageBytes >> 20U));
     return;
   }
   const QByteArray bytes = file.readAll();
-  conversion_.drop();
   if (!isDicom(bytes)) return take(bytes, name, std::nullopt);
   sayDone(*this, tr("Converting %1…").arg(name));
   conversion_.run([this, bytes, name](const std::stop_token&) -> Background::Deliver {
@@ -120,23 +134,21 @@ void DepthLabView::convert(const QByteArray& bytes, const QString& name, int pic
   }
   conversion_.run([this, bytes, name, picture](const std::stop_token&) -> Background::Deliver {
     auto image = dicomImage(bytes, name, picture);
-    if (!image) return [this, why = text(image.error().message())] { sayError(*this, why); };
+    if (!image) return [this, name, why = text(image.error().message())] { refuseImage(name, why); };
     return [this, image = std::move(*image), name] { take(image.png, name, image.mm_per_px); };
   });
 }
 
 void DepthLabView::take(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px) {
   const auto image = readImage(bytes, name);
-  if (!image) {
-    sayError(*this, text(image.error().message()));
-    return;
-  }
+  if (!image) return refuseImage(name, text(image.error().message()));
   lab_.setImage(bytes, name, mm_per_px);
   sayDone(*this, tr("The study has a copy of %1.").arg(name));
 }
 
 void DepthLabView::showExample() {
   ExampleImage example = exampleImage();
+  takeBackError(*this);
   lab_.setExample(example.mm_per_px, std::move(example.path));
 }
 
@@ -147,9 +159,11 @@ void DepthLabView::askLength(const elicitation::ImagePoint& one, const elicitati
   if (!taken) return;
   const auto mm_per_px = elicitation::mmPerPixel(one, other, length_mm);
   if (!mm_per_px) {
-    sayError(*this, text(mm_per_px.error().message()));
+    refuse(tr("The scale was not set. %1").arg(text(mm_per_px.error().message())),
+           {tr("Measure again"), [this] { canvas_->measureLength(); }});
     return;
   }
+  takeBackError(*this);
   auto wanted = lab_.measurement();
   wanted.mm_per_px = *mm_per_px;
   lab_.show(wanted);
@@ -167,7 +181,10 @@ void DepthLabView::followImage() {
   }
   auto image = readImage(lab_.image(), text(lab_.measurement().image));
   canvas_->setImage(image ? *image : QImage());
-  if (!image) sayError(*this, text(image.error().message()));
+  if (!image) {
+    refuse(tr("The stored image is not shown. %1").arg(text(image.error().message())),
+           {tr("Choose another image…"), [this] { chooseImage(); }});
+  }
 }
 
 void DepthLabView::showEvent(QShowEvent* event) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/workbench/base/background.h"
+#include "app/workbench/base/message_act.h"
 #include "elicitation/depth/tube_path.h"
 
 namespace tactus::workbench {
@@ -34,6 +35,9 @@ class DepthLabView : public QWidget {
  private:
   QWidget* makePages();
   void chooseImage();
+  void refuseImage(const QString& name, const QString& why);
+  /// `by_lab`: the lab says when it is out of date.
+  void refuse(const QString& sentence, MessageAct act, bool by_lab = false);
   void askLength(const elicitation::ImagePoint& one, const elicitation::ImagePoint& other);
   void followImage();
   /// `mm_per_px`: as the file says; nothing: the scale stays to be set.
@@ -42,7 +46,8 @@ class DepthLabView : public QWidget {
 
   DepthLab& lab_;
   DepthCanvas* canvas_;
-  Background conversion_;  ///< last: its end waits for it
+  bool lab_refused_ = false;  ///< the last error was the lab's
+  Background conversion_;     ///< last: its end waits for it
 };
 
 }  // namespace tactus::workbench

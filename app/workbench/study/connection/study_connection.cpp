@@ -197,7 +197,7 @@ void StudyConnection::saveCopy(const QString& path) {
       if (sentence.isEmpty()) {
         emit copied(path);
       } else {
-        emit failed(path, tr("The copy was not saved. %1").arg(sentence));
+        emit copyFailed(sentence);
       }
     };
   });

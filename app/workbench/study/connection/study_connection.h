@@ -86,7 +86,7 @@ class StudyConnection : public QObject {
   void close();
   /// Erases what an interrupted erasure left, in the thread of the study; `said` or `failed` tells the end.
   void finishErasure();
-  /// Copies what is stored to the new file `path`. Ends with `copied` or `failed`.
+  /// Copies what is stored to the new file `path`. Ends with `copied` or `copyFailed`.
   void saveCopy(const QString& path);
   /// Tries again at once what could not be written.
   void storeNow();
@@ -99,6 +99,7 @@ class StudyConnection : public QObject {
   void opened();
   void openedAgain();
   void copied(const QString& path);
+  void copyFailed(const QString& sentence);
   void closed();
   /// One sentence: what failed for which file, and why.
   void failed(const QString& path, const QString& sentence);

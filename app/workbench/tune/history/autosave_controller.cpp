@@ -131,10 +131,11 @@ void AutosaveController::adopt(const QString& document, Found found) {
   if (document != document_ || !edits_.isOpen() || in_study_) return;
   const QString name = shownFileName(document);
   if (!found.aside.isEmpty()) {
-    emit failed(tr("The history of %1 does not go on: %2. It is kept in %3, which opens as a study.")
-                    .arg(name, found.failure, found.aside));
+    emit setAside(tr("The history of %1 does not go on: %2. It is kept in %3, which opens as a study.")
+                      .arg(name, found.failure, found.aside),
+                  found.aside);
   } else if (!found.failure.isEmpty()) {
-    emit failed(tr("The history of %1 cannot be read: %2").arg(name, found.failure));
+    emit notRead(tr("The earlier history of %1 was not read. %2").arg(name, found.failure), document);
   }
   // What was edited meanwhile stands beside the earlier history in the file.
   const bool is_fresh = edits_.history().events().size() == 1 && !edits_.inGesture();
@@ -219,6 +220,7 @@ void AutosaveController::finish(quint64 number, const QString& failure) {
   if (failure_.isEmpty() && !failure.isEmpty()) {
     emit failed(tr("Autosave failed, so a crash would lose the changes of the model: %1").arg(failure));
   }
+  if (!failure_.isEmpty() && failure.isEmpty()) emit worksAgain();
   failure_ = failure;
   if (std::exchange(again_, false)) {
     write();

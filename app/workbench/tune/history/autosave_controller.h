@@ -71,8 +71,14 @@ class AutosaveController : public QObject {
   void lookedUp(const QString& document);
   /// One or two sentences.
   void said(const QString& sentence);
-  /// One sentence; emitted once per series of failures. The write is retried anyway.
+  /// One sentence; emitted once per series of failures. The write is retried anyway; the model itself can be saved.
   void failed(const QString& sentence);
+  /// The series of failures has ended.
+  void worksAgain();
+  /// The earlier history of `document` was not read: one sentence. Opening the document again looks for it again.
+  void notRead(const QString& sentence, const QString& document);
+  /// The earlier history does not fit the model: one sentence. The study file `aside` keeps it.
+  void setAside(const QString& sentence, const QString& aside);
 
  private:
   /// The result of the worker's look at the history file.

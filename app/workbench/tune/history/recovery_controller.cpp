@@ -123,16 +123,20 @@ void RecoveryController::onLookedUp(const QString& document) {
   if (autosave_.lost()) {
     restoreOpen(work);
   } else {
-    emit failed(
-        tr("The edits of %1 cannot be restored, because another window has them.").arg(shownFileName(work.document)));
+    emit notRestored(
+        tr("The edits of %1 were not restored, because another window has them.").arg(shownFileName(work.document)),
+        work);
   }
 }
 
 void RecoveryController::restore() {
-  if (!busy_ && !offered_.empty()) restoreWork(offered_.front());
+  if (offered_.empty()) return;
+  const LostWork work = offered_.front();
+  restoreWork(work);
 }
 
 void RecoveryController::restoreWork(const LostWork& work) {
+  if (busy_) return;
   wanted_.reset();
   if (work.where == Where::kOpenDocument) return restoreOpen(work);
   // A study file keeps the history of its models itself.
@@ -155,7 +159,9 @@ void RecoveryController::restoreWork(const LostWork& work) {
     auto found = TakenAutosave::take(work.source);
     if (!found) {
       drop(work);
-      emit failed(text(found.error().message()));
+      emit notRestored(
+          tr("The edits of %1 were not restored. %2").arg(shownFileName(work.document), text(found.error().message())),
+          work);
       return;
     }
     taken = std::move(*found);
@@ -196,8 +202,9 @@ void RecoveryController::adopt(const LostWork& work, const std::shared_ptr<Taken
   if (!found) {
     put_off_.push_back(work);
     drop(work);
-    emit failed(tr("The edits of %1 cannot be restored. Their files stay in place: %2")
-                    .arg(shownFileName(work.document), text(found.error().message())));
+    emit notRestored(tr("The edits of %1 were not restored. Their files stay in place. %2")
+                         .arg(shownFileName(work.document), text(found.error().message())),
+                     work);
     return;
   }
   if (found->history) {
@@ -261,12 +268,19 @@ void RecoveryController::onWritten(quint64 number) {
 }
 
 void RecoveryController::discard() {
-  if (busy_ || offered_.empty()) return;
+  if (offered_.empty()) return;
   const LostWork work = offered_.front();
+  discardWork(work);
+}
+
+void RecoveryController::discardWork(const LostWork& work) {
+  if (busy_) return;
   drop(work);
   if (work.where == Where::kOpenDocument) return autosave_.settleLost();
-  const auto fail = [this](const base::Error& error) {
-    answers_.post([this, sentence = text(error.message())] { emit failed(sentence); });
+  const auto fail = [this, work](const base::Error& error) {
+    answers_.post([this, work, sentence = text(error.message())] {
+      emit notDiscarded(tr("The edits of %1 were not discarded. %2").arg(shownFileName(work.document), sentence), work);
+    });
   };
   autosave_.post([work, fail, stamp = edits_.stamp()](HistoryFile&) {
     if (work.where == Where::kOldAutosave) {

@@ -53,10 +53,14 @@ class RecoveryController : public QObject {
 
  public slots:
   /// Opens the document of the offered work, if it is not open, and shows its last state, with the whole history. Ends
-  /// with `restored` or `failed`. Changes of the open model are replaced.
+  /// with `restored` or `notRestored`. Changes of the open model are replaced.
   void restore();
+  /// The same of work that was not restored before.
+  void restoreWork(const tactus::workbench::LostWork& work);
   /// Gives up the offered work. What is in the history of a model file stays there.
   void discard();
+  /// The same of work that was not discarded before.
+  void discardWork(const tactus::workbench::LostWork& work);
   /// Postpones the offer until the document is opened again or until the next start.
   void later();
 
@@ -66,14 +70,15 @@ class RecoveryController : public QObject {
   /// open.
   void studyNeeded(const QString& path);
   void restored(const QString& sentence);
-  void failed(const QString& sentence);
+  /// One sentence: why `work` was not restored, or not discarded.
+  void notRestored(const QString& sentence, const tactus::workbench::LostWork& work);
+  void notDiscarded(const QString& sentence, const tactus::workbench::LostWork& work);
 
  private:
   void scan();
   void show(std::vector<LostWork> found);
   void onOpened();
   void onLookedUp(const QString& document);
-  void restoreWork(const LostWork& work);
   void restoreOpen(const LostWork& work);
   /// The result of the worker's read.
   struct Found {

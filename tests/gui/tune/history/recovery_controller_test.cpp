@@ -222,7 +222,7 @@ TEST_F(RecoveryControllerTest, AWindowThatHasTheDocumentOpenKeepsItsWork) {
   ASSERT_TRUE(one.recovery.offered());
   ASSERT_TRUE(other.recovery.offered());
   one.restore();
-  const QSignalSpy failed(&other.recovery, &RecoveryController::failed);
+  const QSignalSpy failed(&other.recovery, &RecoveryController::notRestored);
   other.recovery.restore();
   other.settle();
   EXPECT_EQ(failed.count(), 1);
@@ -334,7 +334,7 @@ TEST_F(RecoveryControllerTest, WhatIsDamagedStaysWhereItIs) {
   const QString old = oldAutosave();
   folder.writeText("{}", QStringLiteral("autosave/0123/part-00000.json"));
   SecondRun next(root);
-  QSignalSpy failed(&next.recovery, &RecoveryController::failed);
+  QSignalSpy failed(&next.recovery, &RecoveryController::notRestored);
   next.recovery.restore();
   ASSERT_TRUE(failed.count() > 0 || failed.wait(kPatience));
   EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("part-00000.json")));
