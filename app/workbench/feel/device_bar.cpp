@@ -76,7 +76,7 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   grip_->setItemData(1, tr("Press once to hold the tube, press again to release it. No need to squeeze"),
                      Qt::ToolTipRole);
   zone_->setWhole();
-  zone_->setRoomFor(QStringLiteral("-100 mm "));
+  zone_->setRoomFor(quantityText(kFarthestZoneMm, "mm", 0) + QLatin1Char(' '));
   zone_->setAccessibleName(tr("Release zone of the latch"));
   zone_->setToolTip(tr("Set the release zone: a hand that is drawn out further than this lets go"));
   QFont bold = theme::smallFont();
