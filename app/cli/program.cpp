@@ -120,7 +120,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                    ->delimiter(',')
                    ->check(notEmpty());
                command.add_option("--force", o.force_n, "Wanted force in newtons; not needed with --curve")
-                   ->check(numberThat("a finite force", [](double x) { return std::isfinite(x); }));
+                   ->check(numberThat("a finite force, such as 0.55", [](double x) { return std::isfinite(x); }));
                command.add_option("--expert", o.expert, "One expert; by default the mean of all, without its rules")
                    ->check(notEmpty());
                command

@@ -1,14 +1,36 @@
 #include "core/analysis/pull/candidate_judge.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "core/analysis/coverage.h"
 #include "core/analysis/pull/plausible.h"
 
 namespace tactus::analysis {
 namespace {
 
-constexpr double kSameTarget = 1e-9;  // of the range of the output
+constexpr double kSameTarget = 1e-9;   // of the range of the output
+constexpr double kSameVolume = 1e-12;  // of the input space: rounding of a sum of boxes
+
+/// The share of the input space in which no rule fires. Sides without width count as nothing.
+double uncovered(const fuzzy::ForceModel& model) {
+  std::vector<std::size_t> experts(model.experts.size());
+  std::iota(experts.begin(), experts.end(), std::size_t{0});
+  double sum = 0;
+  for (const Hole& hole : coverage(model, experts).holes) {
+    double share = 1;
+    for (std::size_t i = 0; i < hole.ranges.size(); ++i) {
+      share *= (hole.ranges[i].high - hole.ranges[i].low) / (model.inputs[i].max - model.inputs[i].min);
+    }
+    sum += share;
+  }
+  return sum;
+}
+
+/// Whether the edit may take something away from the conditions of the rules.
+bool mayOpenAHole(const PullEdit& edit) { return edit.gesture == Gesture::kOff || edit.gesture == Gesture::kVertex; }
 
 }  // namespace
 
@@ -35,6 +57,9 @@ std::optional<PullCandidate> CandidateJudge::judged(std::vector<PullEdit> edits,
   const auto force = compiled->evaluate(point_);
   out.elsewhere = elsewhere_.of(*compiled);
   if (!force.fired || out.elsewhere.opens_hole) return std::nullopt;
+  if (std::any_of(edits.begin(), edits.end(), mayOpenAHole) && uncovered(after) > uncovered(model_) + kSameVolume) {
+    return std::nullopt;  // between the points
+  }
   out.kind = kindOf(model_, edits[0], curve_input_);
   out.force_n = force.force_n;
   out.exact = target_n && std::abs(force.force_n - *target_n) <= same();

@@ -286,6 +286,28 @@ TEST_F(PullTest, AHole) {
   EXPECT_EQ(found_.blocker->kind, PullBlocker::Kind::kNoRule);
 }
 
+// Without rule 2 the space between the two rules of speed has no force: 2 mm/s wide, between the points that are
+// compared.
+TEST_F(PullTest, ARuleIsNotTakenAwayWhereItLeavesAHole) {
+  auto& speed = model_.inputs[kSpeed];
+  speed.terms[0].points = {0, 0, 40, 44};
+  speed.terms[1].points = {40, 44, 44, 50};
+  speed.terms[2].points = {46, 50, 400, 400};
+  model_.experts[0].rules = {
+      {{{"speed", "slow"}}, "large"}, {{{"speed", "medium"}}, "small"}, {{{"speed", "fast"}}, "large"}};
+  PullSettings settings;
+  settings.box_points = 16;
+  const auto offered = [&] {
+    const auto found = pull(model_, std::vector<double>{1, 60, 200, 43}, .7, noticeable, settings);
+    return std::any_of(found->candidates.begin(), found->candidates.end(), [](const PullCandidate& one) {
+      return one.edits[0].gesture == Gesture::kOff && one.edits[0].rule == 1;
+    });
+  };
+  EXPECT_FALSE(offered()) << "44 to 46 mm/s";
+  speed.terms[2].points[0] = 43;
+  EXPECT_TRUE(offered());
+}
+
 TEST_F(PullTest, WrongQuestionsAreRefused) {
   const auto message = [&](const std::vector<double>& point, double target_n) {
     const auto found = pull(model_, point, target_n, noticeable);
