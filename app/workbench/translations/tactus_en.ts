@@ -1297,7 +1297,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The plot with the keyboard or under the mouse</source>
+        <source>Copy the plot with the keyboard or under the mouse</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2079,15 +2079,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The history of %1 cannot be read: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Another program changed %1 after %2. Undo leads back to the state before; History has all others.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Autosave failed, so a crash would lose the changes of the model: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The earlier history of %1 was not read. %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2565,7 +2565,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A command, panel, expert, term or finding; or a place: 130 mm poor fast</source>
+        <source>Type a command, panel, expert, term or finding; or a place: 130 mm poor fast</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2864,6 +2864,10 @@
         <source>Move the operating point to where the last edit changes the force most</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::CutPicture</name>
@@ -3066,6 +3070,18 @@
         <source>Anatomy drawing</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The stored measurement was not read. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measurement was not stored. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::DepthLabView</name>
@@ -3098,14 +3114,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 cannot be read: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is larger than the %2 MB that a study takes: save it with fewer pixels, or as JPEG.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Known length</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3135,6 +3143,30 @@
     </message>
     <message>
         <source>The study has a copy of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not loaded. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another image…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is larger than the %1 MB that a study takes: save it with fewer pixels, or as JPEG.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale was not set. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stored image is not shown. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3316,15 +3348,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tube is in the hand while the button of the device, the mouse button or Space is down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Release zone of the latch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Release zone: a hand that is drawn out further than this lets go</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3337,10 +3361,6 @@
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No force from the next tick on (F12, or Esc)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3451,6 +3471,22 @@
     </message>
     <message>
         <source>The device did not start. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the device on which the model is felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the tube while the button of the device, the mouse button or Space is down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the release zone: a hand that is drawn out further than this lets go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the force with the next tick (F12, or Esc)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3685,7 +3721,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Depth and speed of all plots follow the tube in the hand</source>
+        <source>Move depth and speed of all plots with the tube in the hand</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3785,11 +3821,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The recording has no channels &apos;time&apos; and &apos;force&apos; to replay.</source>
+        <source>%1 was not stored in %2: %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 was not stored in %2: %3</source>
+        <source>Record again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording was not replayed. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has no channels &apos;time&apos; and &apos;force&apos;.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4068,11 +4116,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No force from the next tick on, whatever has the keyboard (F12, or Esc outside a drag)</source>
+        <source>Esc · F12</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Esc · F12</source>
+        <source>Stop the force with the next tick, whatever has the keyboard (F12, or Esc outside a drag)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4435,19 +4483,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keeps the current state under this name (Ctrl+Shift+N)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Compare, sign off ›</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Expert who signs off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Expert&apos;s code</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4475,30 +4515,38 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name of the current state</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Your name, shown as the author of your edits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Approve unfelt</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n stroke(s) were felt on this state, on %1</source>
-        <translation>
-            <numerusform>%n stroke was felt on this state, on %1</numerusform>
-            <numerusform>%n strokes were felt on this state, on %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>This state was not felt yet: the sign-off will read “approved without feeling”. Feel one stroke on it for “feels right”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>‹ Show versions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name the current state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the current state under this name (Ctrl+Shift+N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the expert&apos;s code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter your name, the author of your edits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Sign off what was felt: %n stroke(s) on this state, on %1 (Ctrl+Shift+G)</source>
+        <translation>
+            <numerusform>Sign off what was felt: %n stroke on this state, on %1 (Ctrl+Shift+G)</numerusform>
+            <numerusform>Sign off what was felt: %n strokes on this state, on %1 (Ctrl+Shift+G)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Approve this state without feeling it: the sign-off will read “approved without feeling”. Feel one stroke on it for “feels right” (Ctrl+Shift+G)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4692,6 +4740,13 @@
     </message>
     <message>
         <source>The layout is kept as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::LegendChip</name>
+    <message>
+        <source>Show or hide: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5023,14 +5078,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The expert has terms of its own for this variable; otherwise the shared ones hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edits change the terms of all experts who share them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Add term…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5126,15 +5173,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The shared terms, or the terms of one expert</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Keep the sum of memberships at one: a vertex moves together with its neighbor&apos;s vertex</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gives the expert their own terms for this variable. The terms of the others do not change</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5146,7 +5185,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Where does the selected vertex come from? Shows the trials of the study behind it</source>
+        <source>Choose the shared terms, or the terms of one expert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the expert terms of its own for this variable; otherwise the shared ones hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the expert their own terms for this variable; the terms of the others do not change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the terms of all experts who share them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the trials of the study behind the selected vertex</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5738,15 +5793,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: type a value, or use the arrow keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>● Changes not saved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a value of %1, or change it with the arrow keys</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5975,11 +6030,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The head moves within a second, and the force with it</source>
+        <source>Raise head</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Raise head</source>
+        <source>Flex the neck or raise the head within a second; the force follows (F8)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the lubrication to %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6626,10 +6685,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open or make a study (menu Study) to keep placements and recordings.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6675,15 +6730,7 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The recorded hand moves the tube through the present model, by calculation; the recorded force stands beside the present one in the trace</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Record hand and force into the study, from a new placement on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Arm a recording: it begins with Start, and goes into the study %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6695,15 +6742,35 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Placements and recordings are stored for this person</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Armed: the recording begins with Start. Click to cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 is open for reading only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A study keeps what is felt: one file, a new one or one that is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record into a study…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the study file; the recording then begins with Start (F9)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose for whom placements and recordings are stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the recorded hand move the tube through the present model, by calculation; the recorded force stands beside the present one in the trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm a recording: it begins with Start (F9), and goes into the study %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel the recording, which begins with Start (F9)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6714,15 +6781,42 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The edits of %1 cannot be restored, because another window has them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The edits of %1 cannot be restored. Their files stay in place: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 (recovered)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The edits of %1 were not restored, because another window has them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The edits of %1 were not restored. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The edits of %1 were not restored. Their files stay in place. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The edits of %1 were not discarded. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::RecoveryParts</name>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the model again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the earlier history</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6749,19 +6843,19 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows the last state of the model. Every edit can be undone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keeps the model as its file has it. The edits stay in the history of the file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asks again when you open this model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Decide later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the last state of the model; every edit can be undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the model as its file has it; the edits stay in the history of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask again when you open this model</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6777,6 +6871,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the curve that the references are compared with</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6885,15 +6983,7 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The expert whose rules are edited</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Input of the columns</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The input that the grids cross with each other one</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6914,6 +7004,14 @@ felt on the model %2</source>
     </message>
     <message>
         <source>All rules (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the expert whose rules are edited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the input that the grids cross with each other one</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7975,6 +8073,10 @@ p</source>
         <source>Four simulated nurses and the model made from their answers: a copy, in the folder %1 of your documents.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Open %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::StatisticHelp</name>
@@ -8065,10 +8167,6 @@ p</source>
     </message>
     <message>
         <source>it or its folder is read-only</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The copy was not saved. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8333,6 +8431,30 @@ p</source>
         <source>Build the averaged model</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Choose another recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The copy was not saved. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save elsewhere…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record into a study: a new one, or one that is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Armed: Start (F9), and what you feel is recorded into %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::SurfacePanel</name>
@@ -8380,7 +8502,7 @@ p</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2. Drag, or arrow keys, with Shift farther</source>
+        <source>Move the %1 from %2: drag, or use the arrow keys, with Shift farther</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8464,6 +8586,10 @@ p</source>
     </message>
     <message>
         <source>Lock the %1 in place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the %1: type a value, or use the arrow keys</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8906,14 +9032,18 @@ p</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No answer (Delete)</source>
+        <source>Remove the answer (Delete)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tactus::workbench::WordButton</name>
     <message>
-        <source>%1 (key %2)</source>
+        <source>Answer %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Answer %1 (key %2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
