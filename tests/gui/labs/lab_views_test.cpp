@@ -14,10 +14,12 @@
 #include "app/workbench/labs/experts/weight_table.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/labs/force/force_terms_plot.h"
 #include "app/workbench/labs/force/force_terms_view.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/force/judgement_view.h"
 #include "app/workbench/labs/force/vote_table.h"
+#include "app/workbench/labs/force/vote_words.h"
 #include "app/workbench/labs/force/votes_view.h"
 #include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/labs/method/method_lab_view.h"
@@ -85,6 +87,28 @@ TEST_F(LabViews, AForceLeadsToItsJudgementsAndAWordIsCorrectedThere) {
   EXPECT_TRUE(grid.index(cell.row(), cell.column()).data(Qt::ToolTipRole).toString().contains(before));
   corrections.undo();
   EXPECT_TRUE(comesTrue([&] { return grid.index(cell.row(), cell.column()).data().toString() == before; }));
+}
+
+TEST_F(LabViews, InASmallWindowTheReasonsGiveWayToTheWords) {
+  ForceLab lab(data, model, corrections);
+  ForceLabView view(lab);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return view.votes().table().rowCount() >= 11; }));
+  auto* const votes = view.votes().findChild<QTableView*>();
+  const int reasons = view.votes().table().reasonColumn();
+  for (const auto& [size, hidden] :
+       {std::pair(QSize(1168, 600), true), std::pair(QSize(1808, 960), false), std::pair(QSize(1168, 600), true)}) {
+    view.resize(size);
+    ASSERT_TRUE(comesTrue([&] { return votes->isColumnHidden(reasons) == hidden; })) << size.width();
+    // The pictures stand side by side on one line, so that they can be compared.
+    const ForceTermsPlot& first = view.terms().plot(kForceMethods.front());
+    for (const auto from : kForceMethods) {
+      const ForceTermsPlot& one = view.terms().plot(from);
+      EXPECT_EQ(one.mapTo(&view, QPoint()).y(), first.mapTo(&view, QPoint()).y()) << methodName(from).toStdString();
+      EXPECT_EQ(one.height(), first.height());
+      EXPECT_GE(one.width(), 160);
+    }
+  }
 }
 
 TEST_F(LabViews, TheRoundButtonChoosesTheWayOfTheModel) {

@@ -1,9 +1,11 @@
 #include "app/workbench/labs/force/force_terms_view.h"
 
 #include <QButtonGroup>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QRadioButton>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -70,11 +72,10 @@ QWidget* ForceTermsView::makeColumn(std::size_t index) {
   made.choice = new QRadioButton(methodName(kForceMethods[index]), column);
   made.choice->setFont(theme::headingFont());
   made.choice->setToolTip(tr("The model takes its words of the force from here."));
-  auto* rule = new WrappedLabel(column);
-  rule->setText(methodRule(kForceMethods[index]));
-  rule->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  rule->setMinimumHeight(2 * QFontMetrics(rule->font()).lineSpacing());
-  setMuted(*rule);
+  made.rule = new WrappedLabel(column);
+  made.rule->setText(methodRule(kForceMethods[index]));
+  made.rule->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  setMuted(*made.rule);
   made.plot = new ForceTermsPlot(column);
   connect(made.plot, &ForceTermsPlot::vertexAsked, this, [this, index](const std::string& term, std::size_t point) {
     if (columns_[index].choice->isChecked()) return emit vertexAsked(term, point);
@@ -92,7 +93,7 @@ QWidget* ForceTermsView::makeColumn(std::size_t index) {
   made.head = new QHBoxLayout;
   made.head->addWidget(made.choice, 1);
   layout->addLayout(made.head);
-  layout->addWidget(rule);
+  layout->addWidget(made.rule);
   layout->addWidget(made.plot, 1);
   layout->addWidget(made.corners);
   return column;
@@ -138,11 +139,29 @@ void ForceTermsView::tellCorners(const Column& column) {
   column.corners->setText(fits ? whole : narrowCorners(column.terms));
 }
 
+// The rules take the lines of the longest one, so that the pictures stand side by side.
+void ForceTermsView::levelRules() {
+  int height = 0;
+  for (const Column& column : columns_) {
+    const QRect room(0, 0, column.plot->width(), QWIDGETSIZE_MAX);
+    const QFontMetrics metrics(column.rule->font());
+    height = std::max(height, metrics.boundingRect(room, Qt::TextWordWrap, column.rule->text()).height());
+  }
+  for (const Column& column : columns_) column.rule->setFixedHeight(height);
+}
+
 void ForceTermsView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   // The layout gives the columns their width at once.
   layout()->activate();
+  levelRules();
   for (const Column& column : columns_) tellCorners(column);
+}
+
+// The labels take their new font after this.
+void ForceTermsView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) QTimer::singleShot(0, this, &ForceTermsView::levelRules);
 }
 
 void ForceTermsView::setChosen(elicitation::ForceTermsFrom from) {

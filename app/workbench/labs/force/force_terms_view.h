@@ -31,6 +31,7 @@ class ForceTermsView : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  signals:
   void chosen(tactus::elicitation::ForceTermsFrom from);
@@ -41,6 +42,7 @@ class ForceTermsView : public QWidget {
   struct Column {
     QHBoxLayout* head = nullptr;
     QRadioButton* choice = nullptr;
+    QLabel* rule = nullptr;
     ForceTermsPlot* plot = nullptr;
     QLabel* corners = nullptr;
     std::vector<fuzzy::Term> terms;
@@ -48,6 +50,7 @@ class ForceTermsView : public QWidget {
   QWidget* makeColumn(std::size_t index);
   Column& columnOf(elicitation::ForceTermsFrom from);
   void tellCorners(const Column& column);
+  void levelRules();
 
   std::array<Column, kForceMethods.size()> columns_;
 };
