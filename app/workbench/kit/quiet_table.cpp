@@ -19,6 +19,12 @@ QTableView* makeQuietTable(QAbstractItemModel& model, const QString& accessible_
   view->setAccessibleName(accessible_name);
   view->verticalHeader()->hide();
   QHeaderView* const head = view->horizontalHeader();
+  // Where the heads end, the ground of the cells goes on.
+  for (QHeaderView* header : {head, view->verticalHeader()}) {
+    QPalette colors = header->palette();
+    colors.setColor(QPalette::Window, theme::card());
+    header->setPalette(colors);
+  }
   head->setFont(theme::smallFont());
   head->setHighlightSections(false);
   head->setSectionsClickable(false);

@@ -57,7 +57,8 @@ NumberPage::NumberPage(SpeedLab& lab, QWidget* parent)
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(theme::kGrid);
-  layout->addWidget(titled(tr("Table 1: insertion speed, and how clusters and levels agree"), view_, this), 0, 0, 1, 2);
+  layout->addWidget(titled(tr("Table 1: insertion speed in mm/s, and how clusters and levels agree"), view_, this), 0,
+                    0, 1, 2);
   layout->addWidget(titled(tr("Warnings"), scroll, this), 1, 0);
   layout->addWidget(titled(tr("Objective against iteration"), objective_, this), 1, 1);
   layout->setRowStretch(1, 1);

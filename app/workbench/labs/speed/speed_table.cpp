@@ -21,7 +21,7 @@ LabColumn measure(const QString& title, const QString& tip) { return {title, Qt:
 std::vector<LabColumn> columnsOf(const fuzzy::Variable& speed) {
   std::vector<LabColumn> out = {{SpeedTable::tr("Participant")}};
   for (const fuzzy::Term& level : speed.terms) {
-    out.push_back({SpeedTable::tr("%1\nmean (SD), mm/s").arg(labelOf(level)), Qt::AlignHCenter});
+    out.push_back({SpeedTable::tr("%1\nmean (SD)").arg(labelOf(level)), Qt::AlignHCenter});
   }
   out.push_back(
       measure(SpeedTable::tr("Accuracy"),

@@ -24,7 +24,7 @@ constexpr std::size_t kMostRows = SpeedLab::kPerPage;
 }  // namespace
 
 StrokePage::StrokePage(SpeedLab& lab, LabModel& model, Corrections& corrections, QWidget* parent)
-    : QWidget(parent),
+    : Card(parent),
       lab_(lab),
       corrections_(corrections),
       traces_(lab.data()),
@@ -56,7 +56,7 @@ StrokePage::StrokePage(SpeedLab& lab, LabModel& model, Corrections& corrections,
     rows_.push_back(row);
   }
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid / 2);
+  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid / 2);
   layout->setSpacing(theme::kGrid);
   layout->addLayout(head);
   layout->addLayout(column_, 1);
@@ -200,14 +200,14 @@ void StrokePage::correct(const study::StrokeRecord& before, const study::StrokeR
 }
 
 void StrokePage::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
+  Card::showEvent(event);
   fillChoice();
   followWanted();
   follow();
 }
 
 void StrokePage::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
+  Card::hideEvent(event);
   influence_.stop();
 }
 

@@ -1,11 +1,11 @@
 // The recordings of strokes with their marks: one level of the participants on the page, or all levels of one.
 #pragma once
 
-#include <QWidget>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/workbench/kit/card.h"
 #include "app/workbench/labs/speed/stroke_influence.h"
 #include "app/workbench/labs/speed/stroke_traces.h"
 
@@ -20,7 +20,7 @@ class LabModel;
 class SpeedLab;
 class TraceRow;
 
-class StrokePage : public QWidget {
+class StrokePage : public Card {
   Q_OBJECT
 
  public:
