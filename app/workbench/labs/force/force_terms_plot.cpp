@@ -31,6 +31,7 @@ ForceTermsPlot::ForceTermsPlot(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   setMinimumSize(120, 120);
+  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, theme::kGrid + 4, 0));
   setAccessibleName(tr("Words of the force"));
 }
 
